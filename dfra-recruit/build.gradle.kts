@@ -12,7 +12,7 @@ val dlJar = tasks.register<Jar>("dlJar") {
     from(sourceSets.main.get().output)
     include(
         "org/dfra/recruit/message/**",
-        "org/dfra/recruit/river/LetterEvent.class",
+        "org/dfra/recruit/river/AgentMessageEvent.class",
         "org/dfra/recruit/river/RemoteRecruitmentAgent.class",
         "org/dfra/recruit/river/RecruitmentAgentProxy.class",
         "org/dfra/recruit/river/RecruitmentEntry.class",

@@ -57,7 +57,7 @@ class RunningRobotTest {
   }
 
   private RobotBootstrap robot() throws Exception {
-    int port = FreePorts.next();
+    int port = FreePorts.allocate();
     phoenix = new PhoenixProcess("127.0.0.1", port, -1, folder.resolve("phoenix"));
     process = phoenix.start(PATIENCE);
     Path xml = folder.resolve("robot.xml");
@@ -145,7 +145,7 @@ class RunningRobotTest {
 
   @Test
   void aRobotShowsItsPersonaInItsRegistrarAndChangesIt() throws Exception {
-    int port = FreePorts.next();
+    int port = FreePorts.allocate();
     robot();
     String locator = "jini://127.0.0.1:" + port;
     try (JiniModuleDirectory directory =

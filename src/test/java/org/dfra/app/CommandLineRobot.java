@@ -32,7 +32,7 @@ record CommandLineRobot(MarkedProcesses processes, Path folder, Path xml, int re
 
   /** Describes one with a registrar and one thermometer; it is not up yet. */
   static CommandLineRobot create(Path folder) throws IOException {
-    int registrar = FreePorts.next();
+    int registrar = FreePorts.allocate();
     return create(
         folder,
         registrar,
@@ -51,7 +51,8 @@ record CommandLineRobot(MarkedProcesses processes, Path folder, Path xml, int re
   static CommandLineRobot create(Path folder, int registrar, String described) throws IOException {
     Path own = Files.createTempDirectory(folder, "robot");
     Path xml = Files.writeString(own.resolve("t1.xml"), described);
-    return new CommandLineRobot(new MarkedProcesses(own), own, xml, registrar, FreePorts.next());
+    return new CommandLineRobot(
+        new MarkedProcesses(own), own, xml, registrar, FreePorts.allocate());
   }
 
   Outcome up() throws Exception {

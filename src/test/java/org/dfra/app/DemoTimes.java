@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dfra.core.time.Timing;
-import org.dfra.core.time.Timing.Outcome;
+import org.dfra.core.time.Timing.BoundResult;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -64,7 +64,7 @@ record DemoTimes(List<Target> targets) {
     private Timing in(Timing run) {
       Duration took = duration(measured);
       Duration least = bound().plusNanos(1); // rounding may have printed the target itself
-      return run.during(took.compareTo(least) < 0 ? least : took);
+      return run.ofPart(took.compareTo(least) < 0 ? least : took);
     }
 
     private Duration bound() {
@@ -141,8 +141,8 @@ record DemoTimes(List<Target> targets) {
   List<String> excuses(Timing run) {
     List<String> excuses = new ArrayList<>();
     for (Target each : missed()) {
-      Outcome outcome = each.in(run).against(each.bound());
-      if (outcome == Outcome.MISSED) {
+      BoundResult outcome = each.in(run).compareWith(each.bound());
+      if (outcome == BoundResult.MISSED) {
         return List.of();
       }
       excuses.add(
@@ -150,7 +150,7 @@ record DemoTimes(List<Target> targets) {
               Locale.ROOT,
               "%s: %s; the computer stalled for %.3f s of %.0f s, with %.1f runnable threads per"
                   + " processor%s",
-              outcome == Outcome.MISSED_DURING_A_STALL
+              outcome == BoundResult.MISSED_DURING_A_STALL
                   ? "MISSED DURING A STALL"
                   : "missed during an overload",
               each,

@@ -8,7 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.dfra.app.DemoTimes.Target;
-import org.dfra.app.figure.Figure;
+import org.dfra.app.measurement.MeasuredValue;
 import org.dfra.core.time.Timing;
 import org.junit.jupiter.api.Test;
 
@@ -20,11 +20,12 @@ class DemoTimesTest {
   private static final Timing STALLED = new Timing(RUN, Duration.ofSeconds(3), 0.6);
   private static final Timing OVERLOADED = new Timing(RUN, Duration.ZERO, 2.5);
 
-  private static final Figure MET = new Figure("registrar back", 0.5, 5, "s");
-  private static final Figure LATE = new Figure("gps_front killed to heard again", 7.3, 5, "s");
+  private static final MeasuredValue MET = new MeasuredValue("registrar back", 0.5, 5, "s");
+  private static final MeasuredValue LATE =
+      new MeasuredValue("gps_front killed to heard again", 7.3, 5, "s");
 
   /** As a demonstration prints them. */
-  private static DemoTimes read(Figure... figures) {
+  private static DemoTimes read(MeasuredValue... figures) {
     String lines =
         Arrays.stream(figures)
             .flatMap(each -> each.lines(COLUMNS).stream())
@@ -34,21 +35,24 @@ class DemoTimesTest {
 
   @Test
   void readsWhatAFigurePrints() {
-    Figure folded =
-        new Figure("cold start of both robots to all modules working and shown", 16.5, 16, "s");
-    Figure stated =
-        new Figure("readings of the odometry in 1000 m", 20, Double.POSITIVE_INFINITY, "B/s");
-    Figure foldedStated =
-        new Figure(
+    MeasuredValue folded =
+        new MeasuredValue(
+            "cold start of both robots to all modules working and shown", 16.5, 16, "s");
+    MeasuredValue stated =
+        new MeasuredValue(
+            "readings of the odometry in 1000 m", 20, Double.POSITIVE_INFINITY, "B/s");
+    MeasuredValue foldedStated =
+        new MeasuredValue(
             "share of the region that no robot of the 2 saw", 0.25, Double.POSITIVE_INFINITY, "");
-    Figure plain = new Figure("waypoints to be driven to again, of 12", 0, 0, "");
-    Figure small = new Figure("same-VM proxy call over the direct call", 0.00012, 0.5, "µs");
+    MeasuredValue plain = new MeasuredValue("waypoints to be driven to again, of 12", 0, 0, "");
+    MeasuredValue small =
+        new MeasuredValue("same-VM proxy call over the direct call", 0.00012, 0.5, "µs");
     assertThat(read(folded, stated, foldedStated, plain, small, LATE).targets())
         .containsExactly(
-            new Target(folded.what(), 16.5, 16, "s", true),
-            new Target(plain.what(), 0, 0, "", false),
-            new Target(small.what(), 0.00012, 0.5, "µs", false),
-            new Target(LATE.what(), 7.3, 5, "s", true));
+            new Target(folded.name(), 16.5, 16, "s", true),
+            new Target(plain.name(), 0, 0, "", false),
+            new Target(small.name(), 0.00012, 0.5, "µs", false),
+            new Target(LATE.name(), 7.3, 5, "s", true));
   }
 
   @Test
@@ -93,7 +97,7 @@ class DemoTimesTest {
 
   @Test
   void oneThatNothingExcusesDecides() {
-    Figure worse = new Figure("phoenix back", 60, 5, "s");
+    MeasuredValue worse = new MeasuredValue("phoenix back", 60, 5, "s");
     assertThat(read(LATE, worse).excuses(STALLED)).isEmpty();
     assertThatThrownBy(() -> read(worse, LATE).require(STALLED))
         .hasMessageStartingWith("phoenix back took 60.000 s");
@@ -101,14 +105,14 @@ class DemoTimesTest {
 
   @Test
   void aMissThatRoundingHidesIsAMiss() {
-    DemoTimes times = read(new Figure("registrar back", 5.0002, 5, "s"));
+    DemoTimes times = read(new MeasuredValue("registrar back", 5.0002, 5, "s"));
     assertThat(times.missed()).hasSize(1);
     assertThatThrownBy(() -> times.require(IDLE)).isInstanceOf(AssertionError.class);
   }
 
   @Test
   void whatIsNoTimeHasNoExcuse() {
-    DemoTimes times = read(new Figure("collisions", 1, 0, ""));
+    DemoTimes times = read(new MeasuredValue("collisions", 1, 0, ""));
     assertThatThrownBy(() -> times.excuses(STALLED))
         .isInstanceOf(AssertionError.class)
         .hasMessageContaining("is no time");

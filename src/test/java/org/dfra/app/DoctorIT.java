@@ -33,12 +33,12 @@ class DoctorIT {
 
   @Test
   void findsARobotWellAndThenIll() throws Exception {
-    int registrar = FreePorts.next();
+    int registrar = FreePorts.allocate();
     String state = "--state=" + folder.resolve("state");
     // Not the usual port, where somebody else's phoenix may answer.
     PrivateFiles.requireFolder(folder.resolve("state"));
     Path address = folder.resolve("state/phoenix.address");
-    Files.writeString(address, "127.0.0.1:" + FreePorts.next());
+    Files.writeString(address, "127.0.0.1:" + FreePorts.allocate());
     try (MarkedProcesses processes = new MarkedProcesses(folder)) {
       Outcome none = doctor(state, 2); // for nobody
       assertThat(found(none, "phoenix")).containsExactly("warn");
@@ -50,7 +50,7 @@ class DoctorIT {
               PATIENCE,
               "up",
               robot(registrar).toString(),
-              "--port=" + FreePorts.next(),
+              "--port=" + FreePorts.allocate(),
               "--registry-port=-1",
               state);
       assertThat(up.exit()).as(up.out() + up.err()).isZero();

@@ -23,10 +23,10 @@ import org.dfra.example.thermometer.Thermometer;
 import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
 import org.dfra.lease.ModuleLease;
-import org.dfra.module.History;
 import org.dfra.module.Identification;
 import org.dfra.module.LogLevel;
 import org.dfra.module.Module;
+import org.dfra.module.ModuleHistory;
 import org.dfra.module.Parameter;
 import org.dfra.module.Readiness;
 import org.dfra.persona.ModuleAttributes;
@@ -91,12 +91,12 @@ class HostileModuleTest {
     }
 
     @Override
-    public ModuleLease use(Duration duration) {
+    public ModuleLease acquireLease(Duration duration) {
       throw broken();
     }
 
     @Override
-    public History history() {
+    public ModuleHistory history() {
       throw broken();
     }
 
@@ -157,7 +157,7 @@ class HostileModuleTest {
             .findFirst(ModuleQuery.of(Thermometer.class), PATIENCE)
             .orElseThrow()
             .module()
-            .use(Duration.ofSeconds(30));
+            .acquireLease(Duration.ofSeconds(30));
   }
 
   @AfterAll
@@ -195,17 +195,17 @@ class HostileModuleTest {
   @Test
   void modulesAreListedAndItSaysNotWhyItHasFailed() {
     InProcessCommand said = dfra("module", "list", "--json");
-    assertThat(said.code()).as(said.err()).isEqualTo(ExitCode.WELL);
+    assertThat(said.code()).as(said.err()).isEqualTo(ExitCode.SUCCESS);
     assertThat(said.out()).contains("good", "hostile", "it does not say why (" + WHY + ")");
   }
 
   @Test
   void personasAreShown() {
     InProcessCommand all = dfra("persona", "list");
-    assertThat(all.code()).as(all.err()).isEqualTo(ExitCode.WELL);
+    assertThat(all.code()).as(all.err()).isEqualTo(ExitCode.SUCCESS);
     assertThat(all.out()).contains("robot");
     InProcessCommand one = dfra("persona", "show", "robot");
-    assertThat(one.code()).as(one.err()).isEqualTo(ExitCode.WELL);
+    assertThat(one.code()).as(one.err()).isEqualTo(ExitCode.SUCCESS);
     assertThat(one.out()).contains("good", "hostile");
   }
 }

@@ -271,7 +271,7 @@ class RobotVerbsIT {
                     robot.registrar(),
                     module("warmth", 23),
                     Path.of(System.getProperty("dfra.root"), "config/modules/m12plus.properties"),
-                    FreePorts.next())); // where nobody answers
+                    FreePorts.allocate())); // where nobody answers
     Outcome up = namesake.up();
     assertThat(up.exit()).as("it comes up all the same: " + up.err()).isZero();
     assertThat(up.err())

@@ -17,7 +17,7 @@ import org.dfra.app.MarkedProcesses.Outcome;
 import org.dfra.core.host.FreePorts;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.sim.device.M12Emulator;
-import org.dfra.sim.device.M12Settings;
+import org.dfra.sim.device.M12EmulatorSettings;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -43,7 +43,8 @@ class TalkVerbsIT {
   static void bringUp() throws Exception {
     receiver =
         new M12Emulator(
-            M12Settings.at(new GeoPosition(27.98, -82.45, 14)).withBaud(115_200), Instant::now);
+            M12EmulatorSettings.at(new GeoPosition(27.98, -82.45, 14)).withBaud(115_200),
+            Instant::now);
     receiver.start();
     processes = new MarkedProcesses(folder);
     beside = new MarkedProcesses(Files.createDirectory(folder.resolve("beside")));
@@ -63,13 +64,13 @@ class TalkVerbsIT {
           </group>
         </robot>
         """
-            .formatted(FreePorts.next(), receiver.url()));
+            .formatted(FreePorts.allocate(), receiver.url()));
     Outcome up =
         processes.dfra(
             PATIENCE,
             "up",
             xml.toString(),
-            "--port=" + FreePorts.next(),
+            "--port=" + FreePorts.allocate(),
             "--registry-port=-1",
             state());
     assertThat(up.exit()).as(up.out() + up.err()).isZero();

@@ -24,7 +24,7 @@ import org.dfra.core.config.RobotDescription;
 import org.dfra.core.config.RobotXml;
 import org.dfra.core.host.FreePorts;
 import org.dfra.sim.run.Simulation;
-import org.dfra.sim.world.TruePose;
+import org.dfra.sim.world.GroundTruthPose;
 import org.dfra.sim.world.file.WorldXml;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -65,7 +65,7 @@ class TaskVerbsIT {
         Simulation.overTcp(
             WorldXml.read(CONFIG.resolve("worlds/raster.xml"), name -> null),
             InstantSource.system(),
-            Simulation.Ports.ANY);
+            Simulation.PortPolicy.EPHEMERAL);
     world.start();
     Outcome up =
         processes.dfra(
@@ -73,7 +73,7 @@ class TaskVerbsIT {
             "up",
             robot("atrv1"),
             robot("atrv2"),
-            "--port=" + FreePorts.next(),
+            "--port=" + FreePorts.allocate(),
             "--registry-port=-1",
             state());
     assertThat(up.exit()).as(up.out() + up.err()).isZero();
@@ -87,8 +87,8 @@ class TaskVerbsIT {
     settings.put("DFRA_" + name.toUpperCase(Locale.ROOT) + "_CLASS_PORT", "off");
     settings.put(
         "DFRA_" + name.toUpperCase(Locale.ROOT) + "_REGISTRAR_PORT",
-        Integer.toString(FreePorts.next()));
-    world.lines().forEach(line -> settings.put(line.variable(), line.link()));
+        Integer.toString(FreePorts.allocate()));
+    world.endpoints().forEach(line -> settings.put(line.linkVariable(), line.link()));
     RobotDescription read =
         RobotXml.read(CONFIG.resolve("teams/raster/" + name + ".xml"), settings::get);
     List<ModuleDescription> modules = new ArrayList<>(read.modules());
@@ -163,8 +163,8 @@ class TaskVerbsIT {
 
   /** Whether a robot's wheels turn. */
   private static boolean moves(String robot) {
-    TruePose pose = world.world().truth().pose(robot, Instant.now());
-    return pose.speed() > 0.05 || Math.abs(pose.turnRate()) > 0.05;
+    GroundTruthPose pose = world.world().groundTruth().pose(robot, Instant.now());
+    return pose.speed() > 0.05 || Math.abs(pose.yawRate()) > 0.05;
   }
 
   private static void assertPhases(JsonNode tasks, String first, String second) {

@@ -3,7 +3,7 @@ package org.dfra.attack;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.rmi.RemoteException;
-import org.dfra.app.bench.attack.Task;
+import org.dfra.app.benchmark.attack.Task;
 import org.dfra.river.bootstrap.PhoenixProcess;
 
 /** Asks phoenix as a command of {@code ./dfra} does. It prints {@code answered} or the failure. */
@@ -19,7 +19,7 @@ public final class AskPhoenix implements Task {
     PhoenixProcess phoenix =
         new PhoenixProcess("127.0.0.1", Integer.parseInt(args[0]), -1, Path.of(args[1]));
     try {
-      phoenix.requireOwn();
+      phoenix.requireOwnedByUser();
       out.println("answered " + phoenix.admin().groupStatus().size());
     } catch (RemoteException e) {
       out.println("failed " + e.getMessage());

@@ -15,12 +15,12 @@ import java.util.concurrent.TimeUnit;
 import net.jini.id.UuidFactory;
 import net.jini.jeri.BasicObjectEndpoint;
 import net.jini.jeri.ObjectEndpoint;
-import org.dfra.app.bench.attack.CallBytes;
-import org.dfra.app.bench.attack.RawCall;
-import org.dfra.app.bench.attack.RawCall.Answer;
-import org.dfra.app.bench.attack.RawCall.Status;
-import org.dfra.app.bench.attack.Rebased;
-import org.dfra.app.bench.attack.TaskProcess;
+import org.dfra.app.benchmark.attack.CallBytes;
+import org.dfra.app.benchmark.attack.RawCall;
+import org.dfra.app.benchmark.attack.RawCall.Answer;
+import org.dfra.app.benchmark.attack.RawCall.Status;
+import org.dfra.app.benchmark.attack.SourceBoundProxies;
+import org.dfra.app.benchmark.attack.TaskProcess;
 import org.dfra.attack.HonestService.Adder;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -54,19 +54,20 @@ class AttackKitTest {
   @Test
   void stockProxiesCallFromTheAttackersAddress() throws Exception {
     assertThat(service.proxy().client()).isNotEqualTo(hosts.attacker());
-    Adder attackers = Rebased.of(service.proxy(), hosts.attackerSockets());
+    Adder attackers = SourceBoundProxies.of(service.proxy(), hosts.attackerSockets());
     assertThat(attackers.client()).isEqualTo(hosts.attacker());
-    assertThat(Rebased.of(attackers, hosts.operatorSockets()).client()).isEqualTo(hosts.operator());
-    assertThat(Rebased.remote(List.of("smart", attackers), Adder.class).client())
+    assertThat(SourceBoundProxies.of(attackers, hosts.operatorSockets()).client())
+        .isEqualTo(hosts.operator());
+    assertThat(SourceBoundProxies.remote(List.of("smart", attackers), Adder.class).client())
         .isEqualTo(hosts.attacker());
   }
 
   @Test
   void connectionsOfTheirOwnAreNotShared() {
     assertThat(hosts.attackerSockets()).isEqualTo(hosts.attackerSockets());
-    assertThat(hosts.attackerSockets().another())
+    assertThat(hosts.attackerSockets().unshared())
         .isNotEqualTo(hosts.attackerSockets())
-        .isNotEqualTo(hosts.attackerSockets().another());
+        .isNotEqualTo(hosts.attackerSockets().unshared());
   }
 
   @Test
@@ -176,8 +177,8 @@ class AttackKitTest {
     Process daemon = new ProcessBuilder("sleep", "600").start();
     try {
       try (TaskProcess task = TaskProcess.start(HoldThreads.class, "1")) {
-        task.endsWithThis(daemon.pid());
-        assertThatThrownBy(() -> task.endsWithThis(daemon.pid()))
+        task.killWithThis(daemon.pid());
+        assertThatThrownBy(() -> task.killWithThis(daemon.pid()))
             .isInstanceOf(IllegalStateException.class)
             .hasMessageContaining("process " + daemon.pid());
         assertThat(daemon.isAlive()).isTrue();
@@ -189,6 +190,6 @@ class AttackKitTest {
   }
 
   private RawCall raw() throws IOException {
-    return RawCall.to(Rebased.of(service.proxy(), hosts.attackerSockets()));
+    return RawCall.to(SourceBoundProxies.of(service.proxy(), hosts.attackerSockets()));
   }
 }

@@ -7,12 +7,12 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
-import org.dfra.app.bench.attack.BombServer;
-import org.dfra.app.bench.attack.FigureLines;
-import org.dfra.app.bench.attack.FileLocks;
-import org.dfra.app.bench.attack.HostileModule;
-import org.dfra.app.bench.attack.TerminalCheck;
-import org.dfra.app.figure.Figure;
+import org.dfra.app.benchmark.attack.BombServer;
+import org.dfra.app.benchmark.attack.FileLocks;
+import org.dfra.app.benchmark.attack.HostileModule;
+import org.dfra.app.benchmark.attack.MeasuredValueLines;
+import org.dfra.app.benchmark.attack.TerminalCheck;
+import org.dfra.app.measurement.MeasuredValue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -23,20 +23,20 @@ class AttackMeasuresTest {
 
   @Test
   void figuresCrossTheLineBetweenTwoProcesses() {
-    List<Figure> figures =
+    List<MeasuredValue> figures =
         List.of(
-            new Figure("locks held by the attacker", 1, 0, ""),
-            new Figure("CPU until nested XML is refused", 0.25, 1, "s"),
-            new Figure("bombs thrown", 7, Double.POSITIVE_INFINITY, ""));
+            new MeasuredValue("locks held by the attacker", 1, 0, ""),
+            new MeasuredValue("CPU until nested XML is refused", 0.25, 1, "s"),
+            new MeasuredValue("bombs thrown", 7, Double.POSITIVE_INFINITY, ""));
     List<String> lines =
         List.of(
             "begins",
-            FigureLines.write(figures.get(0)),
-            FigureLines.write(figures.get(1)),
-            FigureLines.write(figures.get(2)),
+            MeasuredValueLines.write(figures.get(0)),
+            MeasuredValueLines.write(figures.get(1)),
+            MeasuredValueLines.write(figures.get(2)),
             "done 7 7 null");
-    assertThat(FigureLines.read(lines)).isEqualTo(figures);
-    assertThatThrownBy(() -> FigureLines.read(List.of("figure 1 2 s")))
+    assertThat(MeasuredValueLines.read(lines)).isEqualTo(figures);
+    assertThatThrownBy(() -> MeasuredValueLines.read(List.of("figure 1 2 s")))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("figure 1 2 s");
   }
@@ -45,7 +45,7 @@ class AttackMeasuresTest {
   void charactersThatControlATerminalAreCountedByTheLine() {
     TerminalCheck check = new TerminalCheck();
     check.add("atrv1/drive  READY\nx\\u009b2J shown, and harmless\n");
-    assertThat(check.figures()).allMatch(Figure::isMet);
+    assertThat(check.figures()).allMatch(MeasuredValue::isMet);
     assertThat(check.shows("\\u009b2")).isTrue();
     assertThat(check.shows("\\u009b7")).isFalse();
 
@@ -57,8 +57,8 @@ class AttackMeasuresTest {
 
   private static double measured(TerminalCheck check, String what) {
     return check.figures().stream()
-        .filter(each -> each.what().equals(what))
-        .mapToDouble(Figure::measured)
+        .filter(each -> each.name().equals(what))
+        .mapToDouble(MeasuredValue::value)
         .sum();
   }
 

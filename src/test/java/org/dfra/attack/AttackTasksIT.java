@@ -10,20 +10,20 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.dfra.app.bench.attack.AttackTask;
-import org.dfra.app.bench.attack.AttackTask.Target;
-import org.dfra.app.bench.attack.DiscoveryBombs;
-import org.dfra.app.bench.attack.FigureLines;
-import org.dfra.app.bench.attack.ForgedText;
-import org.dfra.app.bench.attack.GroupRegistrations;
-import org.dfra.app.bench.attack.HonestRobot;
-import org.dfra.app.bench.attack.JrmpReferences;
-import org.dfra.app.bench.attack.LocalMulticast;
-import org.dfra.app.bench.attack.LockTheft;
-import org.dfra.app.bench.attack.NestedXml;
-import org.dfra.app.bench.attack.RegistrarChanges;
-import org.dfra.app.bench.attack.TaskProcess;
-import org.dfra.app.figure.Figure;
+import org.dfra.app.benchmark.attack.AttackTask;
+import org.dfra.app.benchmark.attack.AttackTask.Target;
+import org.dfra.app.benchmark.attack.DiscoveryBombs;
+import org.dfra.app.benchmark.attack.ForgedText;
+import org.dfra.app.benchmark.attack.GroupRegistrations;
+import org.dfra.app.benchmark.attack.HonestRobot;
+import org.dfra.app.benchmark.attack.JrmpReferences;
+import org.dfra.app.benchmark.attack.LocalMulticast;
+import org.dfra.app.benchmark.attack.LockTheft;
+import org.dfra.app.benchmark.attack.MeasuredValueLines;
+import org.dfra.app.benchmark.attack.NestedXml;
+import org.dfra.app.benchmark.attack.RegistrarChanges;
+import org.dfra.app.benchmark.attack.TaskProcess;
+import org.dfra.app.measurement.MeasuredValue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
@@ -47,7 +47,7 @@ class AttackTasksIT {
     boolean hasMulticast = LocalMulticast.isPossible();
     try (TaskProcess robot = robot(hasMulticast)) {
       String[] phoenix = robot.awaitLine("phoenix ", PATIENCE).split(" ");
-      robot.endsWithThis(Long.parseLong(phoenix[2]));
+      robot.killWithThis(Long.parseLong(phoenix[2]));
       Path lock = Path.of(robot.awaitLine("lock ", PATIENCE).substring("lock ".length()));
       String[] ports = robot.awaitLine("registrar ", PATIENCE).split(" ");
       List<Class<? extends AttackTask>> attacks =
@@ -110,20 +110,20 @@ class AttackTasksIT {
   }
 
   private static void assertHarmless(Class<? extends AttackTask> attack, TaskProcess attacker) {
-    List<Figure> figures;
+    List<MeasuredValue> figures;
     try {
       if (attack != ForgedText.class) { // nothing of which is refused
         String unused = attacker.awaitLine("refused ", PATIENCE);
       }
       attacker.write("stop");
       String unusedEither = attacker.awaitLine("done ", PATIENCE);
-      figures = FigureLines.read(attacker.lines());
+      figures = MeasuredValueLines.read(attacker.lines());
     } catch (IOException | InterruptedException e) {
       throw new AssertionError(attack + " failed", e);
     }
     assertThat(figures).as("%s", attack).isNotEmpty();
     if (attack == LockTheft.class) { // as the robot's own user: what is free, it takes
-      assertThat(figures).noneMatch(Figure::isMet);
+      assertThat(figures).noneMatch(MeasuredValue::isMet);
     } else {
       assertThat(figures).as("%s", attack).allMatch(each -> each.isMet() || each.isTime());
     }

@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import org.dfra.app.bench.attack.Task;
-import org.dfra.app.bench.attack.TaskProcess;
+import org.dfra.app.benchmark.attack.Task;
+import org.dfra.app.benchmark.attack.TaskProcess;
 import org.dfra.core.config.RobotXml;
 import org.dfra.drive.Wheels;
 import org.dfra.river.bootstrap.EmbeddedRobot;
@@ -77,14 +77,14 @@ final class AttackedRobot {
     }
   }
 
-  /** What each call of a verb of {@link AdministrativeCalls} came to, from an address. */
+  /** What each call of a verb of {@link AdministrativeCallTask} came to, from an address. */
   static List<String> tried(TaskProcess task, String source, String verb)
       throws IOException, InterruptedException {
     task.write(source + " " + verb);
     List<String> outcomes = new ArrayList<>();
     while (true) {
       String line = task.awaitLine("", PATIENCE);
-      if (line.equals(AdministrativeCalls.END)) {
+      if (line.equals(AdministrativeCallTask.END)) {
         return outcomes;
       }
       outcomes.add(line);

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import org.dfra.app.bench.attack.BombServer;
-import org.dfra.app.bench.attack.TaskProcess;
+import org.dfra.app.benchmark.attack.BombServer;
+import org.dfra.app.benchmark.attack.TaskProcess;
 import org.dfra.testing.EmbeddedReggie;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -46,7 +46,7 @@ class DiscoveryBombIT {
       client.write("stop"); // once it has found one, and then once more
       assertThat(client.awaitLine("found", PATIENCE))
           .isEqualTo("found " + REGGIE.registrar().getServiceID());
-      assertThat(server.thrown()).isEqualTo(BOMBS);
+      assertThat(server.sentCount()).isEqualTo(BOMBS);
       assertThat(client.lines())
           .as("threads that ended; %s", client.log())
           .noneMatch(line -> line.startsWith(FuzzedRobot.DIED));

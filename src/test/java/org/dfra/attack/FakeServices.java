@@ -10,9 +10,9 @@ import net.jini.core.entry.Entry;
 import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.lookup.entry.Name;
-import org.dfra.app.bench.attack.Rebased;
-import org.dfra.app.bench.attack.SourceSockets;
-import org.dfra.app.bench.attack.Task;
+import org.dfra.app.benchmark.attack.SourceBoundProxies;
+import org.dfra.app.benchmark.attack.SourceSockets;
+import org.dfra.app.benchmark.attack.Task;
 import org.dfra.flow.effector.DriveEffector;
 import org.jspecify.annotations.Nullable;
 
@@ -47,7 +47,8 @@ public final class FakeServices implements Task {
     for (String line; (line = in.readLine()) != null; ) {
       String[] words = line.split(" ");
       ServiceRegistrar registrar =
-          Rebased.registrar(args[0], Integer.parseInt(args[1]), SourceSockets.from(words[0]));
+          SourceBoundProxies.registrar(
+              args[0], Integer.parseInt(args[1]), SourceSockets.from(words[0]));
       String outcome =
           switch (words[1]) {
             case "learn" -> outcome(() -> drive = Fakes.id(registrar, DriveEffector.class));

@@ -18,7 +18,7 @@ import net.jini.core.lookup.ServiceTemplate;
 import net.jini.export.Exporter;
 import net.jini.jeri.BasicJeriExporter;
 import org.dfra.flow.effector.DriveEffector;
-import org.dfra.flow.effector.StopState;
+import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.module.Identification;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
@@ -53,7 +53,7 @@ final class FalseDrives implements AutoCloseable {
             switch (method.getName()) {
               case "emergencyStop", "stopState" -> {
                 Instant now = Instant.now().truncatedTo(ChronoUnit.MILLIS);
-                yield new StopState(true, "a fake", now, true, null);
+                yield new EmergencyStopState(true, "a fake", now, true, null);
               }
               case "hashCode" -> System.identityHashCode(self);
               case "equals" -> self == args[0];

@@ -10,7 +10,7 @@ import org.dfra.drive.Commander;
 import org.dfra.drive.WheeledRobot;
 import org.dfra.drive.WheeledRobot.Said;
 import org.dfra.flow.effector.DriveCommand.Velocity;
-import org.dfra.flow.effector.StopState;
+import org.dfra.flow.effector.EmergencyStopState;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
@@ -71,9 +71,9 @@ class FalseStopIT {
       timing.requireWithin("./dfra stop --all beside a fake", Duration.ofSeconds(5));
       robot.wheels().assertTheyStoodWithinHalfASecondOfTheLastCommand();
     }
-    StopState state = robot.drive().stopState();
+    EmergencyStopState state = robot.drive().emergencyStopState();
     assertThat(state.latched()).isTrue();
-    assertThat(state.by()).as("not by the fake").contains(" at " + WheeledRobot.HOST);
+    assertThat(state.requester()).as("not by the fake").contains(" at " + WheeledRobot.HOST);
   }
 
   @Test

@@ -10,12 +10,12 @@ import java.util.UUID;
 import net.jini.core.lease.Lease;
 import net.jini.lease.LeaseRenewalManager;
 import org.dfra.app.InProcessCommand;
-import org.dfra.app.bench.attack.HostileModule;
-import org.dfra.app.bench.attack.TerminalCheck;
+import org.dfra.app.benchmark.attack.HostileModule;
+import org.dfra.app.benchmark.attack.TerminalCheck;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.persona.Attributes;
 import org.dfra.testing.EmbeddedReggie;
-import org.dfra.text.Printable;
+import org.dfra.text.PrintableText;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -32,7 +32,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 @Timeout(180)
 class ForgedOutputTest {
 
-  private static final String ROBOT = Printable.word(HostileModule.NAME);
+  private static final String ROBOT = PrintableText.word(HostileModule.NAME);
 
   @RegisterExtension static final EmbeddedReggie REGGIE = new EmbeddedReggie();
 

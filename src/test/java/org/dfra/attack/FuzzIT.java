@@ -33,11 +33,11 @@ import net.jini.core.lookup.ServiceID;
 import net.jini.export.Exporter;
 import net.jini.jeri.BasicILFactory;
 import net.jini.jeri.BasicJeriExporter;
-import org.dfra.app.bench.attack.CallBytes;
-import org.dfra.app.bench.attack.RawCall;
-import org.dfra.app.bench.attack.RawCall.Status;
-import org.dfra.app.bench.attack.Rebased;
-import org.dfra.app.bench.attack.TaskProcess;
+import org.dfra.app.benchmark.attack.CallBytes;
+import org.dfra.app.benchmark.attack.RawCall;
+import org.dfra.app.benchmark.attack.RawCall.Status;
+import org.dfra.app.benchmark.attack.SourceBoundProxies;
+import org.dfra.app.benchmark.attack.TaskProcess;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
 import org.dfra.example.thermometer.RemoteThermometer;
@@ -233,7 +233,7 @@ class FuzzIT {
 
   private RemoteThermometer module(TaskProcess robot, AttackHosts hosts) throws Exception {
     try (ObjectInputStream in = new ObjectInputStream(Files.newInputStream(file()))) {
-      return Rebased.of((RemoteThermometer) in.readObject(), hosts.attackerSockets());
+      return SourceBoundProxies.of((RemoteThermometer) in.readObject(), hosts.attackerSockets());
     } catch (IOException e) {
       throw new IOException("the module of process " + robot.pid() + " cannot be read", e);
     }

@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import net.jini.core.lookup.ServiceRegistrar;
-import org.dfra.app.bench.attack.Task;
+import org.dfra.app.benchmark.attack.Task;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
 import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
@@ -100,13 +100,13 @@ public final class FuzzedRobot implements Task {
     DirectorySettings usual = DirectorySettings.of(host, List.of(), List.of(locator));
     DirectorySettings settings =
         new DirectorySettings(
-            usual.host(),
+            usual.callbackHost(),
             usual.groups(),
             usual.locators(),
             RETRY,
-            usual.heartbeat(),
-            usual.silence(),
-            usual.reconcile(),
+            usual.heartbeatInterval(),
+            usual.registrarTimeout(),
+            usual.reconcileInterval(),
             usual.eventLease());
     try (JiniModuleDirectory directory =
         new JiniModuleDirectory(settings, InstantSource.system())) {

@@ -107,7 +107,9 @@ class LargeAnswersTest {
     Object server =
         DeadlineILFactory.proxy(
             new BasicObjectEndpoint(
-                Endpoints.at("192.0.2.1", 5_000 + number), UuidFactory.create(1, number), false),
+                Endpoints.tcpClient("192.0.2.1", 5_000 + number),
+                UuidFactory.create(1, number),
+                false),
             Duration.ofSeconds(2),
             LOADER,
             RemoteGPSSensor.class);
@@ -123,7 +125,7 @@ class LargeAnswersTest {
         new ServiceItem(
             new ServiceID(1, number),
             proxy,
-            Entries.of(
+            Entries.toEntries(
                 List.of(
                     new ModuleAttributes(
                         robot,

@@ -15,9 +15,9 @@ import java.util.List;
 import java.util.Properties;
 import java.util.UUID;
 import java.util.stream.Stream;
-import org.dfra.app.bench.attack.OtherUser;
-import org.dfra.app.bench.attack.StrangersGroup;
-import org.dfra.app.bench.attack.TaskProcess;
+import org.dfra.app.benchmark.attack.OtherUser;
+import org.dfra.app.benchmark.attack.StrangersGroup;
+import org.dfra.app.benchmark.attack.TaskProcess;
 import org.dfra.core.config.RobotXml;
 import org.dfra.core.host.FreePorts;
 import org.dfra.river.bootstrap.RobotBootstrap;
@@ -57,8 +57,8 @@ class LocalUserIT {
               <group name="lookup"><registrar port="%d" classes="off"/></group>
             </robot>
             """
-                .formatted(FreePorts.next()));
-    List<RobotBootstrap.Service> unused =
+                .formatted(FreePorts.allocate()));
+    List<RobotBootstrap.ServiceReference> unused =
         new RobotBootstrap(phoenix.process(), RobotXml.read(xml)).up();
   }
 

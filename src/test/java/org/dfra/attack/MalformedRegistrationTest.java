@@ -21,8 +21,8 @@ import net.jini.core.lookup.ServiceRegistration;
 import net.jini.core.lookup.ServiceTemplate;
 import net.jini.id.Uuid;
 import net.jini.lookup.entry.Name;
-import org.dfra.app.bench.attack.Rebased;
-import org.dfra.app.bench.attack.SourceSockets;
+import org.dfra.app.benchmark.attack.SourceBoundProxies;
+import org.dfra.app.benchmark.attack.SourceSockets;
 import org.dfra.directory.RegistrationRefusedException;
 import org.dfra.river.bootstrap.EmbeddedRegistrar;
 import org.dfra.river.entry.ModuleEntry;
@@ -55,7 +55,7 @@ class MalformedRegistrationTest {
     RegistrationPolicy policy = new RegistrationPolicy("eta", List.of());
     reggie = new EmbeddedRegistrar(hosts.robot(), 0, List.of(), LEASE, policy, Map.of()).start();
     own = reggie.registrar();
-    stranger = Rebased.of(own, SourceSockets.from(hosts.attacker()));
+    stranger = SourceBoundProxies.of(own, SourceSockets.from(hosts.attacker()));
   }
 
   @AfterEach
@@ -275,7 +275,8 @@ class MalformedRegistrationTest {
         .isInstanceOf(RegistrationRefusedException.class)
         .hasMessageContaining("bytes > 65536 allowed");
     ServiceRegistration fake =
-        Rebased.of(Fakes.register(stranger, null, "fake", new Name("x")), hosts.attackerSockets());
+        SourceBoundProxies.of(
+            Fakes.register(stranger, null, "fake", new Name("x")), hosts.attackerSockets());
     String part = "y".repeat(19_000);
     for (int i = 0; i < 3; i++) {
       fake.addAttributes(new Entry[] {new Name(i + part)});

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import org.dfra.app.bench.attack.TaskProcess;
+import org.dfra.app.benchmark.attack.TaskProcess;
 import org.dfra.core.time.StallProbe;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.drive.Wheels;

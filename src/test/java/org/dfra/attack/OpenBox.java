@@ -10,9 +10,9 @@ import java.time.Duration;
 import java.util.Arrays;
 import net.jini.export.Exporter;
 import net.jini.jeri.BasicJeriExporter;
-import org.dfra.app.bench.attack.CallBytes;
-import org.dfra.app.bench.attack.RawCall;
-import org.dfra.app.bench.attack.RawCall.Answer;
+import org.dfra.app.benchmark.attack.CallBytes;
+import org.dfra.app.benchmark.attack.RawCall;
+import org.dfra.app.benchmark.attack.RawCall.Answer;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 

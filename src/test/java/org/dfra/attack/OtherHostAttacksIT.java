@@ -7,8 +7,8 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
-import org.dfra.app.bench.attack.TaskProcess;
-import org.dfra.testing.TestHosts;
+import org.dfra.app.benchmark.attack.TaskProcess;
+import org.dfra.testing.NetworkNamespaceHosts;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -31,19 +31,20 @@ class OtherHostAttacksIT {
 
   @Test
   void aStrangerOnAnotherComputerStopsTheRobotAndChangesNothing() throws Exception {
-    Optional<String> refusal = TestHosts.refusal();
+    Optional<String> refusal = NetworkNamespaceHosts.unavailableReason();
     assumeTrue(refusal.isEmpty(), () -> refusal.orElse(""));
-    String here = TestHosts.ADDRESSES.get(ROBOT);
-    String there = TestHosts.ADDRESSES.get(STRANGER);
-    try (TestHosts network = new TestHosts();
+    String here = NetworkNamespaceHosts.ADDRESSES.get(ROBOT);
+    String there = NetworkNamespaceHosts.ADDRESSES.get(STRANGER);
+    try (NetworkNamespaceHosts network = new NetworkNamespaceHosts();
         TaskProcess robot = robot(network, here)) {
       int port = Integer.parseInt(robot.awaitLine("ready ", PATIENCE).split(" ")[1]);
-      List<String> beside = network.on(STRANGER);
+      List<String> beside = network.commandPrefix(STRANGER);
       try (TaskProcess stranger =
-              AttackedRobot.attacker(beside, AdministrativeCalls.class, here, port);
+              AttackedRobot.attacker(beside, AdministrativeCallTask.class, here, port);
           TaskProcess fakes = AttackedRobot.attacker(beside, FakeServices.class, here, port);
           TaskProcess own =
-              AttackedRobot.attacker(network.on(ROBOT), AdministrativeCalls.class, here, port)) {
+              AttackedRobot.attacker(
+                  network.commandPrefix(ROBOT), AdministrativeCallTask.class, here, port)) {
         assertThat(AttackedRobot.tried(stranger, there, "module"))
             .containsExactly(
                 "parameter: " + ADMINISTRATION,
@@ -79,9 +80,9 @@ class OtherHostAttacksIT {
     }
   }
 
-  private TaskProcess robot(TestHosts network, String address) throws Exception {
+  private TaskProcess robot(NetworkNamespaceHosts network, String address) throws Exception {
     return TaskProcess.start(
-        network.on(ROBOT),
+        network.commandPrefix(ROBOT),
         List.of("-Ddfra.root=" + System.getProperty("dfra.root")),
         ServeAttackedRobot.class,
         address,

@@ -26,17 +26,17 @@ public final class PulseImpl extends SensorImpl implements Thermometer {
 
   @Override
   protected void onStart() {
-    become(Readiness.READY);
+    transitionTo(Readiness.READY);
     next();
   }
 
   private void next() {
-    Scheduler.Task unused = scheduler.after(PERIOD_NANOS, this::publish);
+    Scheduler.ScheduledTask unused = scheduler.after(PERIOD_NANOS, this::publish);
   }
 
   private void publish() {
     if (!isClosed) {
-      tell(new TemperatureReading(CELSIUS, clock().instant()));
+      publish(new TemperatureReading(CELSIUS, clock().instant()));
       next();
     }
   }

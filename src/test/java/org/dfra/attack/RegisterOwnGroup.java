@@ -6,8 +6,8 @@ import java.rmi.activation.ActivationGroupID;
 import java.util.List;
 import net.jini.id.Uuid;
 import net.jini.id.UuidFactory;
-import org.dfra.app.bench.attack.StrangersGroup;
-import org.dfra.app.bench.attack.Task;
+import org.dfra.app.benchmark.attack.StrangersGroup;
+import org.dfra.app.benchmark.attack.Task;
 import org.dfra.river.call.Endpoints;
 
 /**
@@ -30,7 +30,7 @@ public final class RegisterOwnGroup implements Task {
   public void run(String[] args, PrintStream out) throws Exception {
     StrangersGroup group =
         new StrangersGroup(
-            Endpoints.at("127.0.0.1", Integer.parseInt(args[0])),
+            Endpoints.tcpClient("127.0.0.1", Integer.parseInt(args[0])),
             Path.of(args[1]),
             Path.of(args[2]));
     for (String each : List.of(args).subList(3, args.length)) {

@@ -13,8 +13,8 @@ import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceRegistration;
 import net.jini.lookup.entry.Name;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
-import org.dfra.app.bench.attack.Rebased;
-import org.dfra.app.bench.attack.SourceSockets;
+import org.dfra.app.benchmark.attack.SourceBoundProxies;
+import org.dfra.app.benchmark.attack.SourceSockets;
 import org.dfra.directory.RegistrationRefusedException;
 import org.dfra.river.access.AddressRange;
 import org.dfra.river.bootstrap.EmbeddedRegistrar;
@@ -58,7 +58,7 @@ class RegistrarDoorTest {
   }
 
   private ServiceRegistrar from(String address) throws Exception {
-    return Rebased.of(own, SourceSockets.from(address));
+    return SourceBoundProxies.of(own, SourceSockets.from(address));
   }
 
   @AfterEach
@@ -138,7 +138,7 @@ class RegistrarDoorTest {
   void norAfterwards() throws Exception {
     ModuleEntry claim = Fakes.module("eta", "sonar");
     ServiceRegistration fake =
-        Rebased.of(
+        SourceBoundProxies.of(
             Fakes.register(stranger, null, "fake", Fakes.module("theta", "sonar")),
             hosts.attackerSockets());
     assertRefused(() -> fake.addAttributes(new Entry[] {claim}), "robot eta");

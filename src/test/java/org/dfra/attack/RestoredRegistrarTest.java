@@ -20,8 +20,8 @@ import java.util.stream.Stream;
 import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.lookup.entry.Name;
-import org.dfra.app.bench.attack.Rebased;
-import org.dfra.app.bench.attack.SourceSockets;
+import org.dfra.app.benchmark.attack.SourceBoundProxies;
+import org.dfra.app.benchmark.attack.SourceSockets;
 import org.dfra.core.host.FreePorts;
 import org.dfra.directory.RegistrationRefusedException;
 import org.dfra.river.entry.ModuleEntry;
@@ -47,7 +47,7 @@ class RestoredRegistrarTest {
 
   @Test
   void refusesAStolenServiceIdRightAfterItsStart() throws Exception {
-    port = FreePorts.next();
+    port = FreePorts.allocate();
     Path after = folder.resolve("after");
     try (Persistent first = new Persistent(folder.resolve("before"))) {
       Fakes.register(first.own(), DRIVE, "honest", Fakes.module("eta", "drive"));
@@ -97,7 +97,7 @@ class RestoredRegistrarTest {
                   configuration,
                   """
                   import net.jini.jeri.BasicJeriExporter;
-                  import org.dfra.river.bootstrap.DiscoverySockets;
+                  import org.dfra.river.bootstrap.DiscoveryServerSocketFactory;
                   import org.dfra.river.bootstrap.RegistrarExporter;
                   import org.dfra.river.call.Endpoints;
                   import org.dfra.river.registrar.RegistrarILFactory;
@@ -107,7 +107,7 @@ class RestoredRegistrarTest {
                           new BasicJeriExporter(
                               Endpoints.tcp("%1$s", 0),
                               new RegistrarILFactory(2000L, "eta", ""), false, true));
-                      serverSocketFactory = new DiscoverySockets("%1$s");
+                      serverSocketFactory = new DiscoveryServerSocketFactory("%1$s");
                       unicastDiscoveryHost = "%1$s";
                       initialUnicastDiscoveryPort = %2$d;
                       initialMemberGroups = new String[]{};
@@ -138,7 +138,7 @@ class RestoredRegistrarTest {
     }
 
     ServiceRegistrar from(String address) throws IOException {
-      return Rebased.of(own(), SourceSockets.from(address));
+      return SourceBoundProxies.of(own(), SourceSockets.from(address));
     }
 
     /** Reggie wakes its thread for connections at the computer's own name, which is not here. */

@@ -28,13 +28,13 @@ import net.jini.id.Uuid;
 import net.jini.jeri.BasicObjectEndpoint;
 import net.jini.jeri.ObjectEndpoint;
 import net.jini.lookup.DiscoveryAdmin;
-import org.dfra.app.bench.attack.CallBytes;
-import org.dfra.app.bench.attack.ProcessSample;
-import org.dfra.app.bench.attack.RawCall;
-import org.dfra.app.bench.attack.RawCall.Answer;
-import org.dfra.app.bench.attack.RawCall.Status;
-import org.dfra.app.bench.attack.Rebased;
-import org.dfra.app.bench.attack.SourceSockets;
+import org.dfra.app.benchmark.attack.CallBytes;
+import org.dfra.app.benchmark.attack.ProcessSample;
+import org.dfra.app.benchmark.attack.RawCall;
+import org.dfra.app.benchmark.attack.RawCall.Answer;
+import org.dfra.app.benchmark.attack.RawCall.Status;
+import org.dfra.app.benchmark.attack.SourceBoundProxies;
+import org.dfra.app.benchmark.attack.SourceSockets;
 import org.dfra.drive.WheeledRobot;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
@@ -42,7 +42,7 @@ import org.dfra.module.AdministrationRefusedException;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.call.ResurrectingHandler;
-import org.dfra.river.phoenix.Identities;
+import org.dfra.river.phoenix.PhoenixIdentities;
 import org.dfra.river.phoenix.stop.StopLocator;
 import org.dfra.river.phoenix.stop.StopService;
 import org.dfra.river.remote.RemoteModule;
@@ -97,7 +97,7 @@ class RobotProcessesIT {
   private static List<Target> targets() throws Exception {
     ServiceRegistrar registrar = registrar();
     String[] unused = registrar.getGroups(); // now its proxy has reached it
-    Remote reggie = Rebased.remote(registrar, Remote.class);
+    Remote reggie = SourceBoundProxies.remote(registrar, Remote.class);
     long phoenix = robot.phoenix().process().pid().orElseThrow();
     return List.of(
         new Target(
@@ -113,7 +113,7 @@ class RobotProcessesIT {
         new Target(
             "phoenix's activator",
             phoenix,
-            ofPhoenix(Identities.ACTIVATOR),
+            ofPhoenix(PhoenixIdentities.ACTIVATOR),
             Activator.class.getMethod("activate", ActivationID.class, boolean.class)),
         new Target(
             "phoenix's stop service",
@@ -127,12 +127,13 @@ class RobotProcessesIT {
   }
 
   private static RemoteDriveEffector server() throws IOException {
-    return Rebased.remote(robot.drive(), RemoteDriveEffector.class);
+    return SourceBoundProxies.remote(robot.drive(), RemoteDriveEffector.class);
   }
 
   private static ObjectEndpoint ofPhoenix(Uuid identity) {
     PhoenixProcess phoenix = robot.phoenix().process();
-    return new BasicObjectEndpoint(Endpoints.at(phoenix.host(), phoenix.port()), identity, false);
+    return new BasicObjectEndpoint(
+        Endpoints.tcpClient(phoenix.host(), phoenix.port()), identity, false);
   }
 
   private static Method method(Object proxy, String name) {
@@ -160,7 +161,9 @@ class RobotProcessesIT {
       assertThatThrownBy(attacker::accept).isInstanceOf(SocketTimeoutException.class);
     }
     assertThat(robot.drive().readiness().serves()).isTrue();
-    assertThat(robot.drive().stopState().latched()).as("by a refused order to stop").isFalse();
+    assertThat(robot.drive().emergencyStopState().latched())
+        .as("by a refused order to stop")
+        .isFalse();
   }
 
   private static void assertRefused(Target target, int port) throws Exception {
@@ -206,17 +209,19 @@ class RobotProcessesIT {
   /** The drive as it is called from an address; a call that fails does not ask the activator. */
   private static RemoteDriveEffector drive(SourceSockets sockets) throws IOException {
     ResurrectingHandler handler = (ResurrectingHandler) Proxy.getInvocationHandler(server());
-    return Rebased.of((RemoteDriveEffector) Objects.requireNonNull(handler.live()), sockets);
+    return SourceBoundProxies.of(
+        (RemoteDriveEffector) Objects.requireNonNull(handler.live()), sockets);
   }
 
   private static DiscoveryAdmin registrarAdmin(SourceSockets sockets) throws Exception {
-    return (DiscoveryAdmin) Rebased.of(((Administrable) registrar()).getAdmin(), sockets);
+    return (DiscoveryAdmin)
+        SourceBoundProxies.of(((Administrable) registrar()).getAdmin(), sockets);
   }
 
   private static double maxSpeed() throws RemoteException {
     return robot.drive().parameters().stream()
         .filter(each -> each.name().equals("max_speed"))
-        .mapToDouble(each -> Double.parseDouble(each.text()))
+        .mapToDouble(each -> Double.parseDouble(each.value()))
         .findFirst()
         .orElseThrow();
   }

@@ -12,10 +12,10 @@ import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import net.jini.core.lookup.ServiceRegistrar;
-import org.dfra.app.bench.attack.AttackTask.Target;
-import org.dfra.app.bench.attack.LocalMulticast;
-import org.dfra.app.bench.attack.RogueAnnouncements;
-import org.dfra.app.bench.attack.TaskProcess;
+import org.dfra.app.benchmark.attack.AttackTask.Target;
+import org.dfra.app.benchmark.attack.LocalMulticast;
+import org.dfra.app.benchmark.attack.RogueAnnouncements;
+import org.dfra.app.benchmark.attack.TaskProcess;
 import org.dfra.river.bootstrap.EmbeddedRegistrar;
 import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.discovery.MulticastSearch;
@@ -91,7 +91,7 @@ class RogueAnnouncementsIT {
       ServiceRegistrar first = found.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
       Duration took = Duration.ofNanos(System.nanoTime() - began);
       assertThat(first.getServiceID()).isEqualTo(honest.getServiceID());
-      assertThat(search.holds(honest.getServiceID())).isTrue();
+      assertThat(search.isDiscovered(honest.getServiceID())).isTrue();
       return took;
     }
   }

@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.List;
-import org.dfra.app.bench.attack.Task;
+import org.dfra.app.benchmark.attack.Task;
 import org.dfra.drive.Wheels;
 import org.dfra.flow.effector.DriveEffector;
 import org.dfra.module.Readiness;
@@ -53,14 +53,14 @@ public final class ServeAttackedRobot implements Task {
     BufferedReader in =
         new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
     while (in.readLine() != null) {
-      out.println("state " + drive.stopState().latched() + " " + maxSpeed(drive));
+      out.println("state " + drive.emergencyStopState().latched() + " " + maxSpeed(drive));
     }
   }
 
   private static double maxSpeed(DriveEffector drive) throws RemoteException {
     return drive.parameters().stream()
         .filter(each -> each.name().equals("max_speed"))
-        .mapToDouble(each -> Double.parseDouble(each.text()))
+        .mapToDouble(each -> Double.parseDouble(each.value()))
         .findFirst()
         .orElseThrow();
   }

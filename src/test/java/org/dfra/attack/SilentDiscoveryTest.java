@@ -20,7 +20,7 @@ import net.jini.core.lookup.ServiceTemplate;
 import net.jini.export.Exporter;
 import net.jini.jeri.BasicILFactory;
 import net.jini.jeri.BasicJeriExporter;
-import org.dfra.app.bench.attack.Rebased;
+import org.dfra.app.benchmark.attack.SourceBoundProxies;
 import org.dfra.core.time.StallProbe;
 import org.dfra.river.bootstrap.EmbeddedRegistrar;
 import org.junit.jupiter.api.AfterEach;
@@ -76,7 +76,7 @@ class SilentDiscoveryTest {
   void silentConnectionsHoldUpNeitherDiscoveryNorEvents() throws Exception {
     RemoteEventListener proxy = (RemoteEventListener) exporter.export(listener);
     long registered =
-        Rebased.registrar(hosts.robot(), reggie.port(), hosts.operatorSockets())
+        SourceBoundProxies.registrar(hosts.robot(), reggie.port(), hosts.operatorSockets())
             .notify(
                 new ServiceTemplate(null, null, null),
                 ServiceRegistrar.TRANSITION_NOMATCH_MATCH,
@@ -91,7 +91,7 @@ class SilentDiscoveryTest {
     try (StallProbe probe = StallProbe.start()) {
       StallProbe.Stopwatch watch = probe.stopwatch();
       ServiceRegistrar found =
-          Rebased.registrar(hosts.robot(), reggie.port(), hosts.operatorSockets());
+          SourceBoundProxies.registrar(hosts.robot(), reggie.port(), hosts.operatorSockets());
       watch.stop().requireWithin("discovery beside silent connections", BOUND);
       Object unused = Fakes.register(found, null, "honest");
       await("the event").atMost(Duration.ofSeconds(10)).until(() -> !received.isEmpty());

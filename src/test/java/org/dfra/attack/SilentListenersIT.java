@@ -12,9 +12,9 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
-import org.dfra.app.bench.attack.Rebased;
-import org.dfra.app.bench.attack.SourceSockets;
-import org.dfra.app.bench.attack.TaskProcess;
+import org.dfra.app.benchmark.attack.SourceBoundProxies;
+import org.dfra.app.benchmark.attack.SourceSockets;
+import org.dfra.app.benchmark.attack.TaskProcess;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.Subscription;
 import org.dfra.example.thermometer.RemoteThermometer;
@@ -66,8 +66,9 @@ class SilentListenersIT {
         Victim victim = Victim.of(robot.pid());
 
         RemoteThermometer attacked =
-            Rebased.of(
-                Rebased.remote(proxy(port, hosts.attackerSockets()), RemoteThermometer.class),
+            SourceBoundProxies.of(
+                SourceBoundProxies.remote(
+                    proxy(port, hosts.attackerSockets()), RemoteThermometer.class),
                 hosts.attackerSockets());
         int accepted = 0;
         List<String> refusals = new ArrayList<>();
@@ -131,11 +132,11 @@ class SilentListenersIT {
 
   /** The module's proxy, found and called from an address. */
   private ThermometerProxy proxy(int port, SourceSockets sockets) throws Exception {
-    ServiceRegistrar registrar = Rebased.registrar(hosts.robot(), port, sockets);
+    ServiceRegistrar registrar = SourceBoundProxies.registrar(hosts.robot(), port, sockets);
     ServiceTemplate template = new ServiceTemplate(null, new Class<?>[] {Thermometer.class}, null);
     await("the module is listed")
         .atMost(PATIENCE)
         .until(() -> registrar.lookup(template) instanceof ThermometerProxy);
-    return Rebased.of((ThermometerProxy) registrar.lookup(template), sockets);
+    return SourceBoundProxies.of((ThermometerProxy) registrar.lookup(template), sockets);
   }
 }

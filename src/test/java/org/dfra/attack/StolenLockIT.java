@@ -10,8 +10,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
-import org.dfra.app.bench.attack.OtherUser;
-import org.dfra.app.bench.attack.TaskProcess;
+import org.dfra.app.benchmark.attack.OtherUser;
+import org.dfra.app.benchmark.attack.TaskProcess;
 import org.dfra.core.host.FreePorts;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.robot.LivingPhoenix;
@@ -37,7 +37,7 @@ class StolenLockIT {
     set(state, "rwxr-xr-x");
     set(journal, "rwxr-xr-x");
     set(lock, "rw-r--r--");
-    PhoenixProcess phoenix = new PhoenixProcess("127.0.0.1", FreePorts.next(), -1, state);
+    PhoenixProcess phoenix = new PhoenixProcess("127.0.0.1", FreePorts.allocate(), -1, state);
     try (TaskProcess thief = nobody.start(TakeLocks.class, lock.toString())) {
       thief.awaitLine("holds " + lock, PATIENCE);
       assertThatExceptionOfType(IOException.class)

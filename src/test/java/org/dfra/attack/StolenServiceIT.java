@@ -12,7 +12,7 @@ import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceMatches;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
-import org.dfra.app.bench.attack.TaskProcess;
+import org.dfra.app.benchmark.attack.TaskProcess;
 import org.dfra.drive.Commander;
 import org.dfra.drive.WheeledRobot;
 import org.dfra.flow.effector.DriveCommand.Velocity;
@@ -87,7 +87,7 @@ class StolenServiceIT {
     ServiceMatches matches = registrar().lookup(new ServiceTemplate(drive, null, null), 1);
     assertThat(matches.totalMatches).as("registrations under the drive's ID").isEqualTo(1);
     ModuleAttributes attributes =
-        Entries.records(matches.items[0].attributeSets).stream()
+        Entries.toAttributes(matches.items[0].attributeSets).stream()
             .filter(ModuleAttributes.class::isInstance)
             .map(ModuleAttributes.class::cast)
             .findFirst()
@@ -109,7 +109,7 @@ class StolenServiceIT {
       assertThat(found.emergencyStop("a test").latched()).isTrue();
       robot.wheels().assertTheyStoodWithinHalfASecondOfTheLastCommand();
     }
-    assertThat(robot.drive().releaseStop("a test").latched()).isFalse();
+    assertThat(robot.drive().releaseEmergencyStop("a test").latched()).isFalse();
   }
 
   @Test

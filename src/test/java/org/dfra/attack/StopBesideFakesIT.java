@@ -52,8 +52,8 @@ class StopBesideFakesIT {
 
   private static Said stopInTime(String what, String... words) throws Exception {
     WheeledRobot robot = eta.robot();
-    if (robot.drive().stopState().latched()) {
-      assertThat(robot.drive().releaseStop("the next test").latched()).isFalse();
+    if (robot.drive().emergencyStopState().latched()) {
+      assertThat(robot.drive().releaseEmergencyStop("the next test").latched()).isFalse();
     }
     try (Commander unused = new Commander(robot.drive(), LEASE, new Velocity(1, 0))) {
       robot.awaitFullSpeed();
@@ -61,8 +61,9 @@ class StopBesideFakesIT {
       Instant typed = Instant.now();
       Said said = eta.stop(words);
       Timing timing = running.stop();
-      Instant ordered = Objects.requireNonNull(robot.drive().stopState().since(), said.text());
-      timing.during(Duration.between(typed, ordered)).requireWithin(what, STOPPED);
+      Instant ordered =
+          Objects.requireNonNull(robot.drive().emergencyStopState().since(), said.text());
+      timing.ofPart(Duration.between(typed, ordered)).requireWithin(what, STOPPED);
       robot.wheels().assertTheyStoodWithinHalfASecondOfTheLastCommand();
       return said;
     }

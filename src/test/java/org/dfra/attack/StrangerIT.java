@@ -8,7 +8,7 @@ import java.time.Duration;
 import java.util.List;
 import net.jini.admin.Administrable;
 import net.jini.lookup.DiscoveryAdmin;
-import org.dfra.app.bench.attack.TaskProcess;
+import org.dfra.app.benchmark.attack.TaskProcess;
 import org.dfra.drive.Commander;
 import org.dfra.drive.Wheels;
 import org.dfra.flow.effector.DriveCommand.Velocity;
@@ -62,7 +62,8 @@ class StrangerIT {
     drive = directory.find(DriveEffector.class, PATIENCE).orElseThrow();
     assertThat(drive.awaitReadiness(PATIENCE)).isEqualTo(Readiness.READY);
     task =
-        AttackedRobot.attacker(AdministrativeCalls.class, hosts.robot(), robot.registrar().port());
+        AttackedRobot.attacker(
+            AdministrativeCallTask.class, hosts.robot(), robot.registrar().port());
   }
 
   @BeforeEach
@@ -114,7 +115,7 @@ class StrangerIT {
     assertThat(drive.parameters())
         .filteredOn(each -> each.name().equals("max_speed"))
         .singleElement()
-        .satisfies(each -> assertThat(Double.parseDouble(each.text())).isEqualTo(1));
+        .satisfies(each -> assertThat(Double.parseDouble(each.value())).isEqualTo(1));
     Object admin = ((Administrable) robot.registrar().registrar()).getAdmin();
     assertThat(((DiscoveryAdmin) admin).getMemberGroups()).doesNotContain("elsewhere");
   }
@@ -123,15 +124,15 @@ class StrangerIT {
   @Order(2)
   void mayStopARobotButNotReleaseIt() throws Exception {
     assertThat(tried(hosts.attacker(), "stop")).containsExactly("stop: done");
-    assertThat(drive.stopState().latched()).isTrue();
+    assertThat(drive.emergencyStopState().latched()).isTrue();
     assertThat(tried(hosts.attacker(), "release")).containsExactly("release: " + REFUSED);
-    assertThat(drive.stopState().latched()).isTrue();
+    assertThat(drive.emergencyStopState().latched()).isTrue();
     assertThat(tried(hosts.operator(), "release")).containsExactly("release: done");
-    assertThat(drive.stopState().latched()).isFalse();
+    assertThat(drive.emergencyStopState().latched()).isFalse();
     assertThat(tried(hosts.attacker(), "stop")).containsExactly("stop: done");
     assertThat(tried("127.0.0.1", "release")).containsExactly("release: done");
     assertThat(tried(hosts.robot(), "release")).containsExactly("release: done");
-    assertThat(drive.stopState().latched()).isFalse();
+    assertThat(drive.emergencyStopState().latched()).isFalse();
   }
 
   @Test

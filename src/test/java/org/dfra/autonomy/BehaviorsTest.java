@@ -93,7 +93,7 @@ class BehaviorsTest {
                 + " and perceptual_schema.method = median");
     assertThat(room.awaitReadiness(PATIENCE).serves()).isTrue();
     Clearance clearance = room.clearance();
-    assertThat(clearance.least()).isEqualTo(8);
+    assertThat(clearance.min()).isEqualTo(8);
     List<Clearance> rooms = ServedRobots.heard(room, Clearance.class);
     await().atMost(PATIENCE).until(() -> rooms.size() > 3);
     assertThat(rooms.get(0).frame()).isEqualTo("robot/base_link");
@@ -123,7 +123,7 @@ class BehaviorsTest {
             "FuzzyDrive with motor_schema.command = Velocity and motor_schema.rules >= 100");
     List<DriveAdvice> advices = ServedRobots.heard(rules, DriveAdvice.class);
     DriveAdvice advice = rules.advise(clearance, heading);
-    assertThat(advice.velocity().turnRate()).isPositive();
+    assertThat(advice.velocity().yawRate()).isPositive();
     await().atMost(PATIENCE).until(() -> advices.contains(advice));
 
     FuzzyDriveProxy near = (FuzzyDriveProxy) robots.find("FuzzyDrive").module();

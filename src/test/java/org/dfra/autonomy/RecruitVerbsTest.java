@@ -71,19 +71,19 @@ class RecruitVerbsTest {
   private static void awaitHeld(String why) {
     await()
         .atMost(PATIENCE)
-        .until(() -> String.valueOf(agent.status().held()), held -> held.contains(why));
+        .until(() -> String.valueOf(agent.status().holdReason()), held -> held.contains(why));
   }
 
   @Test
   void statusShowsEachRobotOrThoseThatAreNamed() throws Exception {
     InProcessCommand all = recruit("status");
-    assertThat(all.code()).as(all.err()).isEqualTo(ExitCode.WELL);
+    assertThat(all.code()).as(all.err()).isEqualTo(ExitCode.SUCCESS);
     assertThat(all.out().lines().findFirst().orElseThrow().split("\\s+"))
         .containsExactly("ROBOT", "HELPS", "STATE", "IT");
     assertThat(all.out()).containsPattern("(?m)^robot  ").containsPattern("(?m)^uav  ");
     assertThat(all.err()).isEmpty();
     InProcessCommand one = recruit("status", "uav", "--json");
-    assertThat(one.code()).isEqualTo(ExitCode.WELL);
+    assertThat(one.code()).isEqualTo(ExitCode.SUCCESS);
     assertThat(json(one)).hasSize(1);
     assertThat(json(one).get(0).get("robot").asText()).isEqualTo("uav");
     assertThat(json(one).get(0).get("responder").asText()).isEqualToIgnoringCase("free");
@@ -107,7 +107,7 @@ class RecruitVerbsTest {
   @Test
   void resumeLeavesARobotAloneThatIsNotHeld() throws Exception {
     InProcessCommand outcome = recruit("resume", "uav", "--json");
-    assertThat(outcome.code()).as(outcome.err()).isEqualTo(ExitCode.WELL);
+    assertThat(outcome.code()).as(outcome.err()).isEqualTo(ExitCode.SUCCESS);
     assertThat(json(outcome)).hasSize(1);
     assertThat(json(outcome).get(0).path("held").asText("")).isIn("", "null");
     assertThat(outcome.err()).isEmpty();
@@ -132,15 +132,15 @@ class RecruitVerbsTest {
     driving.pause();
     awaitHeld("stopped robot/go_to_waypoint");
     InProcessCommand held = recruit("status");
-    assertThat(held.code()).as("asking is no failure").isEqualTo(ExitCode.WELL);
+    assertThat(held.code()).as("asking is no failure").isEqualTo(ExitCode.SUCCESS);
     assertThat(held.out())
         .containsPattern("(?m)^robot +- +HELD +answers no call:")
         .doesNotContainPattern("(?m)^uav .*HELD");
 
     InProcessCommand resumed = recruit("resume", "robot");
-    assertThat(resumed.code()).as(resumed.err()).isEqualTo(ExitCode.WELL);
+    assertThat(resumed.code()).as(resumed.err()).isEqualTo(ExitCode.SUCCESS);
     assertThat(resumed.out()).containsPattern("(?m)^robot +- +free ").doesNotContain("HELD");
-    assertThat(agent.status().held()).isNull();
+    assertThat(agent.status().holdReason()).isNull();
     assertThat(driving.status().phase()).as("nothing moves by this").isEqualTo(Phase.PAUSED);
     driving.cancel(goal);
     awaitHeld("stopped robot/go_to_waypoint");
@@ -152,10 +152,10 @@ class RecruitVerbsTest {
     assertThat(inVain.code()).as("it is held nevertheless").isEqualTo(ExitCode.FAILED);
     assertThat(inVain.out()).containsPattern("(?m)^robot +- +HELD ").containsPattern("(?m)^uav ");
 
-    drive.releaseStop("a test");
+    drive.releaseEmergencyStop("a test");
     awaitHeld("and released at");
     InProcessCommand last = recruit("resume", "robot", "--json");
-    assertThat(last.code()).as(last.out()).isEqualTo(ExitCode.WELL);
-    assertThat(agent.status().held()).isNull();
+    assertThat(last.code()).as(last.out()).isEqualTo(ExitCode.SUCCESS);
+    assertThat(agent.status().holdReason()).isNull();
   }
 }

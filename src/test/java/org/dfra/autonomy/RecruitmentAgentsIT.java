@@ -14,7 +14,7 @@ import java.util.TreeMap;
 import java.util.UUID;
 import java.util.stream.Collectors;
 import org.dfra.agent.HelpCall;
-import org.dfra.agent.HelpRefusedException;
+import org.dfra.agent.HelpCallRejectedException;
 import org.dfra.agent.RecruitmentAgent;
 import org.dfra.agent.RecruitmentStatus;
 import org.dfra.agent.RequesterPhase;
@@ -152,7 +152,7 @@ class RecruitmentAgentsIT {
   @Order(1) // its way is short, and begins where the robot stands at first
   void aHelperWhoseAgentIsKilledOnItsWayGoesOn() throws Exception {
     ServedModule<?> uav =
-        ServedModule.written(folder, "agent", "recruitment-agent", Map.of())
+        ServedModule.fromProperties(folder, "agent", "recruitment-agent", Map.of())
             .on("uav")
             .joining(REGGIE);
     try (ModuleServer<?> serving = uav.serve();
@@ -167,15 +167,17 @@ class RecruitmentAgentsIT {
       await().atMost(PATIENCE).until(() -> isMade(asking, call));
       await()
           .atMost(PATIENCE)
-          .until(() -> helping.status().responder() == ResponderPhase.TRAVELLING);
+          .until(() -> helping.status().responderPhase() == ResponderPhase.TRAVELLING);
 
       phoenix.kill("robot.agent");
 
       assertThat(phase(helping)).as("the same proxy, after kill -9").isNotNull();
       await().atMost(PATIENCE).until(() -> phase(helping) == ResponderPhase.LEASED);
-      await().atMost(PATIENCE).until(() -> asking.status().requester() == RequesterPhase.DONE);
-      assertThat(asking.status().helper()).isEqualTo("robot");
-      assertThat(helping.status().helped()).isEqualTo("uav");
+      await()
+          .atMost(PATIENCE)
+          .until(() -> asking.status().requesterPhase() == RequesterPhase.BEING_HELPED);
+      assertThat(asking.status().helperRobot()).isEqualTo("robot");
+      assertThat(helping.status().helpedRobot()).isEqualTo("uav");
       assertThat(position(directory)).as("metres from the place").isCloseTo(0, within(1.2));
 
       asking.release();
@@ -185,9 +187,9 @@ class RecruitmentAgentsIT {
 
   private static boolean isMade(RecruitmentAgent asking, HelpCall call) throws RemoteException {
     try {
-      asking.help(call);
+      asking.callForHelp(call);
       return true;
-    } catch (HelpRefusedException e) {
+    } catch (HelpCallRejectedException e) {
       assertThat(e).hasMessageContaining("nobody in reach"); // it has not seen the other yet
       return false;
     }
@@ -201,7 +203,7 @@ class RecruitmentAgentsIT {
         .until(
             () -> {
               try {
-                found[0] = helping.status().responder();
+                found[0] = helping.status().responderPhase();
                 return helping.readiness().serves();
               } catch (RemoteException | NotReadyException e) {
                 return false;
@@ -215,7 +217,7 @@ class RecruitmentAgentsIT {
   @Order(2)
   void aHelperThatSomebodyStoppedAnswersNoCallUntilAPersonLetsItGoOn() throws Exception {
     ServedModule<?> uav =
-        ServedModule.written(folder, "agent", "recruitment-agent", Map.of())
+        ServedModule.fromProperties(folder, "agent", "recruitment-agent", Map.of())
             .on("uav")
             .joining(REGGIE);
     try (ModuleServer<?> serving = uav.serve();
@@ -229,36 +231,43 @@ class RecruitmentAgentsIT {
       await().atMost(PATIENCE).until(() -> isMade(asking, FAR));
       await()
           .atMost(PATIENCE)
-          .until(() -> helping.status().responder() == ResponderPhase.TRAVELLING);
+          .until(() -> helping.status().responderPhase() == ResponderPhase.TRAVELLING);
       await().atMost(PATIENCE).until(() -> driving.status().phase() == Phase.RUNNING);
 
       driving.pause();
 
-      await().atMost(PATIENCE).until(() -> helping.status().responder() == ResponderPhase.FREE);
-      assertThat(helping.status().held()).contains("robot/go_to_waypoint");
+      await()
+          .atMost(PATIENCE)
+          .until(() -> helping.status().responderPhase() == ResponderPhase.FREE);
+      assertThat(helping.status().holdReason()).contains("robot/go_to_waypoint");
       await().atMost(PATIENCE).until(() -> isShownAsHeld(directory));
       phoenix.kill("robot.agent");
       assertThat(phase(helping)).isEqualTo(ResponderPhase.FREE);
-      assertThat(helping.status().held()).as("the next process").contains("robot/go_to_waypoint");
+      assertThat(helping.status().holdReason())
+          .as("the next process")
+          .contains("robot/go_to_waypoint");
       List<RecruitmentStatus> said = ServedRobots.heard(helping, RecruitmentStatus.class);
       int calls = 3;
       await()
           .atMost(PATIENCE)
           .until(
-              () -> asking.status().requester() == RequesterPhase.CALLING || isMade(asking, FAR));
+              () ->
+                  asking.status().requesterPhase() == RequesterPhase.CALLING
+                      || isMade(asking, FAR));
       await("that it answers no call, in the time in which it would")
           .during(Duration.ofSeconds(calls))
           .atMost(PATIENCE)
-          .until(() -> said.stream().allMatch(each -> each.responder() == ResponderPhase.FREE));
-      assertThat(helping.status().responder()).isEqualTo(ResponderPhase.FREE);
+          .until(
+              () -> said.stream().allMatch(each -> each.responderPhase() == ResponderPhase.FREE));
+      assertThat(helping.status().responderPhase()).isEqualTo(ResponderPhase.FREE);
       assertThat(driving.status().phase()).isEqualTo(Phase.CANCELLED);
 
       helping.resume();
 
-      assertThat(helping.status().held()).isNull();
+      assertThat(helping.status().holdReason()).isNull();
       await()
           .atMost(PATIENCE)
-          .until(() -> helping.status().responder() == ResponderPhase.TRAVELLING);
+          .until(() -> helping.status().responderPhase() == ResponderPhase.TRAVELLING);
       asking.release();
       await().atMost(PATIENCE).until(() -> phase(helping) == ResponderPhase.FREE);
     }
@@ -271,7 +280,9 @@ class RecruitmentAgentsIT {
   void aHelperWhoseAgentIsSuspendedOnItsWayIsNeverOneOfTwo() throws Exception {
     Map<String, String> quick = Map.of("replace_after", "6", "help_every", "1");
     ServedModule<?> uav =
-        ServedModule.written(folder, "agent", "recruitment-agent", quick).on("uav").joining(REGGIE);
+        ServedModule.fromProperties(folder, "agent", "recruitment-agent", quick)
+            .on("uav")
+            .joining(REGGIE);
     try (ModuleServer<?> serving = uav.serve();
         JiniModuleDirectory directory = REGGIE.directory()) {
       for (Map.Entry<String, String> each : Map.of("robot", "20", "other", "4").entrySet()) {
@@ -297,20 +308,20 @@ class RecruitmentAgentsIT {
             .atMost(PATIENCE)
             .until(
                 () -> {
-                  boolean isSecond = second.status().responder().isCommitted();
+                  boolean isSecond = second.status().responderPhase().isCommitted();
                   boolean isMoving = driving.status().phase() == Phase.RUNNING;
                   assertThat(isSecond && isMoving).as("two helpers").isFalse();
                   return isSecond;
                 });
         assertThat(driving.status().phase()).as("its lease ended it").isEqualTo(Phase.FAILED);
-        assertThat(driving.status().doing()).contains("time limit");
+        assertThat(driving.status().activity()).contains("time limit");
       } finally {
         signal("-CONT", pid);
       }
       UUID leg = driving.status().goal();
       await().atMost(PATIENCE).until(() -> phase(first) == ResponderPhase.FREE);
-      assertThat(second.status().responder().isCommitted()).isTrue();
-      assertThat(asking.status().helper()).isEqualTo("other");
+      assertThat(second.status().responderPhase().isCommitted()).isTrue();
+      assertThat(asking.status().helperRobot()).isEqualTo("other");
       assertThat(driving.status().goal()).as("it has begun nothing since").isEqualTo(leg);
       asking.release();
       await().atMost(PATIENCE).until(() -> phase(second) == ResponderPhase.FREE);
@@ -321,13 +332,13 @@ class RecruitmentAgentsIT {
   private static boolean isOnItsWay(
       RecruitmentAgent asking, RecruitmentAgent first, RecruitmentAgent second)
       throws RemoteException {
-    if (second.status().responder().isCommitted()) {
+    if (second.status().responderPhase().isCommitted()) {
       asking.release();
-    } else if (asking.status().requester() == RequesterPhase.IDLE
-        && second.status().responder() == ResponderPhase.FREE) {
+    } else if (asking.status().requesterPhase() == RequesterPhase.IDLE
+        && second.status().responderPhase() == ResponderPhase.FREE) {
       boolean unused = isMade(asking, FAR);
     }
-    return first.status().responder() == ResponderPhase.TRAVELLING;
+    return first.status().responderPhase() == ResponderPhase.TRAVELLING;
   }
 
   private static GoToWaypoint driving(JiniModuleDirectory directory, String robot)
@@ -342,7 +353,7 @@ class RecruitmentAgentsIT {
   private static boolean isShownAsHeld(JiniModuleDirectory directory) {
     return directory.find(ModuleQuery.of(RecruitmentAgent.class).robot("robot")).stream()
         .flatMap(each -> each.attributes(RecruitmentAttributes.class).stream())
-        .anyMatch(each -> each.held() != null);
+        .anyMatch(each -> each.holdReason() != null);
   }
 
   private static void signal(String name, long pid) throws Exception {

@@ -19,23 +19,23 @@ import net.jini.core.event.RemoteEvent;
 import net.jini.core.event.UnknownEventException;
 import org.dfra.agent.AgentMessage;
 import org.dfra.agent.HelpCall;
-import org.dfra.agent.HelpRefusedException;
+import org.dfra.agent.HelpCallRejectedException;
 import org.dfra.agent.RecruitmentAgent;
 import org.dfra.agent.RecruitmentStatus;
 import org.dfra.agent.RequesterPhase;
 import org.dfra.agent.ResponderPhase;
 import org.dfra.directory.Condition;
+import org.dfra.directory.DirectoryRegistration;
 import org.dfra.directory.ModuleQuery;
-import org.dfra.directory.Watch;
 import org.dfra.persona.RecruitmentAttributes;
 import org.dfra.recruit.affect.Stimulus;
 import org.dfra.recruit.message.Conversation;
-import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.message.MessageEnvelope;
 import org.dfra.recruit.message.RecruitmentMessage;
 import org.dfra.recruit.message.RecruitmentMessage.Help;
 import org.dfra.recruit.message.RecruitmentMessage.Release;
 import org.dfra.recruit.requester.Bid;
-import org.dfra.recruit.river.LetterEvent;
+import org.dfra.recruit.river.AgentMessageEvent;
 import org.dfra.recruit.river.RecruitmentAgentProxy;
 import org.dfra.recruit.river.RemoteRecruitmentAgent;
 import org.dfra.recruit.strategy.RecruitmentStrategy;
@@ -97,11 +97,11 @@ class RecruitmentAgentsTest {
         .atMost(PATIENCE)
         .ignoreExceptionsMatching(
             e ->
-                e instanceof HelpRefusedException
+                e instanceof HelpCallRejectedException
                     && String.valueOf(e.getMessage()).contains("nobody in reach"))
         .until(
             () -> {
-              asking.help(call);
+              asking.callForHelp(call);
               return true;
             });
   }
@@ -115,26 +115,29 @@ class RecruitmentAgentsTest {
     List<RecruitmentStatus> helped = ServedRobots.heard(helping, RecruitmentStatus.class);
 
     help(asking, call("mine", 4, Duration.ofMinutes(5)));
-    assertThatThrownBy(() -> asking.help(call("mine", 2, Duration.ofSeconds(5))))
-        .isInstanceOf(HelpRefusedException.class)
+    assertThatThrownBy(() -> asking.callForHelp(call("mine", 2, Duration.ofSeconds(5))))
+        .isInstanceOf(HelpCallRejectedException.class)
         .hasMessageStartingWith("uav already calls for help");
-    await().atMost(PATIENCE).until(() -> asking.status().requester() == RequesterPhase.DONE);
-    assertThat(asking.status().helper()).isEqualTo("robot");
-    assertThat(helping.status().responder()).isEqualTo(ResponderPhase.LEASED);
-    assertThat(helping.status().helped()).isEqualTo("uav");
+    await()
+        .atMost(PATIENCE)
+        .until(() -> asking.status().requesterPhase() == RequesterPhase.BEING_HELPED);
+    assertThat(asking.status().helperRobot()).isEqualTo("robot");
+    assertThat(helping.status().responderPhase()).isEqualTo(ResponderPhase.LEASED);
+    assertThat(helping.status().helpedRobot()).isEqualTo("uav");
     assertThat(SmallRobot.east()).isCloseTo(4, within(1.0));
 
     asking.release();
-    await().atMost(PATIENCE).until(() -> helping.status().responder() == ResponderPhase.FREE);
-    await().atMost(PATIENCE).until(() -> asking.status().requester() == RequesterPhase.IDLE);
-    assertThat(helping.status().helped()).isNull();
-    await().atMost(PATIENCE).until(() -> last(helped).responder() == ResponderPhase.FREE);
-    await().atMost(PATIENCE).until(() -> last(asked).requester() == RequesterPhase.IDLE);
-    assertThat(helped.stream().map(RecruitmentStatus::responder).distinct())
+    await().atMost(PATIENCE).until(() -> helping.status().responderPhase() == ResponderPhase.FREE);
+    await().atMost(PATIENCE).until(() -> asking.status().requesterPhase() == RequesterPhase.IDLE);
+    assertThat(helping.status().helpedRobot()).isNull();
+    await().atMost(PATIENCE).until(() -> last(helped).responderPhase() == ResponderPhase.FREE);
+    await().atMost(PATIENCE).until(() -> last(asked).requesterPhase() == RequesterPhase.IDLE);
+    assertThat(helped.stream().map(RecruitmentStatus::responderPhase).distinct())
         .containsSubsequence(
             ResponderPhase.OFFERED, ResponderPhase.TRAVELLING, ResponderPhase.LEASED);
-    assertThat(asked.stream().map(RecruitmentStatus::requester).distinct())
-        .containsSubsequence(RequesterPhase.CALLING, RequesterPhase.AWARDED, RequesterPhase.DONE);
+    assertThat(asked.stream().map(RecruitmentStatus::requesterPhase).distinct())
+        .containsSubsequence(
+            RequesterPhase.CALLING, RequesterPhase.AWARDED, RequesterPhase.BEING_HELPED);
     assertThat(last(helped).urge()).as("it has atoned").isZero();
   }
 
@@ -143,9 +146,11 @@ class RecruitmentAgentsTest {
     RecruitmentAgentProxy asking = far("RecruitmentAgent on uav");
     RecruitmentAgentProxy helping = far("RecruitmentAgent with recruitment.percepts contains heat");
     help(asking, call("heat", 0.2, Duration.ofSeconds(4)));
-    await().atMost(PATIENCE).until(() -> helping.status().responder() == ResponderPhase.LEASED);
-    await().atMost(PATIENCE).until(() -> helping.status().responder() == ResponderPhase.FREE);
-    await().atMost(PATIENCE).until(() -> asking.status().requester() == RequesterPhase.IDLE);
+    await()
+        .atMost(PATIENCE)
+        .until(() -> helping.status().responderPhase() == ResponderPhase.LEASED);
+    await().atMost(PATIENCE).until(() -> helping.status().responderPhase() == ResponderPhase.FREE);
+    await().atMost(PATIENCE).until(() -> asking.status().requesterPhase() == RequesterPhase.IDLE);
   }
 
   @Test
@@ -155,8 +160,8 @@ class RecruitmentAgentsTest {
         .atMost(PATIENCE)
         .untilAsserted(
             () ->
-                assertThatThrownBy(() -> asking.help(call("gold", 1, Duration.ofSeconds(5))))
-                    .isInstanceOf(HelpRefusedException.class)
+                assertThatThrownBy(() -> asking.callForHelp(call("gold", 1, Duration.ofSeconds(5))))
+                    .isInstanceOf(HelpCallRejectedException.class)
                     .hasMessage(
                         "nobody in reach of uav can observe \"gold\"; others observe heat, mine"));
     Strange strange = new Strange("uav", 1);
@@ -164,12 +169,12 @@ class RecruitmentAgentsTest {
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("uav/agent takes letters of recruitment, not");
     asking.receive(
-        new Letter(
+        new MessageEnvelope(
             "robot",
             1,
             Instant.now(),
             new Release(new Conversation("nobody", 1), "it is meant for somebody else", false)));
-    assertThat(asking.status().requester()).isEqualTo(RequesterPhase.IDLE);
+    assertThat(asking.status().requesterPhase()).isEqualTo(RequesterPhase.IDLE);
   }
 
   /** A message of another kind of agents. */
@@ -179,7 +184,8 @@ class RecruitmentAgentsTest {
   void anEventOfAnotherKindIsUnknown() throws Exception {
     RemoteRecruitmentAgent server =
         (RemoteRecruitmentAgent) far("RecruitmentAgent on uav").server();
-    assertThatThrownBy(() -> server.notify(new RemoteEvent("robot", LetterEvent.LETTER, 1, null)))
+    assertThatThrownBy(
+            () -> server.notify(new RemoteEvent("robot", AgentMessageEvent.EVENT_ID, 1, null)))
         .isInstanceOf(UnknownEventException.class)
         .hasMessage("uav/agent takes letters of agents, not " + RemoteEvent.class.getName());
   }
@@ -190,25 +196,27 @@ class RecruitmentAgentsTest {
     BlockingQueue<RemoteEvent> come = new LinkedBlockingQueue<>();
     try (Eavesdropper other = Eavesdropper.observing("gas", REGGIE, come::add)) {
       help(asking, call("gas", 4, Duration.ofSeconds(5)));
-      LetterEvent first = (LetterEvent) come.poll(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+      AgentMessageEvent first =
+          (AgentMessageEvent) come.poll(PATIENCE.toSeconds(), TimeUnit.SECONDS);
       assertThat(first).as("%s is told of the call", other).isNotNull();
       assertThat(first.getSource()).isEqualTo("uav");
-      assertThat(first.getID()).isEqualTo(LetterEvent.LETTER);
+      assertThat(first.getID()).isEqualTo(AgentMessageEvent.EVENT_ID);
       assertThat(message(first)).isInstanceOf(Help.class);
       asking.release();
-      LetterEvent last = first;
+      AgentMessageEvent last = first;
       while (!(message(last) instanceof Release)) { // HELP may have been repeated
-        LetterEvent next = (LetterEvent) come.poll(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+        AgentMessageEvent next =
+            (AgentMessageEvent) come.poll(PATIENCE.toSeconds(), TimeUnit.SECONDS);
         assertThat(next).as("after %s", message(last)).isNotNull();
         assertThat(next.getSequenceNumber()).isGreaterThan(last.getSequenceNumber());
-        assertThat(next.getSequenceNumber()).isEqualTo(next.letter().number());
+        assertThat(next.getSequenceNumber()).isEqualTo(next.message().number());
         last = next;
       }
     }
   }
 
-  private static RecruitmentMessage message(LetterEvent event) {
-    return ((Letter) event.letter()).message();
+  private static RecruitmentMessage message(AgentMessageEvent event) {
+    return ((MessageEnvelope) event.message()).message();
   }
 
   @Test
@@ -217,7 +225,8 @@ class RecruitmentAgentsTest {
     ModuleQuery<RecruitmentAgent> heat =
         ModuleQuery.of(RecruitmentAgent.class)
             .where(RecruitmentAttributes.class, "percepts", Condition.contains("heat"));
-    try (Watch watch = robots.directory().listen(heat, listing -> come.add(listing.robot()))) {
+    try (DirectoryRegistration watch =
+        robots.directory().listen(heat, listing -> come.add(listing.robot()))) {
       await().atMost(PATIENCE).until(() -> come.contains("robot"));
       robots.serve("other", "agent", "recruitment-agent", Map.of("percepts", "heat"));
       await().atMost(PATIENCE).until(() -> come.contains("other"));
@@ -234,7 +243,7 @@ class RecruitmentAgentsTest {
     }
 
     @Override
-    public boolean answers(Stimulus stimulus) {
+    public boolean shouldOffer(Stimulus stimulus) {
       return true;
     }
 
@@ -255,8 +264,10 @@ class RecruitmentAgentsTest {
         .hasMessageContaining("there is no strategy \"gredy\"; did you mean \"greedy\"?");
     RecruitmentAgentProxy asking = far("RecruitmentAgent on uav");
     help(asking, call("mine", 0.2, Duration.ofMinutes(5)));
-    await().atMost(PATIENCE).until(() -> asking.status().requester() == RequesterPhase.DONE);
-    assertThat(asking.status().helper()).isEqualTo("robot");
+    await()
+        .atMost(PATIENCE)
+        .until(() -> asking.status().requesterPhase() == RequesterPhase.BEING_HELPED);
+    assertThat(asking.status().helperRobot()).isEqualTo("robot");
   }
 
   private static RecruitmentStatus last(List<RecruitmentStatus> all) {

@@ -72,7 +72,7 @@ final class ServedRobots implements AutoCloseable {
   void serve(String robot, String name, String properties, Map<String, String> parameters)
       throws Exception {
     served.push(
-        ServedModule.written(folder, name, properties, parameters)
+        ServedModule.fromProperties(folder, name, properties, parameters)
             .on(robot)
             .joining(reggie)
             .serve());
@@ -82,15 +82,15 @@ final class ServedRobots implements AutoCloseable {
   private void device(String name, String properties, Class<? extends ModuleImpl> driver)
       throws Exception {
     served.push(
-        ServedModule.written(folder, name, properties, Map.of())
-            .driven(driver)
+        ServedModule.fromProperties(folder, name, properties, Map.of())
+            .withDriver(driver)
             .joining(reggie)
             .serve());
   }
 
   ModuleListing<?> find(String query) throws Exception {
     return directory
-        .findFirst(new QueryParser(QueryVocabulary.usual()).parse(query), patience)
+        .findFirst(new QueryParser(QueryVocabulary.standard()).parse(query), patience)
         .orElseThrow(() -> new AssertionError("nothing is a " + query));
   }
 

@@ -47,7 +47,7 @@ final class SmallRobot {
     }
 
     synchronized Odometry move(double seconds) {
-      yaw += velocity.turnRate() * seconds;
+      yaw += velocity.yawRate() * seconds;
       east += velocity.speed() * Math.cos(yaw) * seconds;
       north += velocity.speed() * Math.sin(yaw) * seconds;
       return new Odometry(
@@ -58,7 +58,7 @@ final class SmallRobot {
           north,
           yaw,
           velocity.speed(),
-          velocity.turnRate());
+          velocity.yawRate());
     }
 
     synchronized GpsFix fix() {
@@ -119,7 +119,7 @@ final class SmallRobot {
 
     @Override
     protected void onStart() {
-      become(Readiness.READY);
+      transitionTo(Readiness.READY);
       tickAgain();
     }
 
@@ -143,7 +143,7 @@ final class SmallRobot {
 
     @Override
     void tick() {
-      tell(BODY.move(1 / updateRate()));
+      publish(BODY.move(1 / updateRate()));
     }
 
     @Override
@@ -161,7 +161,7 @@ final class SmallRobot {
 
     @Override
     void tick() {
-      tell(fix());
+      publish(fix());
     }
 
     @Override
@@ -189,7 +189,7 @@ final class SmallRobot {
 
     @Override
     void tick() {
-      tell(scan());
+      publish(scan());
     }
 
     @Override
@@ -217,14 +217,14 @@ final class SmallRobot {
 
     @Override
     protected void onStart() {
-      become(Readiness.READY);
+      transitionTo(Readiness.READY);
     }
 
     @Override
     protected void onClose() {}
 
     @Override
-    protected void turn(Velocity wanted) {
+    protected void setVelocity(Velocity wanted) {
       BODY.turn(wanted);
     }
 

@@ -43,7 +43,7 @@ public final class DeviceInUseImpl extends SensorImpl implements Thermometer {
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
-    become(Readiness.READY);
+    transitionTo(Readiness.READY);
   }
 
   /** The process that has it open; a dead one, which was killed, does not count. */

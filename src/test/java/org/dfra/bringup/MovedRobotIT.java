@@ -41,7 +41,7 @@ class MovedRobotIT {
   @Test
   void comesUpAtItsNewAddressWithItsOldIdentities() throws Exception {
     assumeTrue(isAddressHere("127.0.0.2"), "127.0.0.2 is no address of this machine");
-    int port = FreePorts.next();
+    int port = FreePorts.allocate();
     UUID before = upAndFound("127.0.0.1", port, FULL);
     assertThat(upAndFound("127.0.0.2", port, true)).isEqualTo(before);
   }

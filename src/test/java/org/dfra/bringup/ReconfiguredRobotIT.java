@@ -26,10 +26,10 @@ import org.dfra.core.host.FreePorts;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.example.thermometer.Thermometer;
-import org.dfra.river.bootstrap.Inventory;
-import org.dfra.river.bootstrap.KnownRobots;
+import org.dfra.river.bootstrap.PhoenixInventory;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.bootstrap.RobotBootstrap;
+import org.dfra.river.bootstrap.RobotDescriptionStore;
 import org.dfra.river.bootstrap.RobotRemoval;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.robot.LivingPhoenix;
@@ -62,7 +62,7 @@ class ReconfiguredRobotIT {
     PhoenixProcess process = phoenix.process();
     Files.writeString(
         process.state().resolve("phoenix.address"), process.host() + ":" + process.port());
-    port = FreePorts.next();
+    port = FreePorts.allocate();
     mu = new ThermometerRobot("mu", phoenix, folder, group("lookup", registrar(port)));
   }
 
@@ -237,7 +237,7 @@ class ReconfiguredRobotIT {
       String why = "nu/registrar did not start: port " + taken.getLocalPort();
       assertThatThrownBy(() -> nu.up(group("lookup", registrar + lamp))).hasMessageContaining(why);
       assertThat(groups()).noneMatch(name -> name.startsWith("nu."));
-      assertThat(new KnownRobots(phoenix.process().state()).isKnown("nu")).isFalse();
+      assertThat(new RobotDescriptionStore(phoenix.process().state()).contains("nu")).isFalse();
 
       nu.up(group("lookup", lamp));
       assertThatThrownBy(() -> nu.up(group("lookup", registrar + lamp))).hasMessageContaining(why);
@@ -246,7 +246,7 @@ class ReconfiguredRobotIT {
           .containsPattern("nu\\.lookup +active +\\d+ +1 +0 +lamp\n")
           .doesNotContain("registrar");
     } finally {
-      RobotRemoval.of(phoenix.process(), "nu", PATIENCE);
+      RobotRemoval.removeRobot(phoenix.process(), "nu", PATIENCE);
     }
   }
 
@@ -302,7 +302,7 @@ class ReconfiguredRobotIT {
       assertThat(nu.steps()).containsExactly("PROCESS_ENDED mu.one one 1", "STARTED nu/drive one");
       assertThat(left.isAlive()).isFalse();
     } finally {
-      RobotRemoval.of(phoenix.process(), "nu", PATIENCE);
+      RobotRemoval.removeRobot(phoenix.process(), "nu", PATIENCE);
     }
   }
 
@@ -357,7 +357,7 @@ class ReconfiguredRobotIT {
     ProcessHandle left = forgetDrive();
     RobotDescription mast = mu.described(group("one", mu.module("mast", 4, "drive")));
     RobotBootstrap robot = new RobotBootstrap(phoenix.process(), mast);
-    RobotBootstrap.Service unused = robot.add(mast.modules().get(0), "one");
+    RobotBootstrap.ServiceReference unused = robot.add(mast.modules().get(0), "one");
     assertThat(left.isAlive()).isFalse();
     awaitCelsius("mast", 4);
 
@@ -385,7 +385,7 @@ class ReconfiguredRobotIT {
   }
 
   private static List<String> groups() throws Exception {
-    return Inventory.of(phoenix.process(), PATIENCE).stream()
+    return PhoenixInventory.groups(phoenix.process(), PATIENCE).stream()
         .map(each -> each.robot() + "." + each.name())
         .toList();
   }

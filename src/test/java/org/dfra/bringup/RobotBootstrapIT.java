@@ -44,7 +44,7 @@ import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.phoenix.GroupStatus;
 import org.dfra.robot.LivingPhoenix;
 import org.dfra.sim.device.M12Emulator;
-import org.dfra.sim.device.M12Settings;
+import org.dfra.sim.device.M12EmulatorSettings;
 import org.dfra.testing.EmbeddedReggie;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -74,14 +74,14 @@ class RobotBootstrapIT {
   /** Robot alpha: a registrar, and in another group a receiver and a thermometer. */
   @BeforeAll
   static void bringUpAlpha() throws Exception {
-    receiver = new M12Emulator(M12Settings.at(PLACE).withBaud(115_200), Instant::now);
+    receiver = new M12Emulator(M12EmulatorSettings.at(PLACE).withBaud(115_200), Instant::now);
     receiver.start();
     phoenix = LivingPhoenix.start(folder.resolve("phoenix"));
-    port = FreePorts.next();
+    port = FreePorts.allocate();
     alpha = alpha("20");
-    List<RobotBootstrap.Service> up = up(alpha);
+    List<RobotBootstrap.ServiceReference> up = up(alpha);
     assertThat(up)
-        .extracting(RobotBootstrap.Service::name, RobotBootstrap.Service::group)
+        .extracting(RobotBootstrap.ServiceReference::name, RobotBootstrap.ServiceReference::group)
         .containsExactly(
             org.assertj.core.groups.Tuple.tuple("alpha/registrar", "lookup"),
             org.assertj.core.groups.Tuple.tuple("alpha/gps_front", "sensors"),
@@ -149,7 +149,7 @@ class RobotBootstrapIT {
         + "\">%s</module>";
   }
 
-  private static List<RobotBootstrap.Service> up(Path xml) throws Exception {
+  private static List<RobotBootstrap.ServiceReference> up(Path xml) throws Exception {
     try {
       return new RobotBootstrap(phoenix.process(), RobotXml.read(xml)).up();
     } finally {
@@ -195,7 +195,7 @@ class RobotBootstrapIT {
     List<Long> processes = List.of(pid("alpha.lookup"), pid("alpha.sensors"));
     int objects = phoenix.group("alpha.sensors").objects();
 
-    List<RobotBootstrap.Service> again = up(alpha);
+    List<RobotBootstrap.ServiceReference> again = up(alpha);
 
     assertThat(again).hasSize(3);
     assertThat(registered(port)).isEqualTo(before);
@@ -242,10 +242,10 @@ class RobotBootstrapIT {
 
   @Test
   void aRegistrarTakesAnotherPortAndOtherGroupsWhenTheyAreChanged() throws Exception {
-    int first = FreePorts.next();
+    int first = FreePorts.allocate();
     up(zeta("old", first));
     ServiceID id = new LookupLocator(HOST, first).getRegistrar().getServiceID();
-    int second = FreePorts.next();
+    int second = FreePorts.allocate();
     up(zeta("new,more", second));
     ServiceRegistrar moved = new LookupLocator(HOST, second).getRegistrar();
     assertThat(moved.getServiceID()).isEqualTo(id);
@@ -284,7 +284,9 @@ class RobotBootstrapIT {
                 + team.locator().replace("jini://", "")
                 + "\"/>"
                 + group("sensors", thermometer("attic", "30")));
-    assertThat(up(beta)).extracting(RobotBootstrap.Service::name).containsExactly("beta/attic");
+    assertThat(up(beta))
+        .extracting(RobotBootstrap.ServiceReference::name)
+        .containsExactly("beta/attic");
     await()
         .atMost(PATIENCE)
         .untilAsserted(() -> assertThat(registered(team.port())).containsKey("beta/attic"));
@@ -351,7 +353,7 @@ class RobotBootstrapIT {
     assumeFalse(
         HostAddress.isLoopback(host),
         "this machine has no interface but the loopback, so auto can choose no other");
-    int here = FreePorts.next();
+    int here = FreePorts.allocate();
     Path epsilon =
         robot(
             "epsilon",
@@ -368,7 +370,7 @@ class RobotBootstrapIT {
     assertThat(wire(registrar)).contains(host);
     assertThat(registrar.getLocator().getHost()).isEqualTo(host);
     // Phoenix itself is on the loopback here, and its activator is a part of every proxy.
-    assertThat(wire(roof.server().use(Duration.ofSeconds(1))))
+    assertThat(wire(roof.server().acquireLease(Duration.ofSeconds(1))))
         .contains(host)
         .doesNotContain("127.");
 

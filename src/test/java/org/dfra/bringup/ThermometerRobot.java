@@ -110,7 +110,7 @@ final class ThermometerRobot {
   void up(String groups) throws Exception {
     RobotDescription description = described(groups);
     try {
-      List<RobotBootstrap.Service> unused =
+      List<RobotBootstrap.ServiceReference> unused =
           new RobotBootstrap(phoenix.process(), description).up(step -> steps.add(inWords(step)));
     } finally {
       phoenix.note();

@@ -23,8 +23,8 @@ import com.tngtech.archunit.lang.ArchRule;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.Arrays;
-import org.dfra.app.figure.Figures;
-import org.dfra.app.figure.ReportHead;
+import org.dfra.app.measurement.ReportHead;
+import org.dfra.app.measurement.RunMeasurements;
 import org.dfra.app.plot.HtmlReport;
 import org.dfra.time.Scheduler;
 import org.junit.jupiter.api.Test;
@@ -263,7 +263,8 @@ class ArchitectureTest extends PrintedTextRules {
                             .anyMatch(
                                 call -> call.getTargetOwner().isEquivalentTo(HtmlReport.class))))
             .should()
-            .callMethod(ReportHead.class, "add", HtmlReport.class, Figures.class, Instant.class));
+            .callMethod(
+                ReportHead.class, "add", HtmlReport.class, RunMeasurements.class, Instant.class));
   }
 
   @Test

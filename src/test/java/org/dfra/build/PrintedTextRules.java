@@ -12,14 +12,14 @@ import java.util.TreeSet;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.dfra.app.terminal.Answer;
-import org.dfra.app.terminal.Sentences;
-import org.dfra.text.Printable;
+import org.dfra.app.terminal.CommandOutput;
+import org.dfra.app.terminal.ConsoleMessages;
+import org.dfra.text.PrintableText;
 import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
 
 /**
- * What is shown to people goes through {@link Printable}. Only the classes that are named here
+ * What is shown to people goes through {@link PrintableText}. Only the classes that are named here
  * write to a terminal or paint text; another one is reviewed, and then added.
  *
  * <p>{@link ArchitectureTest} runs them: a class of its own might run in another process, which
@@ -32,33 +32,33 @@ abstract class PrintedTextRules {
       Set.of(
           "org.dfra.app.HelpCommand",
           "org.dfra.app.Main",
-          "org.dfra.app.PlainFailure",
-          "org.dfra.app.WrongUse",
-          "org.dfra.app.bench.Report",
-          "org.dfra.app.demo.stage.Narration",
-          "org.dfra.app.demo.stage.Performance",
+          "org.dfra.app.CommandExceptionHandler",
+          "org.dfra.app.UsageErrorHandler",
+          "org.dfra.app.benchmark.Report",
+          "org.dfra.app.demo.harness.ProgressReporter",
+          "org.dfra.app.demo.harness.DemoRunner",
           "org.dfra.app.log.LogbackSetup",
           "org.dfra.app.raster.process.ProcessMission",
           "org.dfra.app.sim.RunCommand",
-          "org.dfra.app.terminal.Answer",
+          "org.dfra.app.terminal.CommandOutput",
           "org.dfra.river.phoenix.GroupVm",
           "org.dfra.sim.device.ReceiverEmulatorMain");
 
   /** They write no text but their own, or hand the writer on to one of those above. */
   private static final Set<String> OWN_TEXT =
       Set.of(
-          "org.dfra.app.bench.BenchCommand",
-          "org.dfra.app.bench.ListenerMain",
-          "org.dfra.app.bench.attack.AttackTask", // these to the benchmark, which reads them
-          "org.dfra.app.bench.attack.BombServer",
-          "org.dfra.app.bench.attack.HonestRobot",
-          "org.dfra.app.bench.attack.NeutralLoad",
-          "org.dfra.app.bench.attack.Operator",
-          "org.dfra.app.bench.attack.TaskMain",
+          "org.dfra.app.benchmark.BenchCommand",
+          "org.dfra.app.benchmark.ListenerMain",
+          "org.dfra.app.benchmark.attack.AttackTask", // these to the benchmark, which reads them
+          "org.dfra.app.benchmark.attack.BombServer",
+          "org.dfra.app.benchmark.attack.HonestRobot",
+          "org.dfra.app.benchmark.attack.NeutralLoad",
+          "org.dfra.app.benchmark.attack.Operator",
+          "org.dfra.app.benchmark.attack.TaskMain",
           "org.dfra.app.completion.CompletionCommand",
           "org.dfra.app.demo.DemoCommand",
           "org.dfra.app.recruit.ExperimentCommand",
-          "org.dfra.app.terminal.Called",
+          "org.dfra.app.terminal.CommandName",
           "org.dfra.core.time.Timing",
           "org.dfra.testing.SerialCable");
 
@@ -98,7 +98,7 @@ abstract class PrintedTextRules {
   @Test
   void theyMakeTextPrintable() {
     Set<String> means =
-        Stream.of(Printable.class, Sentences.class, Answer.class)
+        Stream.of(PrintableText.class, ConsoleMessages.class, CommandOutput.class)
             .map(Class::getName)
             .collect(Collectors.toSet());
     assertThat(thatAccess(access -> means.contains(access.getTargetOwner().getName())))
@@ -106,12 +106,12 @@ abstract class PrintedTextRules {
         .contains(
             "org.dfra.app.terminal.Json",
             "org.dfra.app.terminal.Table",
-            "org.dfra.app.doctor.Telling",
+            "org.dfra.app.doctor.FindingPrinter",
             "org.dfra.app.log.LineEncoder",
             "org.dfra.app.log.PrintableTrace",
             "org.dfra.app.plot.HtmlReport",
-            "org.dfra.app.plot.Letters",
-            "org.dfra.river.phoenix.PrintableOutput");
+            "org.dfra.app.plot.PanelText",
+            "org.dfra.river.phoenix.PrintableOutputStream");
   }
 
   /** Text of a picture is made printable where it is painted. */
@@ -119,6 +119,6 @@ abstract class PrintedTextRules {
   void onlyTheseWriteTextIntoAPicture() {
     List<String> paint = List.of("drawString", "drawGlyphVector", "setTextContent");
     assertThat(thatAccess(access -> paint.contains(access.getTarget().getName())))
-        .containsExactlyInAnyOrder("org.dfra.app.plot.Letters", "org.dfra.app.plot.SvgCanvas");
+        .containsExactlyInAnyOrder("org.dfra.app.plot.PanelText", "org.dfra.app.plot.SvgCanvas");
   }
 }

@@ -9,8 +9,8 @@ import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.geometry.Transform;
 import org.dfra.lease.ModuleLease;
 import org.dfra.module.Diagnosis;
-import org.dfra.module.History;
 import org.dfra.module.LogLevel;
+import org.dfra.module.ModuleHistory;
 import org.dfra.module.Parameter;
 import org.dfra.module.Precondition;
 
@@ -27,12 +27,12 @@ interface BareGps extends GPSSensor {
   }
 
   @Override
-  default ModuleLease use(Duration duration) {
+  default ModuleLease acquireLease(Duration duration) {
     throw none();
   }
 
   @Override
-  default History history() {
+  default ModuleHistory history() {
     throw none();
   }
 

@@ -64,7 +64,7 @@ abstract class DirectoryContract extends DirectoryFixture {
     ModuleListing<LocationSensor> listing = directory.find(any.name("device")).get(0);
     assertThat(listing.attributes(GpsReceiverAttributes.class)).contains(device);
     assertThat(listing.stale()).isFalse();
-    assertThat(listing.age(Instant.now())).isZero();
+    assertThat(listing.staleness(Instant.now())).isZero();
   }
 
   @Test
@@ -122,7 +122,7 @@ abstract class DirectoryContract extends DirectoryFixture {
   void tellsListenersOfMatchChangeAndNoMatch() throws Exception {
     list("r", "before", 10);
     Heard heard = new Heard();
-    try (Watch watch =
+    try (DirectoryRegistration watch =
         directory.listen(
             ModuleQuery.of(GPSSensor.class).where(SensorAttributes.class, "maxRate", atLeast(5)),
             heard)) {
@@ -151,7 +151,7 @@ abstract class DirectoryContract extends DirectoryFixture {
     BlockingQueue<Double> rates = new LinkedBlockingQueue<>();
     ModuleQuery<GPSSensor> query = ModuleQuery.of(GPSSensor.class);
     Heard healthy = new Heard();
-    try (Watch slow =
+    try (DirectoryRegistration slow =
             directory.listen(
                 query,
                 new DirectoryListener<>() {
@@ -171,7 +171,7 @@ abstract class DirectoryContract extends DirectoryFixture {
                     rates.add(now.attributes(SensorAttributes.class).orElseThrow().maxRate());
                   }
                 });
-        Watch other = directory.listen(query, healthy)) {
+        DirectoryRegistration other = directory.listen(query, healthy)) {
       ListedGps gps = list("r", "gps", 1);
       assertThat(blocked.await(10, TimeUnit.SECONDS)).as("%s %s", slow, other).isTrue();
       assertThat(healthy.next()).isEqualTo("matched gps");
@@ -195,7 +195,7 @@ abstract class DirectoryContract extends DirectoryFixture {
             throw new IllegalStateException("on purpose");
           }
         };
-    try (Watch watch = directory.listen(ModuleQuery.of(GPSSensor.class), heard)) {
+    try (DirectoryRegistration watch = directory.listen(ModuleQuery.of(GPSSensor.class), heard)) {
       list("r", "one", 1);
       list("r", "two", 1);
       assertThat(heard.next()).as("%s", watch).isEqualTo("matched one");
@@ -214,7 +214,7 @@ abstract class DirectoryContract extends DirectoryFixture {
         .until(() -> directory.find(ModuleQuery.of(GPSSensor.class)).get(0).stale());
     ModuleListing<GPSSensor> kept = directory.find(ModuleQuery.of(GPSSensor.class)).get(0);
     assertThat(kept.module().identification().name()).isEqualTo("gps");
-    assertThat(kept.age(kept.confirmed().plusSeconds(7))).isEqualTo(Duration.ofSeconds(7));
+    assertThat(kept.staleness(kept.confirmed().plusSeconds(7))).isEqualTo(Duration.ofSeconds(7));
     assertThat(kept.confirmed()).isBetween(Instant.now().minusSeconds(20), Instant.now());
     await().atMost(PATIENCE).until(() -> directory.personas().get(0).stale());
     assertThat(directory.personas()).hasSize(1);

@@ -41,12 +41,12 @@ class InMemoryModuleDirectoryTest extends DirectoryContract {
       public void loseSight() {
         memory
             .find(ModuleQuery.of(Module.class))
-            .forEach(listing -> memory.loseSightOf(listing.id()));
+            .forEach(listing -> memory.markStale(listing.id()));
         memory
             .personas()
             .forEach(
                 each ->
-                    memory.loseSightOf(
+                    memory.markStale(
                         new UUID(robot.getMostSignificantBits(), each.robot().hashCode())));
       }
 

@@ -37,7 +37,7 @@ import org.dfra.river.entry.Entries;
 import org.dfra.river.lookup.DirectorySettings;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.lookup.SuppliedConfiguration;
-import org.dfra.river.proxy.LocalModules;
+import org.dfra.river.proxy.LocalModuleRegistry;
 import org.dfra.testing.EmbeddedReggie;
 import org.junit.jupiter.api.Test;
 
@@ -103,11 +103,11 @@ class JiniModuleDirectoryTest extends DirectoryContract {
     public void announce(ListedGps module, List<Attributes> attributes, Locality locality)
         throws Exception {
       if (locality == Locality.SAME_VM && local.add(module)) {
-        LocalModules.enter(module.id(), module);
+        LocalModuleRegistry.register(module.id(), module);
       }
       ServiceRegistration known = registrations.get(module.id());
       if (known != null) {
-        known.setAttributes(Entries.of(attributes));
+        known.setAttributes(Entries.toEntries(attributes));
         return;
       }
       registrations.put(module.id(), keep(reggie, module, attributes));
@@ -133,7 +133,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
     @Override
     public void close() throws Exception {
       renewals.clear();
-      local.forEach(module -> LocalModules.leave(module.id(), module));
+      local.forEach(module -> LocalModuleRegistry.unregister(module.id(), module));
       for (EmbeddedReggie each : reggies) {
         each.close();
       }
@@ -187,10 +187,10 @@ class JiniModuleDirectoryTest extends DirectoryContract {
             settings(List.of(one.locator(), two.locator())), InstantSource.system())) {
       ServiceRegistration unusedOne = keep(one, gps, attributes("r", "gps", 1));
       ServiceRegistration unusedTwo = keep(two, gps, attributes("r", "gps", 1));
-      await().atMost(PATIENCE).until(() -> team.registrars() == 2);
+      await().atMost(PATIENCE).until(() -> team.registrarCount() == 2);
       assertThat(team.findFirst(query, PATIENCE)).isPresent();
       one.close();
-      await().atMost(PATIENCE).until(() -> team.registrars() == 1);
+      await().atMost(PATIENCE).until(() -> team.registrarCount() == 1);
       assertThat(team.find(query)).singleElement().matches(listing -> !listing.stale());
       two.close();
       await().atMost(PATIENCE).until(() -> team.find(query).get(0).stale());
@@ -227,7 +227,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
 
   private void showAtTheRegistrar(PersonaAttributes persona) throws Exception {
     JoinAdmin admin = (JoinAdmin) ((Administrable) reggies.get(0).registrar()).getAdmin();
-    admin.addLookupAttributes(Entries.of(List.of(persona)));
+    admin.addLookupAttributes(Entries.toEntries(List.of(persona)));
   }
 
   @Test
@@ -261,7 +261,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
 
   @Test
   void aLocatorWhereNobodyAnswersHoldsUpNobody() throws Exception {
-    int free = FreePorts.next();
+    int free = FreePorts.allocate();
     EmbeddedReggie reggie = reggies.get(0);
     list("r", "gps", 1);
     try (JiniModuleDirectory both =
@@ -277,7 +277,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
     CountDownLatch read = new CountDownLatch(1);
     list("r", "gps", 1);
     try (JiniModuleDirectory slow = slow(Duration.ofSeconds(30), read)) {
-      await().until(() -> slow.registrars() == 1);
+      await().until(() -> slow.registrarCount() == 1);
       CompletableFuture<List<String>> look = firstLook(slow);
       await().during(Duration.ofMillis(200)).atMost(PATIENCE).until(() -> !look.isDone());
       read.countDown();
@@ -290,7 +290,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
   void theFirstLookDoesNotAwaitALookupServiceThatHasFallenSilent() throws Exception {
     CountDownLatch read = new CountDownLatch(1);
     try (JiniModuleDirectory slow = slow(Duration.ofMillis(300), read)) {
-      await().until(() -> slow.registrars() == 1);
+      await().until(() -> slow.registrarCount() == 1);
       assertThat(firstLook(slow).get(30, TimeUnit.SECONDS))
           .containsExactly(reggies.get(0).locator() + "/");
       read.countDown();
@@ -301,7 +301,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
     return CompletableFuture.supplyAsync(
         () -> {
           try {
-            return directory.awaitFirstLook(Duration.ZERO);
+            return directory.awaitFirstRead(Duration.ZERO);
           } catch (InterruptedException e) {
             throw new IllegalStateException(e);
           }
@@ -324,13 +324,13 @@ class JiniModuleDirectoryTest extends DirectoryContract {
     DirectorySettings usual = settings(List.of(reggies.get(0).locator()));
     return new JiniModuleDirectory(
         new DirectorySettings(
-            usual.host(),
+            usual.callbackHost(),
             usual.groups(),
             usual.locators(),
             usual.locatorRetry(),
-            usual.heartbeat(),
+            usual.heartbeatInterval(),
             silence,
-            usual.reconcile(),
+            usual.reconcileInterval(),
             usual.eventLease()),
         clock);
   }

@@ -30,7 +30,7 @@ class QueryVocabularyTest {
 
   @Test
   void knowsEveryKindOfModule() {
-    assertThat(QueryVocabulary.usual().kinds())
+    assertThat(QueryVocabulary.standard().kinds())
         .containsExactlyInAnyOrderElementsOf(
             declared(type -> type.isInterface() && type.isAssignableTo(Module.class)).stream()
                 .<Class<? extends Module>>map(type -> type.asSubclass(Module.class))
@@ -39,7 +39,7 @@ class QueryVocabularyTest {
 
   @Test
   void knowsEveryAttributeOfModules() {
-    assertThat(QueryVocabulary.usual().attributes())
+    assertThat(QueryVocabulary.standard().attributes())
         .containsExactlyInAnyOrderElementsOf(
             declared(
                     type ->

@@ -21,7 +21,7 @@ import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.proxy.sensor.GPSProxy;
 import org.dfra.river.server.sensor.GPSServer;
 import org.dfra.sim.device.M12Emulator;
-import org.dfra.sim.device.M12Settings;
+import org.dfra.sim.device.M12EmulatorSettings;
 import org.dfra.testing.EmbeddedReggie;
 import org.dfra.testing.ServedModule;
 import org.junit.jupiter.api.Test;
@@ -45,7 +45,7 @@ class ReceiverPersonaTest {
             .where(ModuleAttributes.class, "state", Condition.equalTo(Readiness.READY))
             .within(100, PLACE);
     try (M12Emulator receiver =
-        new M12Emulator(M12Settings.at(PLACE).withBaud(115_200), Instant::now)) {
+        new M12Emulator(M12EmulatorSettings.at(PLACE).withBaud(115_200), Instant::now)) {
       receiver.start();
       ServedModule<GPSServer> gps =
           ServedModule.of(GPSServer.class, GPSProxy.class, M12PlusImpl.class)

@@ -31,12 +31,12 @@ class DistIT {
             "DFRA_WAIT",
             "20",
             "DFRA_ATRV1_REGISTRAR_PORT",
-            Integer.toString(FreePorts.next()),
+            Integer.toString(FreePorts.allocate()),
             "DFRA_ATRV1_CLASS_PORT",
-            Integer.toString(FreePorts.next()),
+            Integer.toString(FreePorts.allocate()),
             // Nobody answers there: the module is up all the same, and goes on trying.
             "DFRA_ATRV1_GPS_FRONT_LINK",
-            "tcp://127.0.0.1:" + FreePorts.next());
+            "tcp://127.0.0.1:" + FreePorts.allocate());
     try (Installation installed = new Installation(folder)) {
       assertThat(installed.dfra(robot, "--version").out()).startsWith("dfra ");
       assertThat(installed.dfra(robot, "help").out())
@@ -47,7 +47,8 @@ class DistIT {
       assertThat(early.exit()).isEqualTo(4);
       assertThat(early.err()).contains("bring a robot up first: dfra up ROBOT.XML");
 
-      Outcome up = installed.dfra(robot, "up", "--port=" + FreePorts.next(), "--registry-port=-1");
+      Outcome up =
+          installed.dfra(robot, "up", "--port=" + FreePorts.allocate(), "--registry-port=-1");
       assertThat(up.exit()).as(up.out() + up.err()).isZero();
       assertThat(up.out())
           .contains("Up: atrv1/registrar in group lookup.", "Up: atrv1/gps_front in group gps.")

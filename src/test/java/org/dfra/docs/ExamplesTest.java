@@ -61,7 +61,7 @@ class ExamplesTest {
               "org.dfra.river.filter.SerialFilters",
               "org.dfra.river.loading.*",
               "org.dfra.river.lookup.JiniModuleDirectory",
-              "org.dfra.sim.body.*",
+              "org.dfra.sim.physics.*",
               "org.dfra.sim.run.Simulation",
               "org.dfra.sim.time.LockStep",
               "org.dfra.sim.world.*",

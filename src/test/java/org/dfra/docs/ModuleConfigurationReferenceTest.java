@@ -17,7 +17,7 @@ import org.dfra.core.lease.LeaseTerms;
 import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.discovery.MulticastSearch;
 import org.dfra.river.lease.ModuleLandlord;
-import org.dfra.river.lookup.Join;
+import org.dfra.river.lookup.LookupJoin;
 import org.junit.jupiter.api.Test;
 
 /** The reference lists every entry that a module's Jini configuration may have. */
@@ -86,7 +86,7 @@ class ModuleConfigurationReferenceTest {
     String source =
         Files.readString(
             Documents.ROOT.resolve(
-                "dfra-river/src/main/java/org/dfra/river/server/ModuleParts.java"));
+                "dfra-river/src/main/java/org/dfra/river/server/ModulePartFactory.java"));
 
     List<String> read =
         Pattern.compile("getEntry\\(\\s*ModuleServer\\.COMPONENT,\\s*\"(\\w+)\"")
@@ -103,9 +103,9 @@ class ModuleConfigurationReferenceTest {
   private static Map<String, Asked> askedByLandlordAndJoin() throws Exception {
     Recorder recorder = new Recorder();
     String host = "127.0.0.1";
-    assertThat(ModuleLandlord.terms(recorder)).isEqualTo(LeaseTerms.USUAL);
-    try (Join unused =
-        Join.join(
+    assertThat(ModuleLandlord.terms(recorder)).isEqualTo(LeaseTerms.DEFAULT);
+    try (LookupJoin unused =
+        LookupJoin.start(
             "no proxy, but serializable",
             UUID.randomUUID(),
             new Entry[0],

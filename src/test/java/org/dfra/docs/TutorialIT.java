@@ -72,9 +72,9 @@ class TutorialIT {
   @BeforeEach
   void prepareAClone() throws IOException {
     work = Files.createDirectory(folder.resolve("my-sensors"));
-    phoenixPort = Integer.toString(FreePorts.next());
-    registrarPort = Integer.toString(FreePorts.next());
-    classPort = Integer.toString(FreePorts.next());
+    phoenixPort = Integer.toString(FreePorts.allocate());
+    registrarPort = Integer.toString(FreePorts.allocate());
+    classPort = Integer.toString(FreePorts.allocate());
     Files.writeString(folder.resolve("dfra"), launcher());
     assertThat(folder.resolve("dfra").toFile().setExecutable(true)).isTrue();
   }

@@ -16,7 +16,7 @@ import org.dfra.flow.effector.DriveEffector;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.lookup.JiniModuleDirectory;
-import org.dfra.testing.TalkingProcess;
+import org.dfra.testing.InteractiveProcess;
 
 /**
  * Drives a robot straight on, twenty commands a second, until it is closed or killed; in the test's
@@ -34,9 +34,9 @@ public final class Commander implements AutoCloseable {
   /** Takes command, releases the brake and drives. */
   public Commander(DriveEffector drive, Duration duration, Velocity velocity) throws Exception {
     this.drive = drive;
-    this.lease = drive.command(duration);
+    this.lease = drive.acquireCommandLease(duration);
     try {
-      drive.obey(lease.key(), new Brake(false));
+      drive.execute(lease.key(), new Brake(false));
     } catch (RemoteException | RuntimeException e) {
       close();
       throw e;
@@ -48,7 +48,7 @@ public final class Commander implements AutoCloseable {
 
   private void command(Velocity velocity) {
     try {
-      drive.obey(lease.key(), velocity);
+      drive.execute(lease.key(), velocity);
     } catch (RemoteException e) {
       throw new IllegalStateException("the drive does not answer", e); // ends the driving
     }
@@ -86,10 +86,10 @@ public final class Commander implements AutoCloseable {
               .module();
       try (Commander commander =
           new Commander(drive, Duration.ofMillis(Long.parseLong(args[1])), new Velocity(1, 0))) {
-        System.out.println(TalkingProcess.SAID + "commanding");
+        System.out.println(InteractiveProcess.RESPONSE_PREFIX + "commanding");
         commander.driving.get();
       } catch (ExecutionException e) {
-        System.out.println(TalkingProcess.SAID + "ended: " + e.getCause());
+        System.out.println(InteractiveProcess.RESPONSE_PREFIX + "ended: " + e.getCause());
       }
     }
   }

@@ -29,8 +29,8 @@ import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.Incident;
 import org.dfra.module.Module;
 import org.dfra.robot.LivingPhoenix;
+import org.dfra.testing.InteractiveProcess;
 import org.dfra.testing.ServedModule;
-import org.dfra.testing.TalkingProcess;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
@@ -104,7 +104,7 @@ class DriveIT {
   private static ModuleListing<?> find(String query) throws Exception {
     return robot
         .directory()
-        .findFirst(new QueryParser(QueryVocabulary.usual()).parse(query), PATIENCE)
+        .findFirst(new QueryParser(QueryVocabulary.standard()).parse(query), PATIENCE)
         .orElseThrow();
   }
 
@@ -125,7 +125,7 @@ class DriveIT {
     try (Commander unused = new Commander(drive, Duration.ofSeconds(10), new Velocity(0.5, 0))) {
       await().atMost(PATIENCE).until(() -> wheels.distance() > driven + 0.5);
       WheeledRobot.patiently().until(() -> odometry.odometry().x() > counts.get() + 0.5);
-      assertThat(odometry.odometry().child()).isEqualTo("eta/base_link");
+      assertThat(odometry.odometry().childFrame()).isEqualTo("eta/base_link");
       assertThat(battery.battery().voltage()).isBetween(25.19, 25.21);
     }
     wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
@@ -140,8 +140,8 @@ class DriveIT {
     List<String> failures =
         module.history().recent().stream()
             .filter(incident -> incident.kind() == Incident.Kind.FAILURE)
-            .filter(incident -> !incident.when().isBefore(since))
-            .map(Incident::what)
+            .filter(incident -> !incident.time().isBefore(since))
+            .map(Incident::description)
             .toList();
     assertThat(failures)
         .as("failures of %s; %s", module, timing)
@@ -157,7 +157,7 @@ class DriveIT {
       await().atMost(PATIENCE).until(commander::hasGivenUp);
       wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
 
-      assertThatThrownBy(() -> drive.obey(commander.lease().key(), AHEAD))
+      assertThatThrownBy(() -> drive.execute(commander.lease().key(), AHEAD))
           .as("in the next incarnation, which the call brings back")
           .isInstanceOf(CommandRefusedException.class);
       phoenix.note();
@@ -172,10 +172,10 @@ class DriveIT {
 
   @Test
   void theWheelsStandInTimeWhenTheirCommanderIsKilledAndAnotherMayCommand() throws Exception {
-    try (TalkingProcess commander = commander(Long.toString(SHORT_LEASE.toMillis()))) {
+    try (InteractiveProcess commander = commander(Long.toString(SHORT_LEASE.toMillis()))) {
       assertThat(commander.awaitLine()).isEqualTo("commanding");
       robot.awaitFullSpeed();
-      assertThatThrownBy(() -> drive.command(Duration.ofSeconds(1)))
+      assertThatThrownBy(() -> drive.acquireCommandLease(Duration.ofSeconds(1)))
           .isInstanceOf(LeaseRefusedException.class)
           .hasMessageContaining("eta/drive is commanded by a client at 127.0.0.1 since");
       ProcessHandle victim = ProcessHandle.of(commander.pid()).orElseThrow();
@@ -183,7 +183,7 @@ class DriveIT {
       victim.destroyForcibly();
       await().atMost(PATIENCE).until(() -> !victim.isAlive());
       wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
-      WheeledRobot.patiently().until(() -> drive.drive().commander() == null);
+      WheeledRobot.patiently().until(() -> drive.driveState().commander() == null);
       killed.stop().requireWithin("the end of a dead commander's lease", LEASE_OVER);
     }
     try (Commander unused = new Commander(drive, Duration.ofSeconds(10), AHEAD)) {
@@ -194,8 +194,8 @@ class DriveIT {
   @Test
   void theWheelsStopInTimeWhenTheirCommanderIsSuspendedAndStayStoppedWhenItIsResumed()
       throws Exception {
-    long timeouts = drive.drive().silences();
-    try (TalkingProcess commander = commander(Long.toString(SHORT_LEASE.toMillis()))) {
+    long timeouts = drive.driveState().commandTimeouts();
+    try (InteractiveProcess commander = commander(Long.toString(SHORT_LEASE.toMillis()))) {
       assertThat(commander.awaitLine()).isEqualTo("commanding");
       robot.awaitFullSpeed();
       Instant last;
@@ -206,10 +206,10 @@ class DriveIT {
         WheeledRobot.patiently()
             .untilAsserted(
                 () ->
-                    assertThat(drive.drive().silences())
+                    assertThat(drive.driveState().commandTimeouts())
                         .as("command time-outs of the driver")
                         .isGreaterThan(timeouts));
-        WheeledRobot.patiently().until(() -> drive.drive().commander() == null);
+        WheeledRobot.patiently().until(() -> drive.driveState().commander() == null);
         suspended.stop().requireWithin("the end of a suspended commander's lease", LEASE_OVER);
         last = wheels.lastMotion();
       } finally {
@@ -237,7 +237,7 @@ class DriveIT {
       await().atMost(PATIENCE).until(commander::hasGivenUp);
       wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
       await().atMost(PATIENCE).until(() -> !commander.lease().isLive());
-      assertThat(drive.drive().commander()).isNull();
+      assertThat(drive.driveState().commander()).isNull();
     }
   }
 
@@ -282,14 +282,14 @@ class DriveIT {
         WheeledRobot.signal("CONT", pid);
       }
     }
-    WheeledRobot.patiently().until(() -> drive.drive().commander() == null);
+    WheeledRobot.patiently().until(() -> drive.driveState().commander() == null);
     wheels.assertTheyStoodWithinHalfASecondOfTheLastCommand();
   }
 
-  private TalkingProcess commander(String leaseMillis) throws Exception {
+  private InteractiveProcess commander(String leaseMillis) throws Exception {
     List<String> command =
-        new ArrayList<>(TalkingProcess.java(System.getProperty("java.class.path"), List.of()));
+        new ArrayList<>(InteractiveProcess.java(System.getProperty("java.class.path"), List.of()));
     command.addAll(List.of(Commander.class.getName(), robot.locator(), leaseMillis));
-    return new TalkingProcess(command);
+    return new InteractiveProcess(command);
   }
 }

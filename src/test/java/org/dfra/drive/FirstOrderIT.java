@@ -82,11 +82,11 @@ class FirstOrderIT {
                   + "dfra: these jars are older than the sources; ./dfra build makes new ones\n");
       await().atMost(PATIENCE).until(() -> robot.wheels().firstHalt() != null);
       Instant ordered = Objects.requireNonNull(robot.wheels().firstHalt(), "no order came");
-      assertThat(robot.drive().stopState().latched()).isTrue();
+      assertThat(robot.drive().emergencyStopState().latched()).isTrue();
       Duration took = Duration.between(typed, ordered);
       System.out.printf(
           "the first order came %.3f s after the script began%n", took.toNanos() / 1e9);
-      return whole.during(took);
+      return whole.ofPart(took);
     }
   }
 }

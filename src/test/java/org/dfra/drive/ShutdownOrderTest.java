@@ -47,7 +47,7 @@ import org.dfra.river.bootstrap.EmbeddedRegistrar;
 import org.dfra.river.bootstrap.ServedModules;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
-import org.dfra.river.lookup.Join;
+import org.dfra.river.lookup.LookupJoin;
 import org.dfra.river.lookup.SuppliedConfiguration;
 import org.dfra.river.proxy.effector.DriveProxy;
 import org.dfra.river.remote.ModuleAdmin;
@@ -97,7 +97,7 @@ public class ShutdownOrderTest {
 
     @Override
     protected void onStart() {
-      become(Readiness.READY);
+      transitionTo(Readiness.READY);
     }
 
     @Override
@@ -107,7 +107,7 @@ public class ShutdownOrderTest {
     }
 
     @Override
-    protected void turn(Velocity wanted) {}
+    protected void setVelocity(Velocity wanted) {}
 
     @Override
     protected void halt() {
@@ -135,7 +135,7 @@ public class ShutdownOrderTest {
         (Registration)
             DeadlineILFactory.proxy(
                 new BasicObjectEndpoint(
-                    Endpoints.at("127.0.0.1", socket.getLocalPort()),
+                    Endpoints.tcpClient("127.0.0.1", socket.getLocalPort()),
                     UuidFactory.generate(),
                     false),
                 DeadlineILFactory.DEFAULT_DEADLINE,
@@ -290,12 +290,12 @@ public class ShutdownOrderTest {
   void aDriveHaltsFirstAndLeavesSixSilentRegistrarsWithinASecond(Named way) throws Exception {
     try (DriveServer server = new DriveServer(null, new MarshalledObject<>(activation()))) {
       DriveEffector drive = (DriveEffector) server.getProxy();
-      CommandLease lease = drive.command(Duration.ofSeconds(10));
-      drive.obey(lease.key(), new Velocity(0.5, 0));
+      CommandLease lease = drive.acquireCommandLease(Duration.ofSeconds(10));
+      drive.execute(lease.key(), new Velocity(0.5, 0));
       awaitRegistrations();
       STEPS.clear();
       assertEndsInTime(() -> way.way().end(server));
-      assertThatThrownBy(() -> drive.obey(lease.key(), new Velocity(0.5, 0)))
+      assertThatThrownBy(() -> drive.execute(lease.key(), new Velocity(0.5, 0)))
           .as("a command after the end")
           .isInstanceOfAny(RemoteException.class, NotReadyException.class);
     }
@@ -328,7 +328,7 @@ public class ShutdownOrderTest {
       long began = System.nanoTime();
       body.end();
       toEnd = begun.stop();
-      toClosed = toEnd.during(Duration.ofNanos(closedAt - began));
+      toClosed = toEnd.ofPart(Duration.ofNanos(closedAt - began));
     }
     System.out.printf("driver closed: %s; all ended: %s%n", toClosed, toEnd);
     assertThat(STEPS.indexOf("closed")).as("steps " + STEPS).isNotNegative();
@@ -346,8 +346,8 @@ public class ShutdownOrderTest {
 
   @Test
   void registrationsAreCancelledBesideEachOther() throws Exception {
-    try (Join join =
-        Join.join(
+    try (LookupJoin join =
+        LookupJoin.start(
             "a service",
             id,
             new Entry[0],

@@ -20,9 +20,9 @@ import org.dfra.directory.ModuleQuery;
 import org.dfra.drive.WheeledRobot.Said;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.effector.DriveEffector;
-import org.dfra.flow.effector.StopState;
+import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.lease.LeaseRefusedException;
-import org.dfra.river.bootstrap.KnownRobots;
+import org.dfra.river.bootstrap.RobotDescriptionStore;
 import org.dfra.robot.LivingPhoenix;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -77,7 +77,7 @@ class StopIT {
   }
 
   private static void remember(Path xml) throws Exception {
-    new KnownRobots(phoenix.process().state()).remember(RobotXml.read(xml));
+    new RobotDescriptionStore(phoenix.process().state()).save(RobotXml.read(xml));
   }
 
   /** {@code ./dfra stop}, as a process. */
@@ -103,7 +103,7 @@ class StopIT {
   }
 
   private void assertNobodyCommands() {
-    assertThatThrownBy(() -> drive.command(LEASE))
+    assertThatThrownBy(() -> drive.acquireCommandLease(LEASE))
         .isInstanceOf(LeaseRefusedException.class)
         .hasMessageStartingWith("eta/drive is stopped for an emergency since 2")
         .hasMessageEndingWith("when it is safe, release it: ./dfra stop --release eta");
@@ -118,9 +118,9 @@ class StopIT {
       Said said = stop("--all");
       Timing timing = running.stop();
       assertThat(said).isEqualTo(new Said(0, "eta/drive: stopped.\n1 effector: 1 stopped.\n"));
-      Instant ordered = Objects.requireNonNull(drive.stopState().since());
+      Instant ordered = Objects.requireNonNull(drive.emergencyStopState().since());
       timing
-          .during(Duration.between(typed, ordered))
+          .ofPart(Duration.between(typed, ordered))
           .requireWithin("./dfra stop --all to its first order", FIRST_ORDER);
       assertTheyStand(typed, "./dfra stop --all was typed");
       await().atMost(PATIENCE).until(commander::hasGivenUp);
@@ -135,13 +135,13 @@ class StopIT {
     phoenix.note();
     WheeledRobot.patiently().until(() -> drive.awaitReadiness(PATIENCE).serves());
     phoenix.note();
-    StopState kept = drive.stopState();
+    EmergencyStopState kept = drive.emergencyStopState();
     assertThat(kept.latched()).as("in the next incarnation").isTrue();
     assertNobodyCommands();
     assertThat(robot.dfraHere("up", robot.xml().toString()).text())
         .contains("But eta/drive is stopped for an emergency since " + kept.since());
     ModuleQuery<?> query =
-        new QueryParser(QueryVocabulary.usual()).parse("DriveEffector with stop.latched = true");
+        new QueryParser(QueryVocabulary.standard()).parse("DriveEffector with stop.latched = true");
     assertThat(robot.directory().findFirst(query, PATIENCE)).isPresent();
 
     assertThat(stop("--release", "eta"))

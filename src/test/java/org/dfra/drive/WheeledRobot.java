@@ -24,14 +24,14 @@ import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.DriveCommand.Brake;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.effector.DriveEffector;
-import org.dfra.flow.effector.StopState;
+import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.call.DeadlineExceededException;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.robot.LivingPhoenix;
-import org.dfra.testing.TalkingProcess;
+import org.dfra.testing.InteractiveProcess;
 
 /**
  * The robot eta: emulated wheels, a phoenix of its own, a registrar, and the group {@code wheels}
@@ -69,12 +69,12 @@ public final class WheeledRobot implements AutoCloseable {
     this.open = open;
     wheels = opened(new Wheels());
     phoenix = opened(LivingPhoenix.start(folder.resolve("phoenix")));
-    int port = FreePorts.next();
+    int port = FreePorts.allocate();
     locator = "jini://" + HOST + ":" + port;
     xml =
         Files.writeString(
             folder.resolve("robot.xml"), described(administration, port, wheels.url(), modules));
-    List<RobotBootstrap.Service> unused =
+    List<RobotBootstrap.ServiceReference> unused =
         new RobotBootstrap(phoenix.process(), RobotXml.read(xml)).up();
     phoenix.note();
     Files.writeString( // as ./dfra up does
@@ -212,7 +212,7 @@ public final class WheeledRobot implements AutoCloseable {
 
   private static Said process(Path state, String... words) throws Exception {
     List<String> command =
-        new ArrayList<>(TalkingProcess.java(System.getProperty("java.class.path"), List.of()));
+        new ArrayList<>(InteractiveProcess.java(System.getProperty("java.class.path"), List.of()));
     command.add("org.dfra.app.Main");
     command.addAll(List.of(words));
     command.add("--state=" + state);
@@ -264,16 +264,19 @@ public final class WheeledRobot implements AutoCloseable {
     patiently()
         .until(
             () -> {
-              StopState now = drive.stopState();
-              return !(now.latched() ? drive.releaseStop("the next test") : now).latched();
+              EmergencyStopState now = drive.emergencyStopState();
+              return !(now.latched() ? drive.releaseEmergencyStop("the next test") : now).latched();
             });
     assertThat(drive.awaitReadiness(PATIENCE)).isIn(Readiness.READY, Readiness.ACTIVE);
-    patiently().until(() -> drive.drive().commander() == null);
+    patiently().until(() -> drive.driveState().commander() == null);
     patiently().until(() -> wheels.standingSince() != null);
-    try (CommandLease lease = drive.command(PATIENCE)) {
-      drive.obey(lease.key(), new Brake(true));
+    try (CommandLease lease = drive.acquireCommandLease(PATIENCE)) {
+      drive.execute(lease.key(), new Brake(true));
     }
-    patiently().until(() -> drive.drive().commander() == null && drive.drive().brake());
+    patiently()
+        .until(
+            () ->
+                drive.driveState().commander() == null && drive.driveState().parkingBrakeEngaged());
     phoenix.note();
   }
 

@@ -8,10 +8,10 @@ import java.time.Instant;
 import java.time.InstantSource;
 import java.util.Objects;
 import org.dfra.core.time.StallProbe;
-import org.dfra.sim.body.BatteryBody.Charge;
-import org.dfra.sim.body.WheelsOnBlocks;
 import org.dfra.sim.device.DeviceEmulator;
 import org.dfra.sim.device.drive.RflexDevice;
+import org.dfra.sim.physics.BatteryPhysics.Charge;
+import org.dfra.sim.physics.IdealDrivetrain;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -27,7 +27,7 @@ public final class Wheels implements AutoCloseable {
 
   private final StallProbe probe = StallProbe.start();
 
-  private final WheelsOnBlocks body = new WheelsOnBlocks(CLOCK.instant());
+  private final IdealDrivetrain body = new IdealDrivetrain(CLOCK.instant());
   private final RflexDevice controller = new RflexDevice(body, time -> new Charge(25.2, 2, 0.75));
   private final DeviceEmulator emulator = new DeviceEmulator("rflex", 0, controller, CLOCK);
 
@@ -77,7 +77,7 @@ public final class Wheels implements AutoCloseable {
 
   /** Since when they stand; null while they turn. */
   public @Nullable Instant standingSince() {
-    return body.standingSince(CLOCK.instant());
+    return body.stoppedSince(CLOCK.instant());
   }
 
   @Override

@@ -37,8 +37,8 @@ import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.sim.device.M12Emulator;
-import org.dfra.sim.device.M12Settings;
-import org.dfra.testing.TalkingProcess;
+import org.dfra.sim.device.M12EmulatorSettings;
+import org.dfra.testing.InteractiveProcess;
 
 /**
  * What runs on a host besides its robot: two receivers and a client, which does what the lines of
@@ -79,7 +79,7 @@ final class HostClient implements AutoCloseable {
   private static M12Emulator receiver() throws IOException {
     M12Emulator receiver =
         new M12Emulator(
-            M12Settings.at(new GeoPosition(52.9, 6.9, 50)).withBaud(115_200), Instant::now);
+            M12EmulatorSettings.at(new GeoPosition(52.9, 6.9, 50)).withBaud(115_200), Instant::now);
     receiver.start();
     return receiver;
   }
@@ -222,7 +222,7 @@ final class HostClient implements AutoCloseable {
   }
 
   private static void say(String line) {
-    System.out.println(TalkingProcess.SAID + line);
+    System.out.println(InteractiveProcess.RESPONSE_PREFIX + line);
   }
 
   @Override

@@ -14,8 +14,8 @@ import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import org.dfra.river.bootstrap.JvmCommand;
-import org.dfra.testing.TalkingProcess;
-import org.dfra.testing.TestHosts;
+import org.dfra.testing.InteractiveProcess;
+import org.dfra.testing.NetworkNamespaceHosts;
 
 /** A host with a robot on it, brought up as a user does it, and a client beside it. */
 final class RobotHost implements AutoCloseable {
@@ -25,12 +25,12 @@ final class RobotHost implements AutoCloseable {
   private static final int ATTEMPTS = 4;
   private static final String LOG = "dfra.log";
 
-  private final TestHosts hosts;
+  private final NetworkNamespaceHosts hosts;
   private final int number;
   private final Map<String, String> settings = new TreeMap<>(); // of the environment
   private final String robot;
   private final Path folder;
-  private final TalkingProcess client;
+  private final InteractiveProcess client;
 
   /**
    * Starts everything.
@@ -44,7 +44,7 @@ final class RobotHost implements AutoCloseable {
    *     the first that it says is which devices have which links, as {@code DEVICE=link ...}
    */
   RobotHost(
-      TestHosts hosts,
+      NetworkNamespaceHosts hosts,
       int number,
       String team,
       Path xml,
@@ -56,11 +56,11 @@ final class RobotHost implements AutoCloseable {
     this.number = number;
     this.robot = "atrv" + (number + 1);
     this.folder = Files.createDirectories(folder);
-    List<String> command = new ArrayList<>(hosts.on(number));
-    command.addAll(TalkingProcess.java(System.getProperty("java.class.path"), List.of()));
+    List<String> command = new ArrayList<>(hosts.commandPrefix(number));
+    command.addAll(InteractiveProcess.java(System.getProperty("java.class.path"), List.of()));
     command.addAll(List.of(client.get(0), team));
     command.addAll(client.subList(1, client.size()));
-    this.client = new TalkingProcess(command);
+    this.client = new InteractiveProcess(command);
     settings.put("DFRA_TEAM", team);
     settings.put("DFRA_TIME", time);
     for (String device : this.client.awaitLine().split(" ")) {
@@ -88,7 +88,7 @@ final class RobotHost implements AutoCloseable {
 
   /** Runs a command of {@code ./dfra} on this host, as its user does, and returns its exit code. */
   private int dfra(String... arguments) throws IOException, InterruptedException {
-    List<String> command = new ArrayList<>(hosts.on(number));
+    List<String> command = new ArrayList<>(hosts.commandPrefix(number));
     command.add(JvmCommand.java());
     command.addAll(JvmCommand.options());
     command.add("-Ddfra.root=" + System.getProperty("dfra.root"));
@@ -118,7 +118,7 @@ final class RobotHost implements AutoCloseable {
 
   /** Modules that the client here sees, by path: identity and whether fresh. */
   Map<String, String> list() throws IOException, InterruptedException {
-    String said = client.ask("list");
+    String said = client.request("list");
     return said.isBlank()
         ? Map.of()
         : Arrays.stream(said.split(" "))
@@ -128,7 +128,7 @@ final class RobotHost implements AutoCloseable {
 
   /** What the client here says to a line. */
   String ask(String line) throws IOException, InterruptedException {
-    return client.ask(line);
+    return client.request(line);
   }
 
   /** All that the client has logged. */

@@ -17,10 +17,10 @@ import org.dfra.behavior.RasterSearch;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.event.DeliveryPolicy;
-import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.DeliveryPolicy.EventKind;
 import org.dfra.event.Subscription;
-import org.dfra.flow.perceptual.TeamMate;
 import org.dfra.flow.perceptual.TeamTracker;
+import org.dfra.flow.perceptual.Teammate;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.Incident;
 import org.dfra.module.Module;
@@ -30,8 +30,8 @@ import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.lookup.JiniModuleDirectory;
+import org.dfra.testing.InteractiveProcess;
 import org.dfra.testing.SerialCable;
-import org.dfra.testing.TalkingProcess;
 
 /**
  * What runs on the host of a robot that searches, besides the robot: the ends of its serial cables
@@ -127,7 +127,7 @@ final class SearcherClient implements AutoCloseable {
   /** How far a robot's search is, 0 to 1, and in which phase; asked of the robot. */
   private String progress(String robot) throws RemoteException {
     BehaviorStatus status = search(robot).status();
-    return String.format(Locale.ROOT, "%.4f %s", status.done(), status.phase());
+    return String.format(Locale.ROOT, "%.4f %s", status.completion(), status.phase());
   }
 
   /** Has a robot search a region, if it does not yet: {@code search ROBOT forth|back CORNER...}. */
@@ -147,7 +147,8 @@ final class SearcherClient implements AutoCloseable {
   private String listen(String robot) throws RemoteException {
     subscriptions.put(
         robot,
-        search(robot).subscribe(event -> {}, DeliveryPolicy.keepLast(10).only(Kind.READING)));
+        search(robot)
+            .subscribe(event -> {}, DeliveryPolicy.keepLast(10).withKinds(EventKind.READING)));
     return robot;
   }
 
@@ -179,18 +180,20 @@ final class SearcherClient implements AutoCloseable {
    * it; what was missed; whether it is out of reach. Or {@code nothing}.
    */
   private String mate(String robot) throws RemoteException {
-    List<TeamMate> mates = one(TeamTracker.class, robot).module().team().mates();
-    if (mates.size() != 1 || mates.get(0).clock() == null || mates.get(0).near() == null) {
+    List<Teammate> mates = one(TeamTracker.class, robot).module().team().teammates();
+    if (mates.size() != 1
+        || mates.get(0).clockOffset() == null
+        || mates.get(0).relativePosition() == null) {
       return "nothing: " + mates;
     }
-    TeamMate mate = mates.get(0);
+    Teammate mate = mates.get(0);
     return String.format(
         Locale.ROOT,
         "%.4f %.4f %.2f %d %s",
-        mate.clock().seconds(),
-        mate.clock().secondsWithin(),
-        mate.near().distance(),
-        mate.missed(),
+        mate.clockOffset().seconds(),
+        mate.clockOffset().uncertaintySeconds(),
+        mate.relativePosition().distance(),
+        mate.missedReadings(),
         mate.isOutOfReach() ? "lost" : "heard");
   }
 
@@ -199,13 +202,13 @@ final class SearcherClient implements AutoCloseable {
     List<String> gaps =
         one(TeamTracker.class, robot).module().history().recent().stream()
             .filter(each -> each.kind() == Incident.Kind.GAP)
-            .map(Incident::what)
+            .map(Incident::description)
             .toList();
     return gaps.isEmpty() ? "none" : String.join("; ", gaps);
   }
 
   private static void say(String line) {
-    System.out.println(TalkingProcess.SAID + line);
+    System.out.println(InteractiveProcess.RESPONSE_PREFIX + line);
   }
 
   @Override

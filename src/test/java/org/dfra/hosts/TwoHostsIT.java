@@ -16,7 +16,7 @@ import org.awaitility.core.ConditionFactory;
 import org.dfra.app.raster.SparseField;
 import org.dfra.core.time.StallProbe;
 import org.dfra.core.time.Timing;
-import org.dfra.testing.TestHosts;
+import org.dfra.testing.NetworkNamespaceHosts;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -52,14 +52,14 @@ class TwoHostsIT {
   @TempDir static Path folder;
 
   private static final StallProbe probe = StallProbe.start();
-  private static TestHosts network;
+  private static NetworkNamespaceHosts network;
   private static List<RobotHost> hosts = List.of();
 
   @BeforeAll
   static void bringUpBothRobots() throws Exception {
-    Optional<String> refusal = TestHosts.refusal();
+    Optional<String> refusal = NetworkNamespaceHosts.unavailableReason();
     assumeTrue(refusal.isEmpty(), () -> refusal.orElse(""));
-    network = new TestHosts();
+    network = new NetworkNamespaceHosts();
     RobotHost first = host(0, "first");
     hosts = List.of(first);
     hosts = List.of(first, host(1, "second"));
@@ -91,7 +91,7 @@ class TwoHostsIT {
   @AfterAll
   static void takeDown() throws Exception {
     probe.close();
-    try (TestHosts removed = network) {
+    try (NetworkNamespaceHosts removed = network) {
       for (RobotHost host : hosts) {
         host.close();
       }
@@ -107,16 +107,16 @@ class TwoHostsIT {
   void eachSeesBothRobotsAndNothingCarriesTheLoopback() throws Exception {
     for (RobotHost host : hosts) {
       patiently().until(() -> host.ask("robots").equals("[atrv1, atrv2]"));
-      for (String address : TestHosts.ADDRESSES) {
+      for (String address : NetworkNamespaceHosts.ADDRESSES) {
         assertThat(host.ask("carried " + address).split(" "))
             .as("addresses in what the lookup service at " + address + " gives away")
             .contains(address)
-            .isSubsetOf(TestHosts.ADDRESSES);
+            .isSubsetOf(NetworkNamespaceHosts.ADDRESSES);
       }
       assertThat(host.ask("requests").split(" "))
           .as("where multicast requests want their answers")
           .isNotEmpty()
-          .isSubsetOf(TestHosts.ADDRESSES);
+          .isSubsetOf(NetworkNamespaceHosts.ADDRESSES);
     }
     patiently().untilAsserted(() -> assertThat(hosts.get(0).list()).isEqualTo(hosts.get(1).list()));
   }
@@ -141,7 +141,7 @@ class TwoHostsIT {
 
     long watched = System.nanoTime();
     watchBoth();
-    network.cut();
+    network.disconnect();
     long cut = System.nanoTime();
     Duration whole = Duration.ofNanos(cut - watched); // that the connection was whole, watched
     for (int i = 0; i < 2; i++) {
@@ -157,7 +157,7 @@ class TwoHostsIT {
       patiently().until(() -> host.ask("call " + host.robot() + "/gps_front").endsWith(" ok"));
       Timing reported = changed(host, elsewhere);
       reported
-          .during(reported.took().minus(whole))
+          .ofPart(reported.took().minus(whole))
           .requireWithin("reporting that a module is out of reach", REPORTED);
       assertThat(host.ask("heard " + elsewhere)).endsWith(" interrupted");
       patiently()
@@ -184,10 +184,10 @@ class TwoHostsIT {
 
     watchBoth();
     StallProbe.Stopwatch mended = probe.stopwatch();
-    network.mend();
+    network.reconnect();
     for (int i = 0; i < 2; i++) {
       RobotHost host = hosts.get(i);
-      String address = TestHosts.ADDRESSES.get(i);
+      String address = NetworkNamespaceHosts.ADDRESSES.get(i);
       patiently().until(() -> host.list().equals(before));
       patiently().until(() -> host.ask("registered " + address).equals("4"));
     }

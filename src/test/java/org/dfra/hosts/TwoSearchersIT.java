@@ -18,13 +18,13 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
 import org.awaitility.core.ConditionFactory;
-import org.dfra.app.demo.stage.SimulatedField;
-import org.dfra.app.demo.stage.Stage;
+import org.dfra.app.demo.harness.DemoEnvironment;
+import org.dfra.app.demo.harness.SimulationProcess;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
+import org.dfra.testing.NetworkNamespaceHosts;
 import org.dfra.testing.SerialCable;
-import org.dfra.testing.TestHosts;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -62,20 +62,20 @@ class TwoSearchersIT {
       Instant.now().minusSeconds(SINCE).truncatedTo(ChronoUnit.SECONDS);
   private static final List<SerialCable> CABLES = new ArrayList<>();
 
-  private static TestHosts network;
-  private static Stage stage;
+  private static NetworkNamespaceHosts network;
+  private static DemoEnvironment stage;
   private static Path sockets;
   private static List<RobotHost> hosts = List.of();
 
   @BeforeAll
   static void bringUpBothRobotsAndTheirWorld() throws Exception {
-    Optional<String> refusal = TestHosts.refusal();
+    Optional<String> refusal = NetworkNamespaceHosts.unavailableReason();
     assumeTrue(refusal.isEmpty(), () -> refusal.orElse(""));
-    network = new TestHosts();
-    stage = new Stage();
+    network = new NetworkNamespaceHosts();
+    stage = new DemoEnvironment();
     sockets = Files.createTempDirectory("dfra-cables-"); // a socket's name must be short
     Path field = ROOT.resolve("config/worlds/raster.xml");
-    SimulatedField world = SimulatedField.start(stage, field, List.of("--seed=3"));
+    SimulationProcess world = SimulationProcess.start(stage, field, List.of("--seed=3"));
     RobotHost first = host(world, 0, "real");
     hosts = List.of(first);
     String skewed = String.format(Locale.ROOT, "%.4fx since %s", 1 + DRIFT, SKEWED_FROM);
@@ -92,7 +92,7 @@ class TwoSearchersIT {
     }
   }
 
-  private static RobotHost host(SimulatedField world, int number, String time) throws Exception {
+  private static RobotHost host(SimulationProcess world, int number, String time) throws Exception {
     String robot = "atrv" + (number + 1);
     List<String> client = new ArrayList<>(List.of(SearcherClient.class.getName()));
     for (Map.Entry<String, String> line : world.links(robot).entrySet()) {
@@ -112,8 +112,8 @@ class TwoSearchersIT {
 
   @AfterAll
   static void takeDown() throws Exception {
-    try (TestHosts removed = network;
-        Stage ended = stage) {
+    try (NetworkNamespaceHosts removed = network;
+        DemoEnvironment ended = stage) {
       for (RobotHost host : hosts) {
         host.close();
       }
@@ -187,7 +187,7 @@ class TwoSearchersIT {
 
     double[] doneBefore = {done(hosts.get(0)), done(hosts.get(1))};
     long cut = System.nanoTime();
-    network.cut();
+    network.disconnect();
     for (int i = 0; i < 2; i++) {
       awaitAlone(hosts.get(i), hosts.get(1 - i).robot());
     }
@@ -205,7 +205,7 @@ class TwoSearchersIT {
       System.out.printf("%s alone: done %s%n", host.robot(), host.ask("progress " + host.robot()));
     }
     long alone = Duration.ofNanos(System.nanoTime() - cut).toSeconds();
-    network.mend();
+    network.reconnect();
 
     for (int i = 0; i < 2; i++) {
       RobotHost host = hosts.get(i);

@@ -34,7 +34,7 @@ import org.dfra.river.loading.ClassServer;
 import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.server.Exporters;
-import org.dfra.testing.TalkingProcess;
+import org.dfra.testing.InteractiveProcess;
 
 /** What the test's processes do. Each says a line when it is ready and ends with its input. */
 final class Role {
@@ -152,7 +152,7 @@ final class Role {
           new RobotBootstrap(
               new PhoenixProcess(host, port, -1, Path.of(state)), RobotXml.read(Path.of(xml)));
       bootstrap.up();
-      say(bootstrap.classes().orElseThrow().missing().orElse("all is served"));
+      say(bootstrap.codebase().orElseThrow().findUnserved().orElse("all is served"));
     }
   }
 
@@ -190,7 +190,7 @@ final class Role {
   }
 
   private static void say(String line) {
-    System.out.println(TalkingProcess.SAID + line);
+    System.out.println(InteractiveProcess.RESPONSE_PREFIX + line);
   }
 
   /**
@@ -198,12 +198,12 @@ final class Role {
    *
    * @param path what is on its class path besides the test's own
    */
-  static TalkingProcess start(List<Path> path, List<String> options, String... role)
+  static InteractiveProcess start(List<Path> path, List<String> options, String... role)
       throws IOException {
-    List<String> command = new ArrayList<>(TalkingProcess.java(classPath(path), options));
+    List<String> command = new ArrayList<>(InteractiveProcess.java(classPath(path), options));
     command.add(Role.class.getName());
     command.addAll(List.of(role));
-    return new TalkingProcess(command);
+    return new InteractiveProcess(command);
   }
 
   /** A class path of this one and what else. */

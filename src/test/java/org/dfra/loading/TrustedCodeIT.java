@@ -6,7 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import org.dfra.testing.TalkingProcess;
+import org.dfra.testing.InteractiveProcess;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -22,8 +22,8 @@ class TrustedCodeIT {
   private static Path team;
   private static Path stranger;
   private static Path evil;
-  private static TalkingProcess registrar;
-  private static @Nullable TalkingProcess refusing;
+  private static InteractiveProcess registrar;
+  private static @Nullable InteractiveProcess refusing;
   private static String port;
 
   @TempDir private Path folder;
@@ -43,7 +43,7 @@ class TrustedCodeIT {
         com.sun.jini.reggie {
           serverExporter = new BasicJeriExporter(
               Endpoints.tcp("127.0.0.1", 0), new DeadlineILFactory(5000L), false, true);
-          serverSocketFactory = Endpoints.sockets("127.0.0.1");
+          serverSocketFactory = Endpoints.serverSocketFactory("127.0.0.1");
           unicastDiscoveryHost = "127.0.0.1";
           initialUnicastDiscoveryPort = 0;
           multicastInterfaces = new java.net.NetworkInterface[] {};
@@ -55,21 +55,21 @@ class TrustedCodeIT {
 
   @AfterAll
   static void stopProcesses() throws Exception {
-    try (TalkingProcess one = registrar;
-        TalkingProcess other = refusing) {
+    try (InteractiveProcess one = registrar;
+        InteractiveProcess other = refusing) {
       assertThat(one).as("the registrar").isNotNull();
     }
   }
 
   /** One client for whatever must not be loaded; what it says of it, and logs of it alone. */
   private static void assertRefused(String port, String... sentences) throws Exception {
-    TalkingProcess client = refusing;
+    InteractiveProcess client = refusing;
     if (client == null) {
       client = client(shared);
       refusing = client;
     }
     int before = client.output().length();
-    assertThat(client.ask(port)).startsWith("refused: ").contains(sentences);
+    assertThat(client.request(port)).startsWith("refused: ").contains(sentences);
     assertThat(marker(shared)).doesNotExist();
     String logged = client.output().substring(before);
     assertThat(logged).as("the log tells the operator").contains("WARN");
@@ -78,17 +78,17 @@ class TrustedCodeIT {
   @Test
   void aKindTheClientHasNeverSeenIsUsedAndAfterItIsRebuiltTheNewOne() throws Exception {
     Path jar = KindJar.sign(KindJar.lidar(folder, "first"), team);
-    try (TalkingProcess client = client(folder)) {
+    try (InteractiveProcess client = client(folder)) {
       String classPort;
-      try (TalkingProcess server = server(jar, "0", "honest")) {
+      try (InteractiveProcess server = server(jar, "0", "honest")) {
         classPort = server.awaitLine();
-        assertThat(client.ask(port)).isEqualTo("found [first, 3, atrv1/lidar, READY]");
-        assertThat(client.ask(port)).isEqualTo("found [first, 3, atrv1/lidar, READY]");
+        assertThat(client.request(port)).isEqualTo("found [first, 3, atrv1/lidar, READY]");
+        assertThat(client.request(port)).isEqualTo("found [first, 3, atrv1/lidar, READY]");
       }
       jar = KindJar.sign(KindJar.lidar(folder, "second"), team);
-      try (TalkingProcess server = server(jar, classPort, "honest")) {
+      try (InteractiveProcess server = server(jar, classPort, "honest")) {
         assertThat(server.awaitLine()).as("the same port").isEqualTo(classPort);
-        assertThat(client.ask(port)).isEqualTo("found [second, 3, atrv1/lidar, READY]");
+        assertThat(client.request(port)).isEqualTo("found [second, 3, atrv1/lidar, READY]");
       }
       assertThat(client.output()).contains("it is signed by a trusted key");
       assertThat(marker(folder)).as("so its absence elsewhere says something").exists();
@@ -108,7 +108,7 @@ class TrustedCodeIT {
     if (!signer.equals("nobody")) {
       KindJar.sign(jar, signer.equals("team") ? team : stranger);
     }
-    try (TalkingProcess server = server(jar, "0", lie)) {
+    try (InteractiveProcess server = server(jar, "0", lie)) {
       server.awaitLine();
       assertRefused(port, "sample.lidar.LidarProxy was not loaded: codebase http", why);
     }
@@ -117,7 +117,7 @@ class TrustedCodeIT {
   @Test
   void aHostileRegistrarLoadsNothing() throws Exception {
     Path jar = KindJar.registrar(folder);
-    try (TalkingProcess hostile =
+    try (InteractiveProcess hostile =
         Role.start(List.of(jar), List.of(), "hostile", folder.toString())) {
       assertRefused(
           hostile.awaitLine(),
@@ -130,15 +130,15 @@ class TrustedCodeIT {
   @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "two processes")
   void theMarkerIsWrittenWhereTheCodeIsTrusted() throws Exception {
     Path jar = KindJar.sign(KindJar.lidar(folder, "trusted"), team);
-    try (TalkingProcess server = server(jar, "0", "honest");
-        TalkingProcess client = client(folder)) {
+    try (InteractiveProcess server = server(jar, "0", "honest");
+        InteractiveProcess client = client(folder)) {
       server.awaitLine();
-      assertThat(client.ask(port)).startsWith("found [trusted");
+      assertThat(client.request(port)).startsWith("found [trusted");
       assertThat(marker(folder)).as("so its absence elsewhere says something").exists();
     }
   }
 
-  private TalkingProcess server(Path jar, String classPort, String lie) throws IOException {
+  private InteractiveProcess server(Path jar, String classPort, String lie) throws IOException {
     return Role.start(
         List.of(jar), List.of(), "server", port, classPort, jar.getParent().toString(), lie);
   }
@@ -148,11 +148,11 @@ class TrustedCodeIT {
    *
    * @param own its folder, where code that runs in it leaves its mark
    */
-  private static TalkingProcess client(Path own) throws Exception {
+  private static InteractiveProcess client(Path own) throws Exception {
     Path trust = own.resolve("trust.properties");
     Files.writeString(
         trust, "trust.store = " + team + "\ntrust.store.password = " + KindJar.PASSWORD + "\n");
-    TalkingProcess client =
+    InteractiveProcess client =
         Role.start(
             List.of(), List.of("-Ddfra.trust=" + trust, "-Dmarker=" + marker(own)), "client");
     client.awaitLine();

@@ -41,8 +41,8 @@ import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
 import org.dfra.river.bootstrap.EmbeddedRegistrar;
 import org.dfra.testing.EmbeddedReggie;
+import org.dfra.testing.InteractiveProcess;
 import org.dfra.testing.ServedModule;
-import org.dfra.testing.TalkingProcess;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -81,7 +81,7 @@ class ClockStepIT {
   private final class Skewed implements AutoCloseable {
 
     private final Path clock;
-    private final TalkingProcess process;
+    private final InteractiveProcess process;
     final String said;
 
     Skewed(Class<?> main, String... arguments) throws Exception {
@@ -99,10 +99,10 @@ class ClockStepIT {
                   "FAKETIME_DONT_FAKE_MONOTONIC=1",
                   "DONT_FAKE_MONOTONIC=1",
                   "FAKETIME_FORCE_MONOTONIC_FIX=0")); // it ends every timed wait at once
-      command.addAll(TalkingProcess.java(System.getProperty("java.class.path"), List.of()));
+      command.addAll(InteractiveProcess.java(System.getProperty("java.class.path"), List.of()));
       command.add(main.getName());
       command.addAll(List.of(arguments));
-      process = new TalkingProcess(command);
+      process = new InteractiveProcess(command);
       said = process.awaitLine();
     }
 
@@ -118,11 +118,11 @@ class ClockStepIT {
       await("clock set by " + seconds + " s") // it looks at the file once a second
           .atMost(PATIENCE)
           .until(() -> ahead().minusSeconds(seconds).abs().compareTo(LEASE) < 0);
-      assertThat(Long.parseLong(process.ask("wait"))).as("ms waited").isGreaterThan(99);
+      assertThat(Long.parseLong(process.request("wait"))).as("ms waited").isGreaterThan(99);
     }
 
     private Duration ahead() throws Exception {
-      return Duration.between(Instant.now(), Instant.parse(process.ask("time")));
+      return Duration.between(Instant.now(), Instant.parse(process.request("time")));
     }
 
     private void set(long seconds) throws IOException {
@@ -146,7 +146,7 @@ class ClockStepIT {
       boolean isWait = line.equals("wait") && !never.await(100, TimeUnit.MILLISECONDS);
       Object answer =
           isWait ? Duration.ofNanos(System.nanoTime() - begun).toMillis() : Instant.now();
-      System.out.println(TalkingProcess.SAID + answer);
+      System.out.println(InteractiveProcess.RESPONSE_PREFIX + answer);
     }
   }
 
@@ -157,7 +157,7 @@ class ClockStepIT {
           new EmbeddedRegistrar(
                   EmbeddedReggie.HOST, 0, List.of("g" + UUID.randomUUID()), LEASE, Map.of())
               .start()) {
-        System.out.println(TalkingProcess.SAID + reggie.locator());
+        System.out.println(InteractiveProcess.RESPONSE_PREFIX + reggie.locator());
         answer();
       }
     }
@@ -167,7 +167,7 @@ class ClockStepIT {
   static final class Served {
     public static void main(String[] args) throws Exception {
       try (ThermometerServer server = thermometer(args[0]).serve()) {
-        System.out.println(TalkingProcess.SAID + server);
+        System.out.println(InteractiveProcess.RESPONSE_PREFIX + server);
         answer();
       }
     }

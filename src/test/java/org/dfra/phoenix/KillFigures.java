@@ -6,8 +6,8 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import org.dfra.app.figure.Figure;
-import org.dfra.app.figure.Figures;
+import org.dfra.app.measurement.MeasuredValue;
+import org.dfra.app.measurement.RunMeasurements;
 import org.dfra.core.time.Timing;
 
 /** What was measured of a process that is killed again and again. Confined to one thread. */
@@ -52,10 +52,11 @@ final class KillFigures {
   }
 
   /** The figures, as benchmarks have them. */
-  Figures figures() {
-    Figures figures = new Figures();
-    figures.add(new Figure("kills", kills, Double.POSITIVE_INFINITY, ""));
-    figures.add(new Figure("kills after which state was lost", (double) kills - kept, 0, ""));
+  RunMeasurements figures() {
+    RunMeasurements figures = new RunMeasurements();
+    figures.add(new MeasuredValue("kills", kills, Double.POSITIVE_INFINITY, ""));
+    figures.add(
+        new MeasuredValue("kills after which state was lost", (double) kills - kept, 0, ""));
     if (!back.isEmpty()) {
       figures.add(seconds("back after kill -9, median", 0.5, Double.POSITIVE_INFINITY));
       figures.add(seconds("back after kill -9, p95", 0.95, target.toNanos() / 1e9));
@@ -64,8 +65,8 @@ final class KillFigures {
     return figures;
   }
 
-  private Figure seconds(String what, double share, double most) {
-    return new Figure(what, quantile(share).took().toNanos() / 1e9, most, "s");
+  private MeasuredValue seconds(String what, double share, double most) {
+    return new MeasuredValue(what, quantile(share).took().toNanos() / 1e9, most, "s");
   }
 
   /** Appends them to a file, with date and machine. */

@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import org.dfra.app.figure.Figure;
+import org.dfra.app.measurement.MeasuredValue;
 import org.dfra.core.time.Timing;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -35,14 +35,14 @@ class KillFiguresTest {
     killAHundredTimes();
     assertThat(figures.figures().all())
         .containsExactly(
-            new Figure("kills", 100, Double.POSITIVE_INFINITY, ""),
-            new Figure("kills after which state was lost", 0, 0, ""),
-            new Figure("back after kill -9, median", 0.5, Double.POSITIVE_INFINITY, "s"),
-            new Figure("back after kill -9, p95", 0.95, 2, "s"),
-            new Figure("back after kill -9, longest", 1, Double.POSITIVE_INFINITY, "s"));
+            new MeasuredValue("kills", 100, Double.POSITIVE_INFINITY, ""),
+            new MeasuredValue("kills after which state was lost", 0, 0, ""),
+            new MeasuredValue("back after kill -9, median", 0.5, Double.POSITIVE_INFINITY, "s"),
+            new MeasuredValue("back after kill -9, p95", 0.95, 2, "s"),
+            new MeasuredValue("back after kill -9, longest", 1, Double.POSITIVE_INFINITY, "s"));
     killed(30_000);
     assertThat(figures.figures().missed())
-        .extracting(Figure::what)
+        .extracting(MeasuredValue::name)
         .containsExactly("kills after which state was lost");
     assertThat(figures.quantile(1).took()).isEqualTo(Duration.ofSeconds(30));
   }

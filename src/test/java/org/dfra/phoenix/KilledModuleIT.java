@@ -17,7 +17,7 @@ import org.dfra.drive.WheeledRobot;
 import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.effector.DriveEffector;
-import org.dfra.flow.effector.StopState;
+import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.lease.ModuleLease;
 import org.dfra.module.Identification;
 import org.dfra.river.phoenix.GroupStatus;
@@ -88,7 +88,7 @@ class KilledModuleIT {
   void isBackInTimeHoweverOftenItIsKilled() throws Exception {
     Identification identity = drive.identification();
     long next = System.nanoTime();
-    try (ModuleLease lease = drive.use(Duration.ofSeconds(10))) { // a client that stays
+    try (ModuleLease lease = drive.acquireLease(Duration.ofSeconds(10))) { // a client that stays
       for (int kill = 1; kill <= KILLS; kill++) {
         next = Math.max(next + (FULL ? PERIOD.toNanos() : 0), System.nanoTime() + WORK.toNanos());
         if (kill % 2 == 0) {
@@ -122,7 +122,7 @@ class KilledModuleIT {
       robot.awaitFullSpeed();
       kill(at);
       robot.wheels().assertTheyStoodWithinHalfASecondOfTheLastCommand();
-      assertThatThrownBy(() -> drive.obey(commander.lease().key(), new Velocity(1, 0)))
+      assertThatThrownBy(() -> drive.execute(commander.lease().key(), new Velocity(1, 0)))
           .as("a command from before the kill")
           .isInstanceOf(CommandRefusedException.class);
     }
@@ -131,12 +131,13 @@ class KilledModuleIT {
 
   private void killedWhileStopped(long at) throws Exception {
     patiently("stop").until(() -> drive.emergencyStop("the test").latched());
-    StopState stop = drive.stopState();
+    EmergencyStopState stop = drive.emergencyStopState();
     kill(at);
-    StopState kept = drive.stopState();
+    EmergencyStopState kept = drive.emergencyStopState();
     assertThat(kept.latched()).as("emergency stop after the kill").isTrue();
-    assertThat(List.of(kept.by(), kept.since())).containsExactly(stop.by(), stop.since());
-    patiently("release").until(() -> !drive.releaseStop("the test").latched());
+    assertThat(List.of(kept.requester(), kept.since()))
+        .containsExactly(stop.requester(), stop.since());
+    patiently("release").until(() -> !drive.releaseEmergencyStop("the test").latched());
     assertTheyStand("after the release");
   }
 

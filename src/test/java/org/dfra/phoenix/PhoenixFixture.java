@@ -73,8 +73,8 @@ class PhoenixFixture implements AutoCloseable {
   PhoenixFixture(Path folder, String... overrides) throws IOException {
     this.folder = folder.toRealPath();
     this.journal = this.folder.resolve("journal");
-    this.port = FreePorts.next();
-    this.registryPort = FreePorts.next();
+    this.port = FreePorts.allocate();
+    this.registryPort = FreePorts.allocate();
     this.overrides = List.of(overrides);
   }
 

@@ -73,7 +73,7 @@ class RiverIT {
   void stockReggieKeepsItsIdAndRegistrationsAcrossKillMinusNine() throws Exception {
     ActivationGroupID group = phoenix.group("registrar");
     Path state = Files.createDirectory(temp.resolve("registrars")).resolve("atrv1");
-    int port = FreePorts.next();
+    int port = FreePorts.allocate();
     String[] arguments = {
       RobotBootstrap.class.getResource("registrar.config").toString(),
       "com.sun.jini.reggie.host=\"127.0.0.1\"",

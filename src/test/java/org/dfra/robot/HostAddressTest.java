@@ -67,9 +67,10 @@ class HostAddressTest {
 
   @Test
   void whereItMustNotTakeLongANameIsNotVerifiedAndAnAddressIs() {
-    assertThat(HostAddress.resolveAtOnce("no-such-host.invalid")).isEqualTo("no-such-host.invalid");
-    assertThat(HostAddress.resolveAtOnce("auto")).isEqualTo(HostAddress.resolve("auto"));
-    assertThatThrownBy(() -> HostAddress.resolveAtOnce("203.0.113.9"))
+    assertThat(HostAddress.resolveWithoutLookup("no-such-host.invalid"))
+        .isEqualTo("no-such-host.invalid");
+    assertThat(HostAddress.resolveWithoutLookup("auto")).isEqualTo(HostAddress.resolve("auto"));
+    assertThatThrownBy(() -> HostAddress.resolveWithoutLookup("203.0.113.9"))
         .isInstanceOf(ConfigurationException.class);
   }
 

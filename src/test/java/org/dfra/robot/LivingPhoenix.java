@@ -33,7 +33,7 @@ public final class LivingPhoenix implements AutoCloseable {
   }
 
   public static LivingPhoenix start(String host, Path state) throws IOException {
-    PhoenixProcess phoenix = new PhoenixProcess(host, FreePorts.next(), -1, state);
+    PhoenixProcess phoenix = new PhoenixProcess(host, FreePorts.allocate(), -1, state);
     return new LivingPhoenix(phoenix, phoenix.start(PATIENCE).toHandle());
   }
 

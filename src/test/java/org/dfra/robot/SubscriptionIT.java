@@ -18,18 +18,18 @@ import org.dfra.core.time.Timing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
-import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.DeliveryPolicy.EventKind;
 import org.dfra.event.Subscription;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.lease.ModuleLease;
-import org.dfra.module.History;
 import org.dfra.module.Incident;
+import org.dfra.module.ModuleHistory;
 import org.dfra.module.Readiness;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.sim.device.M12Emulator;
-import org.dfra.sim.device.M12Settings;
+import org.dfra.sim.device.M12EmulatorSettings;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -78,10 +78,10 @@ class SubscriptionIT {
     Path own = Files.createTempDirectory(folder, "robot");
     receiver =
         new M12Emulator(
-            M12Settings.at(new GeoPosition(52.9, 6.9, 50)).withBaud(115_200), Instant::now);
+            M12EmulatorSettings.at(new GeoPosition(52.9, 6.9, 50)).withBaud(115_200), Instant::now);
     receiver.start();
     phoenix = LivingPhoenix.start(own.resolve("phoenix"));
-    int port = FreePorts.next();
+    int port = FreePorts.allocate();
     Path xml = own.resolve("robot.xml");
     Files.writeString(
         xml,
@@ -98,7 +98,7 @@ class SubscriptionIT {
         </robot>
         """
             .formatted(port, receiver.url()));
-    List<RobotBootstrap.Service> unused =
+    List<RobotBootstrap.ServiceReference> unused =
         new RobotBootstrap(phoenix.process(), RobotXml.read(xml)).up();
     phoenix.note();
     directory = new JiniModuleDirectory(HOST, List.of(), List.of("jini://" + HOST + ":" + port));
@@ -129,7 +129,7 @@ class SubscriptionIT {
   @Order(1) // it counts the activations
   void fixesComeAgainAfterKillMinusNineWithoutAnyClientCode() throws Exception {
     try (Subscription subscription = gps.subscribe(heard::add, DeliveryPolicy.keepLast(10));
-        ModuleLease lease = gps.use(Duration.ofSeconds(30))) {
+        ModuleLease lease = gps.acquireLease(Duration.ofSeconds(30))) {
       await().atMost(PATIENCE).until(() -> fixes(0) >= 2);
       Delivery last = heard.get(heard.size() - 1);
 
@@ -150,7 +150,7 @@ class SubscriptionIT {
       patiently().until(lease::isLive);
       patiently().until(() -> gps.readiness() == Readiness.ACTIVE);
       Timing held = killed.stop();
-      History history = gps.history();
+      ModuleHistory history = gps.history();
       assertThat(history.activations()).isEqualTo(2);
       assertThat(history.recent())
           .extracting(Incident::kind)
@@ -202,7 +202,7 @@ class SubscriptionIT {
   private int fixes(long fromEpoch) {
     return (int)
         heard.stream()
-            .filter(each -> each.kind() == Kind.READING && each.epoch() >= fromEpoch)
+            .filter(each -> each.kind() == EventKind.READING && each.epoch() >= fromEpoch)
             .count();
   }
 

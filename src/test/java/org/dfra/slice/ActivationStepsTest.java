@@ -25,7 +25,7 @@ import org.dfra.example.thermometer.Thermometer;
 import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
 import org.dfra.module.Readiness;
-import org.dfra.river.proxy.LocalModules;
+import org.dfra.river.proxy.LocalModuleRegistry;
 import org.dfra.slice.FaultyThermometers.WatchedExporter;
 import org.dfra.slice.FaultyThermometers.WatchedImpl;
 import org.dfra.testing.EmbeddedReggie;
@@ -79,8 +79,8 @@ class ActivationStepsTest {
         ServedModule.of(
                 ThermometerServer.class, ThermometerProxy.class, SteadyThermometerImpl.class)
             .joining(REGGIE)
-            .identified(identity);
-    return any.described(description);
+            .withId(identity);
+    return any.withDescription(description);
   }
 
   private static String watched(String rest) {
@@ -97,7 +97,7 @@ class ActivationStepsTest {
     try (ThermometerServer server = good.serve()) {
       assertThat(WatchedImpl.last.isWorking()).isTrue();
       assertThat(WatchedExporter.last.isExported()).as("by its own configuration").isTrue();
-      assertThat(server.use(Duration.ofSeconds(1))).isNotNull();
+      assertThat(server.acquireLease(Duration.ofSeconds(1))).isNotNull();
       await().atMost(PATIENCE).until(ActivationStepsTest::isRegistered);
     }
     assertNothingIsLeft();
@@ -272,8 +272,8 @@ class ActivationStepsTest {
         new SteadyThermometerImpl(
             new ModuleContext(
                 "r3", "other", new Parameters("r3/other", Map.of()), java.time.Clock.systemUTC()));
-    LocalModules.enter(identity, other); // refused if the failed one were still entered
-    LocalModules.leave(identity, other);
+    LocalModuleRegistry.register(identity, other); // refused if the failed one were still entered
+    LocalModuleRegistry.unregister(identity, other);
     assertThat(isRegistered()).as("in the lookup service").isFalse();
   }
 

@@ -40,7 +40,7 @@ public final class FaultyThermometers {
 
     @Override
     protected void onStart() {
-      become(Readiness.READY);
+      transitionTo(Readiness.READY);
     }
 
     @Override

@@ -39,7 +39,7 @@ import org.dfra.river.proxy.sensor.GPSProxy;
 import org.dfra.river.remote.sensor.RemoteGPSSensor;
 import org.dfra.river.server.sensor.GPSServer;
 import org.dfra.sim.device.M12Emulator;
-import org.dfra.sim.device.M12Settings;
+import org.dfra.sim.device.M12EmulatorSettings;
 import org.dfra.testing.EmbeddedReggie;
 import org.dfra.testing.ServedModule;
 import org.junit.jupiter.api.AfterAll;
@@ -68,7 +68,7 @@ class FiveClassesTest {
 
   @BeforeAll
   static void serveAReceiver() throws Exception {
-    receiver = new M12Emulator(M12Settings.at(PLACE).withBaud(115_200), Instant::now);
+    receiver = new M12Emulator(M12EmulatorSettings.at(PLACE).withBaud(115_200), Instant::now);
     receiver.start();
     server = gps(receiver.url()).serve();
     directory = REGGIE.directory();
@@ -209,7 +209,8 @@ class FiveClassesTest {
 
   @Test
   void notReadyCrossesTheWireIntact() throws Exception {
-    M12Settings underTheRoof = M12Settings.at(PLACE).withTimeToFirstFix(Duration.ofHours(1));
+    M12EmulatorSettings underTheRoof =
+        M12EmulatorSettings.at(PLACE).withTimeToFirstFix(Duration.ofHours(1));
     try (StallProbe probe = StallProbe.start();
         M12Emulator blind = new M12Emulator(underTheRoof, Instant::now)) {
       blind.start();

@@ -21,7 +21,7 @@ import org.dfra.core.query.QueryParser;
 import org.dfra.core.query.QueryVocabulary;
 import org.dfra.directory.ModuleListing;
 import org.dfra.flow.effector.CommandLease;
-import org.dfra.flow.effector.PanTiltCommand.Point;
+import org.dfra.flow.effector.PanTiltCommand.PointAt;
 import org.dfra.flow.sensor.CameraImage;
 import org.dfra.geometry.Transform;
 import org.dfra.module.Module;
@@ -36,13 +36,13 @@ import org.dfra.river.server.ModuleServer;
 import org.dfra.river.server.effector.PanTiltServer;
 import org.dfra.river.server.sensor.AngularRateServer;
 import org.dfra.river.server.sensor.CameraServer;
-import org.dfra.sim.body.CameraView;
 import org.dfra.sim.device.DeviceEmulator;
 import org.dfra.sim.device.SerialDevice;
 import org.dfra.sim.device.camera.MjpegDevice;
 import org.dfra.sim.device.camera.MjpegOptions;
 import org.dfra.sim.device.gyro.Dsp3000Device;
 import org.dfra.sim.device.pantilt.PtuDevice;
+import org.dfra.sim.physics.CameraInput;
 import org.dfra.testing.EmbeddedReggie;
 import org.dfra.testing.ServedModule;
 import org.junit.jupiter.api.Test;
@@ -80,20 +80,21 @@ class HeadDevicesTest {
       PanTiltProxy elsewhere =
           new PanTiltProxy(found.server(), UUID.randomUUID(), found.identification());
       FrameTree tree = new FrameTree();
-      try (CommandLease lease = elsewhere.command(Duration.ofSeconds(10))) {
-        assertThatThrownBy(() -> elsewhere.obey(lease.key(), new Point(3, 0, 1)))
+      try (CommandLease lease = elsewhere.acquireCommandLease(Duration.ofSeconds(10))) {
+        assertThatThrownBy(() -> elsewhere.execute(lease.key(), new PointAt(3, 0, 1)))
             .as("%s", server)
             .isInstanceOf(IllegalArgumentException.class)
             .hasMessageContaining("pan of 3.0000 rad is above the limit of 2.7736 rad");
-        elsewhere.obey(lease.key(), new Point(Math.PI / 4, Math.PI / 8, 2));
+        elsewhere.execute(lease.key(), new PointAt(Math.PI / 4, Math.PI / 8, 2));
         await()
             .atMost(PATIENCE)
             .ignoreExceptionsInstanceOf(NotReadyException.class) // old for a moment
-            .until(() -> elsewhere.panTilt().pan() > 0.7 && !elsewhere.panTilt().isMoving());
-        assertThat(found.panTilt().tilt()).isCloseTo(Math.PI / 8, within(5e-4));
+            .until(
+                () -> elsewhere.panTiltState().pan() > 0.7 && !elsewhere.panTiltState().isMoving());
+        assertThat(found.panTiltState().tilt()).isCloseTo(Math.PI / 8, within(5e-4));
         tree.put(elsewhere);
       }
-      tree.put("robot/camera", elsewhere.frame(), Transform.shift(0.1, 0, 0));
+      tree.put("robot/camera", elsewhere.frame(), Transform.translation(0.1, 0, 0));
       Transform camera = tree.transform("robot/camera", "robot/base_link");
       assertThat(camera.z()).as("looks up").isCloseTo(0.1 * Math.sin(Math.PI / 8), within(1e-4));
       assertThat(camera.yaw()).as("looks left").isCloseTo(Math.PI / 4, within(5e-4));
@@ -129,10 +130,10 @@ class HeadDevicesTest {
   void camerasAreFoundByWhatTheySeeAndBringItThroughPixelByPixel() throws Exception {
     int width = 80;
     int height = 60;
-    CameraView ramp = time -> new CameraView.Frame(width, height, ramp(width, height));
+    CameraInput ramp = time -> new CameraInput.Frame(width, height, ramp(width, height));
     int[] green = new int[width * height];
     Arrays.fill(green, 0x20A060);
-    CameraView lawn = time -> new CameraView.Frame(width, height, green);
+    CameraInput lawn = time -> new CameraInput.Frame(width, height, green);
     try (DeviceEmulator light = emulated(new MjpegDevice(lawn, MjpegOptions.visible(10)));
         DeviceEmulator heat = emulated(new MjpegDevice(ramp, MjpegOptions.thermal(10)));
         CameraServer eye =
@@ -190,7 +191,7 @@ class HeadDevicesTest {
   private static ModuleListing<?> find(JiniModuleDirectory directory, String query)
       throws Exception {
     return directory
-        .findFirst(new QueryParser(QueryVocabulary.usual()).parse(query), PATIENCE)
+        .findFirst(new QueryParser(QueryVocabulary.standard()).parse(query), PATIENCE)
         .orElseThrow();
   }
 
@@ -208,7 +209,8 @@ class HeadDevicesTest {
       String properties,
       String link)
       throws Exception {
-    return ServedModule.written(server, proxy, folder, name, properties, Map.of("link", link))
+    return ServedModule.fromProperties(
+            server, proxy, folder, name, properties, Map.of("link", link))
         .joining(REGGIE);
   }
 }

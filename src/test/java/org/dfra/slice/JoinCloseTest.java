@@ -21,7 +21,7 @@ import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
 import net.jini.security.ProxyPreparer;
-import org.dfra.river.lookup.Join;
+import org.dfra.river.lookup.LookupJoin;
 import org.dfra.river.lookup.SuppliedConfiguration;
 import org.dfra.testing.EmbeddedReggie;
 import org.junit.jupiter.api.AfterEach;
@@ -50,7 +50,7 @@ class JoinCloseTest {
 
   @Test
   void takesBackARegistrationThatWasUnderWay() throws Exception {
-    Join join = join(Map.of("net.jini.lookup.JoinManager.registrarPreparer", () -> held));
+    LookupJoin join = join(Map.of("net.jini.lookup.JoinManager.registrarPreparer", () -> held));
     held.granted.await();
     assertThat(registrations()).as("granted, but its answer is held").isEqualTo(1);
 
@@ -71,7 +71,7 @@ class JoinCloseTest {
 
   @Test
   void takesItBackLaterWhereTheCloserIsInAHurry() throws Exception {
-    Join join = join(Map.of("net.jini.lookup.JoinManager.registrarPreparer", () -> held));
+    LookupJoin join = join(Map.of("net.jini.lookup.JoinManager.registrarPreparer", () -> held));
     held.granted.await();
 
     Thread.currentThread().interrupt();
@@ -85,7 +85,7 @@ class JoinCloseTest {
 
   @Test
   void closesTwice() throws Exception {
-    Join join = join(Map.of());
+    LookupJoin join = join(Map.of());
     await().atMost(PATIENCE).until(() -> registrations() == 1);
     join.close();
     join.close();
@@ -103,14 +103,15 @@ class JoinCloseTest {
             super.add(task);
           }
         };
-    try (Join join = join(Map.of("net.jini.lookup.JoinManager.taskManager", () -> own))) {
+    try (LookupJoin join = join(Map.of("net.jini.lookup.JoinManager.taskManager", () -> own))) {
       await().atMost(PATIENCE).until(() -> registrations() == 1);
       assertThat(counted).as("tasks of " + join).hasPositiveValue();
     }
   }
 
-  private Join join(Map<String, Supplier<?>> entries) throws IOException, ConfigurationException {
-    return Join.join(
+  private LookupJoin join(Map<String, Supplier<?>> entries)
+      throws IOException, ConfigurationException {
+    return LookupJoin.start(
         "a service",
         id,
         new Entry[0],

@@ -24,10 +24,10 @@ import org.dfra.persona.RangeAttributes;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.proxy.sensor.RangeProxy;
 import org.dfra.river.server.sensor.RangeServer;
-import org.dfra.sim.body.RangeView;
 import org.dfra.sim.device.DeviceEmulator;
 import org.dfra.sim.device.laser.LmsDevice;
-import org.dfra.sim.device.laser.LmsMakeup;
+import org.dfra.sim.device.laser.LmsEmulatorSettings;
+import org.dfra.sim.physics.RangeInput;
 import org.dfra.testing.EmbeddedReggie;
 import org.dfra.testing.ServedModule;
 import org.junit.jupiter.api.Test;
@@ -39,7 +39,7 @@ class LaserTest {
   private static final Duration PATIENCE = Duration.ofSeconds(30);
 
   /** A wall to the right, 3 m away, and nothing to the left. */
-  private static final RangeView WALL =
+  private static final RangeInput WALL =
       (time, first, step, longest, distances) -> {
         for (int i = 0; i < distances.length; i++) {
           double angle = first + i * step;
@@ -51,7 +51,7 @@ class LaserTest {
 
   @Test
   void isFoundByWhatItSeesAndServesThroughServerAndProxyOfItsKind() throws Exception {
-    LmsDevice device = new LmsDevice(WALL, LmsMakeup.sold());
+    LmsDevice device = new LmsDevice(WALL, LmsEmulatorSettings.factoryDefault());
     try (DeviceEmulator emulator = new DeviceEmulator("laser", 0, device, Instant::now)) {
       emulator.start();
       ServedModule<RangeServer> laser =

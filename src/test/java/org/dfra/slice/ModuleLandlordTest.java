@@ -25,17 +25,17 @@ import net.jini.lease.LeaseListener;
 import net.jini.lease.LeaseRenewalEvent;
 import net.jini.lease.LeaseRenewalManager;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
-import org.dfra.core.lease.LeaseBook;
+import org.dfra.core.lease.LeaseRegistry;
 import org.dfra.core.lease.LeaseTerms;
 import org.dfra.example.thermometer.RemoteThermometer;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
 import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
-import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.lease.LeaseRole;
 import org.dfra.river.lease.ModuleLandlord;
 import org.dfra.river.lookup.SuppliedConfiguration;
-import org.dfra.river.remote.LeasedUse;
+import org.dfra.river.remote.GrantedModuleLease;
 import org.dfra.river.server.Exporters;
 import org.dfra.testing.EmbeddedReggie;
 import org.dfra.testing.ServedModule;
@@ -50,7 +50,7 @@ class ModuleLandlordTest {
 
   private static final Duration PATIENCE = Duration.ofSeconds(20);
 
-  private LeaseBook book;
+  private LeaseRegistry book;
   private ModuleLandlord landlord;
 
   @BeforeEach
@@ -61,13 +61,13 @@ class ModuleLandlordTest {
             "atrv1/gps", book, Exporters.jeri(EmbeddedReggie.HOST, 2000), EmbeddedReggie.HOST);
   }
 
-  private static LeaseBook book(LeaseTerms terms) {
-    return new LeaseBook(
+  private static LeaseRegistry book(LeaseTerms terms) {
+    return new LeaseRegistry(
         "atrv1/gps", terms, InstantSource.system(), Scheduler.system(), clients -> {});
   }
 
   private Lease grant(long millis) throws LeaseRefusedException {
-    return landlord.grant(millis, Holder.CLIENT, () -> {});
+    return landlord.grant(millis, LeaseRole.CLIENT, () -> {});
   }
 
   @AfterEach
@@ -205,7 +205,7 @@ class ModuleLandlordTest {
     LeaseTerms strict = terms(500L, 100L);
     assertThat(strict).isEqualTo(new LeaseTerms(Duration.ofMillis(500), Duration.ofMillis(100)));
     assertThatThrownBy(
-            () -> book(strict).grant(Duration.ofMillis(501), Holder.CLIENT, null, () -> {}))
+            () -> book(strict).grant(Duration.ofMillis(501), LeaseRole.CLIENT, null, () -> {}))
         .hasMessageContaining("lease 0.501 s > longest allowed 0.5 s");
     assertThatThrownBy(() -> terms(0L, 0L))
         .isInstanceOf(ConfigurationException.class)
@@ -229,11 +229,11 @@ class ModuleLandlordTest {
             ThermometerServer.class, ThermometerProxy.class, SteadyThermometerImpl.class);
     try (ThermometerServer server = module.serve()) {
       RemoteThermometer remote = (RemoteThermometer) server.getProxy();
-      assertThatThrownBy(() -> remote.use(Duration.ofMinutes(2)))
+      assertThatThrownBy(() -> remote.acquireLease(Duration.ofMinutes(2)))
           .as("the sentence crosses the wire")
           .isInstanceOf(LeaseRefusedException.class)
           .hasMessageContaining("lease 120 s > longest allowed 30 s");
-      Lease lease = ((LeasedUse) remote.use(Duration.ofSeconds(10))).lease();
+      Lease lease = ((GrantedModuleLease) remote.acquireLease(Duration.ofSeconds(10))).lease();
       long granted = lease.getExpiration();
       AtomicReference<LeaseRenewalEvent> failure = new AtomicReference<>();
       LeaseListener listener = failure::set;

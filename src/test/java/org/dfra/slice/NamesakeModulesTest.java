@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.core.module.Needed;
+import org.dfra.core.module.ModuleDependency;
 import org.dfra.core.module.SensorImpl;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
@@ -34,17 +34,17 @@ class NamesakeModulesTest {
   /** Says what another thermometer of its robot says, as a schema or a behaviour would use it. */
   public static final class SecondHandImpl extends SensorImpl implements Thermometer {
 
-    private final Needed<Thermometer> first;
+    private final ModuleDependency<Thermometer> first;
 
     /** Called by the module's server. */
     public SecondHandImpl(ModuleContext context) {
       super(context, "Thermometer that asks another", "you", "1.0");
-      this.first = Needed.of(context, Thermometer.class, "first");
+      this.first = ModuleDependency.of(context, Thermometer.class, "first");
     }
 
     @Override
     protected void onStart() {
-      become(Readiness.READY);
+      transitionTo(Readiness.READY);
     }
 
     @Override
@@ -57,7 +57,7 @@ class NamesakeModulesTest {
 
     @Override
     public double celsius() throws RemoteException {
-      return first.now().celsius();
+      return first.resolve().celsius();
     }
   }
 
@@ -118,11 +118,11 @@ class NamesakeModulesTest {
             .named("second")
             .with("first", "first")
             .joining(REGGIE)
-            .keptIn(here);
+            .withStateFolder(here);
     ServedModule<ThermometerServer> namesakes = first(EmbeddedReggie.HOST, 99);
     ModuleQuery<Thermometer> named = ModuleQuery.of(Thermometer.class).name("first");
     try (JiniModuleDirectory all = REGGIE.directory();
-        ThermometerServer other = namesakes.keptIn(folder.resolve("there")).serve();
+        ThermometerServer other = namesakes.withStateFolder(folder.resolve("there")).serve();
         ThermometerServer asking = second.serve()) {
       assertThat(other).isNotSameAs(asking);
       Thermometer asked =
@@ -133,7 +133,7 @@ class NamesakeModulesTest {
       assertThatThrownBy(asked::celsius)
           .isInstanceOf(NotReadyException.class)
           .hasMessageContaining("there is none");
-      try (ThermometerServer own = first(EmbeddedReggie.HOST, 1).keptIn(here).serve()) {
+      try (ThermometerServer own = first(EmbeddedReggie.HOST, 1).withStateFolder(here).serve()) {
         assertThat(own).isNotSameAs(other);
         await()
             .atMost(PATIENCE)

@@ -24,7 +24,7 @@ import org.dfra.persona.ModuleAttributes;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.proxy.sensor.GPSProxy;
 import org.dfra.river.server.sensor.GPSServer;
-import org.dfra.sim.device.AntennaPath;
+import org.dfra.sim.device.AntennaTrajectory;
 import org.dfra.sim.device.DeviceEmulator;
 import org.dfra.sim.device.GpsdDevice;
 import org.dfra.sim.device.NmeaDevice;
@@ -41,7 +41,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class OtherReceiversTest {
 
   private static final GeoPosition PLACE = new GeoPosition(27.9506, -82.4572, 14.5);
-  private static final AntennaPath PATH = AntennaPath.fixed(PLACE);
+  private static final AntennaTrajectory PATH = AntennaTrajectory.fixed(PLACE);
   private static final Duration PATIENCE = Duration.ofSeconds(20);
 
   @RegisterExtension static final EmbeddedReggie REGGIE = new EmbeddedReggie();
@@ -87,7 +87,7 @@ class OtherReceiversTest {
                 () ->
                     elsewhere.parameters().stream()
                         .filter(parameter -> parameter.name().equals("satellites"))
-                        .map(Parameter::text)
+                        .map(Parameter::value)
                         .anyMatch(text -> text.startsWith("9 in view, 9 heard, 9 used: G")));
         if (model != null) {
           await()

@@ -34,13 +34,13 @@ import org.dfra.river.server.ModuleServer;
 import org.dfra.river.server.effector.FlightServer;
 import org.dfra.river.server.sensor.BatteryServer;
 import org.dfra.river.server.sensor.GPSServer;
-import org.dfra.sim.body.BatteryBody.Charge;
-import org.dfra.sim.body.FlightBody;
-import org.dfra.sim.device.AntennaPath;
+import org.dfra.sim.device.AntennaTrajectory;
 import org.dfra.sim.device.DeviceEmulator;
 import org.dfra.sim.device.uav.AutopilotDevice;
 import org.dfra.sim.device.uav.AutopilotSettings;
 import org.dfra.sim.device.uav.AutopilotSoftware;
+import org.dfra.sim.physics.BatteryPhysics.Charge;
+import org.dfra.sim.physics.MulticopterPhysics;
 import org.dfra.testing.EmbeddedReggie;
 import org.dfra.testing.ServedModule;
 import org.junit.jupiter.api.Test;
@@ -69,7 +69,7 @@ class UavTest {
             AutopilotSettings.of(AutopilotSoftware.PX4),
             PLACE,
             new Lift(),
-            AntennaPath.fixed(PLACE),
+            AntennaTrajectory.fixed(PLACE),
             time -> new Charge(15.8, 4.2, 0.87));
     try (DeviceEmulator vehicle =
         new DeviceEmulator("autopilot", 0, autopilot, InstantSource.system())) {
@@ -105,23 +105,24 @@ class UavTest {
   }
 
   private static void fly(FlightProxy far, FlightProxy near) throws Exception {
-    patiently().until(() -> far.flight().position() != null);
-    CommandLease lease = far.command(Duration.ofSeconds(10));
-    far.obey(lease.key(), new Arm());
-    patiently().until(() -> near.flight().isArmed());
-    far.obey(lease.key(), new TakeOff(2));
-    patiently().until(() -> far.flight().phase() == Phase.IN_AIR);
-    patiently().until(() -> near.flight().height() > 1.99);
-    patiently().until(() -> far.flight().height() > 1.99);
-    assertThat(far.flight().position().height()).isCloseTo(16.5, within(0.02));
-    assertThatThrownBy(() -> far.obey(lease.key(), new TakeOff(2)))
+    patiently().until(() -> far.flightState().position() != null);
+    CommandLease lease = far.acquireCommandLease(Duration.ofSeconds(10));
+    far.execute(lease.key(), new Arm());
+    patiently().until(() -> near.flightState().isArmed());
+    far.execute(lease.key(), new TakeOff(2));
+    patiently().until(() -> far.flightState().phase() == Phase.IN_AIR);
+    patiently().until(() -> near.flightState().height() > 1.99);
+    patiently().until(() -> far.flightState().height() > 1.99);
+    assertThat(far.flightState().position().height()).isCloseTo(16.5, within(0.02));
+    assertThatThrownBy(() -> far.execute(lease.key(), new TakeOff(2)))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("flies already");
-    far.obey(lease.key(), new Land());
+    far.execute(lease.key(), new Land());
     lease.close();
-    assertThatThrownBy(() -> far.obey(lease.key(), new Arm()))
+    assertThatThrownBy(() -> far.execute(lease.key(), new Arm()))
         .isInstanceOf(CommandRefusedException.class);
-    patiently().until(() -> far.flight().phase() == Phase.ON_GROUND && !near.flight().isArmed());
+    patiently()
+        .until(() -> far.flightState().phase() == Phase.ON_GROUND && !near.flightState().isArmed());
   }
 
   private static ConditionFactory patiently() {
@@ -133,7 +134,7 @@ class UavTest {
   private static ModuleListing<?> find(JiniModuleDirectory directory, String query)
       throws Exception {
     return directory
-        .findFirst(new QueryParser(QueryVocabulary.usual()).parse(query), PATIENCE)
+        .findFirst(new QueryParser(QueryVocabulary.standard()).parse(query), PATIENCE)
         .orElseThrow(() -> new AssertionError("nothing found for: " + query));
   }
 
@@ -144,13 +145,13 @@ class UavTest {
       String name,
       Map<String, String> parameters)
       throws Exception {
-    return ServedModule.written(server, proxy, folder, name, "mavlink-" + name, parameters)
+    return ServedModule.fromProperties(server, proxy, folder, name, "mavlink-" + name, parameters)
         .joining(REGGIE)
         .serve();
   }
 
   /** A body that goes up and down at 2 m/s, and nowhere else. */
-  private static final class Lift implements FlightBody {
+  private static final class Lift implements MulticopterPhysics {
 
     private double up;
     private double goal;
@@ -168,13 +169,13 @@ class UavTest {
     }
 
     @Override
-    public Flight at(Instant time) {
+    public MulticopterState at(Instant time) {
       if (time.isAfter(last)) {
         double most = 2 * Duration.between(last, time).toNanos() / 1e9;
         up += Math.max(-most, Math.min(most, goal - up));
       }
       last = time;
-      return new Flight(0, 0, up, 0, 0, 0, Math.signum(goal - up) * 2, rotors);
+      return new MulticopterState(0, 0, up, 0, 0, 0, Math.signum(goal - up) * 2, rotors);
     }
   }
 }

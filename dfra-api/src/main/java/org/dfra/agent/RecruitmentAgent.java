@@ -8,7 +8,7 @@ import org.dfra.module.Idempotent;
  * finds the others by their persona: {@link org.dfra.persona.RecruitmentAttributes} says what a
  * robot can observe.
  */
-public interface RecruitmentAgent extends Recruiting {
+public interface RecruitmentAgent extends RecruitmentControl {
 
   /**
    * Takes a message from another agent. Returns at once; what follows from it, follows later.

@@ -24,10 +24,10 @@ public enum RequesterPhase {
   /** Has heard that it arrived and agreed; awaits that it heard that. */
   ON_SITE,
   /** Is being helped; awaits the lease's end. */
-  DONE;
+  BEING_HELPED;
 
   /** Whether it looks for somebody, or waits for somebody to come. */
   public boolean isUnderWay() {
-    return this != IDLE && this != DONE;
+    return this != IDLE && this != BEING_HELPED;
   }
 }

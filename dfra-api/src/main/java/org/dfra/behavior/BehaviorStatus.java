@@ -11,27 +11,27 @@ import org.jspecify.annotations.Nullable;
  * @param measured when it was so, by the robot's clock, UTC
  * @param goal names the pursuit; null where there has not been any
  * @param phase where it is in the picture at {@link Phase}
- * @param doing what it does or why it does not, for people, as a clause
- * @param done share of the goal that is dealt with, 0 to 1; never falls during a pursuit
- * @param missed how many parts of that, such as waypoints, were left out, since they could not be
- *     reached
+ * @param activity what it does or why it does not, for people, as a clause
+ * @param completion share of the goal that is dealt with, 0 to 1; never falls during a pursuit
+ * @param skippedParts how many parts of that, such as waypoints, were left out, since they could
+ *     not be reached
  * @param heldSince when a person, a parking brake or an emergency stop stopped it, by the robot's
  *     clock, UTC; no program resumes it. Null where none of them has, and from the next goal on
- * @param partsDone how many of the goal's parts, such as waypoints, are dealt with, those that were
- *     left out among them
- * @param parts how many parts the goal has; 0 where they are not counted, as by servers that are
- *     older than this number
+ * @param completedParts how many of the goal's parts, such as waypoints, are dealt with, those that
+ *     were left out among them
+ * @param totalParts how many parts the goal has; 0 where they are not counted, as by servers that
+ *     are older than this number
  */
 public record BehaviorStatus(
     Instant measured,
     @Nullable UUID goal,
     Phase phase,
-    String doing,
-    double done,
-    int missed,
+    String activity,
+    double completion,
+    int skippedParts,
     @Nullable Instant heldSince,
-    int partsDone,
-    int parts)
+    int completedParts,
+    int totalParts)
     implements Reading {
 
   /**
@@ -70,15 +70,19 @@ public record BehaviorStatus(
   }
 
   public BehaviorStatus {
-    if (!(done >= 0 && done <= 1)) {
-      throw new IllegalArgumentException("done " + done + " is outside 0 to 1");
+    if (!(completion >= 0 && completion <= 1)) {
+      throw new IllegalArgumentException("done " + completion + " is outside 0 to 1");
     }
-    if (missed < 0) {
-      throw new IllegalArgumentException("missed " + missed + " is below 0");
+    if (skippedParts < 0) {
+      throw new IllegalArgumentException("missed " + skippedParts + " is below 0");
     }
-    if (partsDone < 0 || partsDone > parts) {
+    if (completedParts < 0 || completedParts > totalParts) {
       throw new IllegalArgumentException(
-          "parts done " + partsDone + " is outside 0 to " + parts + ", the parts of the goal");
+          "parts done "
+              + completedParts
+              + " is outside 0 to "
+              + totalParts
+              + ", the parts of the goal");
     }
   }
 }

@@ -8,7 +8,7 @@ import java.util.UUID;
 public interface GoToWaypoint extends Behavior<LegGoal> {
 
   /**
-   * Gives a goal that is being pursued another {@linkplain LegGoal#limit time limit}; the robot
+   * Gives a goal that is being pursued another {@linkplain LegGoal#timeLimit time limit}; the robot
    * drives on meanwhile. Does nothing where another goal is pursued, or none.
    *
    * @param goal as {@link #pursue} has named it
@@ -16,5 +16,5 @@ public interface GoToWaypoint extends Behavior<LegGoal> {
    *     behaviour
    * @throws IllegalArgumentException if it is below 0
    */
-  void limit(UUID goal, Duration limit) throws RemoteException;
+  void setTimeLimit(UUID goal, Duration limit) throws RemoteException;
 }

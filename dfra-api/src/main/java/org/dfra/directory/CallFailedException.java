@@ -3,7 +3,7 @@ package org.dfra.directory;
 import java.rmi.RemoteException;
 
 /** A call through a proxy that stands for several modules failed and was not repeated. */
-public final class CallFailedException extends RemoteException implements KnownOutcome {
+public final class CallFailedException extends RemoteException implements ExecutionCertainty {
 
   private static final long serialVersionUID = 1L;
 

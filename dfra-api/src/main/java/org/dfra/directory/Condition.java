@@ -15,18 +15,18 @@ public sealed interface Condition {
   }
 
   /** A number not below {@code least}. */
-  static Condition atLeast(double least) {
-    return new InRange(least, Double.POSITIVE_INFINITY);
+  static Condition atLeast(double min) {
+    return new InRange(min, Double.POSITIVE_INFINITY);
   }
 
   /** A number not above {@code most}. */
-  static Condition atMost(double most) {
-    return new InRange(Double.NEGATIVE_INFINITY, most);
+  static Condition atMost(double max) {
+    return new InRange(Double.NEGATIVE_INFINITY, max);
   }
 
   /** A number from {@code least} to {@code most}, both included. */
-  static Condition between(double least, double most) {
-    return new InRange(least, most);
+  static Condition between(double min, double max) {
+    return new InRange(min, max);
   }
 
   /** A list with this text among its texts, or a text with this one somewhere in it. */
@@ -38,7 +38,7 @@ public sealed interface Condition {
   boolean test(@Nullable Object value);
 
   /** What is wrong with asking this of a component of that type; null if nothing is. */
-  @Nullable String complaint(Class<?> type);
+  @Nullable String validationError(Class<?> type);
 
   /** See {@link #equalTo}. */
   record EqualTo(Object value) implements Condition {
@@ -50,7 +50,7 @@ public sealed interface Condition {
     }
 
     @Override
-    public @Nullable String complaint(Class<?> type) {
+    public @Nullable String validationError(Class<?> type) {
       Class<?> boxed = boxed(type);
       boolean fits =
           boxed.isInstance(value)
@@ -85,29 +85,29 @@ public sealed interface Condition {
 
     @Override
     public String toString() {
-      return "= " + QueryText.value(value);
+      return "= " + QueryFormatter.value(value);
     }
   }
 
   /** See {@link #between}; an infinite end is none. */
-  record InRange(double least, double most) implements Condition {
+  record InRange(double min, double max) implements Condition {
 
     public InRange {
-      if (!(least <= most)) {
+      if (!(min <= max)) {
         throw new IllegalArgumentException(
-            "no number is at least " + least + " and at most " + most + "; exchange the two");
+            "no number is at least " + min + " and at most " + max + "; exchange the two");
       }
     }
 
     @Override
     public boolean test(@Nullable Object found) {
       return found instanceof Number number
-          && number.doubleValue() >= least
-          && number.doubleValue() <= most;
+          && number.doubleValue() >= min
+          && number.doubleValue() <= max;
     }
 
     @Override
-    public @Nullable String complaint(Class<?> type) {
+    public @Nullable String validationError(Class<?> type) {
       Class<?> boxed = boxed(type);
       return Number.class.isAssignableFrom(boxed)
           ? null
@@ -116,10 +116,10 @@ public sealed interface Condition {
 
     @Override
     public String toString() {
-      if (least == Double.NEGATIVE_INFINITY) {
-        return "≤ " + most;
+      if (min == Double.NEGATIVE_INFINITY) {
+        return "≤ " + max;
       }
-      return most == Double.POSITIVE_INFINITY ? "≥ " + least : "from " + least + " to " + most;
+      return max == Double.POSITIVE_INFINITY ? "≥ " + min : "from " + min + " to " + max;
     }
   }
 
@@ -133,7 +133,7 @@ public sealed interface Condition {
     }
 
     @Override
-    public @Nullable String complaint(Class<?> type) {
+    public @Nullable String validationError(Class<?> type) {
       return type == String.class || type == List.class
           ? null
           : "is a "
@@ -143,7 +143,7 @@ public sealed interface Condition {
 
     @Override
     public String toString() {
-      return "contains " + QueryText.quoted(text);
+      return "contains " + QueryFormatter.quoted(text);
     }
   }
 

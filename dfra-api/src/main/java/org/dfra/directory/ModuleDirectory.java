@@ -20,25 +20,26 @@ public interface ModuleDirectory extends AutoCloseable {
   /**
    * The best module that matches, waiting for one if there is none.
    *
-   * @param patience how long to wait
+   * @param timeout how long to wait
    * @return nothing where none was found in time
    */
-  <M extends Module> Optional<ModuleListing<M>> findFirst(ModuleQuery<M> query, Duration patience)
+  <M extends Module> Optional<ModuleListing<M>> findFirst(ModuleQuery<M> query, Duration timeout)
       throws InterruptedException;
 
   /**
    * The best module of a kind itself, waiting for one if there is none.
    *
-   * @param patience how long to wait
+   * @param timeout how long to wait
    * @return nothing where none was found in time
    */
-  default <M extends Module> Optional<M> find(Class<M> kind, Duration patience)
+  default <M extends Module> Optional<M> find(Class<M> kind, Duration timeout)
       throws InterruptedException {
-    return findFirst(ModuleQuery.of(kind), patience).map(ModuleListing::module);
+    return findFirst(ModuleQuery.of(kind), timeout).map(ModuleListing::module);
   }
 
   /** Has a listener told of the modules that match, until the watch or the directory is closed. */
-  <M extends Module> Watch listen(ModuleQuery<M> query, DirectoryListener<M> listener);
+  <M extends Module> DirectoryRegistration listen(
+      ModuleQuery<M> query, DirectoryListener<M> listener);
 
   /**
    * Every robot that has shown something of itself, by name and host. Two robots of one name on two

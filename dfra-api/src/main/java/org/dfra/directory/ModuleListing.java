@@ -8,15 +8,15 @@ import java.util.UUID;
 import org.dfra.module.Module;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ModuleAttributes;
-import org.dfra.text.Printable;
+import org.dfra.text.PrintableText;
 
 /**
  * A module as the directory knows it. A snapshot: it does not change any more.
  *
  * @param id the module's identity, the same after every restart
  * @param module the module, or its proxy
- * @param robot name of its robot, a {@linkplain Printable#word printable word}; empty where it has
- *     not told
+ * @param robot name of its robot, a {@linkplain PrintableText#word printable word}; empty where it
+ *     has not told
  * @param name name of the module, likewise; empty where it has not told
  * @param attributes what it says of itself
  * @param locality how far away it is
@@ -37,8 +37,8 @@ public record ModuleListing<M extends Module>(
     Instant confirmed) {
 
   public ModuleListing {
-    robot = Printable.word(robot);
-    name = Printable.word(name);
+    robot = PrintableText.word(robot);
+    name = PrintableText.word(name);
     attributes = List.copyOf(attributes);
   }
 
@@ -62,7 +62,7 @@ public record ModuleListing<M extends Module>(
   }
 
   /** How long nobody has vouched for it; zero where it is not stale. */
-  public Duration age(Instant now) {
+  public Duration staleness(Instant now) {
     Duration since = Duration.between(confirmed, now);
     return stale && !since.isNegative() ? since : Duration.ZERO;
   }

@@ -30,12 +30,12 @@ public final class ModuleQuery<M extends Module> {
   private final Class<M> kind;
   private final @Nullable String robot;
   private final @Nullable String name;
-  private final List<AttributeTest> tests;
+  private final List<AttributeCondition> tests;
   private final @Nullable Circle circle;
   private final List<Predicate<ModuleListing<?>>> others;
 
   /** Round a point whose height is 0, since height does not count. */
-  private record Circle(double metres, GeoPosition centre) {
+  private record Circle(double radius, GeoPosition centre) {
     Circle {
       centre = new GeoPosition(centre.latitude(), centre.longitude(), 0);
     }
@@ -45,7 +45,7 @@ public final class ModuleQuery<M extends Module> {
       Class<M> kind,
       @Nullable String robot,
       @Nullable String name,
-      List<AttributeTest> tests,
+      List<AttributeCondition> tests,
       @Nullable Circle circle,
       List<Predicate<ModuleListing<?>>> others) {
     this.kind = kind;
@@ -115,8 +115,8 @@ public final class ModuleQuery<M extends Module> {
    */
   public ModuleQuery<M> where(
       Class<? extends Attributes> type, String component, Condition condition) {
-    List<AttributeTest> more = new ArrayList<>(tests);
-    more.add(AttributeTest.of(type, component, condition));
+    List<AttributeCondition> more = new ArrayList<>(tests);
+    more.add(AttributeCondition.of(type, component, condition));
     return new ModuleQuery<>(kind, robot, name, List.copyOf(more), circle, others);
   }
 
@@ -136,15 +136,15 @@ public final class ModuleQuery<M extends Module> {
    * where its robot is, by those of the robot's other modules on the same host; one on a robot that
    * does not say where it is, is near nothing.
    *
-   * @param metres the greatest distance in metres, as {@link GeoPosition#groundDistance}
+   * @param radius the greatest distance in metres, as {@link GeoPosition#groundDistance}
    * @throws IllegalArgumentException if the distance is negative or no number
    */
-  public ModuleQuery<M> within(double metres, GeoPosition position) {
-    if (!(metres >= 0)) {
+  public ModuleQuery<M> within(double radius, GeoPosition position) {
+    if (!(radius >= 0)) {
       throw new IllegalArgumentException(
-          "no module is within " + metres + " m; ask for 0 m or more");
+          "no module is within " + radius + " m; ask for 0 m or more");
     }
-    return new ModuleQuery<>(kind, robot, name, tests, new Circle(metres, position), others);
+    return new ModuleQuery<>(kind, robot, name, tests, new Circle(radius, position), others);
   }
 
   /** The interface that is asked for. */
@@ -160,21 +160,22 @@ public final class ModuleQuery<M extends Module> {
   /**
    * Whether a module is what is asked for.
    *
-   * @param robots where the robot of a module is
+   * @param positionOfRobot where the robot of a module is
    */
   public boolean matches(
-      ModuleListing<?> candidate, Function<ModuleListing<?>, Optional<GeoPosition>> robots) {
+      ModuleListing<?> candidate,
+      Function<ModuleListing<?>, Optional<GeoPosition>> positionOfRobot) {
     if (!kind.isInstance(candidate.module())
         || (robot != null && !robot.equals(candidate.robot()))
         || (name != null && !name.equals(candidate.name()))) {
       return false;
     }
-    for (AttributeTest test : tests) {
+    for (AttributeCondition test : tests) {
       if (!test.test(candidate.attributes())) {
         return false;
       }
     }
-    return (circle == null || isNear(circle, candidate, robots))
+    return (circle == null || isNear(circle, candidate, positionOfRobot))
         && others.stream().allMatch(each -> each.test(candidate));
   }
 
@@ -186,7 +187,7 @@ public final class ModuleQuery<M extends Module> {
         .attributes(LocationAttributes.class)
         .map(LocationAttributes::position)
         .or(() -> robots.apply(candidate))
-        .filter(position -> position.groundDistance(circle.centre()) <= circle.metres())
+        .filter(position -> position.groundDistance(circle.centre()) <= circle.radius())
         .isPresent();
   }
 
@@ -214,19 +215,19 @@ public final class ModuleQuery<M extends Module> {
   public String toString() {
     StringBuilder words = new StringBuilder(kind.getSimpleName());
     if (name != null) {
-      words.append(" named ").append(QueryText.name(name));
+      words.append(" named ").append(QueryFormatter.name(name));
     }
     if (robot != null) {
-      words.append(" on ").append(QueryText.name(robot));
+      words.append(" on ").append(QueryFormatter.name(robot));
     }
     String joint = " with ";
-    for (AttributeTest test : tests) {
+    for (AttributeCondition test : tests) {
       words.append(joint).append(test);
       joint = " and ";
     }
     if (circle != null) {
       GeoPosition centre = circle.centre();
-      words.append(" within ").append(circle.metres()).append(" m of ");
+      words.append(" within ").append(circle.radius()).append(" m of ");
       words.append(centre.latitude()).append("°, ").append(centre.longitude()).append('°');
     }
     return words.toString();

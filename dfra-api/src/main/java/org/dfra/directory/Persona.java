@@ -6,13 +6,13 @@ import java.util.List;
 import java.util.Optional;
 import org.dfra.module.Module;
 import org.dfra.persona.PersonaAttributes;
-import org.dfra.text.Printable;
+import org.dfra.text.PrintableText;
 
 /**
  * A robot as the directory knows it. A snapshot.
  *
- * @param robot name of the robot, a {@linkplain Printable#word printable word}; another robot may
- *     have it on another host
+ * @param robot name of the robot, a {@linkplain PrintableText#word printable word}; another robot
+ *     may have it on another host
  * @param host address or name of the computer it runs on, as its modules and its registrar say;
  *     empty where that is not known
  * @param attributes its role, goals and limitations, if it has told them
@@ -30,12 +30,12 @@ public record Persona(
     Instant confirmed) {
 
   public Persona {
-    robot = Printable.word(robot);
+    robot = PrintableText.word(robot);
     modules = List.copyOf(modules);
   }
 
   /** How long nobody has vouched for it; zero where it is not stale. */
-  public Duration age(Instant now) {
+  public Duration staleness(Instant now) {
     Duration since = Duration.between(confirmed, now);
     return stale && !since.isNegative() ? since : Duration.ZERO;
   }

@@ -42,7 +42,7 @@ public record Delivery(
   }
 
   /** The kind of the event. */
-  public DeliveryPolicy.Kind kind() {
-    return DeliveryPolicy.Kind.of(event);
+  public DeliveryPolicy.EventKind kind() {
+    return DeliveryPolicy.EventKind.of(event);
   }
 }

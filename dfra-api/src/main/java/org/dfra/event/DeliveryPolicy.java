@@ -9,23 +9,23 @@ import java.util.Set;
  * What one listener can take.
  *
  * @param kinds which kinds of event it wants; at least one
- * @param depth events kept for it while it is busy, at least 1; past that the oldest are dropped
- *     and counted
- * @param highestRate deliveries per second at the most; between two, only the newest events are
- *     kept, {@code depth} of them; infinity for no limit
+ * @param queueDepth events kept for it while it is busy, at least 1; past that the oldest are
+ *     dropped and counted
+ * @param maxRate deliveries per second at the most; between two, only the newest events are kept,
+ *     {@code depth} of them; infinity for no limit
  */
-public record DeliveryPolicy(Set<Kind> kinds, int depth, double highestRate)
+public record DeliveryPolicy(Set<EventKind> kinds, int queueDepth, double maxRate)
     implements Serializable {
 
   /** Kinds of events. */
-  public enum Kind {
+  public enum EventKind {
     READINESS,
     READING,
     PARAMETER,
     INCIDENT;
 
     /** The kind of an event. */
-    public static Kind of(ModuleEvent event) {
+    public static EventKind of(ModuleEvent event) {
       if (event instanceof ModuleEvent.NewReading) {
         return READING;
       } else if (event instanceof ModuleEvent.ReadinessChanged) {
@@ -39,18 +39,19 @@ public record DeliveryPolicy(Set<Kind> kinds, int depth, double highestRate)
   }
 
   /** The most events that may be kept for one listener. */
-  public static final int DEEPEST = 1024;
+  public static final int MAX_QUEUE_DEPTH = 1024;
 
   public DeliveryPolicy {
     kinds = checked(kinds);
     if (kinds.isEmpty()) {
       throw new IllegalArgumentException("a listener that wants no kind of event needs none");
     }
-    if (depth < 1 || depth > DEEPEST) {
-      throw new IllegalArgumentException("depth " + depth + " is outside 1 to " + DEEPEST);
+    if (queueDepth < 1 || queueDepth > MAX_QUEUE_DEPTH) {
+      throw new IllegalArgumentException(
+          "depth " + queueDepth + " is outside 1 to " + MAX_QUEUE_DEPTH);
     }
-    if (!(highestRate > 0)) {
-      throw new IllegalArgumentException("rate " + highestRate + " Hz is not above 0");
+    if (!(maxRate > 0)) {
+      throw new IllegalArgumentException("rate " + maxRate + " Hz is not above 0");
     }
   }
 
@@ -58,11 +59,11 @@ public record DeliveryPolicy(Set<Kind> kinds, int depth, double highestRate)
    * Looks at each before any is hashed: what comes over the network may hold anything, also objects
    * whose hash codes take for ever.
    */
-  private static Set<Kind> checked(Collection<?> kinds) {
-    Set<Kind> all = EnumSet.noneOf(Kind.class);
-    int most = Kind.values().length;
+  private static Set<EventKind> checked(Collection<?> kinds) {
+    Set<EventKind> all = EnumSet.noneOf(EventKind.class);
+    int most = EventKind.values().length;
     for (Object each : kinds) {
-      if (!(each instanceof Kind kind) || most-- == 0) {
+      if (!(each instanceof EventKind kind) || most-- == 0) {
         throw new IllegalArgumentException(
             "a listener wants kinds of events, each once at the most; this one wants something else");
       }
@@ -73,21 +74,21 @@ public record DeliveryPolicy(Set<Kind> kinds, int depth, double highestRate)
 
   /** Every kind of event, the last {@code depth} kept while the listener is busy. */
   public static DeliveryPolicy keepLast(int depth) {
-    return new DeliveryPolicy(EnumSet.allOf(Kind.class), depth, Double.POSITIVE_INFINITY);
+    return new DeliveryPolicy(EnumSet.allOf(EventKind.class), depth, Double.POSITIVE_INFINITY);
   }
 
   /** Only readings, and of those only the newest when the listener is busy. */
   public static DeliveryPolicy latestReading() {
-    return new DeliveryPolicy(Set.of(Kind.READING), 1, Double.POSITIVE_INFINITY);
+    return new DeliveryPolicy(Set.of(EventKind.READING), 1, Double.POSITIVE_INFINITY);
   }
 
   /** The same at no more than so many deliveries per second. */
-  public DeliveryPolicy atMost(double hertz) {
-    return new DeliveryPolicy(kinds, depth, hertz);
+  public DeliveryPolicy withMaxRate(double hertz) {
+    return new DeliveryPolicy(kinds, queueDepth, hertz);
   }
 
   /** The same for these kinds only. */
-  public DeliveryPolicy only(Kind first, Kind... others) {
-    return new DeliveryPolicy(EnumSet.of(first, others), depth, highestRate);
+  public DeliveryPolicy withKinds(EventKind first, EventKind... others) {
+    return new DeliveryPolicy(EnumSet.of(first, others), queueDepth, maxRate);
   }
 }

@@ -17,5 +17,5 @@ public sealed interface ModuleEvent extends Serializable {
   record ParameterChanged(String name, String text) implements ModuleEvent {}
 
   /** Something entered the module's history. */
-  record IncidentNoted(Incident incident) implements ModuleEvent {}
+  record IncidentRecorded(Incident incident) implements ModuleEvent {}
 }

@@ -50,7 +50,7 @@ public record Transform(double x, double y, double z, double qw, double qx, doub
   }
 
   /** A shift only. */
-  public static Transform shift(double x, double y, double z) {
+  public static Transform translation(double x, double y, double z) {
     return new Transform(x, y, z, 1, 0, 0, 0);
   }
 

@@ -10,8 +10,9 @@ import java.time.Instant;
  * @param name the test's or recovery method's name
  * @param passed whether all was well at its end
  * @param finding what it found, a sentence
- * @param when when it began
- * @param took how long it took
+ * @param startedAt when it began
+ * @param duration how long it took
  */
-public record Diagnosis(String name, boolean passed, String finding, Instant when, Duration took)
+public record Diagnosis(
+    String name, boolean passed, String finding, Instant startedAt, Duration duration)
     implements Serializable {}

@@ -6,11 +6,11 @@ import java.time.Instant;
 /**
  * Something worth remembering in a module's life.
  *
- * @param when when it happened, by the module's clock
+ * @param time when it happened, by the module's clock
  * @param kind what sort of thing
- * @param what what happened, a sentence
+ * @param description what happened, a sentence
  */
-public record Incident(Instant when, Kind kind, String what) implements Serializable {
+public record Incident(Instant time, Kind kind, String description) implements Serializable {
 
   /** Sorts of incidents. */
   public enum Kind {

@@ -31,12 +31,12 @@ public interface Module {
    * Waits until the module {@linkplain Readiness#serves() serves} or can no longer come to serve,
    * at the longest for {@code patience}.
    *
-   * @param patience longest wait, not negative
+   * @param timeout longest wait, not negative
    * @return the state at the end of the wait; it serves, it has failed or stopped, or the patience
    *     is used up
    */
   @Idempotent
-  Readiness awaitReadiness(Duration patience) throws RemoteException;
+  Readiness awaitReadiness(Duration timeout) throws RemoteException;
 
   /**
    * Listens to the module until the subscription is closed. Who listens to readings is a client of
@@ -54,11 +54,11 @@ public interface Module {
    * @throws LeaseRefusedException if {@code duration} is longer than the module allows, or not
    *     above zero
    */
-  ModuleLease use(Duration duration) throws LeaseRefusedException, RemoteException;
+  ModuleLease acquireLease(Duration duration) throws LeaseRefusedException, RemoteException;
 
   /** The module's life so far. */
   @Idempotent
-  History history() throws RemoteException;
+  ModuleHistory history() throws RemoteException;
 
   /** How much the module writes to its log. */
   @Idempotent

@@ -36,12 +36,12 @@ public enum Readiness {
   }
 
   /** Whether a module in this state will never serve without help from outside. */
-  public boolean isHopeless() {
+  public boolean isFailedOrStopped() {
     return this == FAILED || this == STOPPED;
   }
 
   /** Whether the drawing above has an arrow from this state to {@code next}. */
-  public boolean mayBecome(Readiness next) {
+  public boolean canTransitionTo(Readiness next) {
     return switch (this) {
       case CREATED -> next == INITIALIZING || next == STOPPED;
       case INITIALIZING -> next == READY || next == FAILED || next == STOPPED;

@@ -23,8 +23,8 @@ public record BehaviorAttributes(
   }
 
   public BehaviorAttributes {
-    Checks.text("goal", goal);
-    Checks.text("phase", phase);
-    Checks.positive("rate", rate, "Hz");
+    AttributeValidation.requireText("goal", goal);
+    AttributeValidation.requireText("phase", phase);
+    AttributeValidation.requirePositive("rate", rate, "Hz");
   }
 }

@@ -17,6 +17,6 @@ public record CameraAttributes(Band band, int width, int height, double fieldOfV
     if (width < 1 || height < 1) {
       throw new IllegalArgumentException("a camera of " + width + " × " + height + " pixels");
     }
-    Checks.positive("field of view", fieldOfView, "rad");
+    AttributeValidation.requirePositive("field of view", fieldOfView, "rad");
   }
 }

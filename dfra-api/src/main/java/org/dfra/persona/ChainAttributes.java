@@ -11,7 +11,7 @@ import java.util.List;
 public record ChainAttributes(List<String> inputs, List<String> outputs) implements Attributes {
 
   public ChainAttributes {
-    inputs = Checks.sorted(inputs);
-    outputs = Checks.sorted(outputs);
+    inputs = AttributeValidation.sortedDistinct(inputs);
+    outputs = AttributeValidation.sortedDistinct(outputs);
   }
 }

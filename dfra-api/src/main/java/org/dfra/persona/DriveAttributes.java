@@ -4,17 +4,17 @@ package org.dfra.persona;
  * How a drive moves its robot, and how large that is.
  *
  * @param maxSpeed metres per second
- * @param maxTurnRate radians per second
+ * @param maxYawRate radians per second
  * @param length of the robot, metres
  * @param width of the robot, metres
  */
-public record DriveAttributes(double maxSpeed, double maxTurnRate, double length, double width)
+public record DriveAttributes(double maxSpeed, double maxYawRate, double length, double width)
     implements Attributes {
 
   public DriveAttributes {
-    Checks.positive("speed", maxSpeed, "m/s");
-    Checks.positive("turn rate", maxTurnRate, "rad/s");
-    Checks.positive("length", length, "m");
-    Checks.positive("width", width, "m");
+    AttributeValidation.requirePositive("speed", maxSpeed, "m/s");
+    AttributeValidation.requirePositive("turn rate", maxYawRate, "rad/s");
+    AttributeValidation.requirePositive("length", length, "m");
+    AttributeValidation.requirePositive("width", width, "m");
   }
 }

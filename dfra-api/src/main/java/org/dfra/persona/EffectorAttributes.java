@@ -15,8 +15,8 @@ public record EffectorAttributes(
     implements Attributes {
 
   public EffectorAttributes {
-    commands = Checks.sorted(commands);
-    preconditions = Checks.sorted(preconditions);
-    Checks.power(power);
+    commands = AttributeValidation.sortedDistinct(commands);
+    preconditions = AttributeValidation.sortedDistinct(preconditions);
+    AttributeValidation.requireValidPower(power);
   }
 }

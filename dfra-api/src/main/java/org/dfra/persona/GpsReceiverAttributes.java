@@ -23,7 +23,7 @@ public record GpsReceiverAttributes(
     implements Attributes {
 
   public GpsReceiverAttributes {
-    fixModes = Checks.sorted(fixModes);
+    fixModes = AttributeValidation.sortedDistinct(fixModes);
     if (channels != null && channels < 1) {
       throw new IllegalArgumentException("a receiver with " + channels + " channels");
     }

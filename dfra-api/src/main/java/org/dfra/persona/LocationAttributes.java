@@ -18,7 +18,7 @@ public record LocationAttributes(double latitude, double longitude, double heigh
 
   public LocationAttributes {
     new GeoPosition(latitude, longitude, height); // checks all three
-    measured = Objects.requireNonNull(Checks.millis(measured));
+    measured = Objects.requireNonNull(AttributeValidation.truncatedToMillis(measured));
   }
 
   /** The place of a measurement. */

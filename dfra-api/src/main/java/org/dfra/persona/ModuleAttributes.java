@@ -33,15 +33,15 @@ public record ModuleAttributes(
     implements Attributes {
 
   public ModuleAttributes {
-    Checks.text("robot", robot);
-    Checks.text("name", name);
+    AttributeValidation.requireText("robot", robot);
+    AttributeValidation.requireText("name", name);
     Objects.requireNonNull(driver, "driver"); // entries of others may leave out any of these
     Objects.requireNonNull(host, "host");
     Objects.requireNonNull(author, "author");
     Objects.requireNonNull(version, "version");
     Objects.requireNonNull(state, "state");
-    created = Objects.requireNonNull(Checks.millis(created));
-    activated = Checks.millis(activated);
+    created = Objects.requireNonNull(AttributeValidation.truncatedToMillis(created));
+    activated = AttributeValidation.truncatedToMillis(activated);
     if (clients < 0) {
       throw new IllegalArgumentException(clients + " clients are fewer than none");
     }

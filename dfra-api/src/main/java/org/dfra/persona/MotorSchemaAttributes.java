@@ -11,8 +11,8 @@ public record MotorSchemaAttributes(String command, String method, int rules)
     implements Attributes {
 
   public MotorSchemaAttributes {
-    Checks.text("command", command);
-    Checks.text("method", method);
+    AttributeValidation.requireText("command", command);
+    AttributeValidation.requireText("method", method);
     if (rules < 0) {
       throw new IllegalArgumentException(rules + " rules are fewer than none");
     }

@@ -26,6 +26,6 @@ public record PanTiltAttributes(
               + maxTilt
               + " rad are no ranges");
     }
-    Checks.positive("speed", maxSpeed, "rad/s");
+    AttributeValidation.requirePositive("speed", maxSpeed, "rad/s");
   }
 }

@@ -23,9 +23,9 @@ public record PerceptualSchemaAttributes(
     implements Attributes {
 
   public PerceptualSchemaAttributes {
-    Checks.text("percept", percept);
-    Checks.text("method", method);
-    Checks.share("true positive rate", truePositiveRate);
-    Checks.share("false positive rate", falsePositiveRate);
+    AttributeValidation.requireText("percept", percept);
+    AttributeValidation.requireText("method", method);
+    AttributeValidation.requireFraction("true positive rate", truePositiveRate);
+    AttributeValidation.requireFraction("false positive rate", falsePositiveRate);
   }
 }

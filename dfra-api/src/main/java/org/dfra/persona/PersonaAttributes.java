@@ -15,9 +15,9 @@ public record PersonaAttributes(
     String robot, String role, List<String> goals, List<String> limitations) implements Attributes {
 
   public PersonaAttributes {
-    Checks.text("robot", robot);
+    AttributeValidation.requireText("robot", robot);
     Objects.requireNonNull(role, "role");
-    goals = Checks.sorted(goals);
-    limitations = Checks.sorted(limitations);
+    goals = AttributeValidation.sortedDistinct(goals);
+    limitations = AttributeValidation.sortedDistinct(limitations);
   }
 }

@@ -25,13 +25,13 @@ public record PoseAttributes(
     implements Attributes {
 
   public PoseAttributes {
-    Checks.text("frame", frame);
-    Checks.text("parent frame", parent);
-    Checks.finite("x", x);
-    Checks.finite("y", y);
-    Checks.finite("z", z);
-    Checks.finite("roll", roll);
-    Checks.finite("pitch", pitch);
-    Checks.finite("yaw", yaw);
+    AttributeValidation.requireText("frame", frame);
+    AttributeValidation.requireText("parent frame", parent);
+    AttributeValidation.requireFinite("x", x);
+    AttributeValidation.requireFinite("y", y);
+    AttributeValidation.requireFinite("z", z);
+    AttributeValidation.requireFinite("roll", roll);
+    AttributeValidation.requireFinite("pitch", pitch);
+    AttributeValidation.requireFinite("yaw", yaw);
   }
 }

@@ -18,8 +18,8 @@ public record RangeAttributes(
       throw new IllegalArgumentException(
           "distances from " + minRange + " m to " + maxRange + " m are no range");
     }
-    Checks.positive("field of view", fieldOfView, "rad");
-    Checks.positive("resolution", resolution, "rad");
-    Checks.positive("accuracy", accuracy, "m");
+    AttributeValidation.requirePositive("field of view", fieldOfView, "rad");
+    AttributeValidation.requirePositive("resolution", resolution, "rad");
+    AttributeValidation.requirePositive("accuracy", accuracy, "m");
   }
 }

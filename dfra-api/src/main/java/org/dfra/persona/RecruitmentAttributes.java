@@ -12,8 +12,8 @@ import org.jspecify.annotations.Nullable;
  * @param replaceAfter a helper that is late by this is replaced by another, seconds, above 0
  * @param margin so much earlier than that it turns back by itself where it is the helper, seconds,
  *     above 0; all of a team must have the same two
- * @param held why it answers no call, since somebody stopped it, as a clause; null where it is not
- *     held
+ * @param holdReason why it answers no call, since somebody stopped it, as a clause; null where it
+ *     is not held
  */
 public record RecruitmentAttributes(
     List<String> percepts,
@@ -21,7 +21,7 @@ public record RecruitmentAttributes(
     String strategy,
     double replaceAfter,
     double margin,
-    @Nullable String held)
+    @Nullable String holdReason)
     implements Attributes {
 
   /** Of a robot that nobody holds. */
@@ -31,10 +31,10 @@ public record RecruitmentAttributes(
   }
 
   public RecruitmentAttributes {
-    percepts = Checks.sorted(percepts);
-    Checks.positive("speed", speed, "m/s");
-    Checks.text("strategy", strategy);
-    Checks.positive("replaceAfter", replaceAfter, "s");
-    Checks.positive("margin", margin, "s");
+    percepts = AttributeValidation.sortedDistinct(percepts);
+    AttributeValidation.requirePositive("speed", speed, "m/s");
+    AttributeValidation.requireText("strategy", strategy);
+    AttributeValidation.requirePositive("replaceAfter", replaceAfter, "s");
+    AttributeValidation.requirePositive("margin", margin, "s");
   }
 }

@@ -23,13 +23,13 @@ public record SensorAttributes(
     implements Attributes {
 
   public SensorAttributes {
-    Checks.text("reading", reading);
-    modes = Checks.sorted(modes);
-    preconditions = Checks.sorted(preconditions);
+    AttributeValidation.requireText("reading", reading);
+    modes = AttributeValidation.sortedDistinct(modes);
+    preconditions = AttributeValidation.sortedDistinct(preconditions);
     if (!(minRate >= 0 && minRate <= maxRate && Double.isFinite(maxRate))) {
       throw new IllegalArgumentException(
           "update rates from " + minRate + " Hz to " + maxRate + " Hz are no range");
     }
-    Checks.power(power);
+    AttributeValidation.requireValidPower(power);
   }
 }

@@ -15,14 +15,14 @@ import java.util.Locale;
  * }</pre>
  *
  * @param ahead by how much, + is ahead, − is behind
- * @param within what that may be off by at the most, not negative
+ * @param uncertainty what that may be off by at the most, not negative
  */
-public record ClockOffset(Duration ahead, Duration within) implements Serializable {
+public record ClockOffset(Duration ahead, Duration uncertainty) implements Serializable {
 
   public ClockOffset {
-    if (within.isNegative()) {
+    if (uncertainty.isNegative()) {
       throw new IllegalArgumentException(
-          "an offset is known within " + within + ", which is below 0 s");
+          "an offset is known within " + uncertainty + ", which is below 0 s");
     }
   }
 
@@ -30,12 +30,12 @@ public record ClockOffset(Duration ahead, Duration within) implements Serializab
    * How far this offset's clock is ahead of another's, where both offsets are against one third
    * clock. What they may be off by adds up.
    */
-  public ClockOffset against(ClockOffset other) {
-    return new ClockOffset(ahead.minus(other.ahead), within.plus(other.within));
+  public ClockOffset relativeTo(ClockOffset other) {
+    return new ClockOffset(ahead.minus(other.ahead), uncertainty.plus(other.uncertainty));
   }
 
   /** A time of this offset's clock, as the other clock shows it. */
-  public Instant onTheOther(Instant time) {
+  public Instant toOtherClock(Instant time) {
     return time.minus(ahead);
   }
 
@@ -45,13 +45,13 @@ public record ClockOffset(Duration ahead, Duration within) implements Serializab
   }
 
   /** What that may be off by at the most, seconds. */
-  public double secondsWithin() {
-    return within.toNanos() / 1e9;
+  public double uncertaintySeconds() {
+    return uncertainty.toNanos() / 1e9;
   }
 
   /** In words: {@code +0.803 s ± 0.012 s}. */
   @Override
   public String toString() {
-    return String.format(Locale.ROOT, "%+.3f s ± %.3f s", seconds(), secondsWithin());
+    return String.format(Locale.ROOT, "%+.3f s ± %.3f s", seconds(), uncertaintySeconds());
   }
 }

@@ -18,7 +18,7 @@ public interface Scheduler {
    * @param task must not block: all tasks share one thread
    * @param nanos how long to wait; not at all when not positive
    */
-  Task after(long nanos, Runnable task);
+  ScheduledTask after(long nanos, Runnable task);
 
   /**
    * The same time, by a timer that runs nothing but command time-outs, so that nothing else can
@@ -36,7 +36,7 @@ public interface Scheduler {
 
   /** Something that will be run. */
   @FunctionalInterface
-  interface Task {
+  interface ScheduledTask {
 
     /** It need not be run any more. It may still be, if it is about to. */
     void cancel();

@@ -39,7 +39,7 @@ enum SystemScheduler implements Scheduler {
   }
 
   @Override
-  public Task after(long nanos, Runnable task) {
+  public ScheduledTask after(long nanos, Runnable task) {
     Future<?> future = timer.schedule(() -> run(task), nanos, TimeUnit.NANOSECONDS);
     return () -> future.cancel(false);
   }

@@ -9,15 +9,15 @@ import java.util.EnumSet;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Set;
-import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.DeliveryPolicy.EventKind;
 import org.junit.jupiter.api.Test;
 
 class DeliveryPolicyTest {
 
   /** As it may come over the network: a set of anything. */
   @SuppressWarnings("unchecked")
-  private static Set<Kind> set(List<?> elements) {
-    return (Set<Kind>)
+  private static Set<EventKind> set(List<?> elements) {
+    return (Set<EventKind>)
         (Set<?>)
             new AbstractSet<Object>() {
               @Override
@@ -34,7 +34,7 @@ class DeliveryPolicyTest {
 
   @Test
   void keepsTheKinds() {
-    Set<Kind> wanted = EnumSet.of(Kind.READING, Kind.INCIDENT);
+    Set<EventKind> wanted = EnumSet.of(EventKind.READING, EventKind.INCIDENT);
     assertThat(new DeliveryPolicy(set(List.copyOf(wanted)), 1, 1).kinds()).isEqualTo(wanted);
   }
 
@@ -48,12 +48,12 @@ class DeliveryPolicyTest {
           }
         };
     assertRefused(List.of(bomb));
-    assertRefused(List.of(Kind.READING, bomb));
+    assertRefused(List.of(EventKind.READING, bomb));
   }
 
   @Test
   void looksAtNoMoreThanThereAreKinds() {
-    assertRefused(Collections.nCopies(Kind.values().length + 1, Kind.READING));
+    assertRefused(Collections.nCopies(EventKind.values().length + 1, EventKind.READING));
   }
 
   private static void assertRefused(List<?> kinds) {

@@ -22,6 +22,7 @@ class TransformTest {
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageStartingWith("the quaternion (1.0, 1.0, 0.0, 0.0) has length 1.41")
         .hasMessageEndingWith("scale it to 1");
-    assertThatThrownBy(() -> Transform.shift(Double.NaN, 0, 0)).hasMessageContaining("not finite");
+    assertThatThrownBy(() -> Transform.translation(Double.NaN, 0, 0))
+        .hasMessageContaining("not finite");
   }
 }

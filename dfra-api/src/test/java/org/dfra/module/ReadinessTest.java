@@ -25,7 +25,7 @@ class ReadinessTest {
   void movesAlongTheDrawnArrowsOnly(Readiness from, String to) {
     assertThat(
             Arrays.stream(Readiness.values())
-                .filter(from::mayBecome)
+                .filter(from::canTransitionTo)
                 .map(Readiness::name)
                 .collect(Collectors.joining(" ")))
         .isEqualTo(to);
@@ -34,7 +34,7 @@ class ReadinessTest {
   @ParameterizedTest
   @EnumSource
   void noStateHasAnArrowToItself(Readiness state) {
-    assertThat(state.mayBecome(state)).isFalse();
+    assertThat(state.canTransitionTo(state)).isFalse();
   }
 
   @Test
@@ -47,7 +47,7 @@ class ReadinessTest {
   @Test
   void isHopelessWhenFailedOrStopped() {
     assertThat(Readiness.values())
-        .filteredOn(Readiness::isHopeless)
+        .filteredOn(Readiness::isFailedOrStopped)
         .containsExactly(Readiness.FAILED, Readiness.STOPPED);
   }
 }

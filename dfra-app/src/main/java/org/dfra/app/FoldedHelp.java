@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dfra.app.terminal.Terminal;
-import org.dfra.app.terminal.Words;
+import org.dfra.app.terminal.TextWrap;
 import picocli.CommandLine.Help;
 import picocli.CommandLine.Model.CommandSpec;
 
@@ -59,7 +59,8 @@ final class FoldedHelp extends Help {
       }
       end(paragraph, columns, folded);
       Matcher name = NAME.matcher(line);
-      folded.addAll(Words.hanging(line, columns, name.lookingAt() ? name.end() : margin(line) + 2));
+      folded.addAll(
+          TextWrap.hangingIndent(line, columns, name.lookingAt() ? name.end() : margin(line) + 2));
     }
     end(paragraph, columns, folded);
     return folded;
@@ -67,7 +68,7 @@ final class FoldedHelp extends Help {
 
   private static void end(StringBuilder paragraph, int columns, List<String> folded) {
     if (!paragraph.isEmpty()) {
-      folded.addAll(Words.folded(paragraph.toString(), columns));
+      folded.addAll(TextWrap.wrap(paragraph.toString(), columns));
       paragraph.setLength(0);
     }
   }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.dfra.app.terminal.ExitCode;
-import org.dfra.text.Printable;
+import org.dfra.text.PrintableText;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -34,14 +34,14 @@ final class HelpCommand implements Callable<Integer> {
       if (next == null && line.getParent() == null && ScriptVerbs.names().contains(verb)) {
         spec.commandLine()
             .getOut()
-            .println(Printable.line("The script explains it: ./dfra " + verb + " --help"));
-        return ExitCode.WELL;
+            .println(PrintableText.line("The script explains it: ./dfra " + verb + " --help"));
+        return ExitCode.SUCCESS;
       } else if (next == null) {
         throw new UnmatchedArgumentException(line, List.of(verb));
       }
       line = next;
     }
     line.usage(spec.commandLine().getOut());
-    return ExitCode.WELL;
+    return ExitCode.SUCCESS;
   }
 }

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.Set;
-import org.dfra.app.bench.BenchCommand;
+import org.dfra.app.benchmark.BenchCommand;
 import org.dfra.app.completion.CompletionCommand;
 import org.dfra.app.demo.DemoCommand;
 import org.dfra.app.doctor.DoctorCommand;
@@ -23,15 +23,15 @@ import org.dfra.app.robot.UpCommand;
 import org.dfra.app.sim.SimCommand;
 import org.dfra.app.stop.StopCommand;
 import org.dfra.app.task.TaskCommand;
-import org.dfra.app.terminal.Called;
-import org.dfra.app.terminal.Colour;
-import org.dfra.app.terminal.Sentences;
-import org.dfra.core.log.LogLevels;
+import org.dfra.app.terminal.CommandName;
+import org.dfra.app.terminal.ConsoleMessages;
+import org.dfra.app.terminal.StatusHighlighter;
+import org.dfra.core.log.LogLevelControl;
 import org.dfra.module.LogLevel;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.BootClassPath;
 import org.dfra.river.loading.TrustedCode;
-import org.dfra.text.Printable;
+import org.dfra.text.PrintableText;
 import org.slf4j.bridge.SLF4JBridgeHandler;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -71,7 +71,8 @@ public final class Main {
   static final String VERSION = "dfra 0.1.0";
 
   /** These ask the command line about all its verbs. */
-  private static final Set<Class<?>> CURIOUS = Set.of(CompletionCommand.class, HelpCommand.class);
+  private static final Set<Class<?>> NEED_ALL_COMMANDS =
+      Set.of(CompletionCommand.class, HelpCommand.class);
 
   private Main() {}
 
@@ -89,7 +90,7 @@ public final class Main {
     if (System.getenv(LogbackSetup.LEVEL) == null
         && System.getProperty(LogbackSetup.LEVEL) == null) {
       System.setProperty(LogbackSetup.LEVEL, "WARN"); // a terminal is for answers
-      LogLevels.service()
+      LogLevelControl.service()
           .set(TrustedCode.class.getPackageName(), LogLevel.ERROR); // verbs report it
     }
     SLF4JBridgeHandler.removeHandlersForRootLogger();
@@ -99,18 +100,18 @@ public final class Main {
       BootClassPath.require();
       TrustedCode.install();
     } catch (IOException | IllegalStateException e) {
-      System.err.println(Sentences.remark(String.valueOf(e.getMessage())));
+      System.err.println(ConsoleMessages.prefixed(String.valueOf(e.getMessage())));
       System.exit(1);
     }
     CommandLine line = commandLine(args);
-    line.setOut(Called.renaming(line.getOut()));
-    line.setErr(Called.renaming(line.getErr()));
+    line.setOut(CommandName.replacingName(line.getOut()));
+    line.setErr(CommandName.replacingName(line.getErr()));
     System.exit(line.execute(args));
   }
 
   /** An error of a proxy's, say, which is code of another computer's choice. */
   private static void report(Thread thread, Throwable thrown) {
-    String name = Printable.name(thread.getName());
+    String name = PrintableText.name(thread.getName());
     System.err.print("Thread " + name + ": " + PrintableTrace.of(thrown));
   }
 
@@ -139,7 +140,7 @@ public final class Main {
   private static Optional<Class<?>> verb(String name) {
     Class<?>[] all = Main.class.getAnnotation(Command.class).subcommands();
     return Arrays.stream(all)
-        .filter(each -> !CURIOUS.contains(each))
+        .filter(each -> !NEED_ALL_COMMANDS.contains(each))
         .filter(each -> each.getAnnotation(Command.class).name().equals(name))
         .findFirst();
   }
@@ -148,10 +149,12 @@ public final class Main {
     line.setCaseInsensitiveEnumValuesAllowed(true);
     line.setColorScheme(
         CommandLine.Help.defaultColorScheme(
-            Colour.isWanted() ? CommandLine.Help.Ansi.AUTO : CommandLine.Help.Ansi.OFF));
+            StatusHighlighter.isEnabled()
+                ? CommandLine.Help.Ansi.AUTO
+                : CommandLine.Help.Ansi.OFF));
     line.setHelpFactory(FoldedHelp::new);
-    line.setParameterExceptionHandler(new WrongUse());
-    line.setExecutionExceptionHandler(new PlainFailure());
+    line.setParameterExceptionHandler(new UsageErrorHandler());
+    line.setExecutionExceptionHandler(new CommandExceptionHandler());
     return line;
   }
 }

@@ -2,7 +2,7 @@ package org.dfra.app;
 
 import java.util.List;
 import java.util.stream.Stream;
-import org.dfra.app.terminal.Called;
+import org.dfra.app.terminal.CommandName;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
@@ -17,7 +17,7 @@ public final class ScriptVerbs {
 
   /** The verbs' names; none where DFRA is installed. */
   static List<String> names() {
-    return Called.isInstalled() ? List.of() : List.of("build", "dist", "test");
+    return CommandName.isInstalled() ? List.of() : List.of("build", "dist", "test");
   }
 
   /** What the help of the command line tells of them. */

@@ -50,7 +50,7 @@ class RasterDemoCommandTest {
 
   @Test
   void refusesNumbersThatCannotBe() {
-    int wrong = ExitCode.WRONG_USE;
+    int wrong = ExitCode.USAGE_ERROR;
     assertThat(refused(wrong, "raster", "--local", "--swath", "0"))
         .isEqualTo("dfra: --swath 0.0 is outside 0.1 to 100");
     assertThat(refused(wrong, "raster", "--local", "--swath", "NaN"))
@@ -65,13 +65,13 @@ class RasterDemoCommandTest {
 
   @Test
   void refusesASpeedWhereTimeGoesByItself() {
-    assertThat(refused(ExitCode.WRONG_USE, "raster", "--local", "--speed", "2"))
+    assertThat(refused(ExitCode.USAGE_ERROR, "raster", "--local", "--speed", "2"))
         .startsWith("dfra: --speed has no meaning with --local");
   }
 
   @Test
   void refusesTwoWaysAtOnce() {
-    assertThat(refused(ExitCode.WRONG_USE, "raster", "--embedded", "--local"))
+    assertThat(refused(ExitCode.USAGE_ERROR, "raster", "--embedded", "--local"))
         .isEqualTo(
             "dfra: --local and --embedded are two ways to run a search in one virtual machine; leave"
                 + " one of them out");
@@ -113,16 +113,22 @@ class RasterDemoCommandTest {
 
   @Test
   void refusesWorldsThatNobodyCanSearch() throws IOException {
-    assertThat(refused(ExitCode.WRONG_USE, "raster", "--local", "--world", world("")))
+    assertThat(refused(ExitCode.USAGE_ERROR, "raster", "--local", "--world", world("")))
         .isEqualTo("dfra: the world small has no region; add one, or give --region");
     assertThat(
             refused(
-                ExitCode.WRONG_USE, "raster", "--local", "--region", SQUARE, "--world", world("")))
+                ExitCode.USAGE_ERROR,
+                "raster",
+                "--local",
+                "--region",
+                SQUARE,
+                "--world",
+                world("")))
         .isEqualTo("dfra: the world small has no robots; add atrv1 and atrv2");
     String rover = "<robot name=\"rover\" type=\"ugv\" east=\"3\" north=\"3\"/>";
     assertThat(
             refused(
-                ExitCode.WRONG_USE,
+                ExitCode.USAGE_ERROR,
                 ("raster|--local|--region|" + SQUARE + "|--world|" + world(rover)).split("\\|")))
         .contains("the robot rover cannot search: there is no ", "rover.xml");
   }
@@ -141,13 +147,13 @@ class RasterDemoCommandTest {
 
   @Test
   void refusesOptionsOfTheRasterForOtherDemonstrations() {
-    assertThat(refused(ExitCode.WRONG_USE, "persona", "--local"))
+    assertThat(refused(ExitCode.USAGE_ERROR, "persona", "--local"))
         .isEqualTo(
             "dfra: --local is for the demonstration raster; persona does without it; see: ./dfra"
                 + " demo --help");
-    assertThat(refused(ExitCode.WRONG_USE, "devices", "--swath", "2"))
+    assertThat(refused(ExitCode.USAGE_ERROR, "devices", "--swath", "2"))
         .contains("--swath is for the demonstration raster");
-    assertThat(refused(ExitCode.WRONG_USE, "nosuch"))
+    assertThat(refused(ExitCode.USAGE_ERROR, "nosuch"))
         .contains("there is no demonstration \"nosuch\"; there is raster, recruit, devices");
   }
 }

@@ -10,7 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
-import org.dfra.app.figure.ReportHeadTest;
+import org.dfra.app.measurement.ReportHeadTest;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.recruit.affect.Stimulus;
 import org.dfra.recruit.requester.Bid;
@@ -32,7 +32,7 @@ class RecruitExperimentTest {
     }
 
     @Override
-    public boolean answers(Stimulus stimulus) {
+    public boolean shouldOffer(Stimulus stimulus) {
       return !stimulus.busy();
     }
 
@@ -148,17 +148,17 @@ class RecruitExperimentTest {
   void refusesInOneSentenceWhatCannotBe() throws Exception {
     String report = "--report=" + folder.resolve("report");
     refused(
-        ExitCode.WRONG_USE,
+        ExitCode.USAGE_ERROR,
         "--seeds=0 is not a number from 2 to 10000; see: ./dfra recruit experiment --help",
         "--seeds=0",
         report);
     refused(
-        ExitCode.WRONG_USE,
+        ExitCode.USAGE_ERROR,
         "--jobs=0 is not a number from 1 to 256; see: ./dfra recruit experiment --help",
         "--jobs=0",
         report);
     refused(
-        ExitCode.WRONG_USE,
+        ExitCode.USAGE_ERROR,
         "--burst=0.5 is not a number from 1 to 100; see: ./dfra recruit experiment --help",
         "--burst=0.5",
         report);
@@ -173,19 +173,19 @@ class RecruitExperimentTest {
         "--strategy=org.example.Nobody",
         report);
     refused(
-        ExitCode.WRONG_USE,
+        ExitCode.USAGE_ERROR,
         "--speed=0.0 is not a number from 1 to 1000; see: ./dfra recruit experiment --help",
         "--embedded",
         "--speed=0",
         report);
     refused(
-        ExitCode.WRONG_USE,
+        ExitCode.USAGE_ERROR,
         "--speed is for --embedded; without that time is no real time; see: ./dfra recruit"
             + " experiment --help",
         "--speed=10",
         report);
     refused(
-        ExitCode.WRONG_USE,
+        ExitCode.USAGE_ERROR,
         "--embedded compares two strategies of DFRA, by the delays that they have; leave out"
             + " --strategy and --delays; see: ./dfra recruit experiment --help",
         "--embedded",

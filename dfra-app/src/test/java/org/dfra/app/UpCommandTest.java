@@ -18,7 +18,7 @@ import java.util.stream.Stream;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.RobotXml;
-import org.dfra.core.robot.Rehearsal;
+import org.dfra.core.robot.RobotDryRun;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -265,7 +265,7 @@ class UpCommandTest {
 
   private static List<String> faults(Path robot) {
     try {
-      Rehearsal.of(RobotXml.read(robot, name -> "secret"));
+      RobotDryRun.check(RobotXml.read(robot, name -> "secret"));
       return List.of();
     } catch (ConfigurationException e) {
       return e.getMessage().lines().toList();
@@ -280,7 +280,7 @@ class UpCommandTest {
     }
     assertThat(robots).hasSizeGreaterThan(4);
     for (Path each : robots) {
-      assertThatCode(() -> Rehearsal.of(RobotXml.read(each, name -> null)))
+      assertThatCode(() -> RobotDryRun.check(RobotXml.read(each, name -> null)))
           .as("%s", each)
           .doesNotThrowAnyException();
     }

@@ -37,7 +37,7 @@ final class MortalTime implements InstantSource, Scheduler {
   }
 
   @Override
-  public Task after(long nanos, Runnable task) {
+  public ScheduledTask after(long nanos, Runnable task) {
     return time.after(
         nanos,
         () -> {

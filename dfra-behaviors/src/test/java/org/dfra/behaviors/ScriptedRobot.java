@@ -19,7 +19,7 @@ import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.core.module.PerceptualSchemaImpl;
 import org.dfra.core.state.StateStore;
-import org.dfra.directory.Watch;
+import org.dfra.directory.DirectoryRegistration;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.perceptual.Clearance;
 import org.dfra.flow.perceptual.PoseEstimate;
@@ -66,7 +66,7 @@ public final class ScriptedRobot implements AutoCloseable {
   public boolean seesRoom = true;
   public boolean seesPlace = true;
 
-  private final Map<ModuleImpl, Watch> modules = new HashMap<>();
+  private final Map<ModuleImpl, DirectoryRegistration> modules = new HashMap<>();
   private final List<ModuleImpl> order = new ArrayList<>();
 
   /** With wheels, a position, room, guidance and rules; without a behaviour. */
@@ -92,7 +92,7 @@ public final class ScriptedRobot implements AutoCloseable {
     StateStore state = states.computeIfAbsent(name, unused -> StateStore.inMemory());
     MortalTime own = new MortalTime(time);
     times.put(name, own);
-    return new ModuleContext(NAME, name, parameters, own, state).among(directory);
+    return new ModuleContext(NAME, name, parameters, own, state).withDirectory(directory);
   }
 
   /** Has the clock of a module's computer be so far ahead of the others'. */
@@ -142,7 +142,7 @@ public final class ScriptedRobot implements AutoCloseable {
 
   /** Steps until a behaviour says this. */
   public boolean hears(BehaviorImpl<?> behavior, String part, double seconds) {
-    return time.until(() -> behavior.status().doing().contains(part), seconds);
+    return time.until(() -> behavior.status().activity().contains(part), seconds);
   }
 
   public static GeoPosition at(double east, double north) {
@@ -156,7 +156,7 @@ public final class ScriptedRobot implements AutoCloseable {
   private void tick() {
     Velocity turning = drive.turning;
     if (!isHeld) {
-      yaw += turning.turnRate() * TICK;
+      yaw += turning.yawRate() * TICK;
       east += turning.speed() * Math.cos(yaw) * TICK;
       north += turning.speed() * Math.sin(yaw) * TICK;
     }
@@ -170,7 +170,7 @@ public final class ScriptedRobot implements AutoCloseable {
               north,
               Math.IEEEremainder(yaw, 2 * Math.PI),
               turning.speed(),
-              turning.turnRate(),
+              turning.yawRate(),
               0.1,
               yawSigma,
               null,
@@ -211,14 +211,14 @@ public final class ScriptedRobot implements AutoCloseable {
 
     @Override
     protected void onStart() {
-      become(Readiness.READY);
+      transitionTo(Readiness.READY);
     }
 
     @Override
     protected void onClose() {}
 
     @Override
-    protected void turn(Velocity wanted) {
+    protected void setVelocity(Velocity wanted) {
       told.add(wanted);
       turning = wanted;
     }
@@ -235,18 +235,18 @@ public final class ScriptedRobot implements AutoCloseable {
 
     /** Somebody sets or releases the brake by a switch on the robot. */
     public void switchBrake(boolean set) {
-      brakeFound(set);
+      brakeReported(set);
     }
 
     /** Its controller is switched off, and has its brake set when it is switched on. */
     public void switchOff() {
-      become(Readiness.INITIALIZING, "its controller was switched off");
-      forgotten(true);
+      transitionTo(Readiness.INITIALIZING, "its controller was switched off");
+      deviceReset(true);
       turning = Velocity.ZERO;
     }
 
     public void switchOn() {
-      become(Readiness.READY);
+      transitionTo(Readiness.READY);
     }
   }
 
@@ -259,11 +259,11 @@ public final class ScriptedRobot implements AutoCloseable {
     }
 
     public void see(PoseEstimate pose) {
-      perceive(pose);
+      publishPercept(pose);
     }
 
     @Override
-    protected PerceptualSchemaAttributes qualities() {
+    protected PerceptualSchemaAttributes schemaAttributes() {
       return new PerceptualSchemaAttributes("PoseEstimate", null, "told", null, null);
     }
 
@@ -288,11 +288,11 @@ public final class ScriptedRobot implements AutoCloseable {
     }
 
     public void see(Clearance clearance) {
-      perceive(clearance);
+      publishPercept(clearance);
     }
 
     @Override
-    protected PerceptualSchemaAttributes qualities() {
+    protected PerceptualSchemaAttributes schemaAttributes() {
       return new PerceptualSchemaAttributes("Clearance", null, "told", null, null);
     }
 

@@ -28,7 +28,7 @@ public final class ScriptedSensors {
 
     @Override
     protected void onStart() {
-      become(Readiness.READY);
+      transitionTo(Readiness.READY);
     }
 
     @Override
@@ -58,7 +58,7 @@ public final class ScriptedSensors {
      * @param speed metres per second, not negative
      */
     public void count(double metres, double speed) {
-      tell(new Odometry(clock().instant(), "odom", "base_link", metres, 0, 0, speed, 0));
+      publish(new Odometry(clock().instant(), "odom", "base_link", metres, 0, 0, speed, 0));
     }
 
     @Override
@@ -76,7 +76,7 @@ public final class ScriptedSensors {
 
     /** Tells it. */
     public void solve(GpsFix fix) {
-      tell(fix);
+      publish(fix);
     }
 
     @Override

@@ -31,7 +31,7 @@ public final class SteppedTime implements InstantSource, Scheduler {
   }
 
   @Override
-  public Task after(long nanos, Runnable task) {
+  public ScheduledTask after(long nanos, Runnable task) {
     Due due = new Due(now + Math.max(0, nanos), number++, task);
     tasks.add(due);
     return () -> tasks.remove(due);

@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
  * @param agreeEvery an AGREE without an ACK_ACK is repeated after this
  * @param releaseEvery the RELEASE of a helper that is let go before its time is repeated after this
  *     until it says that it knows
- * @param window for how long other offers are awaited after the first; null for as long as the
+ * @param offerWindow for how long other offers are awaited after the first; null for as long as the
  *     requester's strategy says
  */
 public record RecruitmentSettings(
@@ -32,10 +32,10 @@ public record RecruitmentSettings(
     int arrivalSends,
     Duration agreeEvery,
     Duration releaseEvery,
-    @Nullable Duration window) {
+    @Nullable Duration offerWindow) {
 
   /** The project's own. */
-  public static final RecruitmentSettings USUAL =
+  public static final RecruitmentSettings DEFAULT =
       new RecruitmentSettings(
           Duration.ofSeconds(5),
           6,
@@ -54,8 +54,8 @@ public record RecruitmentSettings(
     positive("agreeEvery", agreeEvery);
     positive("releaseEvery", releaseEvery);
     positive("margin", margin);
-    if (window != null) {
-      positive("window", window);
+    if (offerWindow != null) {
+      positive("window", offerWindow);
     }
     if (replaceAfter.compareTo(margin) <= 0) {
       throw new IllegalArgumentException(
@@ -76,8 +76,8 @@ public record RecruitmentSettings(
    *
    * @param own what the strategy says
    */
-  public Duration windowOr(Duration own) {
-    return window == null ? own : window;
+  public Duration offerWindowOr(Duration own) {
+    return offerWindow == null ? own : offerWindow;
   }
 
   private static void positive(String what, Duration duration) {

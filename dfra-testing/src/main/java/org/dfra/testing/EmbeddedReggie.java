@@ -124,7 +124,7 @@ public final class EmbeddedReggie
             new ServiceItem(
                 new ServiceID(id.getMostSignificantBits(), id.getLeastSignificantBits()),
                 service,
-                Entries.of(attributes)),
+                Entries.toEntries(attributes)),
             leaseMillis);
   }
 

@@ -15,8 +15,8 @@ import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * A cable from a robot's host to a device of its own that is simulated elsewhere. In between bytes
- * go through a socket in the file system, which hosts of {@link TestHosts} share: they never touch
- * a network, so no switch can cut them, as it cannot cut a real serial line.
+ * go through a socket in the file system, which hosts of {@link NetworkNamespaceHosts} share: they
+ * never touch a network, so no switch can cut them, as it cannot cut a real serial line.
  *
  * <pre>
  *   driver --tcp, loopback--&gt; {@link #robotEnd} --file--&gt; {@link #deviceEnd} --tcp, loopback--&gt; device

@@ -78,7 +78,7 @@ public record ServedModule<S extends ModuleServer<?>>(
    * @throws IllegalStateException if {@code dfra.root} is not set
    * @throws Exception what is wrong with the description, or a class that is not there
    */
-  public static ServedModule<?> written(
+  public static ServedModule<?> fromProperties(
       Path folder, String name, String properties, Map<String, String> parameters)
       throws Exception {
     String root = System.getProperty("dfra.root");
@@ -117,7 +117,7 @@ public record ServedModule<S extends ModuleServer<?>>(
    *
    * @throws AssertionError if it is made of others
    */
-  public static <S extends ModuleServer<?>> ServedModule<S> written(
+  public static <S extends ModuleServer<?>> ServedModule<S> fromProperties(
       Class<S> server,
       Class<? extends ModuleProxy<? extends Module>> proxy,
       Path folder,
@@ -125,7 +125,7 @@ public record ServedModule<S extends ModuleServer<?>>(
       String properties,
       Map<String, String> parameters)
       throws Exception {
-    ModuleActivation activation = written(folder, name, properties, parameters).activation();
+    ModuleActivation activation = fromProperties(folder, name, properties, parameters).activation();
     same("server", activation.module().serverClass(), server);
     same("proxy", activation.module().proxyClass(), proxy);
     return new ServedModule<>(server, activation);
@@ -144,13 +144,13 @@ public record ServedModule<S extends ModuleServer<?>>(
             (Class<? extends ModuleServer<?>>) Class.forName(described.serverClass()),
             (Class<? extends ModuleProxy<?>>) Class.forName(described.proxyClass()),
             Class.forName(described.driverClass()).asSubclass(ModuleImpl.class))
-        .described(described);
+        .withDescription(described);
   }
 
   /** The same module of another robot. */
   public ServedModule<S> on(String robot) {
     ModuleDescription old = activation.module();
-    return described(
+    return withDescription(
         new ModuleDescription(
             robot,
             old.name(),
@@ -166,7 +166,7 @@ public record ServedModule<S extends ModuleServer<?>>(
   /** The same under another name. */
   public ServedModule<S> named(String name) {
     ModuleDescription old = activation.module();
-    return described(
+    return withDescription(
         new ModuleDescription(
             old.robot(),
             name,
@@ -180,9 +180,9 @@ public record ServedModule<S extends ModuleServer<?>>(
   }
 
   /** The same with another driver, which has no parameters yet: parameters are a driver's own. */
-  public ServedModule<S> driven(Class<? extends ModuleImpl> driver) {
+  public ServedModule<S> withDriver(Class<? extends ModuleImpl> driver) {
     ModuleDescription old = activation.module();
-    return described(
+    return withDescription(
         new ModuleDescription(
             old.robot(),
             old.name(),
@@ -205,7 +205,7 @@ public record ServedModule<S extends ModuleServer<?>>(
     ModuleDescription old = activation.module();
     Map<String, Parameters.Value> values = new TreeMap<>(old.parameters().all());
     values.put(parameter, new Parameters.Value(value, place));
-    return described(
+    return withDescription(
         new ModuleDescription(
             old.robot(),
             old.name(),
@@ -219,13 +219,13 @@ public record ServedModule<S extends ModuleServer<?>>(
   }
 
   /** The same, as another description has it. */
-  public ServedModule<S> described(ModuleDescription description) {
+  public ServedModule<S> withDescription(ModuleDescription description) {
     return activated(
         description, activation.id(), activation.host(), activation.locators(), activation.state());
   }
 
   /** The same under another identity. */
-  public ServedModule<S> identified(UUID id) {
+  public ServedModule<S> withId(UUID id) {
     return activated(
         activation.module(), id, activation.host(), activation.locators(), activation.state());
   }
@@ -259,11 +259,11 @@ public record ServedModule<S extends ModuleServer<?>>(
    * @param state the robot's; another robot of that name on this computer has another one
    * @throws IOException if its identity cannot be written
    */
-  public ServedModule<S> keptIn(Path state) throws IOException {
+  public ServedModule<S> withStateFolder(Path state) throws IOException {
     ModuleDescription module = activation.module();
     Path folder =
         state.toAbsolutePath().resolve("modules").resolve(module.robot()).resolve(module.name());
-    new ModuleIdentity(activation.id(), activation.created()).keep(folder);
+    new ModuleIdentity(activation.id(), activation.created()).store(folder);
     return activated(
         module, activation.id(), activation.host(), activation.locators(), folder.toString());
   }

@@ -8,20 +8,20 @@ import java.util.List;
 /** What is told on the way of a search by one robot. */
 public final class ToldMarks implements MissionListener {
 
-  private final List<Mark> marks = new ArrayList<>();
+  private final List<MissionEvent> marks = new ArrayList<>();
 
   @Override
-  public void at(List<At> robots) {
+  public void onProgress(List<RobotProgress> robots) {
     assertThat(robots).hasSize(1);
   }
 
   @Override
-  public void happened(Mark mark) {
+  public void onEvent(MissionEvent mark) {
     marks.add(mark);
   }
 
   /** All that has happened, in the order in which it was told. */
-  public List<Mark> marks() {
+  public List<MissionEvent> marks() {
     return List.copyOf(marks);
   }
 }

@@ -63,7 +63,7 @@ class NamesakeSearchTest {
   }
 
   private static Optional<String> warning(RobotDescription robot, Set<UUID> own) throws Exception {
-    try (NamesakeSearch search = NamesakeSearch.begin(robot)) {
+    try (DuplicateNameSearch search = DuplicateNameSearch.begin(robot)) {
       return search.warning(own);
     }
   }

@@ -11,8 +11,8 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import org.dfra.app.InProcessCommand;
-import org.dfra.app.terminal.Answer;
 import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.CommandOutput;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
@@ -42,8 +42,8 @@ class LateModuleTest {
   @RegisterExtension static final EmbeddedReggie REGGIE = new EmbeddedReggie();
 
   /** What a command knows that waits this long. */
-  private static Team team(Duration wait) throws Exception {
-    return new Team(REGGIE.directory(), wait, new Answer(), REGGIE.locator());
+  private static TeamDirectory team(Duration wait) throws Exception {
+    return new TeamDirectory(REGGIE.directory(), wait, new CommandOutput(), REGGIE.locator());
   }
 
   private static ThermometerServer serve() throws Exception {
@@ -55,10 +55,10 @@ class LateModuleTest {
   }
 
   /** Waits until the lookup service was read, and holds no other test's module any more. */
-  private static void awaitNone(Team team) {
+  private static void awaitNone(TeamDirectory team) {
     await()
         .atMost(PATIENCE)
-        .until(() -> team.surveyed().find(ModuleQuery.of(Module.class)).isEmpty());
+        .until(() -> team.awaitDirectory().find(ModuleQuery.of(Module.class)).isEmpty());
   }
 
   /** Asks before the module is there, and has it join once the question waits. */
@@ -80,7 +80,7 @@ class LateModuleTest {
   @ParameterizedTest
   @ValueSource(strings = {"late", "robot/late", "robot@127.0.0.1/late"})
   void aModuleThatJoinsWhileTheCommandWaitsIsFound(String name) throws Exception {
-    try (Team team = team(PATIENCE)) {
+    try (TeamDirectory team = team(PATIENCE)) {
       awaitNone(team);
       ModuleListing<Module> found = askedBeforeItIsThere(() -> team.module(name));
       assertThat(found.path()).isEqualTo("robot/late");
@@ -90,7 +90,7 @@ class LateModuleTest {
   @ParameterizedTest
   @ValueSource(strings = {"", "robot", "robot@127.0.0.1"})
   void soIsTheOneModuleOfAKindThatARobotHas(String robot) throws Exception {
-    try (Team team = team(PATIENCE)) {
+    try (TeamDirectory team = team(PATIENCE)) {
       awaitNone(team);
       List<ModuleListing<Thermometer>> found =
           askedBeforeItIsThere(
@@ -110,14 +110,14 @@ class LateModuleTest {
     Duration wait = Duration.ofMillis(300);
     for (String name : List.of("never", "robot/never")) {
       long begun = System.nanoTime();
-      try (Team team = team(wait)) {
+      try (TeamDirectory team = team(wait)) {
         assertThatThrownBy(() -> team.module(name))
             .isInstanceOf(CommandFailure.class)
             .hasMessage("there is no module " + name + "; ./dfra module list shows what there is");
         assertThat(Duration.ofNanos(System.nanoTime() - begun)).isGreaterThanOrEqualTo(wait);
       }
     }
-    try (Team team = team(wait)) {
+    try (TeamDirectory team = team(wait)) {
       assertThatThrownBy(
               () ->
                   RobotModules.of(

@@ -8,22 +8,22 @@ import org.dfra.behavior.GoToWaypoint;
 import org.dfra.behavior.LegGoal;
 import org.dfra.behavior.PathGoal;
 import org.dfra.core.behavior.BehaviorImpl;
-import org.dfra.core.behavior.Delegation;
-import org.dfra.core.behavior.Progress;
-import org.dfra.core.behavior.Pursuit;
+import org.dfra.core.behavior.GoalDelegation;
+import org.dfra.core.behavior.GoalExecution;
+import org.dfra.core.behavior.GoalProgress;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.core.module.Needed;
+import org.dfra.core.module.ModuleDependency;
 import org.dfra.geometry.GeoPosition;
 
 /** Goes round a path. Parameter {@code rounds}: how often, 1 to 1000; default 3. */
 public final class PatrolImpl extends BehaviorImpl<PathGoal> implements FollowWaypoints {
 
-  private final Needed<GoToWaypoint> goTo;
+  private final ModuleDependency<GoToWaypoint> goTo;
   private final int rounds;
 
   public PatrolImpl(ModuleContext context) {
     super(context, "goes round a path again and again", "you", "1", PathGoal.class, 5);
-    this.goTo = Needed.of(context, GoToWaypoint.class, "go_to_waypoint");
+    this.goTo = ModuleDependency.of(context, GoToWaypoint.class, "go_to_waypoint");
     this.rounds = (int) settings().number("rounds", 3, 1, 1000);
   }
 
@@ -33,18 +33,18 @@ public final class PatrolImpl extends BehaviorImpl<PathGoal> implements FollowWa
   }
 
   @Override
-  protected Pursuit begin(PathGoal goal) {
-    goTo.now(); // refuses where there is none, before anything moves
+  protected GoalExecution startGoal(PathGoal goal) {
+    goTo.resolve(); // refuses where there is none, before anything moves
     return new Patrol(goal);
   }
 
   /** One goal: so many legs. */
-  private final class Patrol implements Pursuit {
+  private final class Patrol implements GoalExecution {
 
     private final PathGoal goal;
     private final int legs;
-    private final Delegation<LegGoal, GoToWaypoint> leg =
-        new Delegation<>(path(), goTo, errands(), log);
+    private final GoalDelegation<LegGoal, GoToWaypoint> leg =
+        new GoalDelegation<>(path(), goTo, taskExecutor(), log);
     private int driven;
 
     Patrol(PathGoal goal) {
@@ -53,12 +53,12 @@ public final class PatrolImpl extends BehaviorImpl<PathGoal> implements FollowWa
     }
 
     @Override
-    public Progress step() throws RemoteException {
+    public GoalProgress step() throws RemoteException {
       Optional<BehaviorStatus> driving = leg.status();
       if (driving.isEmpty()) {
         interlock().requireNotStoppedSince(); // nobody moves it by releasing a stop
         GeoPosition next = goal.waypoints().get(driven % goal.waypoints().size());
-        leg.begin(new LegGoal(null, next, goal.tolerance()));
+        leg.start(new LegGoal(null, next, goal.tolerance()));
         return going("it sets out");
       }
       BehaviorStatus status = driving.get();
@@ -66,27 +66,27 @@ public final class PatrolImpl extends BehaviorImpl<PathGoal> implements FollowWa
         case SUCCEEDED:
           leg.forget();
           driven++;
-          return driven == legs ? Progress.reached("the patrol is over") : going("it is there");
+          return driven == legs ? GoalProgress.reached("the patrol is over") : going("it is there");
         case FAILED:
-          return Progress.failed(status.doing(), (double) driven / legs);
+          return GoalProgress.failed(status.activity(), (double) driven / legs);
         case CANCELLED:
-          return Progress.cancelled(status.doing(), (double) driven / legs);
+          return GoalProgress.cancelled(status.activity(), (double) driven / legs);
         case PAUSED: // as by a brake: whoever resumes the patrol begins the leg anew
-          return Progress.held(status.doing(), (double) driven / legs);
+          return GoalProgress.paused(status.activity(), (double) driven / legs);
         default:
-          return going(status.doing());
+          return going(status.activity());
       }
     }
 
-    private Progress going(String doing) {
-      return Progress.going(
+    private GoalProgress going(String doing) {
+      return GoalProgress.inProgress(
           "leg " + Math.min(legs, driven + 1) + " of " + legs + ": " + doing,
           (double) driven / legs);
     }
 
     @Override
-    public void rest() {
-      leg.end();
+    public void suspend() {
+      leg.cancel();
     }
   }
 }

@@ -42,7 +42,7 @@ class PatrolTest {
         InMemoryModuleDirectory directory = new InMemoryModuleDirectory(time)) {
       field.start();
       Map<String, String> links = new HashMap<>();
-      field.lines().forEach(line -> links.put(line.variable(), line.link()));
+      field.endpoints().forEach(line -> links.put(line.linkVariable(), line.link()));
       try (LocalRobot robot =
               new LocalRobot(
                   RobotXml.read(CONFIG.resolve("teams/raster/atrv1.xml"), links::get),
@@ -57,14 +57,15 @@ class PatrolTest {
                           Parameters.of("atrv1/patrol", Map.of("rounds", "2")),
                           time,
                           StateStore.inMemory())
-                      .among(directory))) {
+                      .withDirectory(directory))) {
         robot.start();
         patrol.start();
         directory.add(patrol);
         time.advance(Duration.ofSeconds(30)); // the receivers find their satellites
 
         UUID goal = patrol.pursue(new PathGoal(null, List.of(at(8, 4), at(4, 5)), 1));
-        assertThat(time.advanceUntil(() -> patrol.status().doing().startsWith("leg 3 of 4"), LONG))
+        assertThat(
+                time.advanceUntil(() -> patrol.status().activity().startsWith("leg 3 of 4"), LONG))
             .as("%s", patrol.status())
             .isTrue();
         patrol.pause();
@@ -75,7 +76,7 @@ class PatrolTest {
             .as("%s", patrol.status())
             .isTrue();
         assertThat(patrol.status().goal()).isEqualTo(goal);
-        assertThat(patrol.status().doing()).isEqualTo("the patrol is over");
+        assertThat(patrol.status().activity()).isEqualTo("the patrol is over");
       }
     }
   }

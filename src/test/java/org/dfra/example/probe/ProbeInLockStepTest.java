@@ -30,7 +30,7 @@ class ProbeInLockStepTest {
     try (ProbeThermometerImpl thermometer = new ProbeThermometerImpl(context)) {
       thermometer.start();
       assertThat(thermometer.awaitReadiness(Duration.ofSeconds(5))).isEqualTo(Readiness.READY);
-      probe.cable().pull();
+      probe.cable().unplug();
       time.advance(Duration.ofHours(1));
       assertThatThrownBy(thermometer::celsius)
           .isInstanceOf(NotReadyException.class)

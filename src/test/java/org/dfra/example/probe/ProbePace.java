@@ -3,7 +3,7 @@ package org.dfra.example.probe;
 import java.time.Duration;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.module.ParameterTable;
-import org.dfra.core.module.ParameterTable.Range;
+import org.dfra.core.module.ParameterTable.NumberRange;
 
 /**
  * How often the probe tells its temperature: the parameters {@code period} and {@code idle_period}.
@@ -11,7 +11,7 @@ import org.dfra.core.module.ParameterTable.Range;
  */
 final class ProbePace {
 
-  private static final Range RANGE = Range.of(1, 60, "s");
+  private static final NumberRange RANGE = NumberRange.of(1, 60, "s");
 
   private final double idlePeriod;
   private volatile double period;
@@ -23,7 +23,7 @@ final class ProbePace {
   }
 
   void declareIn(ParameterTable table) {
-    table.number("period", "between readings", RANGE, () -> period, value -> period = value);
+    table.declareNumber("period", "between readings", RANGE, () -> period, value -> period = value);
   }
 
   void rest(boolean whether) {

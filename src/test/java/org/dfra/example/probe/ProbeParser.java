@@ -36,7 +36,7 @@ final class ProbeParser extends FrameParser<Double> {
     }
 
     @Override
-    protected int frameAt(byte[] bytes, int at, int end) {
+    protected int frameLengthAt(byte[] bytes, int at, int end) {
       if (bytes[at] != 'T') {
         return NONE;
       }

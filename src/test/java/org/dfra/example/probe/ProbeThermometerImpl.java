@@ -6,11 +6,11 @@ import java.util.List;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.SensorImpl;
 import org.dfra.drivers.frame.StreamCounts;
-import org.dfra.drivers.link.Heard;
+import org.dfra.drivers.link.EventCounter;
 import org.dfra.drivers.link.LinkAddress;
+import org.dfra.drivers.link.LinkHandler;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.LinkSettings;
-import org.dfra.drivers.link.LinkUser;
 import org.dfra.drivers.link.SerialLink;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.example.thermometer.TemperatureReading;
@@ -32,7 +32,7 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
   private static final Precondition AIR = new Precondition("temperature", -55, 125, "°C");
 
   private final Ticker ticker;
-  private final Heard heard;
+  private final EventCounter heard;
   private final LinkKeeper keeper;
   private final ProbePace pace;
 
@@ -46,7 +46,7 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
     super(context, "Probe", "you", "1.0", List.of("TemperatureReading"), List.of(AIR));
     pace = new ProbePace(settings());
     ticker = Ticker.of(clock());
-    heard = new Heard(ticker);
+    heard = new EventCounter(ticker);
     LinkAddress address = LinkSettings.address(settings());
     keeper =
         new LinkKeeper(
@@ -56,10 +56,12 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
             LinkSettings.backOff(settings()),
             ticker,
             log);
-    pace.declareIn(declared());
-    declared().show("dropped_bytes", "bytes of no line", () -> "" + counts.droppedBytes());
-    declared().show("malformed", "lines of no temperature", () -> "" + counts.malformed());
-    new ProbeExamination(keeper, heard, pace).declareIn(examinations());
+    pace.declareIn(parameterTable());
+    parameterTable()
+        .declareReadOnly("dropped_bytes", "bytes of no line", () -> "" + counts.droppedBytes());
+    parameterTable()
+        .declareReadOnly("malformed", "lines of no temperature", () -> "" + counts.malformed());
+    new ProbeExamination(keeper, heard, pace).declareIn(diagnostics());
   }
 
   @Override
@@ -76,7 +78,7 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
   }
 
   @Override
-  protected void onClients(int number) {
+  protected void onClientCount(int number) {
     pace.rest(number == 0); // the reader tells the probe
   }
 
@@ -95,7 +97,7 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
   }
 
   /** What is done with the link; on the reader's thread, so nothing here may block. */
-  private final class Reader implements LinkUser {
+  private final class Reader implements LinkHandler {
 
     private final ProbeParser parser = new ProbeParser(this::take);
     private double ordered; // seconds that the probe was last set to; 0: none yet
@@ -105,7 +107,7 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
     public void opened(SerialLink link) {
       awaits = link + " is open, no temperature has come yet";
       ordered = 0; // it may have been switched off meanwhile, or be another one
-      heard.count(ProbeExamination.OPENING);
+      heard.increment(ProbeExamination.OPENING);
     }
 
     @Override
@@ -117,7 +119,7 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
     }
 
     @Override
-    public @Nullable String tend(SerialLink link) throws IOException {
+    public @Nullable String periodic(SerialLink link) throws IOException {
       double wanted = pace.seconds(); // once: others may change it meanwhile
       if (ordered != wanted) {
         ordered = wanted;
@@ -136,7 +138,7 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
       awaits = reason;
       latest = null;
       if (readiness().serves()) {
-        become(Readiness.INITIALIZING, reason); // enters the history as a failure
+        transitionTo(Readiness.INITIALIZING, reason); // enters the history as a failure
       }
     }
 
@@ -148,11 +150,11 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
       patientSince = ticker.nanos();
       TemperatureReading reading = new TemperatureReading(celsius, clock().instant());
       latest = reading;
-      heard.count(ProbeExamination.READING);
+      heard.increment(ProbeExamination.READING);
       if (readiness() == Readiness.INITIALIZING) {
-        become(Readiness.READY);
+        transitionTo(Readiness.READY);
       }
-      tell(reading);
+      publish(reading);
     }
   }
 }

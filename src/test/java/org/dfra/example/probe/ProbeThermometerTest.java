@@ -109,7 +109,7 @@ class ProbeThermometerTest {
   @Test
   void restsWhenTheLastClientHasGone() throws Exception {
     try (ProbeThermometerImpl thermometer = started(Map.of("link", probe.url(), "period", "2"))) {
-      try (ModuleLease unused = thermometer.use(Duration.ofSeconds(30))) {
+      try (ModuleLease unused = thermometer.acquireLease(Duration.ofSeconds(30))) {
         await().until(() -> device.period().toSeconds() == 2);
         assertThat(thermometer.updateRate()).isEqualTo(0.5);
       }
@@ -180,6 +180,6 @@ class ProbeThermometerTest {
         .filter(parameter -> parameter.name().equals(name))
         .findFirst()
         .orElseThrow()
-        .text();
+        .value();
   }
 }

@@ -20,7 +20,7 @@ public final class SteadyThermometerImpl extends SensorImpl implements Thermomet
 
   @Override
   protected void onStart() {
-    become(Readiness.READY);
+    transitionTo(Readiness.READY);
   }
 
   @Override

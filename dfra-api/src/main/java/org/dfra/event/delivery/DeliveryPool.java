@@ -18,15 +18,15 @@ import org.jspecify.annotations.Nullable;
  * <p>A few threads serve all listeners in turn. One that has been in the same listener for more
  * than {@value #BLOCKED_MILLIS} ms counts as blocked, and while others wait another thread takes
  * its place; it ends when the blocked one is back. So there are as many threads as a few plus the
- * listeners that block, but never more than {@value #MOST}: past them what is submitted waits for
- * the first thread that comes back. Peers elsewhere, which may not answer, share a part of them by
- * {@link PeerLanes}. The threads are daemons, called {@code dfra-events-n}; those without work end
- * after ten seconds.
+ * listeners that block, but never more than {@value #MAX_THREADS}: past them what is submitted
+ * waits for the first thread that comes back. Peers elsewhere, which may not answer, share a part
+ * of them by {@link PeerExecutors}. The threads are daemons, called {@code dfra-events-n}; those
+ * without work end after ten seconds.
  */
 public final class DeliveryPool implements Executor {
 
   /** The largest number of threads of a pool. */
-  public static final int MOST = 64;
+  public static final int MAX_THREADS = 64;
 
   private static final System.Logger LOG = System.getLogger(DeliveryPool.class.getName());
   private static final long BLOCKED_MILLIS = 2;
@@ -44,28 +44,28 @@ public final class DeliveryPool implements Executor {
   private final int most;
   private final Scheduler scheduler;
   private final Consumer<Thread> starter;
-  private final LinkedBlockingQueue<Runnable> turns = new LinkedBlockingQueue<>();
+  private final LinkedBlockingQueue<Runnable> tasks = new LinkedBlockingQueue<>();
   private final Set<Worker> workers = ConcurrentHashMap.newKeySet();
   private final AtomicInteger names = new AtomicInteger();
   private final AtomicBoolean looking = new AtomicBoolean();
 
   /**
-   * @param few how many threads serve while none is blocked, at least 1
+   * @param coreThreads how many threads serve while none is blocked, at least 1
    * @param scheduler the time by which a thread counts as blocked
    */
-  public DeliveryPool(int few, Scheduler scheduler) {
-    this(few, MOST, scheduler, Thread::start);
+  public DeliveryPool(int coreThreads, Scheduler scheduler) {
+    this(coreThreads, MAX_THREADS, scheduler, Thread::start);
   }
 
   /**
    * The same, where threads are started in another way.
    *
-   * @param most the largest number of threads, blocked ones included; not below {@code few}
+   * @param maxThreads the largest number of threads, blocked ones included; not below {@code few}
    * @param starter starts a thread, or throws what {@link Thread#start} throws
    */
-  DeliveryPool(int few, int most, Scheduler scheduler, Consumer<Thread> starter) {
-    this.few = few;
-    this.most = most;
+  DeliveryPool(int coreThreads, int maxThreads, Scheduler scheduler, Consumer<Thread> starter) {
+    this.few = coreThreads;
+    this.most = maxThreads;
     this.scheduler = scheduler;
     this.starter = starter;
   }
@@ -80,23 +80,23 @@ public final class DeliveryPool implements Executor {
    * lock-step one without threads, whose listeners are told by the scheduler, at the instant of the
    * event. There a listener that blocks holds up everything.
    */
-  public static DeliveryPool by(Scheduler scheduler) {
+  public static DeliveryPool forScheduler(Scheduler scheduler) {
     return scheduler.isLockStep() ? new DeliveryPool(0, scheduler) : SHARED;
   }
 
   /** Runs a delivery soon; returns at once. It drops none. */
   @Override
-  public void execute(Runnable turn) {
+  public void execute(Runnable task) {
     if (scheduler.isLockStep()) {
-      scheduler.after(0, turn);
+      scheduler.after(0, task);
       return;
     }
-    turns.add(turn);
+    tasks.add(task);
     serveAll();
   }
 
   /** How many threads there are. */
-  public int threads() {
+  public int threadCount() {
     return workers.size();
   }
 
@@ -109,7 +109,7 @@ public final class DeliveryPool implements Executor {
   private void serveAll() {
     boolean started = replaceBlocked();
     // Where there are as many threads as there may be, the first that is free goes on by itself.
-    if (!turns.isEmpty() && workers.size() < most && looking.compareAndSet(false, true)) {
+    if (!tasks.isEmpty() && workers.size() < most && looking.compareAndSet(false, true)) {
       try {
         scheduler.after(started ? BLOCKED_NANOS : RETRY_NANOS, this::look);
       } catch (OutOfMemoryError e) { // the timer has no thread either; the next turn tries again
@@ -121,7 +121,7 @@ public final class DeliveryPool implements Executor {
 
   /** Has a thread serve where too few do; false where none could be started. */
   private boolean replaceBlocked() {
-    if (turns.isEmpty() || suffices()) {
+    if (tasks.isEmpty() || suffices()) {
       return true;
     }
     synchronized (workers) {
@@ -179,7 +179,7 @@ public final class DeliveryPool implements Executor {
     public void run() {
       try {
         while (mayStay()) {
-          @Nullable Runnable turn = turns.poll(IDLE_SECONDS, TimeUnit.SECONDS);
+          @Nullable Runnable turn = tasks.poll(IDLE_SECONDS, TimeUnit.SECONDS);
           if (turn == null) {
             break;
           }

@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
 public final class ListenerQueue implements AutoCloseable {
 
   /** For a listener that is never given up, whatever it throws. */
-  public static final int NEVER = Integer.MAX_VALUE;
+  public static final int NEVER_GIVE_UP = Integer.MAX_VALUE;
 
   private static final System.Logger LOG = System.getLogger(ListenerQueue.class.getName());
   private static final double NANOS_PER_SECOND = 1e9;
@@ -46,25 +46,25 @@ public final class ListenerQueue implements AutoCloseable {
   private @Nullable String lastFailure;
 
   /**
-   * @param failuresAllowed after so many failures in a row the listener is given up
-   * @param whenGivenUp run once when that happens, on a thread of the pool
-   * @param pool makes the deliveries: a {@link DeliveryPool}, or a lane of {@link PeerLanes}
+   * @param maxFailures after so many failures in a row the listener is given up
+   * @param onGivenUp run once when that happens, on a thread of the pool
+   * @param pool makes the deliveries: a {@link DeliveryPool}, or a lane of {@link PeerExecutors}
    */
   public ListenerQueue(
       ModuleListener listener,
       DeliveryPolicy policy,
-      int failuresAllowed,
-      Runnable whenGivenUp,
+      int maxFailures,
+      Runnable onGivenUp,
       Executor pool,
       Scheduler scheduler) {
     this.listener = listener;
     this.policy = policy;
-    this.failuresAllowed = failuresAllowed;
-    this.whenGivenUp = whenGivenUp;
+    this.failuresAllowed = maxFailures;
+    this.whenGivenUp = onGivenUp;
     this.pool = pool;
     this.scheduler = scheduler;
-    this.period = (long) (NANOS_PER_SECOND / policy.highestRate());
-    this.ring = new @Nullable Delivery[policy.depth()];
+    this.period = (long) (NANOS_PER_SECOND / policy.maxRate());
+    this.ring = new @Nullable Delivery[policy.queueDepth()];
     this.earliest = scheduler.nanos();
   }
 
@@ -112,13 +112,13 @@ public final class ListenerQueue implements AutoCloseable {
   private void schedule() {
     long wait = earliest - scheduler.nanos();
     if (period > 0 && wait > 0) {
-      scheduler.after(wait, () -> pool.execute(this::turn));
+      scheduler.after(wait, () -> pool.execute(this::deliverNext));
     } else {
-      pool.execute(this::turn);
+      pool.execute(this::deliverNext);
     }
   }
 
-  private void turn() {
+  private void deliverNext() {
     Delivery next;
     synchronized (this) {
       @Nullable Delivery first = size == 0 ? null : take();
@@ -130,7 +130,7 @@ public final class ListenerQueue implements AutoCloseable {
       dropped = 0;
       earliest = scheduler.nanos() + period;
     }
-    boolean givenUp = !tell(next);
+    boolean givenUp = !deliver(next);
     synchronized (this) {
       if (givenUp) {
         close();
@@ -146,7 +146,7 @@ public final class ListenerQueue implements AutoCloseable {
   }
 
   /** Tells the listener; false when it is to be given up. */
-  private boolean tell(Delivery delivery) {
+  private boolean deliver(Delivery delivery) {
     Thread thread = Thread.currentThread();
     @Nullable ClassLoader before = thread.getContextClassLoader();
     thread.setContextClassLoader(loader);
@@ -169,7 +169,7 @@ public final class ListenerQueue implements AutoCloseable {
     failures++;
     String failure = e.toString();
     boolean givenUp =
-        failuresAllowed != NEVER
+        failuresAllowed != NEVER_GIVE_UP
             && (failures >= failuresAllowed || e instanceof NoSuchObjectException);
     if (closed) {
       return true;

@@ -8,9 +8,9 @@
  * <p>Enter at {@link org.dfra.event.delivery.ListenerQueue}: what waits for one listener, bounded
  * by its policy. Both ends of a subscription have one: the module's, so that a slow listener does
  * not hold up the device, and a remote listener's, so that it does not hold the call that tells it.
- * Listeners elsewhere share the pool by {@link org.dfra.event.delivery.PeerLanes}. {@link
- * org.dfra.event.delivery.Tally} counts what was lost between the two. Needs the JDK only, since
- * clients download it.
+ * Listeners elsewhere share the pool by {@link org.dfra.event.delivery.PeerExecutors}. {@link
+ * org.dfra.event.delivery.DeliveryCounter} counts what was lost between the two. Needs the JDK
+ * only, since clients download it.
  */
 @NullMarked
 package org.dfra.event.delivery;

@@ -5,7 +5,7 @@ package org.dfra.flow.effector;
  * or may not be executed now; the message says which. Nothing has moved.
  */
 public sealed class CommandRefusedException extends IllegalStateException
-    permits StoppedCommandException, BrakeEngagedException {
+    permits CommandRefusedByEmergencyStopException, BrakeEngagedException {
 
   private static final long serialVersionUID = 1L;
 

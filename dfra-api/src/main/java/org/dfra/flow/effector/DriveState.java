@@ -10,14 +10,14 @@ import org.jspecify.annotations.Nullable;
  * @param measured the time of this, UTC
  * @param velocity what it drives by now, as it was told and limited; zero while it stands for want
  *     of commands
- * @param brake whether the parking brake is set
+ * @param parkingBrakeEngaged whether the parking brake is set
  * @param commander who commands it, e.g. an address; null while nobody does
- * @param silences how often it stood still because the next velocity came too late
+ * @param commandTimeouts how often it stood still because the next velocity came too late
  */
 public record DriveState(
     Instant measured,
     DriveCommand.Velocity velocity,
-    boolean brake,
+    boolean parkingBrakeEngaged,
     @Nullable String commander,
-    long silences)
+    long commandTimeouts)
     implements Reading {}

@@ -24,7 +24,7 @@ public interface Effector<C extends Command> extends Device {
    *     than the module allows, or not above zero, or the effector is {@linkplain #emergencyStop
    *     stopped}
    */
-  CommandLease command(Duration duration) throws LeaseRefusedException, RemoteException;
+  CommandLease acquireCommandLease(Duration duration) throws LeaseRefusedException, RemoteException;
 
   /**
    * Tells the effector what to do. It has begun to when the call returns; it is never told twice by
@@ -35,34 +35,35 @@ public interface Effector<C extends Command> extends Device {
    *     effector is {@linkplain #emergencyStop stopped}
    * @throws org.dfra.module.NotReadyException if the device does not serve
    */
-  void obey(CommandKey key, C command) throws RemoteException;
+  void execute(CommandKey key, C command) throws RemoteException;
 
   /**
    * Stops the effector for an emergency, whoever asks and whoever commands: its commander loses the
    * command at once, the device comes to rest, and nobody can command it until it is {@linkplain
-   * #releaseStop released}. That outlives the effector's virtual machine. It is never refused, also
-   * while the module does not serve, and does not wait longer than half a second for a driver that
-   * is held up. Stopping it once more has it come to rest once more; who stopped it first is kept.
+   * #releaseEmergencyStop released}. That outlives the effector's virtual machine. It is never
+   * refused, also while the module does not serve, and does not wait longer than half a second for
+   * a driver that is held up. Stopping it once more has it come to rest once more; who stopped it
+   * first is kept.
    *
-   * @param by who asks, for people; any text will do, also none, and {@link
-   *     StopState#requesterName} is kept of it
+   * @param requester who asks, for people; any text will do, also none, and {@link
+   *     EmergencyStopState#requesterName} is kept of it
    * @return how it is now
    */
   @Idempotent
-  StopState emergencyStop(@Nullable String by) throws RemoteException;
+  EmergencyStopState emergencyStop(@Nullable String requester) throws RemoteException;
 
   /**
    * Ends an emergency stop. Nothing moves by this: whoever wants to command asks for a new lease.
    * Not idempotent, so that no other effector is released in place of one that does not answer;
    * repeating it does no harm.
    *
-   * @param by who releases it, for people; as for {@link #emergencyStop}
+   * @param requester who releases it, for people; as for {@link #emergencyStop}
    * @return how it is now
    */
   @Administrative
-  StopState releaseStop(@Nullable String by) throws RemoteException;
+  EmergencyStopState releaseEmergencyStop(@Nullable String requester) throws RemoteException;
 
   /** Whether it is stopped for an emergency. */
   @Idempotent
-  StopState stopState() throws RemoteException;
+  EmergencyStopState emergencyStopState() throws RemoteException;
 }

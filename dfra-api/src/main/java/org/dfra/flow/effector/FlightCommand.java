@@ -47,5 +47,5 @@ public sealed interface FlightCommand extends Command {
   record Land() implements FlightCommand {}
 
   /** Fly back to where it took off and land there. */
-  record ReturnHome() implements FlightCommand {}
+  record ReturnToLaunch() implements FlightCommand {}
 }

@@ -15,5 +15,5 @@ public interface FlightEffector extends Effector<FlightCommand> {
    * @throws org.dfra.module.NotReadyException if it has not told yet, or too long ago
    */
   @Idempotent
-  FlightState flight() throws RemoteException;
+  FlightState flightState() throws RemoteException;
 }

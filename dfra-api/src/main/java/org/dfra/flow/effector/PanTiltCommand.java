@@ -11,9 +11,9 @@ public sealed interface PanTiltCommand extends Command {
    * @param speed of each axis, radians per second, above 0; what is faster than the unit can is
    *     made slower
    */
-  record Point(double pan, double tilt, double speed) implements PanTiltCommand {
+  record PointAt(double pan, double tilt, double speed) implements PanTiltCommand {
 
-    public Point {
+    public PointAt {
       if (!Double.isFinite(pan) || !Double.isFinite(tilt)) {
         throw new IllegalArgumentException(
             "direction " + pan + " rad, " + tilt + " rad is not finite");

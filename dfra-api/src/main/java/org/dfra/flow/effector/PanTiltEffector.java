@@ -15,5 +15,5 @@ public interface PanTiltEffector extends Effector<PanTiltCommand> {
    * @throws org.dfra.module.NotReadyException if the unit has not told yet, or too long ago
    */
   @Idempotent
-  PanTiltState panTilt() throws RemoteException;
+  PanTiltState panTiltState() throws RemoteException;
 }

@@ -22,7 +22,7 @@ public record Clearance(Instant measured, String frame, double left, double cent
   }
 
   /** The least of the three, metres. */
-  public double least() {
+  public double min() {
     return Math.min(centre, Math.min(left, right));
   }
 }

@@ -11,8 +11,8 @@ import java.time.Instant;
  * @param headingSigma standard deviation of that from the doubt in the robot's yaw, radians; more
  *     than 1 says that it does not know which way it faces
  * @param crossTrack metres off the line; left of it, seen along it, is +
- * @param along metres gone along the line from its beginning; less than 0 before it
- * @param remaining metres left along the line to its end; less than 0 beyond it
+ * @param alongTrack metres gone along the line from its beginning; less than 0 before it
+ * @param remainingAlongTrack metres left along the line to its end; less than 0 beyond it
  * @param distance metres to the end of the line, straight
  */
 public record HeadingPercept(
@@ -21,14 +21,14 @@ public record HeadingPercept(
     double headingError,
     double headingSigma,
     double crossTrack,
-    double along,
-    double remaining,
+    double alongTrack,
+    double remainingAlongTrack,
     double distance)
     implements Percept {
 
   /** The same with the goal straight ahead. */
-  public HeadingPercept straight() {
+  public HeadingPercept withoutHeadingError() {
     return new HeadingPercept(
-        measured, frame, 0, headingSigma, crossTrack, along, remaining, distance);
+        measured, frame, 0, headingSigma, crossTrack, alongTrack, remainingAlongTrack, distance);
   }
 }

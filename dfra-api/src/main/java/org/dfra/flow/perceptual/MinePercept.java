@@ -10,13 +10,13 @@ import org.dfra.geometry.GeoPosition;
  *
  * @param measured time of the newest image it rests on, UTC
  * @param frame name of the frame that the positions are of: {@code earth}, WGS84
- * @param sightings each once, the likeliest first
+ * @param detections each once, the likeliest first
  */
-public record MinePercept(Instant measured, String frame, List<Sighting> sightings)
+public record MinePercept(Instant measured, String frame, List<Detection> detections)
     implements Percept {
 
   public MinePercept {
-    sightings = List.copyOf(sightings);
+    detections = List.copyOf(detections);
   }
 
   /**
@@ -24,12 +24,12 @@ public record MinePercept(Instant measured, String frame, List<Sighting> sightin
    *
    * @param position where on the ground, frame WGS84
    * @param probability that it is one, 0 to 1
-   * @param looks how many pairs of images it was seen in
+   * @param observations how many pairs of images it was seen in
    */
-  public record Sighting(GeoPosition position, double probability, int looks)
+  public record Detection(GeoPosition position, double probability, int observations)
       implements Serializable {
 
-    public Sighting {
+    public Detection {
       if (!(probability >= 0 && probability <= 1)) {
         throw new IllegalArgumentException("probability " + probability + " is outside 0 to 1");
       }

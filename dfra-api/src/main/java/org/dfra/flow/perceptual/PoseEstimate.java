@@ -18,13 +18,13 @@ import org.jspecify.annotations.Nullable;
  * @param north metres north of it
  * @param yaw radians, −π to π; 0 is east, counter-clockwise is +
  * @param speed forward, metres per second
- * @param turnRate radians per second, to the left is +
+ * @param yawRate radians per second, to the left is +
  * @param positionSigma standard deviation of the position along its worst direction, metres
  * @param yawSigma standard deviation of the yaw, radians
  * @param fixAge time since a position from outside was last used; null before the first
  * @param clockOffset how far the robot's clock is ahead of UTC as its receivers tell it, + is
  *     ahead; null where none told. Who compares poses of two robots takes it off first, see {@link
- *     ClockOffset#against}.
+ *     ClockOffset#relativeTo}.
  */
 public record PoseEstimate(
     Instant measured,
@@ -34,7 +34,7 @@ public record PoseEstimate(
     double north,
     double yaw,
     double speed,
-    double turnRate,
+    double yawRate,
     double positionSigma,
     double yawSigma,
     @Nullable Duration fixAge,
@@ -42,7 +42,7 @@ public record PoseEstimate(
     implements Percept {
 
   public PoseEstimate {
-    if (!Double.isFinite(east + north + yaw + speed + turnRate)) {
+    if (!Double.isFinite(east + north + yaw + speed + yawRate)) {
       throw new IllegalArgumentException(
           "a pose of " + east + " m, " + north + " m, " + yaw + " rad is not finite");
     }

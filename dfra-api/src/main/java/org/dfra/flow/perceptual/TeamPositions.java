@@ -9,12 +9,12 @@ import java.util.List;
  * @param measured time of the newest of its own poses that it rests on, by its own clock, UTC
  * @param frame name of the frame of that pose, whose east and north are meant, e.g. {@code
  *     atrv1/map}
- * @param mates every other robot that was ever heard of, by name
+ * @param teammates every other robot that was ever heard of, by name
  */
-public record TeamPositions(Instant measured, String frame, List<TeamMate> mates)
+public record TeamPositions(Instant measured, String frame, List<Teammate> teammates)
     implements Percept {
 
   public TeamPositions {
-    mates = List.copyOf(mates);
+    teammates = List.copyOf(teammates);
   }
 }

@@ -18,7 +18,8 @@ import org.jspecify.annotations.Nullable;
  *     not report it
  * @param course direction of travel in degrees, 0 to 360, 0 is true north, clockwise is +; noise
  *     when {@code speed} is near zero; NaN while the receiver does not report it
- * @param dilution dilution of precision, without unit: PDOP for a 3-D fix, HDOP for a 2-D one
+ * @param dilutionOfPrecision dilution of precision, without unit: PDOP for a 3-D fix, HDOP for a
+ *     2-D one
  * @param satellitesVisible satellites above the horizon by the almanac; may exceed the channels
  * @param satellitesTracked satellites the receiver has locked on
  */
@@ -28,7 +29,7 @@ public record GpsFix(
     Instant utc,
     double speed,
     double course,
-    double dilution,
+    double dilutionOfPrecision,
     int satellitesVisible,
     int satellitesTracked)
     implements Reading {

@@ -9,29 +9,29 @@ import org.dfra.event.Reading;
  * @param measured time of the count, UTC
  * @param frame name of the frame in which the pose is, e.g. {@code atrv1/odom}: it stands where the
  *     sensor began to count; the pose goes on from where it was when a controller counts anew
- * @param child name of the frame that moves, e.g. {@code atrv1/base_link}
+ * @param childFrame name of the frame that moves, e.g. {@code atrv1/base_link}
  * @param x metres forward of the beginning
  * @param y metres to the left of the beginning
  * @param yaw turn since the beginning in radians, to the left is +, not wrapped
  * @param speed along the child's x, metres per second, forward is +
- * @param turnRate about z, radians per second, to the left is +
+ * @param yawRate about z, radians per second, to the left is +
  */
 public record Odometry(
     Instant measured,
     String frame,
-    String child,
+    String childFrame,
     double x,
     double y,
     double yaw,
     double speed,
-    double turnRate)
+    double yawRate)
     implements Reading {
 
   public Odometry {
-    if (frame.isBlank() || child.isBlank()) {
+    if (frame.isBlank() || childFrame.isBlank()) {
       throw new IllegalArgumentException("odometry names no frame");
     }
-    if (!Double.isFinite(x + y + yaw + speed + turnRate)) {
+    if (!Double.isFinite(x + y + yaw + speed + yawRate)) {
       throw new IllegalArgumentException(
           "odometry (" + x + " m, " + y + " m, " + yaw + " rad) is not finite");
     }

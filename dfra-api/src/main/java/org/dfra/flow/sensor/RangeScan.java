@@ -11,10 +11,10 @@ import org.dfra.event.Reading;
  * @param measured time of the first beam, UTC
  * @param frame name of the sensor's frame, e.g. {@code atrv1/laser}
  * @param firstAngle angle of the first beam in radians, 0 is forward, to the left is +
- * @param step from one beam to the next in radians; counter-clockwise is +, not 0
+ * @param angleIncrement from one beam to the next in radians; counter-clockwise is +, not 0
  * @param duration seconds from the first beam to the last, not negative
- * @param least shortest distance it can tell, metres
- * @param longest longest distance it can tell, metres
+ * @param minRange shortest distance it can tell, metres
+ * @param maxRange longest distance it can tell, metres
  * @param ranges the distances in metres, single precision; +∞ where a beam met nothing, −∞ where
  *     something was too close to be measured, NaN where the measurement failed. Copied in and out.
  */
@@ -22,10 +22,10 @@ public record RangeScan(
     Instant measured,
     String frame,
     double firstAngle,
-    double step,
+    double angleIncrement,
     double duration,
-    double least,
-    double longest,
+    double minRange,
+    double maxRange,
     @SuppressWarnings("ArrayRecordComponent") float[] ranges)
     implements Reading {
 
@@ -33,13 +33,13 @@ public record RangeScan(
     if (frame.isBlank()) {
       throw new IllegalArgumentException("a scan names no frame");
     }
-    if (!(Double.isFinite(firstAngle) && Double.isFinite(step) && step != 0)) {
+    if (!(Double.isFinite(firstAngle) && Double.isFinite(angleIncrement) && angleIncrement != 0)) {
       throw new IllegalArgumentException(
-          "beams from " + firstAngle + " rad by " + step + " rad are no scan");
+          "beams from " + firstAngle + " rad by " + angleIncrement + " rad are no scan");
     }
-    if (!(duration >= 0 && least >= 0 && least < longest && Double.isFinite(longest))) {
+    if (!(duration >= 0 && minRange >= 0 && minRange < maxRange && Double.isFinite(maxRange))) {
       throw new IllegalArgumentException(
-          "a scan of " + duration + " s from " + least + " m to " + longest + " m");
+          "a scan of " + duration + " s from " + minRange + " m to " + maxRange + " m");
     }
     ranges = ranges.clone();
   }
@@ -61,7 +61,7 @@ public record RangeScan(
 
   /** Angle of a beam in radians, 0 is forward, to the left is +. */
   public double angle(int beam) {
-    return firstAngle + beam * step;
+    return firstAngle + beam * angleIncrement;
   }
 
   /** Whether the beam has met something that it could measure. */
@@ -75,10 +75,10 @@ public record RangeScan(
         && measured.equals(that.measured)
         && frame.equals(that.frame)
         && firstAngle == that.firstAngle
-        && step == that.step
+        && angleIncrement == that.angleIncrement
         && duration == that.duration
-        && least == that.least
-        && longest == that.longest
+        && minRange == that.minRange
+        && maxRange == that.maxRange
         && Arrays.equals(ranges, that.ranges);
   }
 

@@ -44,7 +44,7 @@ class DeliveryPoolTest {
     refusals.set(3);
     CountDownLatch made = new CountDownLatch(1);
     pool.execute(made::countDown);
-    assertThat(pool.threads()).as("threads, of which none runs").isZero();
+    assertThat(pool.threadCount()).as("threads, of which none runs").isZero();
     assertThat(made.await(30, TimeUnit.SECONDS)).as("delivered").isTrue();
     assertThat(refusals.get()).as("refusals left").isNegative();
   }
@@ -74,7 +74,7 @@ class DeliveryPoolTest {
     for (int i = 0; i < 100; i++) {
       pool.execute(made::countDown);
     }
-    assertThat(pool.threads()).as("threads while all are blocked").isEqualTo(3);
+    assertThat(pool.threadCount()).as("threads while all are blocked").isEqualTo(3);
     assertThat(made.getCount()).as("deliveries that wait").isEqualTo(100);
     release.countDown();
     assertThat(made.await(30, TimeUnit.SECONDS)).as("delivered after the blocked ones").isTrue();

@@ -46,6 +46,6 @@ public final class CompletionCommand implements Callable<Integer> {
     PrintWriter out = spec.commandLine().getOut();
     out.print(AutoComplete.bash(NAME, whole));
     out.flush();
-    return ExitCode.WELL;
+    return ExitCode.SUCCESS;
   }
 }

@@ -10,14 +10,14 @@ import java.util.function.BiFunction;
 import java.util.stream.Collectors;
 import org.dfra.app.demo.devices.DevicesDemo;
 import org.dfra.app.demo.foundation.FoundationDemo;
+import org.dfra.app.demo.harness.CpuSpeed;
+import org.dfra.app.demo.harness.Demo;
+import org.dfra.app.demo.harness.ProgressReporter;
 import org.dfra.app.demo.persona.PersonaDemo;
 import org.dfra.app.demo.raster.RasterDemo;
 import org.dfra.app.demo.raster.RasterOptions;
 import org.dfra.app.demo.recruit.RecruitDemo;
-import org.dfra.app.demo.stage.Demo;
-import org.dfra.app.demo.stage.Narration;
-import org.dfra.app.demo.stage.Power;
-import org.dfra.app.figure.RecordOption;
+import org.dfra.app.measurement.RecordOption;
 import org.dfra.app.terminal.ExitCode;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -50,7 +50,7 @@ import picocli.CommandLine.Spec;
 public final class DemoCommand implements Callable<Integer> {
 
   /** By name, that which is played where none is named first. */
-  private final Map<String, BiFunction<Narration, Path, Demo>> demos = new LinkedHashMap<>();
+  private final Map<String, BiFunction<ProgressReporter, Path, Demo>> demos = new LinkedHashMap<>();
 
   /** Knows them all; plays none. */
   public DemoCommand() {
@@ -87,7 +87,7 @@ public final class DemoCommand implements Callable<Integer> {
   public Integer call() throws Exception {
     PrintWriter out = spec.commandLine().getOut();
     String chosen = name == null ? demos.keySet().iterator().next() : name;
-    BiFunction<Narration, Path, Demo> demo = demos.get(chosen);
+    BiFunction<ProgressReporter, Path, Demo> demo = demos.get(chosen);
     if (demo == null) {
       throw new ParameterException(
           spec.commandLine(),
@@ -97,14 +97,14 @@ public final class DemoCommand implements Callable<Integer> {
               + String.join(", ", demos.keySet()));
     }
     refuseOptionsOfOthers(chosen);
-    Narration narration = Narration.to(out);
+    ProgressReporter narration = ProgressReporter.to(out);
     if (!demo.apply(narration, report == null ? Path.of("reports", chosen) : report).run()) {
       return ExitCode.FAILED;
     }
-    record.keep(narration.figures(), "demo", chosen);
-    Verdict verdict = new Verdict(narration.figures(), isStrict);
-    verdict.sentences(Power::share).forEach(narration::remark);
-    return verdict.isWell() ? ExitCode.WELL : ExitCode.FAILED;
+    record.append(narration.figures(), "demo", chosen);
+    DemoVerdict verdict = new DemoVerdict(narration.figures(), isStrict);
+    verdict.sentences(CpuSpeed::relativeToReference).forEach(narration::remark);
+    return verdict.passed() ? ExitCode.SUCCESS : ExitCode.FAILED;
   }
 
   /** Options of the raster are understood with it only. */

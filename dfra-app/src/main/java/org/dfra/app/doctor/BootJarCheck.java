@@ -8,22 +8,22 @@ import org.jspecify.annotations.Nullable;
 final class BootJarCheck implements Check {
 
   private static final String PROBE = "java.rmi.activation.ActivationID";
-  private static final String MEND =
+  private static final String REMEDY =
       "Start it by the script dfra, or give the JVM -Xbootclasspath/a: with dfra-activation.jar.";
 
   /** Finds a class by its name. */
-  interface Classes {
+  interface ClassFinder {
     Class<?> named(String name) throws ClassNotFoundException;
   }
 
-  private final Classes classes;
+  private final ClassFinder classes;
   private final Optional<String> jar;
 
   /**
    * @param classes where the class is looked for
    * @param jar the jar that the launcher has put on the boot class path, where it tells
    */
-  BootJarCheck(Classes classes, Optional<String> jar) {
+  BootJarCheck(ClassFinder classes, Optional<String> jar) {
     this.classes = classes;
     this.jar = jar;
   }
@@ -39,7 +39,7 @@ final class BootJarCheck implements Check {
   }
 
   @Override
-  public List<Finding> examine() {
+  public List<Finding> run() {
     try {
       @Nullable ClassLoader loader = classes.named(PROBE).getClassLoader();
       return List.of(
@@ -49,9 +49,9 @@ final class BootJarCheck implements Check {
               : Finding.fail(
                   subject(),
                   "java.rmi.activation is on the class path, not on the boot class path",
-                  MEND));
+                  REMEDY));
     } catch (ClassNotFoundException e) {
-      return List.of(Finding.fail(subject(), "there is no java.rmi.activation", MEND));
+      return List.of(Finding.fail(subject(), "there is no java.rmi.activation", REMEDY));
     }
   }
 }

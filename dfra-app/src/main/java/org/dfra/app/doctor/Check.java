@@ -9,5 +9,5 @@ interface Check {
   Subject subject();
 
   /** Looks. */
-  List<Finding> examine() throws InterruptedException;
+  List<Finding> run() throws InterruptedException;
 }

@@ -9,10 +9,10 @@ import org.jspecify.annotations.Nullable;
 final class ClockCheck implements Check {
 
   /** A robot drives a hand's breadth meanwhile: what others report is then seen elsewhere. */
-  private static final Duration DISTURBS = Duration.ofMillis(100);
+  private static final Duration WARN_OFFSET = Duration.ofMillis(100);
 
   /** A drive command that is older is a stop. */
-  private static final Duration BREAKS = Duration.ofMillis(500);
+  private static final Duration FAIL_OFFSET = Duration.ofMillis(500);
 
   /**
    * A robot's clock.
@@ -20,16 +20,16 @@ final class ClockCheck implements Check {
    * @param robot its name
    * @param offset what was measured; null where none of its modules answered
    */
-  record Measured(String robot, @Nullable ClockOffset offset) {}
+  record RobotClock(String robot, @Nullable NtpClockOffset offset) {}
 
   /** Measures the clocks of all robots that are found. */
-  interface Clocks {
-    List<Measured> measure() throws InterruptedException;
+  interface ClockProbe {
+    List<RobotClock> measure() throws InterruptedException;
   }
 
-  private final Clocks clocks;
+  private final ClockProbe clocks;
 
-  ClockCheck(Clocks clocks) {
+  ClockCheck(ClockProbe clocks) {
     this.clocks = clocks;
   }
 
@@ -39,16 +39,16 @@ final class ClockCheck implements Check {
   }
 
   @Override
-  public List<Finding> examine() throws InterruptedException {
+  public List<Finding> run() throws InterruptedException {
     List<Finding> findings = new ArrayList<>();
-    for (Measured each : clocks.measure()) {
+    for (RobotClock each : clocks.measure()) {
       findings.add(of(each));
     }
     return findings;
   }
 
-  private Finding of(Measured measured) {
-    @Nullable ClockOffset offset = measured.offset();
+  private Finding of(RobotClock measured) {
+    @Nullable NtpClockOffset offset = measured.offset();
     if (offset == null) {
       return Finding.warn(
           subject(),
@@ -60,22 +60,22 @@ final class ClockCheck implements Check {
           subject(),
           measured.robot()
               + "'s clock agrees with this computer's, ± "
-              + Milliseconds.of(offset.uncertainty()));
+              + DurationText.of(offset.uncertainty()));
     }
     String what =
         measured.robot()
             + "'s clock is "
-            + Milliseconds.of(offset.offset().abs())
+            + DurationText.of(offset.offset().abs())
             + (offset.offset().isNegative() ? " behind" : " ahead of")
             + " this computer's, ± "
-            + Milliseconds.of(offset.uncertainty());
+            + DurationText.of(offset.uncertainty());
     String mend =
         "Have both follow one time server, with chrony say; on a field without a network let one"
             + " of the robots be it.";
-    if (offset.atLeast().compareTo(BREAKS) > 0) {
+    if (offset.atLeast().compareTo(FAIL_OFFSET) > 0) {
       return Finding.fail(subject(), what, mend);
     }
-    return offset.atLeast().compareTo(DISTURBS) > 0
+    return offset.atLeast().compareTo(WARN_OFFSET) > 0
         ? Finding.warn(subject(), what, mend)
         : Finding.ok(subject(), what);
   }

@@ -12,7 +12,7 @@ import java.util.Map;
 import java.util.OptionalLong;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.TeamOptions;
-import org.dfra.app.terminal.Answer;
+import org.dfra.app.terminal.CommandOutput;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.app.terminal.Terminal;
 import org.dfra.core.config.ConfigurationException;
@@ -50,27 +50,27 @@ public final class DoctorCommand implements Callable<Integer> {
   private CommandSpec spec;
 
   /** A finding as it is told to programs. */
-  record Told(String subject, String verdict, String what, @Nullable String mend) {}
+  record FindingView(String subject, String verdict, String what, @Nullable String remedy) {}
 
   /**
    * All findings.
    *
-   * @param well whether none is a failure
+   * @param ok whether none is a failure
    */
-  record Report(boolean well, List<Told> findings) {}
+  record Report(boolean ok, List<FindingView> findings) {}
 
   @Override
   public Integer call() throws Exception {
     List<Finding> findings = examine();
     boolean well = findings.stream().noneMatch(each -> each.verdict() == Verdict.FAIL);
-    Answer answer = team.answer();
+    CommandOutput answer = team.answer();
     if (answer.isJson()) {
-      answer.outline(new Report(well, findings.stream().map(DoctorCommand::told).toList()));
+      answer.details(new Report(well, findings.stream().map(DoctorCommand::told).toList()));
     } else {
       Ansi ansi = spec.commandLine().getColorScheme().ansi();
-      answer.finished(new Telling(ansi, Terminal.textColumns()).of(findings));
+      answer.preformatted(new FindingPrinter(ansi, Terminal.textColumns()).of(findings));
     }
-    return well ? ExitCode.WELL : ExitCode.FAILED;
+    return well ? ExitCode.SUCCESS : ExitCode.FAILED;
   }
 
   private List<Finding> examine() throws IOException, InterruptedException {
@@ -79,7 +79,7 @@ public final class DoctorCommand implements Callable<Integer> {
     checks.add(JavaCheck.ofThisProcess());
     checks.add(BootJarCheck.ofThisProcess());
     checks.add(FileDescriptorCheck.ofThisProcess());
-    checks.add(HostCheck.ofThisComputer(team.wantedHost()));
+    checks.add(HostCheck.ofThisComputer(team.hostSetting()));
     checks.add(new MulticastCheck(new JiniMulticast(), team.groups()));
     checks.add(new PortCheck(new ListeningPorts(Path.of("/proc")), ports(phoenix)));
     checks.add(StateCheck.of(team.state()));
@@ -92,9 +92,9 @@ public final class DoctorCommand implements Callable<Integer> {
       checks.add(new ModuleCheck(survey));
       checks.add(new StopCheck(survey));
       checks.add(ExposureCheck.of(team.knownRobots()));
-      return Examination.of(checks);
+      return CheckRunner.run(checks);
     } catch (ConfigurationException | IOException e) {
-      List<Finding> findings = new ArrayList<>(Examination.of(checks));
+      List<Finding> findings = new ArrayList<>(CheckRunner.run(checks));
       Finding unable =
           Finding.fail(
               Subject.REGISTRAR, e, "Mend that; no lookup service can be looked for before.");
@@ -124,14 +124,14 @@ public final class DoctorCommand implements Callable<Integer> {
     }
     uses.remove(0); // one of the system's choice, or none
     if (uses.size() == ofPhoenix) {
-      uses.put(RegistrarDescription.DISCOVERY_PORT, "a registrar");
-      uses.put(RegistrarDescription.CLASS_PORT, "a class server");
+      uses.put(RegistrarDescription.DEFAULT_PORT, "a registrar");
+      uses.put(RegistrarDescription.DEFAULT_CLASS_SERVER_PORT, "a class server");
     }
     return uses;
   }
 
   private PhoenixCheck.Daemon asked(PhoenixProcess phoenix) {
-    Duration patience = team.patience();
+    Duration patience = team.timeout();
     return new PhoenixCheck.Daemon() {
       @Override
       public String address() {
@@ -155,11 +155,11 @@ public final class DoctorCommand implements Callable<Integer> {
     };
   }
 
-  private static Told told(Finding finding) {
-    return new Told(
+  private static FindingView told(Finding finding) {
+    return new FindingView(
         finding.subject().id(),
         finding.verdict().name().toLowerCase(Locale.ROOT),
         finding.what(),
-        finding.mend());
+        finding.remedy());
   }
 }

@@ -39,7 +39,7 @@ final class ExposureCheck implements Check {
   }
 
   @Override
-  public List<Finding> examine() {
+  public List<Finding> run() {
     List<Finding> findings = new ArrayList<>();
     for (RobotDescription robot : robots) {
       String address;
@@ -52,7 +52,7 @@ final class ExposureCheck implements Check {
         continue;
       }
       findings.add(reach(robot.name(), address));
-      robot.administration().from().stream()
+      robot.administration().administratorHosts().stream()
           .filter(range -> range.endsWith("/0"))
           .forEach(range -> findings.add(everybody(robot.name(), range)));
     }

@@ -37,7 +37,7 @@ final class FileDescriptorCheck implements Check {
   }
 
   @Override
-  public List<Finding> examine() {
+  public List<Finding> run() {
     OptionalLong most = most();
     if (most.isEmpty()) {
       return List.of();

@@ -6,9 +6,9 @@ import org.jspecify.annotations.Nullable;
  * What a check has found.
  *
  * @param what is, in one clause without a full stop
- * @param mend what to do about it, in one sentence; null where all is well
+ * @param remedy what to do about it, in one sentence; null where all is well
  */
-record Finding(Subject subject, Verdict verdict, String what, @Nullable String mend) {
+record Finding(Subject subject, Verdict verdict, String what, @Nullable String remedy) {
 
   static Finding ok(Subject subject, String what) {
     return new Finding(subject, Verdict.OK, what, null);

@@ -10,21 +10,21 @@ import org.dfra.river.bootstrap.HostAddress;
 final class HostCheck implements Check {
 
   /** What a name stands for. */
-  interface Names {
+  interface HostResolver {
     /** This computer, by its own name. */
     InetAddress ownName() throws UnknownHostException;
 
     /** The address that proxies carry where this one is wanted. */
-    String chosen(String wanted);
+    String advertisedAddress(String wanted);
   }
 
-  private final Names names;
+  private final HostResolver names;
   private final String wanted;
 
   /**
    * @param wanted address or name that was asked for, or {@code auto}
    */
-  HostCheck(Names names, String wanted) {
+  HostCheck(HostResolver names, String wanted) {
     this.names = names;
     this.wanted = wanted;
   }
@@ -32,14 +32,14 @@ final class HostCheck implements Check {
   /** This computer. */
   static HostCheck ofThisComputer(String wanted) {
     return new HostCheck(
-        new Names() {
+        new HostResolver() {
           @Override
           public InetAddress ownName() throws UnknownHostException {
             return InetAddress.getLocalHost();
           }
 
           @Override
-          public String chosen(String host) {
+          public String advertisedAddress(String host) {
             return HostAddress.resolve(host);
           }
         },
@@ -52,10 +52,10 @@ final class HostCheck implements Check {
   }
 
   @Override
-  public List<Finding> examine() {
+  public List<Finding> run() {
     String chosen;
     try {
-      chosen = names.chosen(wanted);
+      chosen = names.advertisedAddress(wanted);
     } catch (ConfigurationException e) {
       return List.of(
           Finding.fail(subject(), e, "Name an address of this computer in DFRA_HOST, or auto."));

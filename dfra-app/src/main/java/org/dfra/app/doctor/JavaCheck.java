@@ -46,7 +46,7 @@ record JavaCheck(int feature, String version, String home, Set<String> modules) 
   }
 
   @Override
-  public List<Finding> examine() {
+  public List<Finding> run() {
     String what = "Java " + version + " at " + home;
     if (feature < LEAST) {
       return List.of(

@@ -42,7 +42,7 @@ final class JiniMulticast implements MulticastCheck.Network {
   }
 
   @Override
-  public Optional<Duration> heard(String networkInterface) throws IOException {
+  public Optional<Duration> roundTrip(String networkInterface) throws IOException {
     NetworkInterface there = NetworkInterface.getByName(networkInterface);
     InetAddress requests = Constants.getRequestAddress();
     InetAddress announcements = Constants.getAnnouncementAddress();

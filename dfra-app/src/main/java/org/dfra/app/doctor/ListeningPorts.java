@@ -11,13 +11,13 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.dfra.app.doctor.PortCheck.Holder;
+import org.dfra.app.doctor.PortCheck.PortUser;
 
 /**
  * Who listens on this computer's TCP ports, as Linux tells it in /proc. Elsewhere only whether
  * somebody does.
  */
-final class ListeningPorts implements PortCheck.Ports {
+final class ListeningPorts implements PortCheck.PortProbe {
 
   private static final String LISTEN = "0A"; // proc_net_tcp(5)
   private static final int LONGEST_COMMAND = 60;
@@ -32,10 +32,10 @@ final class ListeningPorts implements PortCheck.Ports {
   }
 
   @Override
-  public Optional<Holder> holder(int port) {
+  public Optional<PortUser> user(int port) {
     Path tcp = proc.resolve("net/tcp");
     if (!Files.isReadable(tcp)) {
-      return isFree(port) ? Optional.empty() : Optional.of(new Holder(-1, "", false));
+      return isFree(port) ? Optional.empty() : Optional.of(new PortUser(-1, "", false));
     }
     Set<String> sockets =
         Stream.of(tcp, proc.resolve("net/tcp6"))
@@ -72,21 +72,21 @@ final class ListeningPorts implements PortCheck.Ports {
     return Integer.parseInt(address.substring(address.lastIndexOf(':') + 1), 16);
   }
 
-  private Holder owner(Set<String> sockets) {
+  private PortUser owner(Set<String> sockets) {
     try (DirectoryStream<Path> processes = Files.newDirectoryStream(proc, "[0-9]*")) {
       for (Path process : processes) {
         if (holds(process, sockets)) {
           String command = command(process);
-          return new Holder(
+          return new PortUser(
               Long.parseLong(process.getFileName().toString()),
               shortened(command),
               command.contains("org.dfra."));
         }
       }
     } catch (IOException e) {
-      return new Holder(-1, "", false); // it is not told
+      return new PortUser(-1, "", false); // it is not told
     }
-    return new Holder(-1, "", false);
+    return new PortUser(-1, "", false);
   }
 
   private static boolean holds(Path process, Set<String> sockets) {

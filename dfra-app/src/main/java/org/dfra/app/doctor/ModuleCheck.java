@@ -3,7 +3,7 @@ package org.dfra.app.doctor;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import org.dfra.app.team.Unready;
+import org.dfra.app.team.UnreadyModule;
 import org.dfra.module.Readiness;
 import org.dfra.river.lookup.ModuleConflict;
 import org.dfra.river.lookup.UnreadableModule;
@@ -21,17 +21,19 @@ final class ModuleCheck implements Check {
    * @param unreadable those whose proxies cannot be read here
    * @param conflicts those that several lookup services list differently
    */
-  record Unusable(
-      List<Unready> unready, List<UnreadableModule> unreadable, List<ModuleConflict> conflicts) {}
+  record UnusableModules(
+      List<UnreadyModule> unready,
+      List<UnreadableModule> unreadable,
+      List<ModuleConflict> conflicts) {}
 
   /** Looks for them. */
-  interface Modules {
-    Unusable unusable() throws InterruptedException;
+  interface ModuleProbe {
+    UnusableModules unusable() throws InterruptedException;
   }
 
-  private final Modules modules;
+  private final ModuleProbe modules;
 
-  ModuleCheck(Modules modules) {
+  ModuleCheck(ModuleProbe modules) {
     this.modules = modules;
   }
 
@@ -41,10 +43,10 @@ final class ModuleCheck implements Check {
   }
 
   @Override
-  public List<Finding> examine() throws InterruptedException {
-    Unusable unusable = modules.unusable();
+  public List<Finding> run() throws InterruptedException {
+    UnusableModules unusable = modules.unusable();
     List<Finding> findings = new ArrayList<>();
-    for (Unready each : unusable.unready()) {
+    for (UnreadyModule each : unusable.unready()) {
       if (each.state() != Readiness.PAUSED) { // that is somebody's will
         findings.add(of(each));
       }
@@ -59,13 +61,13 @@ final class ModuleCheck implements Check {
                   "Trust its robot's classes; docs/reference/trusted-code.md says how.")));
     }
     for (ModuleConflict each : unusable.conflicts()) {
-      String reason = each.inWords();
+      String reason = each.describe();
       findings.add(Finding.warn(subject(), Reason.what(reason), Reason.mend(reason, "")));
     }
     return findings;
   }
 
-  private Finding of(Unready module) {
+  private Finding of(UnreadyModule module) {
     String what =
         module.path()
             + " is "

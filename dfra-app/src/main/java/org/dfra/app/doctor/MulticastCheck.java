@@ -21,7 +21,7 @@ final class MulticastCheck implements Check {
      *
      * @return how long it took, or empty if it was not heard
      */
-    Optional<Duration> heard(String networkInterface) throws IOException;
+    Optional<Duration> roundTrip(String networkInterface) throws IOException;
   }
 
   private final Network network;
@@ -41,7 +41,7 @@ final class MulticastCheck implements Check {
   }
 
   @Override
-  public List<Finding> examine() {
+  public List<Finding> run() {
     if (groups.isEmpty()) {
       return List.of(Finding.ok(subject(), "no group is asked for, so it is not needed"));
     }
@@ -68,7 +68,7 @@ final class MulticastCheck implements Check {
   private Finding at(String networkInterface) {
     try {
       return network
-          .heard(networkInterface)
+          .roundTrip(networkInterface)
           .map(
               took ->
                   Finding.ok(
@@ -76,7 +76,7 @@ final class MulticastCheck implements Check {
                       "a request on "
                           + networkInterface
                           + " was heard after "
-                          + Milliseconds.of(took)))
+                          + DurationText.of(took)))
           .orElseGet(
               () ->
                   Finding.fail(
@@ -84,7 +84,7 @@ final class MulticastCheck implements Check {
                       "a request on "
                           + networkInterface
                           + " was sent and not heard within "
-                          + Milliseconds.of(PATIENCE),
+                          + DurationText.of(PATIENCE),
                       "Let a firewall pass UDP port 4160 to and from 224.0.1.84 and 224.0.1.85, or"
                           + " name the team's registrars in DFRA_LOCATORS."));
     } catch (IOException e) {

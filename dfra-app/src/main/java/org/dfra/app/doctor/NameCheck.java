@@ -4,20 +4,20 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.dfra.app.team.Namesakes;
+import org.dfra.app.team.DuplicateRobotNames;
 
 /** Whether each robot of the team has a name of its own. */
 final class NameCheck implements Check {
 
   /** Looks for robots that share a name. */
-  interface Names {
+  interface NameProbe {
     /** The hosts of each name that more than one robot has. */
-    Map<String, List<String>> namesakes() throws InterruptedException;
+    Map<String, List<String>> hostsByDuplicateName() throws InterruptedException;
   }
 
-  private final Names names;
+  private final NameProbe names;
 
-  NameCheck(Names names) {
+  NameCheck(NameProbe names) {
     this.names = names;
   }
 
@@ -27,16 +27,16 @@ final class NameCheck implements Check {
   }
 
   @Override
-  public List<Finding> examine() throws InterruptedException {
+  public List<Finding> run() throws InterruptedException {
     List<Finding> findings = new ArrayList<>();
     names
-        .namesakes()
+        .hostsByDuplicateName()
         .forEach(
             (robot, hosts) ->
                 findings.add(
                     Finding.fail(
                         subject(),
-                        Namesakes.inWords(robot, hosts)
+                        DuplicateRobotNames.inWords(robot, hosts)
                             + ", so whoever calls "
                             + robot
                             + " may get either",

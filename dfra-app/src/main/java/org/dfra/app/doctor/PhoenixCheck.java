@@ -42,7 +42,7 @@ final class PhoenixCheck implements Check {
   }
 
   @Override
-  public List<Finding> examine() {
+  public List<Finding> run() {
     List<GroupStatus> groups;
     try {
       groups = phoenix.groups();

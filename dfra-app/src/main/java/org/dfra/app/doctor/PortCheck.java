@@ -13,23 +13,23 @@ final class PortCheck implements Check {
    *
    * @param pid process number, or −1 where the system does not tell, as of other users' processes
    * @param command what it runs; empty where that is not told
-   * @param ours whether it is a process of DFRA
+   * @param isDfra whether it is a process of DFRA
    */
-  record Holder(long pid, String command, boolean ours) {}
+  record PortUser(long pid, String command, boolean isDfra) {}
 
   /** Who listens where. */
-  interface Ports {
+  interface PortProbe {
     /** Who listens on a TCP port of this computer; empty if nobody does. */
-    Optional<Holder> holder(int port);
+    Optional<PortUser> user(int port);
   }
 
-  private final Ports ports;
+  private final PortProbe ports;
   private final Map<Integer, String> uses;
 
   /**
    * @param uses what each port is for
    */
-  PortCheck(Ports ports, Map<Integer, String> uses) {
+  PortCheck(PortProbe ports, Map<Integer, String> uses) {
     this.ports = ports;
     this.uses = uses;
   }
@@ -40,7 +40,7 @@ final class PortCheck implements Check {
   }
 
   @Override
-  public List<Finding> examine() {
+  public List<Finding> run() {
     List<Finding> findings = new ArrayList<>();
     uses.forEach((port, use) -> findings.add(at(port, use)));
     return findings;
@@ -48,12 +48,12 @@ final class PortCheck implements Check {
 
   private Finding at(int port, String use) {
     String what = port + ", for " + use + ", is ";
-    Optional<Holder> holder = ports.holder(port);
+    Optional<PortUser> holder = ports.user(port);
     if (holder.isEmpty()) {
       return Finding.ok(subject(), what + "free");
     }
-    Holder by = holder.get();
-    if (by.ours()) {
+    PortUser by = holder.get();
+    if (by.isDfra()) {
       return Finding.ok(subject(), what + "held by DFRA, process " + by.pid());
     }
     String who =

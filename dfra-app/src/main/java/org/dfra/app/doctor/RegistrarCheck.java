@@ -16,11 +16,12 @@ final class RegistrarCheck implements Check {
    * @param locator where it is, as {@code jini://host:port}
    * @param groups its discovery groups
    * @param loopback whether its address leads every other computer to itself
-   * @param answer how long its answer took; null if there was none
+   * @param responseTime how long its answer took; null if there was none
    */
-  record Seen(String locator, List<String> groups, boolean loopback, @Nullable Duration answer) {
+  record SurveyedRegistrar(
+      String locator, List<String> groups, boolean loopback, @Nullable Duration responseTime) {
 
-    Seen {
+    SurveyedRegistrar {
       groups = List.copyOf(groups);
     }
   }
@@ -29,19 +30,19 @@ final class RegistrarCheck implements Check {
    * What was found.
    *
    * @param seen the lookup services
-   * @param silent the locators at which there is none
+   * @param unreachable the locators at which there is none
    */
-  record Survey(List<Seen> seen, List<String> silent) {
+  record Survey(List<SurveyedRegistrar> seen, List<String> unreachable) {
 
     Survey {
       seen = List.copyOf(seen);
-      silent = List.copyOf(silent);
+      unreachable = List.copyOf(unreachable);
     }
   }
 
   /** Looks for lookup services. */
   interface Search {
-    Survey look() throws InterruptedException;
+    Survey survey() throws InterruptedException;
   }
 
   private final Search search;
@@ -64,11 +65,11 @@ final class RegistrarCheck implements Check {
   }
 
   @Override
-  public List<Finding> examine() throws InterruptedException {
-    Survey survey = search.look();
+  public List<Finding> run() throws InterruptedException {
+    Survey survey = search.survey();
     List<Finding> findings = new ArrayList<>();
     survey.seen().forEach(each -> findings.add(of(each)));
-    for (String silent : survey.silent()) {
+    for (String silent : survey.unreachable()) {
       String locator = plain(silent);
       if (named.contains(locator)) {
         findings.add(
@@ -101,18 +102,18 @@ final class RegistrarCheck implements Check {
     return locator.endsWith("/") ? locator.substring(0, locator.length() - 1) : locator;
   }
 
-  private Finding of(Seen seen) {
+  private Finding of(SurveyedRegistrar seen) {
     String name =
         seen.locator()
             + (seen.groups().isEmpty() ? "" : " of group " + String.join(", ", seen.groups()));
-    if (seen.answer() == null) {
+    if (seen.responseTime() == null) {
       return Finding.fail(
           subject(),
           name + " was found and does not answer",
           "Its process is stopped or overloaded, or out of radio range: ask ./dfra status on its"
               + " host.");
     }
-    String what = name + " answers in " + Milliseconds.of(seen.answer());
+    String what = name + " answers in " + DurationText.of(seen.responseTime());
     if (seen.loopback() && !seen.groups().isEmpty()) {
       return Finding.warn(
           subject(),
@@ -120,7 +121,7 @@ final class RegistrarCheck implements Check {
           "Take the robot down, name the address that others reach as host in its XML or in"
               + " DFRA_HOST, and bring it up again.");
     }
-    return seen.answer().compareTo(SLOW) < 0
+    return seen.responseTime().compareTo(SLOW) < 0
         ? Finding.ok(subject(), what)
         : Finding.warn(
             subject(),

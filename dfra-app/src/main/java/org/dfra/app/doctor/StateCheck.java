@@ -18,9 +18,9 @@ final class StateCheck implements Check {
   private static final long GIGABYTE = 1 << 30;
 
   /** Below, the next few group logs, 10 MB each, would fill it. */
-  private static final long LITTLE_ROOM = 100 * MEGABYTE;
+  private static final long LOW_SPACE = 100 * MEGABYTE;
 
-  private static final long NO_ROOM = 5 * MEGABYTE;
+  private static final long NO_SPACE = 5 * MEGABYTE;
 
   /** A thousand modules' registrations are some megabytes. */
   private static final long LARGE_JOURNAL = 100 * MEGABYTE;
@@ -30,11 +30,11 @@ final class StateCheck implements Check {
 
   /**
    * @param state the folder; it may not exist yet
-   * @param room tells how many bytes can still be written where a path leads
+   * @param freeBytes tells how many bytes can still be written where a path leads
    */
-  StateCheck(Path state, ToLongFunction<Path> room) {
+  StateCheck(Path state, ToLongFunction<Path> freeBytes) {
     this.state = state;
-    this.room = room;
+    this.room = freeBytes;
   }
 
   /** The folder on this computer's disk. */
@@ -48,7 +48,7 @@ final class StateCheck implements Check {
   }
 
   @Override
-  public List<Finding> examine() {
+  public List<Finding> run() {
     List<Finding> findings = new ArrayList<>();
     Path existing = existing(state);
     findings.add(folder(existing));
@@ -95,7 +95,7 @@ final class StateCheck implements Check {
 
   private static @Nullable String openness(Path folder) {
     try {
-      return PrivateFiles.fault(folder);
+      return PrivateFiles.privacyFault(folder);
     } catch (IOException e) {
       return e.getMessage();
     }
@@ -104,12 +104,12 @@ final class StateCheck implements Check {
   private Finding space(Path existing) {
     long left = room.applyAsLong(existing);
     String what = "there is room for " + size(left) + " in " + state;
-    if (left >= LITTLE_ROOM) {
+    if (left >= LOW_SPACE) {
       return Finding.ok(Subject.DISK_SPACE, what);
     }
     String mend =
         "Free space there, or name a folder on another disk with --state or in DFRA_STATE.";
-    return left >= NO_ROOM
+    return left >= NO_SPACE
         ? Finding.warn(Subject.DISK_SPACE, what, mend)
         : Finding.fail(Subject.DISK_SPACE, what, mend);
   }

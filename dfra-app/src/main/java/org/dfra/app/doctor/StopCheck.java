@@ -2,8 +2,8 @@ package org.dfra.app.doctor;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.dfra.flow.effector.StopState;
-import org.dfra.persona.StopAttributes;
+import org.dfra.flow.effector.EmergencyStopState;
+import org.dfra.persona.EmergencyStopAttributes;
 
 /** Which effectors are stopped for an emergency, and so obey nobody. */
 final class StopCheck implements Check {
@@ -15,16 +15,16 @@ final class StopCheck implements Check {
    * @param module its path, {@code robot/name}
    * @param stop since when and by whom
    */
-  record Stopped(String robot, String module, StopAttributes stop) {}
+  record StoppedEffector(String robot, String module, EmergencyStopAttributes stop) {}
 
   /** Looks for those that are. */
-  interface Stops {
-    List<Stopped> stopped() throws InterruptedException;
+  interface StopProbe {
+    List<StoppedEffector> stopped() throws InterruptedException;
   }
 
-  private final Stops stops;
+  private final StopProbe stops;
 
-  StopCheck(Stops stops) {
+  StopCheck(StopProbe stops) {
     this.stops = stops;
   }
 
@@ -34,11 +34,12 @@ final class StopCheck implements Check {
   }
 
   @Override
-  public List<Finding> examine() throws InterruptedException {
+  public List<Finding> run() throws InterruptedException {
     List<Finding> findings = new ArrayList<>();
-    for (Stopped each : stops.stopped()) {
-      StopAttributes stop = each.stop();
-      StopState state = new StopState(true, stop.by(), stop.since(), true, null);
+    for (StoppedEffector each : stops.stopped()) {
+      EmergencyStopAttributes stop = each.stop();
+      EmergencyStopState state =
+          new EmergencyStopState(true, stop.requester(), stop.since(), true, null);
       findings.add(
           Finding.warn(
               subject(),

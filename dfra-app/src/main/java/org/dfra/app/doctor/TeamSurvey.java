@@ -22,16 +22,16 @@ import java.util.concurrent.TimeoutException;
 import net.jini.admin.Administrable;
 import net.jini.core.discovery.LookupLocator;
 import net.jini.core.lookup.ServiceRegistrar;
-import org.dfra.app.doctor.ClockCheck.Measured;
-import org.dfra.app.doctor.RegistrarCheck.Seen;
+import org.dfra.app.doctor.ClockCheck.RobotClock;
 import org.dfra.app.doctor.RegistrarCheck.Survey;
-import org.dfra.app.team.Namesakes;
+import org.dfra.app.doctor.RegistrarCheck.SurveyedRegistrar;
+import org.dfra.app.team.DuplicateRobotNames;
 import org.dfra.app.team.TeamOptions;
-import org.dfra.app.team.Unready;
+import org.dfra.app.team.UnreadyModule;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.module.Module;
-import org.dfra.persona.StopAttributes;
+import org.dfra.persona.EmergencyStopAttributes;
 import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.remote.ModuleAdmin;
@@ -45,10 +45,10 @@ import org.jspecify.annotations.Nullable;
  */
 final class TeamSurvey
     implements RegistrarCheck.Search,
-        ModuleCheck.Modules,
-        ClockCheck.Clocks,
-        StopCheck.Stops,
-        NameCheck.Names,
+        ModuleCheck.ModuleProbe,
+        ClockCheck.ClockProbe,
+        StopCheck.StopProbe,
+        NameCheck.NameProbe,
         AutoCloseable {
 
   /** How long one peer is waited for at least. */
@@ -82,29 +82,31 @@ final class TeamSurvey
 
   /** Begins to look. */
   static TeamSurvey open(TeamOptions team) throws IOException {
-    return new TeamSurvey(team.directory(), team.patience());
+    return new TeamSurvey(team.directory(), team.timeout());
   }
 
   @Override
-  public Survey look() throws InterruptedException {
-    List<String> silent = directory.awaitFirstLook(patience);
-    Map<ServiceRegistrar, Future<Seen>> asked = new LinkedHashMap<>();
+  public Survey survey() throws InterruptedException {
+    List<String> silent = directory.awaitFirstRead(patience);
+    Map<ServiceRegistrar, Future<SurveyedRegistrar>> asked = new LinkedHashMap<>();
     for (ServiceRegistrar each : directory.lookupServices()) {
       asked.put(each, askers.submit(() -> seen(each)));
     }
-    List<Seen> seen = new ArrayList<>();
-    for (Map.Entry<ServiceRegistrar, Future<Seen>> each : asked.entrySet()) {
+    List<SurveyedRegistrar> seen = new ArrayList<>();
+    for (Map.Entry<ServiceRegistrar, Future<SurveyedRegistrar>> each : asked.entrySet()) {
       String name = each.getKey().toString();
-      seen.add(answer(each.getValue()).orElseGet(() -> new Seen(name, List.of(), false, null)));
+      seen.add(
+          answer(each.getValue())
+              .orElseGet(() -> new SurveyedRegistrar(name, List.of(), false, null)));
     }
     return new Survey(seen, silent);
   }
 
-  private static Seen seen(ServiceRegistrar registrar) throws RemoteException {
+  private static SurveyedRegistrar seen(ServiceRegistrar registrar) throws RemoteException {
     List<String> groups = Arrays.asList(registrar.getGroups());
     long asked = System.nanoTime();
     LookupLocator locator = registrar.getLocator();
-    return new Seen(
+    return new SurveyedRegistrar(
         "jini://" + locator.getHost() + ":" + locator.getPort(),
         groups,
         HostAddress.isLoopback(locator.getHost()),
@@ -112,19 +114,19 @@ final class TeamSurvey
   }
 
   @Override
-  public ModuleCheck.Unusable unusable() throws InterruptedException {
-    directory.awaitFirstLook(patience);
-    return new ModuleCheck.Unusable(
-        Unready.among(directory.find(ModuleQuery.of(Module.class)), deadline),
-        directory.unreadable(),
+  public ModuleCheck.UnusableModules unusable() throws InterruptedException {
+    directory.awaitFirstRead(patience);
+    return new ModuleCheck.UnusableModules(
+        UnreadyModule.query(directory.find(ModuleQuery.of(Module.class)), deadline),
+        directory.unreadableModules(),
         directory.conflicts());
   }
 
   @Override
-  public List<Measured> measure() throws InterruptedException {
-    directory.awaitFirstLook(patience);
+  public List<RobotClock> measure() throws InterruptedException {
+    directory.awaitFirstRead(patience);
     List<ModuleListing<Module>> all = directory.find(ModuleQuery.of(Module.class));
-    Map<String, List<String>> namesakes = Namesakes.of(all);
+    Map<String, List<String>> namesakes = DuplicateRobotNames.of(all);
     Map<String, List<Module>> robots = new TreeMap<>();
     for (ModuleListing<Module> each : all) {
       if (!each.stale() && !each.robot().isEmpty()) {
@@ -133,43 +135,43 @@ final class TeamSurvey
         robots.computeIfAbsent(robot, name -> new ArrayList<>()).add(each.module());
       }
     }
-    Map<String, Future<ClockOffset>> asked = new TreeMap<>();
+    Map<String, Future<NtpClockOffset>> asked = new TreeMap<>();
     robots.forEach((robot, modules) -> asked.put(robot, askers.submit(() -> offset(modules))));
-    List<Measured> measured = new ArrayList<>();
-    for (Map.Entry<String, Future<ClockOffset>> each : asked.entrySet()) {
-      measured.add(new Measured(each.getKey(), answer(each.getValue()).orElse(null)));
+    List<RobotClock> measured = new ArrayList<>();
+    for (Map.Entry<String, Future<NtpClockOffset>> each : asked.entrySet()) {
+      measured.add(new RobotClock(each.getKey(), answer(each.getValue()).orElse(null)));
     }
     return measured;
   }
 
   @Override
-  public List<StopCheck.Stopped> stopped() throws InterruptedException {
-    directory.awaitFirstLook(patience);
-    List<StopCheck.Stopped> stopped = new ArrayList<>();
+  public List<StopCheck.StoppedEffector> stopped() throws InterruptedException {
+    directory.awaitFirstRead(patience);
+    List<StopCheck.StoppedEffector> stopped = new ArrayList<>();
     for (ModuleListing<Module> each : directory.find(ModuleQuery.of(Module.class))) {
-      each.attributes(StopAttributes.class)
-          .filter(StopAttributes::latched)
-          .map(stop -> new StopCheck.Stopped(each.robot(), each.path(), stop))
+      each.attributes(EmergencyStopAttributes.class)
+          .filter(EmergencyStopAttributes::latched)
+          .map(stop -> new StopCheck.StoppedEffector(each.robot(), each.path(), stop))
           .ifPresent(stopped::add);
     }
     return stopped;
   }
 
   @Override
-  public Map<String, List<String>> namesakes() throws InterruptedException {
-    directory.awaitFirstLook(patience);
-    return Namesakes.of(directory.find(ModuleQuery.of(Module.class)));
+  public Map<String, List<String>> hostsByDuplicateName() throws InterruptedException {
+    directory.awaitFirstRead(patience);
+    return DuplicateRobotNames.of(directory.find(ModuleQuery.of(Module.class)));
   }
 
   /** By the first of a robot's modules that tells. */
-  static ClockOffset offset(List<Module> modules) throws Exception {
+  static NtpClockOffset offset(List<Module> modules) throws Exception {
     @Nullable Exception failure = null;
     for (Module module : modules) {
       try {
         if (module instanceof Administrable administrable
             && administrable.getAdmin() instanceof ModuleAdmin admin) {
-          Callable<Instant> clock = admin::clock;
-          return ClockOffset.measure(QUESTIONS, clock, InstantSource.system());
+          Callable<Instant> clock = admin::hostTime;
+          return NtpClockOffset.measure(QUESTIONS, clock, InstantSource.system());
         }
       } catch (RemoteException | RuntimeException e) { // also a foreign proxy's own
         failure = e;

@@ -20,10 +20,10 @@ import picocli.CommandLine.Command;
       "the call itself, TCP and IP add is left out. A line each second, and one at the",
       "end: by --count, --for or Ctrl-C."
     })
-final class BwCommand extends Measurement {
+final class BwCommand extends MeasurementCommand {
 
   /** Sizes in bytes, rates in bytes per second; null where too few events came. */
-  record Volume(
+  record BandwidthReport(
       long events,
       int window,
       long lost,
@@ -45,26 +45,26 @@ final class BwCommand extends Measurement {
 
   @Override
   Object value(EventWindow events, long lost) {
-    Spread sizes = events.sizes();
-    return new Volume(
-        events.events(),
+    SummaryStatistics sizes = events.sizes();
+    return new BandwidthReport(
+        events.totalCount(),
         events.size(),
         lost,
-        Numbers.orNull(events.bytesPerSecond()),
-        Numbers.orNull(sizes.mean()),
-        Numbers.orNull(sizes.min()),
-        Numbers.orNull(sizes.max()));
+        NumberFormats.orNull(events.bytesPerSecond()),
+        NumberFormats.orNull(sizes.mean()),
+        NumberFormats.orNull(sizes.min()),
+        NumberFormats.orNull(sizes.max()));
   }
 
   @Override
   String inWords(EventWindow events) {
-    Spread sizes = events.sizes();
-    return Numbers.bytes(events.bytesPerSecond())
+    SummaryStatistics sizes = events.sizes();
+    return NumberFormats.bytes(events.bytesPerSecond())
         + "/s; size mean "
-        + Numbers.bytes(sizes.mean())
+        + NumberFormats.bytes(sizes.mean())
         + ", min "
-        + Numbers.bytes(sizes.min())
+        + NumberFormats.bytes(sizes.min())
         + ", max "
-        + Numbers.bytes(sizes.max());
+        + NumberFormats.bytes(sizes.max());
   }
 }

@@ -3,13 +3,13 @@ package org.dfra.app.event;
 import java.time.Duration;
 import java.util.EnumSet;
 import java.util.concurrent.Callable;
-import org.dfra.app.event.Listening.Ear;
+import org.dfra.app.event.ListeningSession.EventHandler;
 import org.dfra.app.team.ModuleArgument;
-import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamDirectory;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
-import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.DeliveryPolicy.EventKind;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -50,37 +50,37 @@ final class EchoCommand implements Callable<Integer> {
   public Integer call() throws Exception {
     long count = listening.count();
     Duration time = listening.time();
-    DeliveryPolicy policy = listening.policy(EnumSet.allOf(Kind.class), depth, rate);
+    DeliveryPolicy policy = listening.policy(EnumSet.allOf(EventKind.class), depth, rate);
     Lines lines = new Lines();
-    try (Team team = module.open();
-        Listening open = new Listening(module.in(team), lines, count)) {
+    try (TeamDirectory team = module.open();
+        ListeningSession open = new ListeningSession(module.find(team), lines, count)) {
       long lost = open.run(policy, time);
       module
           .answer()
-          .remark(lines.shown + (lines.shown == 1 ? " event, " : " events, ") + lost + " lost");
+          .note(lines.shown + (lines.shown == 1 ? " event, " : " events, ") + lost + " lost");
     }
-    return ExitCode.WELL;
+    return ExitCode.SUCCESS;
   }
 
   /** Writes a line for each event. */
-  private final class Lines implements Ear {
+  private final class Lines implements EventHandler {
 
     private volatile long shown;
     private long lostBefore;
 
     @Override
     @SuppressWarnings("NonAtomicVolatileUpdate") // events come one at a time
-    public boolean hear(Delivery delivery, long lost) {
+    public boolean onEvent(Delivery delivery, long lost) {
       EventLine line = EventLine.of(delivery, lost - lostBefore);
       lostBefore = lost;
       module.answer().line(line, line.inWords());
       shown++;
-      return module.answer().isRead();
+      return module.answer().isOutputOpen();
     }
 
     @Override
-    public boolean tick(long lost) {
-      return module.answer().isRead();
+    public boolean onSecond(long lost) {
+      return module.answer().isOutputOpen();
     }
   }
 }

@@ -2,9 +2,9 @@ package org.dfra.app.event;
 
 import java.time.Instant;
 import java.util.Locale;
-import org.dfra.app.terminal.Inline;
+import org.dfra.app.terminal.InlineFormat;
 import org.dfra.event.Delivery;
-import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.DeliveryPolicy.EventKind;
 import org.dfra.event.ModuleEvent;
 
 /**
@@ -22,7 +22,7 @@ import org.dfra.event.ModuleEvent;
 record EventLine(
     String module,
     Instant time,
-    Kind kind,
+    EventKind kind,
     long sequence,
     long epoch,
     long lost,
@@ -62,10 +62,10 @@ record EventLine(
       return word(change.from()) + " -> " + word(change.to());
     } else if (event instanceof ModuleEvent.ParameterChanged parameter) {
       return parameter.name() + " is now " + parameter.text();
-    } else if (event instanceof ModuleEvent.IncidentNoted noted) {
-      return word(noted.incident().kind()) + ": " + noted.incident().what();
+    } else if (event instanceof ModuleEvent.IncidentRecorded noted) {
+      return word(noted.incident().kind()) + ": " + noted.incident().description();
     }
-    return type + " " + Inline.of(event);
+    return type + " " + InlineFormat.of(event);
   }
 
   private static String word(Enum<?> constant) {

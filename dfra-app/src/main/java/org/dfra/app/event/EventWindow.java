@@ -32,7 +32,7 @@ final class EventWindow {
   }
 
   /** All events that came, also those that have been pushed out. */
-  long events() {
+  long totalCount() {
     return events;
   }
 
@@ -59,8 +59,8 @@ final class EventWindow {
   }
 
   /** The intervals between one event and the next, in seconds. */
-  Spread intervals() {
-    Spread.Collector collector = new Spread.Collector();
+  SummaryStatistics intervals() {
+    SummaryStatistics.RunningStatistics collector = new SummaryStatistics.RunningStatistics();
     Arrival last = null;
     for (Arrival each : arrivals) {
       if (last != null) {
@@ -72,8 +72,8 @@ final class EventWindow {
   }
 
   /** The sizes, in bytes. */
-  Spread sizes() {
-    Spread.Collector collector = new Spread.Collector();
+  SummaryStatistics sizes() {
+    SummaryStatistics.RunningStatistics collector = new SummaryStatistics.RunningStatistics();
     arrivals.forEach(each -> collector.add(each.bytes()));
     return collector.spread();
   }

@@ -14,10 +14,10 @@ import picocli.CommandLine.Command;
       "Intervals are those at which events arrive here. A line each second, and one at",
       "the end: by --count, --for or Ctrl-C."
     })
-final class HzCommand extends Measurement {
+final class HzCommand extends MeasurementCommand {
 
   /** Rates in hertz, intervals in seconds; null where too few events came. */
-  record Pace(
+  record RateReport(
       long events,
       int window,
       long lost,
@@ -33,26 +33,26 @@ final class HzCommand extends Measurement {
 
   @Override
   Object value(EventWindow events, long lost) {
-    Spread intervals = events.intervals();
-    return new Pace(
-        events.events(),
+    SummaryStatistics intervals = events.intervals();
+    return new RateReport(
+        events.totalCount(),
         events.size(),
         lost,
-        Numbers.orNull(events.rate()),
-        Numbers.orNull(intervals.min()),
-        Numbers.orNull(intervals.max()),
-        Numbers.orNull(intervals.deviation()));
+        NumberFormats.orNull(events.rate()),
+        NumberFormats.orNull(intervals.min()),
+        NumberFormats.orNull(intervals.max()),
+        NumberFormats.orNull(intervals.standardDeviation()));
   }
 
   @Override
   String inWords(EventWindow events) {
-    Spread intervals = events.intervals();
+    SummaryStatistics intervals = events.intervals();
     return String.format(
         Locale.ROOT,
         "%s Hz; interval min %.4f s, max %.4f s, std %.4f s",
-        Numbers.fourDigits(events.rate()),
+        NumberFormats.fourDigits(events.rate()),
         intervals.min(),
         intervals.max(),
-        intervals.deviation());
+        intervals.standardDeviation());
   }
 }

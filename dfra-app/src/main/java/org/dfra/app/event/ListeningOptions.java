@@ -5,7 +5,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import org.dfra.event.DeliveryPolicy;
-import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.DeliveryPolicy.EventKind;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -24,7 +24,7 @@ final class ListeningOptions {
       hideParamSyntax = true,
       split = ",",
       description = "Only these kinds of events: ${COMPLETION-CANDIDATES}.")
-  private Kind @Nullable [] kinds;
+  private EventKind @Nullable [] kinds;
 
   @Option(names = "--count", paramLabel = "N", description = "End after so many events.")
   private long count = Long.MAX_VALUE;
@@ -55,10 +55,10 @@ final class ListeningOptions {
   /**
    * What the listener can take.
    *
-   * @param usual the kinds of events where the user has named none
+   * @param defaultKinds the kinds of events where the user has named none
    */
-  DeliveryPolicy policy(Set<Kind> usual, int depth, double highestRate) {
-    Set<Kind> wanted = kinds == null ? usual : EnumSet.copyOf(List.of(kinds));
+  DeliveryPolicy policy(Set<EventKind> defaultKinds, int depth, double highestRate) {
+    Set<EventKind> wanted = kinds == null ? defaultKinds : EnumSet.copyOf(List.of(kinds));
     try {
       return new DeliveryPolicy(wanted, depth, highestRate);
     } catch (IllegalArgumentException e) {

@@ -5,17 +5,17 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
-import org.dfra.app.event.Listening.Ear;
-import org.dfra.app.noise.NoiseFigure;
+import org.dfra.app.event.ListeningSession.EventHandler;
+import org.dfra.app.noise.NoiseParameter;
 import org.dfra.app.noise.NoiseStudy;
 import org.dfra.app.team.ModuleArgument;
-import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamDirectory;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.app.terminal.Table;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
-import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.DeliveryPolicy.EventKind;
 import org.dfra.event.ModuleEvent;
 import org.dfra.event.Reading;
 import org.jspecify.annotations.Nullable;
@@ -47,22 +47,24 @@ final class NoiseCommand implements Callable<Integer> {
     Duration time = listening.time();
     DeliveryPolicy policy =
         listening.policy(
-            EnumSet.of(Kind.READING), DeliveryPolicy.DEEPEST, Double.POSITIVE_INFINITY);
-    Student student = new Student();
-    try (Team team = module.open();
-        Listening open = new Listening(module.in(team), student, count)) {
+            EnumSet.of(EventKind.READING),
+            DeliveryPolicy.MAX_QUEUE_DEPTH,
+            Double.POSITIVE_INFINITY);
+    NoiseCollector student = new NoiseCollector();
+    try (TeamDirectory team = module.open();
+        ListeningSession open = new ListeningSession(module.find(team), student, count)) {
       long lost = open.run(policy, time);
-      tell(student.figures());
+      print(student.figures());
       if (lost > 0) {
-        module.answer().remark((lost == 1 ? "one reading was" : lost + " readings were") + " lost");
+        module.answer().note((lost == 1 ? "one reading was" : lost + " readings were") + " lost");
       }
     }
-    return ExitCode.WELL;
+    return ExitCode.SUCCESS;
   }
 
-  private void tell(List<NoiseFigure> figures) {
+  private void print(List<NoiseParameter> figures) {
     Table table = new Table("FIGURE", "VALUE", "UNIT", "FROM");
-    for (NoiseFigure each : figures) {
+    for (NoiseParameter each : figures) {
       table.row(
           each.name(),
           Double.isFinite(each.value()) ? String.format(Locale.ROOT, "%.4g", each.value()) : "-",
@@ -73,13 +75,13 @@ final class NoiseCommand implements Callable<Integer> {
   }
 
   /** Hands over what is heard. */
-  private static final class Student implements Ear {
+  private static final class NoiseCollector implements EventHandler {
 
     private @Nullable NoiseStudy study; // guarded by this
     private @Nullable String other; // guarded by this; what there is no study of
 
     @Override
-    public synchronized boolean hear(Delivery delivery, long lost) {
+    public synchronized boolean onEvent(Delivery delivery, long lost) {
       if (!(delivery.event() instanceof ModuleEvent.NewReading fresh)) {
         return true;
       }
@@ -91,16 +93,16 @@ final class NoiseCommand implements Callable<Integer> {
           return false;
         }
       }
-      study.take(reading);
+      study.add(reading);
       return true;
     }
 
     @Override
-    public boolean tick(long lost) {
+    public boolean onSecond(long lost) {
       return true;
     }
 
-    synchronized List<NoiseFigure> figures() {
+    synchronized List<NoiseParameter> figures() {
       if (study == null) {
         throw new CommandFailure(
             ExitCode.FAILED,
@@ -111,7 +113,7 @@ final class NoiseCommand implements Callable<Integer> {
                     + "; noise is measured of GpsFix, AngularRate and"
                     + " RangeScan");
       }
-      return study.figures();
+      return study.parameters();
     }
   }
 }

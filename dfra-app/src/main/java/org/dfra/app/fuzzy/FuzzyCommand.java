@@ -8,5 +8,5 @@ import picocli.CommandLine.Command;
     description = "Shows fuzzy systems.",
     synopsisSubcommandLabel = "VERB",
     commandListHeading = "%nVerbs:%n",
-    subcommands = ShowCommand.class)
+    subcommands = FuzzyShowCommand.class)
 public final class FuzzyCommand {}

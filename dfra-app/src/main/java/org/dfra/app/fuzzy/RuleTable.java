@@ -11,7 +11,7 @@ import org.dfra.app.plot.MatrixPanel.Cell;
 import org.dfra.app.plot.MatrixPanel.Factor;
 import org.dfra.behaviors.fuzzy.FuzzySystem;
 import org.dfra.behaviors.fuzzy.Rule;
-import org.dfra.behaviors.fuzzy.RuleSentences;
+import org.dfra.behaviors.fuzzy.RuleFormatter;
 import org.dfra.behaviors.fuzzy.Variable;
 
 /**
@@ -62,7 +62,7 @@ final class RuleTable {
   }
 
   private static Factor factor(Variable input) {
-    return new Factor(input.name(), RuleSentences.words(input));
+    return new Factor(input.name(), RuleFormatter.termLabels(input));
   }
 
   private static long size(List<Factor> factors) {
@@ -108,7 +108,8 @@ final class RuleTable {
       return Cell.EMPTY;
     }
     String text =
-        String.join(" | ", said.stream().map(term -> RuleSentences.word(output, term)).toList());
+        String.join(
+            " | ", said.stream().map(term -> RuleFormatter.termLabel(output, term)).toList());
     boolean isOne = said.size() == 1 && said.iterator().next() > 0;
     int last = Math.max(1, output.terms().size() - 1);
     double part = isOne ? (said.iterator().next() - 1.0) / last : Double.NaN;

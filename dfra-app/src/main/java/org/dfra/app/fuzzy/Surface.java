@@ -20,10 +20,10 @@ import org.dfra.behaviors.fuzzy.Variable;
  * @param system what is evaluated, as MATLAB does
  * @param inputs places of those along the axes: across, then upwards if there is a second one
  * @param output place of what is shown
- * @param held a value for each input of the system, each in its unit; those along the axes do not
- *     count
+ * @param fixedInputs a value for each input of the system, each in its unit; those along the axes
+ *     do not count
  */
-record Surface(FuzzySystem system, List<Integer> inputs, int output, List<Double> held) {
+record Surface(FuzzySystem system, List<Integer> inputs, int output, List<Double> fixedInputs) {
 
   private static final int ACROSS = 150;
   private static final int UP = 75;
@@ -31,7 +31,7 @@ record Surface(FuzzySystem system, List<Integer> inputs, int output, List<Double
 
   Surface {
     inputs = List.copyOf(inputs);
-    held = List.copyOf(held);
+    fixedInputs = List.copyOf(fixedInputs);
   }
 
   /** The panel that shows it. */
@@ -65,7 +65,7 @@ record Surface(FuzzySystem system, List<Integer> inputs, int output, List<Double
     String others =
         IntStream.range(0, system.inputs().size())
             .filter(i -> !inputs.contains(i))
-            .mapToObj(i -> system.inputs().get(i).name() + " = " + Numerals.of(held.get(i)))
+            .mapToObj(i -> system.inputs().get(i).name() + " = " + Numerals.of(fixedInputs.get(i)))
             .collect(Collectors.joining(", "));
     return others.isEmpty() ? "" : " at " + others;
   }
@@ -126,7 +126,7 @@ record Surface(FuzzySystem system, List<Integer> inputs, int output, List<Double
 
   /** The output; not a number where no rule that says something of it fires. */
   private double at(Inference inference, double... along) {
-    double[] values = held.stream().mapToDouble(Double::doubleValue).toArray();
+    double[] values = fixedInputs.stream().mapToDouble(Double::doubleValue).toArray();
     for (int i = 0; i < along.length; i++) {
       values[inputs.get(i)] = along[i];
     }

@@ -29,7 +29,7 @@ final class SurfaceOptions {
    * @throws CommandFailure if one of them does not fit the system
    */
   List<Surface> surfaces(List<String> surfaces, List<String> held) {
-    List<Double> values = held(held);
+    List<Double> values = fixedInputs(held);
     List<Surface> all =
         surfaces.isEmpty()
             ? each(IntStream.range(0, Math.min(2, system.inputs().size())).boxed().toList(), values)
@@ -72,7 +72,7 @@ final class SurfaceOptions {
   }
 
   /** A value for each input: the middle of its range, or what is asked for. */
-  private List<Double> held(List<String> written) {
+  private List<Double> fixedInputs(List<String> written) {
     List<Double> values = new ArrayList<>(system.inputs().stream().map(Variable::middle).toList());
     for (String each : written) {
       int sign = each.indexOf('=');
@@ -119,6 +119,6 @@ final class SurfaceOptions {
   }
 
   private static CommandFailure wrong(String sentence) {
-    return new CommandFailure(ExitCode.WRONG_USE, sentence);
+    return new CommandFailure(ExitCode.USAGE_ERROR, sentence);
   }
 }

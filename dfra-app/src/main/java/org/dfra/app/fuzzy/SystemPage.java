@@ -13,9 +13,9 @@ import org.dfra.app.plot.Series;
 import org.dfra.app.plot.TextPanel;
 import org.dfra.behaviors.fuzzy.FuzzySystem;
 import org.dfra.behaviors.fuzzy.LinearFunction;
-import org.dfra.behaviors.fuzzy.Membership;
-import org.dfra.behaviors.fuzzy.MembershipType;
-import org.dfra.behaviors.fuzzy.RuleSentences;
+import org.dfra.behaviors.fuzzy.MembershipFunction;
+import org.dfra.behaviors.fuzzy.MembershipFunctionType;
+import org.dfra.behaviors.fuzzy.RuleFormatter;
 import org.dfra.behaviors.fuzzy.Variable;
 
 /** A fuzzy system on one page: its inputs, its outputs, their surfaces, and its rules. */
@@ -72,9 +72,9 @@ final class SystemPage {
             role + " " + variable.name(),
             Surface.axis(variable),
             Axis.of("membership", "").between(0, 1.05));
-    List<String> words = RuleSentences.words(variable);
+    List<String> words = RuleFormatter.termLabels(variable);
     for (int term = 0; term < words.size(); term++) {
-      Membership set = (Membership) variable.terms().get(term).function();
+      MembershipFunction set = (MembershipFunction) variable.terms().get(term).function();
       double[] x = samples(variable, set);
       double[] y = Arrays.stream(x).map(set::at).toArray();
       panel.add(Series.line(words.get(term), x, y));
@@ -83,10 +83,11 @@ final class SystemPage {
   }
 
   /** On both sides of each parameter, since corners and steps are there; evenly between curves. */
-  private static double[] samples(Variable variable, Membership set) {
+  private static double[] samples(Variable variable, MembershipFunction set) {
     Axis axis = Surface.axis(variable);
     double length = axis.high() - axis.low();
-    boolean isStraight = set.type() == MembershipType.TRIMF || set.type() == MembershipType.TRAPMF;
+    boolean isStraight =
+        set.type() == MembershipFunctionType.TRIMF || set.type() == MembershipFunctionType.TRAPMF;
     int parts = isStraight ? 1 : SAMPLES;
     return Stream.concat(
             IntStream.rangeClosed(0, parts).mapToObj(i -> axis.low() + length * i / parts),
@@ -99,7 +100,7 @@ final class SystemPage {
   }
 
   private List<String> functions(Variable output) {
-    List<String> words = RuleSentences.words(output);
+    List<String> words = RuleFormatter.termLabels(output);
     return IntStream.range(0, words.size())
         .mapToObj(
             i -> words.get(i) + " = " + formula((LinearFunction) output.terms().get(i).function()))
@@ -131,7 +132,7 @@ final class SystemPage {
   }
 
   private void addRules(Page page) {
-    List<String> sentences = new RuleSentences(system).numbered();
+    List<String> sentences = new RuleFormatter(system).numbered();
     if (sentences.size() > MOST_SENTENCES) {
       var table = RuleTable.of(system);
       if (table.isPresent()) {

@@ -9,8 +9,8 @@ import org.dfra.app.plot.Numerals;
 import org.dfra.app.terminal.Table;
 import org.dfra.app.terminal.Terminal;
 import org.dfra.behaviors.fuzzy.FuzzySystem;
-import org.dfra.behaviors.fuzzy.Methods;
-import org.dfra.behaviors.fuzzy.RuleSentences;
+import org.dfra.behaviors.fuzzy.Operators;
+import org.dfra.behaviors.fuzzy.RuleFormatter;
 import org.dfra.behaviors.fuzzy.Term;
 import org.dfra.behaviors.fuzzy.Variable;
 
@@ -19,32 +19,32 @@ import org.dfra.behaviors.fuzzy.Variable;
  *
  * @param name its name
  * @param type mamdani or sugeno
- * @param methods how it reckons
+ * @param operators how it reckons
  * @param inputs what it reads
  * @param outputs what it commands
  * @param rules sentences, in their order
  * @param surfaces what the surfaces in the picture are of
- * @param picture where it is drawn
+ * @param image where it is drawn
  */
 record SystemView(
     String name,
     String type,
-    MethodsView methods,
+    OperatorsView operators,
     List<VariableView> inputs,
     List<VariableView> outputs,
     List<String> rules,
     List<String> surfaces,
-    String picture) {
+    String image) {
 
   /** So few rules are told in a terminal; more are only counted. */
   private static final int MOST_RULES = 12;
 
   /** The methods by their names in a {@code .fis} file. */
-  record MethodsView(
+  record OperatorsView(
       String and, String or, String implication, String aggregation, String defuzzification) {
 
-    static MethodsView of(Methods methods) {
-      return new MethodsView(
+    static OperatorsView of(Operators methods) {
+      return new OperatorsView(
           word(methods.and()),
           word(methods.or()),
           word(methods.implication()),
@@ -75,7 +75,8 @@ record SystemView(
     }
 
     String words() {
-      return String.join(", ", RuleSentences.distinct(terms.stream().map(TermView::name).toList()));
+      return String.join(
+          ", ", RuleFormatter.distinctLabels(terms.stream().map(TermView::name).toList()));
     }
   }
 
@@ -83,7 +84,7 @@ record SystemView(
   record TermView(String name, String type, List<Double> parameters) {
 
     static TermView of(Term term) {
-      return new TermView(term.name(), term.function().word(), term.function().parameters());
+      return new TermView(term.name(), term.function().fisName(), term.function().parameters());
     }
   }
 
@@ -91,10 +92,10 @@ record SystemView(
     return new SystemView(
         system.name(),
         word(system.type()),
-        MethodsView.of(system.methods()),
+        OperatorsView.of(system.operators()),
         system.inputs().stream().map(VariableView::of).toList(),
         system.outputs().stream().map(VariableView::of).toList(),
-        new RuleSentences(system).all(),
+        new RuleFormatter(system).all(),
         surfaces.stream().map(Surface::description).toList(),
         picture.toString());
   }
@@ -111,7 +112,7 @@ record SystemView(
   List<String> lines() {
     List<String> lines = new ArrayList<>();
     lines.add(
-        name + ": " + (isMamdani() ? "Mamdani" : "Sugeno") + ", " + methods.words(isMamdani()));
+        name + ": " + (isMamdani() ? "Mamdani" : "Sugeno") + ", " + operators.words(isMamdani()));
     lines.add("");
     Table table = new Table("VARIABLE", "IS", "RANGE", "TERMS");
     inputs.forEach(each -> table.row(each.name(), "input", each.range(), each.words()));
@@ -125,7 +126,7 @@ record SystemView(
       lines.add(rules.size() + " rules, which are in the picture.");
     }
     lines.add("");
-    lines.add("Drawn: " + picture);
+    lines.add("Drawn: " + image);
     return lines;
   }
 }

@@ -8,5 +8,5 @@ import picocli.CommandLine.Command;
     description = "Tells who holds leases on the team's modules, and revokes them.",
     synopsisSubcommandLabel = "VERB",
     commandListHeading = "%nVerbs:%n",
-    subcommands = {ListCommand.class, RevokeCommand.class})
+    subcommands = {LeaseListCommand.class, RevokeCommand.class})
 public final class LeaseCommand {}

@@ -4,8 +4,8 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.UUID;
-import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseHandle;
+import org.dfra.lease.LeaseRole;
 import org.dfra.lease.LeaseStatus;
 import org.jspecify.annotations.Nullable;
 
@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
 record LeaseView(
     String module,
     UUID id,
-    Holder holder,
+    LeaseRole holder,
     List<String> heldBy,
     boolean local,
     @Nullable String host,
@@ -41,12 +41,12 @@ record LeaseView(
     return new LeaseView(
         module,
         lease.handle().value(),
-        lease.holder(),
+        lease.role(),
         heldBy,
         lease.isLocal(),
         lease.host(),
-        lease.since(),
-        lease.held(),
+        lease.grantedAt(),
+        lease.age(),
         lease.remaining());
   }
 

@@ -6,7 +6,7 @@ import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import org.dfra.app.team.Administration;
 import org.dfra.app.team.ModuleArgument;
-import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamDirectory;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.directory.ModuleListing;
@@ -41,8 +41,8 @@ final class RevokeCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws Exception {
-    try (Team team = module.open()) {
-      ModuleListing<Module> listing = module.in(team);
+    try (TeamDirectory team = module.open()) {
+      ModuleListing<Module> listing = module.find(team);
       ModuleAdmin admin = Administration.of(listing);
       LeaseView found = find(listing.path(), admin.leases());
       if (!admin.revoke(new LeaseHandle(found.id()))) {
@@ -60,7 +60,7 @@ final class RevokeCommand implements Callable<Integer> {
                   + ", held from "
                   + found.hostInWords()
                   + ".");
-      return ExitCode.WELL;
+      return ExitCode.SUCCESS;
     }
   }
 

@@ -3,7 +3,7 @@ package org.dfra.app.log;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.ModuleArgument;
-import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamDirectory;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.directory.ModuleListing;
 import org.dfra.module.LogLevel;
@@ -33,8 +33,8 @@ final class LevelCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws Exception {
-    try (Team team = module.open()) {
-      ModuleListing<Module> listing = module.in(team);
+    try (TeamDirectory team = module.open()) {
+      ModuleListing<Module> listing = module.find(team);
       if (level != null) {
         listing.module().setLogLevel(level);
       }
@@ -44,7 +44,7 @@ final class LevelCommand implements Callable<Integer> {
           .sentence(
               Map.of("module", listing.path(), "level", now),
               listing.path() + " logs " + inWords(now) + ".");
-      return ExitCode.WELL;
+      return ExitCode.SUCCESS;
     }
   }
 

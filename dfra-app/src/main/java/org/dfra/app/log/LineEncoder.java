@@ -10,13 +10,13 @@ import java.time.Instant;
 import java.time.LocalDateTime;
 import java.time.ZoneId;
 import java.time.ZoneOffset;
-import org.dfra.text.Printable;
+import org.dfra.text.PrintableText;
 
 /**
  * Writes an event as a line of the log and, if there is an exception, its lines after it: what
- * Logback's pattern {@value #PATTERN} gives, but {@linkplain Printable printable}: a message is one
- * line, whatever another computer has put into it. For a pattern Logback loads some hundred classes
- * of converters in every process that starts.
+ * Logback's pattern {@value #PATTERN} gives, but {@linkplain PrintableText printable}: a message is
+ * one line, whatever another computer has put into it. For a pattern Logback loads some hundred
+ * classes of converters in every process that starts.
  */
 final class LineEncoder extends EncoderBase<ILoggingEvent> {
 
@@ -47,10 +47,10 @@ final class LineEncoder extends EncoderBase<ILoggingEvent> {
     appendTime(line, event.getTimeStamp());
     String level = event.getLevel().toString();
     line.append(' ').append(level).append(" ".repeat(Math.max(0, LEVEL_LENGTH - level.length())));
-    line.append(" [").append(Printable.name(event.getThreadName())).append("] ");
-    line.append(Printable.name(names.abbreviate(event.getLoggerName()))).append(": ");
+    line.append(" [").append(PrintableText.name(event.getThreadName())).append("] ");
+    line.append(PrintableText.name(names.abbreviate(event.getLoggerName()))).append(": ");
     String message = String.valueOf(event.getFormattedMessage());
-    line.append(Printable.line(message)).append(System.lineSeparator());
+    line.append(PrintableText.line(message)).append(System.lineSeparator());
     IThrowableProxy thrown = event.getThrowableProxy();
     if (thrown != null) {
       PrintableTrace.append(line, thrown);

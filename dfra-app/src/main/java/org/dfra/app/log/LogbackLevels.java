@@ -2,12 +2,12 @@ package org.dfra.app.log;
 
 import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
-import org.dfra.core.log.LogLevels;
+import org.dfra.core.log.LogLevelControl;
 import org.dfra.module.LogLevel;
 import org.slf4j.LoggerFactory;
 
 /** Sets the levels of Logback, which is what this application logs by. */
-public final class LogbackLevels implements LogLevels {
+public final class LogbackLevels implements LogLevelControl {
 
   @Override
   public LogLevel level(String logger) {

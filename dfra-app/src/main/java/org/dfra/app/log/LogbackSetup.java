@@ -11,7 +11,7 @@ import ch.qos.logback.core.ConsoleAppender;
 import ch.qos.logback.core.spi.ContextAwareBase;
 import java.util.Optional;
 import java.util.stream.Stream;
-import org.dfra.text.Printable;
+import org.dfra.text.PrintableText;
 
 /**
  * Sets Logback up in code: every process of DFRA logs to its standard output, a terminal or the
@@ -66,7 +66,7 @@ public final class LogbackSetup extends ContextAwareBase implements Configurator
     if (level == null && given.isPresent()) {
       System.err.printf(
           "dfra: %s=%s is no level of the log; INFO is taken: set ERROR, WARN, INFO, DEBUG or TRACE%n",
-          LEVEL, Printable.name(given.get()));
+          LEVEL, PrintableText.name(given.get()));
     }
     return level == null ? Level.INFO : level;
   }

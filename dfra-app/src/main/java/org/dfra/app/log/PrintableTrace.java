@@ -3,14 +3,14 @@ package org.dfra.app.log;
 import ch.qos.logback.classic.spi.IThrowableProxy;
 import ch.qos.logback.classic.spi.StackTraceElementProxy;
 import ch.qos.logback.classic.spi.ThrowableProxy;
-import org.dfra.text.Printable;
+import org.dfra.text.PrintableText;
 import org.jspecify.annotations.Nullable;
 
 /**
  * An exception with its stack trace and causes, in Logback's form, with each message and frame
- * {@linkplain Printable printable} and on one line. An exception that came from another computer
- * has messages and frames of that computer's choice, and as many as it likes: {@value #MOST_LINES}
- * lines are kept.
+ * {@linkplain PrintableText printable} and on one line. An exception that came from another
+ * computer has messages and frames of that computer's choice, and as many as it likes: {@value
+ * #MOST_LINES} lines are kept.
  */
 public final class PrintableTrace {
 
@@ -54,14 +54,14 @@ public final class PrintableTrace {
    * @param indent tabulators before each of its frames
    */
   private void append(IThrowableProxy thrown, String relation, int indent) {
-    String what = Printable.line(thrown.getClassName() + ": " + thrown.getMessage());
+    String what = PrintableText.line(thrown.getClassName() + ": " + thrown.getMessage());
     line(
         "\t".repeat(indent - 1),
         relation + (thrown.isCyclic() ? "[CIRCULAR REFERENCE: " + what + "]" : what));
     String margin = "\t".repeat(indent);
     StackTraceElementProxy[] frames = thrown.getStackTraceElementProxyArray();
     for (int i = 0; i < frames.length - thrown.getCommonFrames(); i++) {
-      line(margin, lines < MOST_LINES ? Printable.line(frames[i].toString()) : "");
+      line(margin, lines < MOST_LINES ? PrintableText.line(frames[i].toString()) : "");
     }
     if (thrown.getCommonFrames() > 0) {
       line(margin, "... " + thrown.getCommonFrames() + " common frames omitted");

@@ -7,7 +7,7 @@ import org.dfra.geometry.GeoPosition;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
 import org.dfra.sim.world.description.MineDescription;
-import org.dfra.sim.world.description.Mount;
+import org.dfra.sim.world.description.MountPose;
 import org.dfra.sim.world.description.ObstacleDescription;
 import org.dfra.sim.world.description.VehicleDescription;
 import org.dfra.sim.world.description.VehicleType;
@@ -29,7 +29,7 @@ final class MineField {
   static final String THERMAL = "thermal";
 
   /** Of both cameras, which look 29° down over the robot's bow. */
-  static final Mount MOUNT = new Mount(0.35, 0, 0.7, 0, 0.5, 0);
+  static final MountPose MOUNT = new MountPose(0.35, 0, 0.7, 0, 0.5, 0);
 
   /** Of both cameras, radians. */
   static final double FIELD_OF_VIEW = 1.05;
@@ -52,7 +52,7 @@ final class MineField {
   static WorldDescription of(long seed) {
     MineField field = new MineField(seed);
     WorldDescription world =
-        new WorldDescription("mines", seed, DATUM, LENGTH, 2 * MIDDLE).in(field.weather());
+        new WorldDescription("mines", seed, DATUM, LENGTH, 2 * MIDDLE).withWeather(field.weather());
     for (int i = 0; i < MINES; i++) {
       world = world.with(field.mine(i));
     }
@@ -69,7 +69,7 @@ final class MineField {
         .with(field.hedge("hedge_south", -1))
         .with(
             new VehicleDescription(ROBOT, VehicleType.UGV, START, MIDDLE, 0)
-                .with(new DeviceDescription(DeviceKind.DRIVE, "drive", Mount.MIDDLE))
+                .with(new DeviceDescription(DeviceKind.DRIVE, "drive", MountPose.MIDDLE))
                 .with(camera(DeviceKind.CAMERA, CAMERA))
                 .with(camera(DeviceKind.THERMAL, THERMAL)));
   }

@@ -16,16 +16,16 @@ final class AddCommand implements Callable<Integer> {
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private DescribedModule described;
+  private ConfiguredModuleArgument described;
 
   @Override
   public Integer call() throws Exception {
-    RobotBootstrap.Service service = described.change(RobotBootstrap::add);
+    RobotBootstrap.ServiceReference service = described.change(RobotBootstrap::add);
     described
         .answer()
         .sentence(
             Map.of("module", service.name(), "group", service.group(), "added", true),
             "Added " + service.name() + " to group " + service.group() + ".");
-    return ExitCode.WELL;
+    return ExitCode.SUCCESS;
   }
 }

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.ModuleArgument;
-import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamDirectory;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.app.terminal.Table;
 import org.dfra.module.Idempotent;
@@ -42,28 +42,31 @@ final class CallCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws Exception {
-    try (Team team = module.open()) {
-      Calls calls = new Calls(module.in(team).module());
+    try (TeamDirectory team = module.open()) {
+      ModuleMethods calls = new ModuleMethods(module.find(team).module());
       if (method == null) {
         list(calls);
-        return ExitCode.WELL;
+        return ExitCode.SUCCESS;
       }
-      Object answer = calls.call(method, arguments);
+      Object answer = calls.invoke(method, arguments);
       if (answer != null) {
-        module.answer().outline(answer);
+        module.answer().details(answer);
       }
-      return ExitCode.WELL;
+      return ExitCode.SUCCESS;
     }
   }
 
-  private void list(Calls calls) {
+  private void list(ModuleMethods calls) {
     Table table = new Table("METHOD", "ANSWER", "REPEATED");
     List<Map<String, Object>> values = new ArrayList<>();
     for (Method each : calls.methods()) {
       boolean isRepeated = each.isAnnotationPresent(Idempotent.class);
-      String type = Calls.name(each.getGenericReturnType());
-      table.row(Calls.signature(each), type.replace("void", "-"), isRepeated ? "yes" : "no");
-      values.add(Map.of("method", Calls.signature(each), "answer", type, "idempotent", isRepeated));
+      String type = ModuleMethods.name(each.getGenericReturnType());
+      table.row(
+          ModuleMethods.signature(each), type.replace("void", "-"), isRepeated ? "yes" : "no");
+      values.add(
+          Map.of(
+              "method", ModuleMethods.signature(each), "answer", type, "idempotent", isRepeated));
     }
     module.answer().table(values, table, "");
   }

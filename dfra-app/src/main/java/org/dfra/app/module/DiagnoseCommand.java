@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.ModuleArgument;
-import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamDirectory;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.app.terminal.Table;
 import org.dfra.module.Diagnosable;
@@ -34,8 +34,8 @@ final class DiagnoseCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws Exception {
-    try (Team team = module.open()) {
-      Diagnosable asked = Diagnosables.of(module.in(team));
+    try (TeamDirectory team = module.open()) {
+      Diagnosable asked = Diagnosables.of(module.find(team));
       List<String> tests = asked.tests();
       List<Diagnosis> results = new ArrayList<>();
       for (String each : test == null ? tests : List.of(known(tests, test))) {
@@ -47,10 +47,10 @@ final class DiagnoseCommand implements Callable<Integer> {
               table.row(
                   each.name(),
                   each.passed() ? "passed" : "FAILED",
-                  String.format(Locale.ROOT, "%.1f s", each.took().toNanos() / 1e9),
+                  String.format(Locale.ROOT, "%.1f s", each.duration().toNanos() / 1e9),
                   each.finding()));
       module.answer().table(results, table, module.name() + " has no tests.");
-      return results.stream().allMatch(Diagnosis::passed) ? ExitCode.WELL : ExitCode.FAILED;
+      return results.stream().allMatch(Diagnosis::passed) ? ExitCode.SUCCESS : ExitCode.FAILED;
     }
   }
 

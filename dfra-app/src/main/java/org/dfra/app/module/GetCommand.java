@@ -3,7 +3,7 @@ package org.dfra.app.module;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.ModuleArgument;
-import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamDirectory;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.app.terminal.Table;
@@ -31,21 +31,21 @@ final class GetCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws Exception {
-    try (Team team = module.open()) {
-      List<Parameter> all = module.in(team).module().parameters();
+    try (TeamDirectory team = module.open()) {
+      List<Parameter> all = module.find(team).module().parameters();
       String wanted = parameter;
       if (wanted == null) {
         Table table = new Table("PARAMETER", "VALUE", "SETTABLE", "MEANING");
         all.forEach(
             each ->
                 table.row(
-                    each.name(), each.text(), each.settable() ? "yes" : "no", each.meaning()));
+                    each.name(), each.value(), each.settable() ? "yes" : "no", each.description()));
         module.answer().table(all, table, module.name() + " has no parameters.");
       } else {
         Parameter found = find(all, wanted, module.name());
-        module.answer().sentence(found, found.text());
+        module.answer().sentence(found, found.value());
       }
-      return ExitCode.WELL;
+      return ExitCode.SUCCESS;
     }
   }
 

@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.ModuleArgument;
-import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamDirectory;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.directory.ModuleListing;
 import org.dfra.module.Diagnosable;
@@ -26,8 +26,8 @@ final class InfoCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws Exception {
-    try (Team team = module.open()) {
-      ModuleListing<Module> listing = module.in(team);
+    try (TeamDirectory team = module.open()) {
+      ModuleListing<Module> listing = module.find(team);
       Module asked = listing.module();
       Identification identification = asked.identification();
       Map<String, Object> info = new LinkedHashMap<>();
@@ -35,7 +35,7 @@ final class InfoCommand implements Callable<Integer> {
       info.put("description", identification.description());
       info.put("author", identification.author());
       info.put("version", identification.version());
-      info.put("kinds", Kinds.names(asked));
+      info.put("kinds", ModuleKinds.names(asked));
       info.put("state", asked.readiness());
       info.put("stale", listing.stale());
       info.put("confirmed", listing.confirmed());
@@ -53,8 +53,8 @@ final class InfoCommand implements Callable<Integer> {
         entries.put(each.getClass().getSimpleName().replace(SUFFIX, ""), each);
       }
       info.put("entries", entries);
-      module.answer().outline(info);
-      return ExitCode.WELL;
+      module.answer().details(info);
+      return ExitCode.SUCCESS;
     }
   }
 }

@@ -5,10 +5,10 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import org.dfra.app.team.PhoenixOptions;
-import org.dfra.app.terminal.Answer;
 import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.CommandOutput;
 import org.dfra.app.terminal.ExitCode;
-import org.dfra.river.bootstrap.Inventory.ServiceGroup;
+import org.dfra.river.bootstrap.PhoenixInventory.ServiceGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
@@ -29,11 +29,11 @@ final class KillCommand implements Callable<Integer> {
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private Answer answer;
+  private CommandOutput answer;
 
   @Override
   public Integer call() throws Exception {
-    ServiceGroup group = LocalGroup.of(phoenix.running(), module);
+    ServiceGroup group = LocalGroup.of(phoenix.requireRunning(), module);
     long pid = group.status().pid();
     Optional<ProcessHandle> process = pid < 0 ? Optional.empty() : ProcessHandle.of(pid);
     if (process.isEmpty()) {
@@ -42,7 +42,7 @@ final class KillCommand implements Callable<Integer> {
           "group " + group.name() + " of " + group.robot() + " has no process; nothing to kill");
     }
     process.get().destroyForcibly();
-    process.get().onExit().get(PhoenixOptions.PATIENCE.toSeconds(), TimeUnit.SECONDS);
+    process.get().onExit().get(PhoenixOptions.TIMEOUT.toSeconds(), TimeUnit.SECONDS);
     answer.sentence(
         Map.of("robot", group.robot(), "group", group.name(), "pid", pid),
         "Killed group "
@@ -54,6 +54,6 @@ final class KillCommand implements Callable<Integer> {
             + " with "
             + String.join(", ", group.modules())
             + ".");
-    return ExitCode.WELL;
+    return ExitCode.SUCCESS;
   }
 }

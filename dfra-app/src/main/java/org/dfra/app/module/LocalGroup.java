@@ -7,8 +7,8 @@ import org.dfra.app.team.PhoenixOptions;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.config.NearestName;
-import org.dfra.river.bootstrap.Inventory;
-import org.dfra.river.bootstrap.Inventory.ServiceGroup;
+import org.dfra.river.bootstrap.PhoenixInventory;
+import org.dfra.river.bootstrap.PhoenixInventory.ServiceGroup;
 import org.dfra.river.bootstrap.PhoenixProcess;
 
 /** Finds the service group of a module among those of this host. */
@@ -24,7 +24,7 @@ final class LocalGroup {
    */
   static ServiceGroup of(PhoenixProcess phoenix, String module)
       throws IOException, ActivationException {
-    List<ServiceGroup> groups = Inventory.of(phoenix, PhoenixOptions.PATIENCE);
+    List<ServiceGroup> groups = PhoenixInventory.groups(phoenix, PhoenixOptions.TIMEOUT);
     return groups.stream()
         .filter(group -> paths(group).contains(module))
         .findFirst()

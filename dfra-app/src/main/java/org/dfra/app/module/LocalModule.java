@@ -2,14 +2,14 @@ package org.dfra.app.module;
 
 import java.util.Map;
 import org.dfra.app.team.PhoenixOptions;
-import org.dfra.app.terminal.Answer;
 import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.CommandOutput;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.config.RobotDescription;
-import org.dfra.river.bootstrap.Inventory.ServiceGroup;
-import org.dfra.river.bootstrap.KnownRobots;
+import org.dfra.river.bootstrap.PhoenixInventory.ServiceGroup;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.bootstrap.RobotBootstrap;
+import org.dfra.river.bootstrap.RobotDescriptionStore;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
@@ -25,11 +25,11 @@ final class LocalModule {
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private Answer answer;
+  private CommandOutput answer;
 
   /** What is done with the module. */
-  interface Deed {
-    void on(RobotBootstrap robot, String module) throws Exception;
+  interface ModuleAction {
+    void apply(RobotBootstrap robot, String module) throws Exception;
   }
 
   /**
@@ -37,11 +37,11 @@ final class LocalModule {
    *
    * @param done what has become of the module, such as {@code removed}
    */
-  void change(Deed deed, String done) throws Exception {
-    PhoenixProcess phoenix = options.running();
+  void change(ModuleAction deed, String done) throws Exception {
+    PhoenixProcess phoenix = options.requireRunning();
     ServiceGroup group = LocalGroup.of(phoenix, module);
     RobotDescription robot =
-        new KnownRobots(options.state())
+        new RobotDescriptionStore(options.state())
             .find(group.robot())
             .orElseThrow(
                 () ->
@@ -50,7 +50,7 @@ final class LocalModule {
                         "what is known of "
                             + group.robot()
                             + " is gone; bring it up once more: ./dfra up ROBOT.XML"));
-    deed.on(new RobotBootstrap(phoenix, robot), module.substring(module.indexOf('/') + 1));
+    deed.apply(new RobotBootstrap(phoenix, robot), module.substring(module.indexOf('/') + 1));
     answer.sentence(
         Map.of("module", module, "group", group.name(), done, true),
         module + " in group " + group.name() + " is " + done + ".");

@@ -7,9 +7,9 @@ import org.dfra.directory.Locality;
 import org.dfra.directory.ModuleListing;
 import org.dfra.module.Module;
 import org.dfra.module.Readiness;
+import org.dfra.persona.EmergencyStopAttributes;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.persona.RecruitmentAttributes;
-import org.dfra.persona.StopAttributes;
 import org.dfra.river.lookup.UnreadableModule;
 
 /**
@@ -57,9 +57,12 @@ public record ModuleView(
     return new ModuleView(
         listing.robot(),
         listing.name(),
-        Kinds.names(listing.module()),
+        ModuleKinds.names(listing.module()),
         attributes.map(ModuleAttributes::state),
-        listing.attributes(StopAttributes.class).filter(StopAttributes::latched).isPresent(),
+        listing
+            .attributes(EmergencyStopAttributes.class)
+            .filter(EmergencyStopAttributes::latched)
+            .isPresent(),
         attributes.map(ModuleAttributes::clients).orElse(0),
         attributes.map(ModuleAttributes::host).orElse(""),
         listing.locality(),
@@ -68,7 +71,7 @@ public record ModuleView(
         listing.id().toString(),
         Optional.empty(),
         false,
-        listing.attributes(RecruitmentAttributes.class).map(RecruitmentAttributes::held));
+        listing.attributes(RecruitmentAttributes.class).map(RecruitmentAttributes::holdReason));
   }
 
   /** What is known of one whose proxy cannot be read here. */
@@ -91,7 +94,7 @@ public record ModuleView(
   }
 
   /** The same with the reason why it does not serve. */
-  ModuleView because(String why) {
+  ModuleView withReason(String why) {
     return new ModuleView(
         robot,
         name,
@@ -110,11 +113,13 @@ public record ModuleView(
   }
 
   /** A sentence about one that cannot be used now; empty where it can be. */
-  Optional<String> complaint() {
+  Optional<String> unusableReason() {
     return reason.map(
         why ->
             path()
-                + (refused ? " cannot be used here: " : " is " + ModuleTable.state(this) + ": ")
+                + (refused
+                    ? " cannot be used here: "
+                    : " is " + ModuleListPrinter.state(this) + ": ")
                 + why
                 + (why.endsWith("?") ? "" : "."));
   }

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.ModuleArgument;
-import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamDirectory;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.app.terminal.Table;
 import org.dfra.module.Diagnosable;
@@ -33,14 +33,14 @@ final class RecoverCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws Exception {
-    try (Team team = module.open()) {
-      Diagnosable asked = Diagnosables.of(module.in(team));
+    try (TeamDirectory team = module.open()) {
+      Diagnosable asked = Diagnosables.of(module.find(team));
       List<String> recoveries = asked.recoveries();
       if (recovery == null) {
         Table table = new Table("RECOVERY");
         recoveries.forEach(table::row);
         module.answer().table(recoveries, table, module.name() + " has no recoveries.");
-        return ExitCode.WELL;
+        return ExitCode.SUCCESS;
       }
       Diagnosis result =
           asked.recover(Diagnosables.known(module.name(), "recovery", recoveries, recovery));
@@ -50,7 +50,7 @@ final class RecoverCommand implements Callable<Integer> {
               result,
               Map.of(true, "Recovered: ", false, "Not recovered: ").get(result.passed())
                   + result.finding());
-      return result.passed() ? ExitCode.WELL : ExitCode.FAILED;
+      return result.passed() ? ExitCode.SUCCESS : ExitCode.FAILED;
     }
   }
 }

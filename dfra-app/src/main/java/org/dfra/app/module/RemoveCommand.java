@@ -20,6 +20,6 @@ final class RemoveCommand implements Callable<Integer> {
   @Override
   public Integer call() throws Exception {
     local.change(RobotBootstrap::remove, "removed");
-    return ExitCode.WELL;
+    return ExitCode.SUCCESS;
   }
 }

@@ -20,17 +20,17 @@ final class ReplaceCommand implements Callable<Integer> {
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private DescribedModule described;
+  private ConfiguredModuleArgument described;
 
   @Override
   public Integer call() throws Exception {
-    RobotBootstrap.Service service =
+    RobotBootstrap.ServiceReference service =
         described.change((robot, module, group) -> robot.replace(module));
     described
         .answer()
         .sentence(
             Map.of("module", service.name(), "group", service.group(), "replaced", true),
             "Replaced " + service.name() + " in group " + service.group() + ".");
-    return ExitCode.WELL;
+    return ExitCode.SUCCESS;
   }
 }

@@ -2,7 +2,7 @@ package org.dfra.app.module;
 
 import java.util.concurrent.Callable;
 import org.dfra.app.team.ModuleArgument;
-import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamDirectory;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.directory.ModuleListing;
 import org.dfra.module.Module;
@@ -27,14 +27,14 @@ final class SetCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws Exception {
-    try (Team team = module.open()) {
-      ModuleListing<Module> listing = module.in(team);
+    try (TeamDirectory team = module.open()) {
+      ModuleListing<Module> listing = module.find(team);
       Module target = listing.module();
       GetCommand.find(target.parameters(), parameter, listing.path()); // for its exit code
       target.setParameter(parameter, value);
       Parameter now = GetCommand.find(target.parameters(), parameter, listing.path());
-      module.answer().sentence(now, listing.path() + ": " + parameter + " is " + now.text() + ".");
-      return ExitCode.WELL;
+      module.answer().sentence(now, listing.path() + ": " + parameter + " is " + now.value() + ".");
+      return ExitCode.SUCCESS;
     }
   }
 }

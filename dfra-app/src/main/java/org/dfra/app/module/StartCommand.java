@@ -20,6 +20,6 @@ final class StartCommand implements Callable<Integer> {
   @Override
   public Integer call() throws Exception {
     local.change(RobotBootstrap::start, "started");
-    return ExitCode.WELL;
+    return ExitCode.SUCCESS;
   }
 }

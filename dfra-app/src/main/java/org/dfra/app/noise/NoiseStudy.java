@@ -20,21 +20,21 @@ public interface NoiseStudy {
    */
   static Optional<NoiseStudy> of(Reading first) {
     if (first instanceof GpsFix) {
-      return Optional.of(new GpsNoise());
+      return Optional.of(new GpsNoiseStudy());
     } else if (first instanceof AngularRate) {
-      return Optional.of(new GyroNoise());
+      return Optional.of(new GyroNoiseStudy());
     } else if (first instanceof RangeScan) {
-      return Optional.of(new GhostNoise());
+      return Optional.of(new LaserNoiseStudy());
     }
     return Optional.empty();
   }
 
   /** Takes another reading; one of another kind is passed over. */
-  void take(Reading reading);
+  void add(Reading reading);
 
   /** How many were taken. */
   long readings();
 
   /** What they amount to so far. */
-  List<NoiseFigure> figures();
+  List<NoiseParameter> parameters();
 }

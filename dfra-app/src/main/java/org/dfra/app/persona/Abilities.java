@@ -6,7 +6,7 @@ import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import org.dfra.app.terminal.Inline;
+import org.dfra.app.terminal.InlineFormat;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ChainAttributes;
 import org.dfra.persona.LocationAttributes;
@@ -75,7 +75,7 @@ final class Abilities {
           pose.pitch(),
           pose.yaw());
     }
-    return Inline.of(attributes);
+    return InlineFormat.of(attributes);
   }
 
   /** With four digits, and no more of them than it has. */

@@ -4,10 +4,10 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
-import org.dfra.app.module.Kinds;
-import org.dfra.app.module.ModuleTable;
+import org.dfra.app.module.ModuleKinds;
+import org.dfra.app.module.ModuleListPrinter;
 import org.dfra.app.module.ModuleView;
-import org.dfra.app.team.Team;
+import org.dfra.app.team.TeamDirectory;
 import org.dfra.app.team.TeamOptions;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
@@ -51,25 +51,25 @@ final class FindCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws Exception {
-    try (Team team = options.open()) {
-      ModuleDirectory directory = team.surveyed();
+    try (TeamDirectory team = options.open()) {
+      ModuleDirectory directory = team.awaitDirectory();
       ModuleQuery<? extends Module> query = query(directory);
       List<ModuleView> found = directory.find(query).stream().map(ModuleView::of).toList();
-      ModuleTable.show(options.answer(), found, "There is no " + query + ".");
-      return found.isEmpty() ? ExitCode.NOT_FOUND : ExitCode.WELL;
+      ModuleListPrinter.show(options.answer(), found, "There is no " + query + ".");
+      return found.isEmpty() ? ExitCode.NOT_FOUND : ExitCode.SUCCESS;
     }
   }
 
   private ModuleQuery<? extends Module> query(ModuleDirectory directory) {
     Set<Class<?>> seen = new LinkedHashSet<>();
     for (ModuleListing<Module> each : directory.find(ModuleQuery.of(Module.class))) {
-      seen.addAll(Kinds.interfaces(each.module()));
+      seen.addAll(ModuleKinds.interfaces(each.module()));
       each.attributes().forEach(attributes -> seen.add(attributes.getClass()));
     }
     try {
-      return new QueryParser(QueryVocabulary.usual().with(seen)).parse(String.join(" ", words));
+      return new QueryParser(QueryVocabulary.standard().with(seen)).parse(String.join(" ", words));
     } catch (QuerySyntaxException e) {
-      throw new CommandFailure(ExitCode.WRONG_USE, "in the query, " + e.getMessage(), e);
+      throw new CommandFailure(ExitCode.USAGE_ERROR, "in the query, " + e.getMessage(), e);
     }
   }
 }

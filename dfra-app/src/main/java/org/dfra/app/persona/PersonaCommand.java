@@ -8,5 +8,5 @@ import picocli.CommandLine.Command;
     description = "Shows the team's robots, and finds modules by what they can do.",
     synopsisSubcommandLabel = "VERB",
     commandListHeading = "%nVerbs:%n",
-    subcommands = {ListCommand.class, ShowCommand.class, FindCommand.class})
+    subcommands = {PersonaListCommand.class, PersonaShowCommand.class, FindCommand.class})
 public final class PersonaCommand {}

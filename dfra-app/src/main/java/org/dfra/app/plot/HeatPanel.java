@@ -210,19 +210,22 @@ public final class HeatPanel implements Panel {
       return;
     }
     String text = "grey: " + missing;
-    double high = Letters.height(Letters.SMALL);
+    double high = PanelText.height(PanelText.SMALL);
     g.setColor(Palette.VEIL);
     g.fill(
         new Rectangle2D.Double(
-            area.getX() + 2, area.getY() + 2, Letters.width(text, Letters.SMALL) + 8, high + 8));
-    Letters.paint(
+            area.getX() + 2,
+            area.getY() + 2,
+            PanelText.width(text, PanelText.SMALL) + 8,
+            high + 8));
+    PanelText.paint(
         g,
         text,
-        Letters.SMALL,
+        PanelText.SMALL,
         Palette.INK,
         area.getX() + 6,
         area.getY() + 6 + high,
-        Letters.Side.LEFT);
+        PanelText.Side.LEFT);
   }
 
   private void paintBar(Graphics2D g, Rectangle2D area, Range range) {
@@ -239,15 +242,16 @@ public final class HeatPanel implements Panel {
     g.setColor(Palette.GREY);
     g.draw(new Rectangle2D.Double(left, area.getY(), BAR, area.getHeight()));
     paintTicks(g, area, range, left + BAR);
-    String name = Letters.fitting(value.title(), Letters.PLAIN, BAR_TITLE);
-    Letters.paint(
+    String name = PanelText.fitting(value.title(), PanelText.PLAIN, BAR_TITLE);
+    PanelText.paint(
         g,
         name,
-        Letters.PLAIN,
+        PanelText.PLAIN,
         Palette.INK,
-        Math.min(left + Letters.width(name, Letters.PLAIN), area.getMaxX() + BAR_ROOM - BAR_GAP),
+        Math.min(
+            left + PanelText.width(name, PanelText.PLAIN), area.getMaxX() + BAR_ROOM - BAR_GAP),
         area.getY() - 2.0 * BAR_GAP - 2,
-        Letters.Side.RIGHT);
+        PanelText.Side.RIGHT);
   }
 
   private void paintTicks(Graphics2D g, Rectangle2D area, Range range, double right) {
@@ -259,14 +263,14 @@ public final class HeatPanel implements Panel {
       double at = area.getMaxY() - range.part(tick) * area.getHeight();
       g.setColor(Palette.GREY);
       g.draw(new Line2D.Double(right, at, right + TICK, at));
-      Letters.paint(
+      PanelText.paint(
           g,
           names.isEmpty() ? Numerals.of(tick) : names.get((int) tick),
-          Letters.SMALL,
+          PanelText.SMALL,
           Palette.INK,
           right + TICK + BAR_GAP,
-          at + Letters.height(Letters.SMALL) / 2,
-          Letters.Side.LEFT);
+          at + PanelText.height(PanelText.SMALL) / 2,
+          PanelText.Side.LEFT);
     }
   }
 }

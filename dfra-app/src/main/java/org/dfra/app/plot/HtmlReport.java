@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
-import org.dfra.text.Printable;
+import org.dfra.text.PrintableText;
 
 /**
  * A report in one file that needs no other and runs nothing: text, tables, and pages as inline SVG.
@@ -148,13 +148,13 @@ public final class HtmlReport {
    * @param mediaType how: {@code image/png}
    * @param caption what is to be seen in it
    */
-  public HtmlReport picture(byte[] data, String mediaType, String caption) {
+  public HtmlReport image(byte[] data, String mediaType, String caption) {
     body.append("<figure>\n<img src=\"data:")
-        .append(escaped(Printable.name(mediaType)))
+        .append(escaped(PrintableText.name(mediaType)))
         .append(";base64,")
         .append(Base64.getEncoder().encodeToString(data))
         .append("\" alt=\"")
-        .append(escaped(Printable.lines(caption)))
+        .append(escaped(PrintableText.lines(caption)))
         .append("\">\n");
     element("figcaption", caption);
     body.append("</figure>\n");
@@ -179,7 +179,7 @@ public final class HtmlReport {
         %3$s</body>
         </html>
         """
-        .formatted(escaped(Printable.name(title)), STYLE, body);
+        .formatted(escaped(PrintableText.name(title)), STYLE, body);
   }
 
   /** Writes the whole document to a file. */
@@ -188,10 +188,10 @@ public final class HtmlReport {
   }
 
   private static String unbroken(String text) {
-    return Numerals.unbroken(Printable.lines(text));
+    return Numerals.unbroken(PrintableText.lines(text));
   }
 
-  /** Of a text that is {@linkplain Printable printable}. */
+  /** Of a text that is {@linkplain PrintableText printable}. */
   private static String escaped(String text) {
     return text.replace("&", "&amp;")
         .replace("<", "&lt;")

@@ -20,7 +20,7 @@ final class Legend {
   private final List<List<Entry>> lines = new ArrayList<>();
 
   /** What the marks of a path mean, behind its start, an arrow and its end. */
-  private static final String WAY = "start, direction, end";
+  private static final String PATH_KEY = "start, direction, end";
 
   private static final int KEY = 44; // wide, for what these take
 
@@ -33,7 +33,7 @@ final class Legend {
   private record Entry(String text, int sample, Sample painter) {
 
     double width() {
-      return sample + GAP + Letters.width(text, Letters.PLAIN);
+      return sample + GAP + PanelText.width(text, PanelText.PLAIN);
     }
   }
 
@@ -51,16 +51,16 @@ final class Legend {
       int number = names.indexOf(name);
       entries.add(
           new Entry(
-              Letters.fitting(name, Letters.PLAIN, width - SAMPLE - GAP),
+              PanelText.fitting(name, PanelText.PLAIN, width - SAMPLE - GAP),
               SAMPLE,
               (g, x, y) -> sample(g, first, number, x, y)));
     }
     if (hasWays) {
       entries.add(
           new Entry(
-              Letters.fitting(WAY, Letters.PLAIN, width - KEY - GAP),
+              PanelText.fitting(PATH_KEY, PanelText.PLAIN, width - KEY - GAP),
               KEY,
-              (g, x, y) -> Direction.paintKey(g, x + GAP, x + KEY - GAP, y)));
+              (g, x, y) -> PathArrows.paintKey(g, x + GAP, x + KEY - GAP, y)));
     }
     double used = Double.POSITIVE_INFINITY;
     for (Entry entry : entries) {
@@ -96,15 +96,15 @@ final class Legend {
       double x = middle - width / 2;
       for (Entry each : line) {
         each.painter().paint(g, x, y);
-        double baseline = y + Letters.height(Letters.PLAIN) / 2;
-        Letters.paint(
+        double baseline = y + PanelText.height(PanelText.PLAIN) / 2;
+        PanelText.paint(
             g,
             each.text(),
-            Letters.PLAIN,
+            PanelText.PLAIN,
             Palette.INK,
             x + each.sample() + GAP,
             baseline,
-            Letters.Side.LEFT);
+            PanelText.Side.LEFT);
         x += each.width() + BETWEEN;
       }
       y += LINE_HEIGHT;

@@ -179,7 +179,7 @@ public final class LinePanel implements Panel {
     paintUprights(g, plot);
     for (Mark each : marks) {
       if (!each.isMoment()) {
-        double length = Letters.width(each.label(), Letters.SMALL);
+        double length = PanelText.width(each.label(), PanelText.SMALL);
         AffineTransform before = g.getTransform();
         g.translate(area.getMaxX() - GAP - length, plot.y(each.value()) - GAP);
         label(g, each.label(), length);
@@ -198,7 +198,7 @@ public final class LinePanel implements Panel {
    */
   private void paintUprights(Graphics2D g, Plot plot) {
     Rectangle2D area = plot.area();
-    double thick = Letters.height(Letters.SMALL) + GAP;
+    double thick = PanelText.height(PanelText.SMALL) + GAP;
     List<Upright> painted = new ArrayList<>();
     for (Mark each : uprights(plot)) {
       double top = area.getMinY() + GAP;
@@ -209,7 +209,7 @@ public final class LinePanel implements Panel {
           isSaid |= each.label().equals(other.label());
         }
       }
-      double bottom = top + Letters.width(each.label(), Letters.SMALL);
+      double bottom = top + PanelText.width(each.label(), PanelText.SMALL);
       if (!isSaid && (bottom <= area.getMaxY() || painted.isEmpty())) {
         upwards(g, each.value(), bottom, each.label());
         painted.add(new Upright(each.value(), top, bottom, each.label()));
@@ -238,11 +238,11 @@ public final class LinePanel implements Panel {
 
   /** At the upper ends of their lines; where there is no room beside the last, below it. */
   private void paintNumbers(Graphics2D g, Plot plot) {
-    double thick = Letters.height(Letters.SMALL) + GAP;
+    double thick = PanelText.height(PanelText.SMALL) + GAP;
     double taken = Double.NEGATIVE_INFINITY;
     int level = 0;
     for (Note each : notes.stream().sorted(Comparator.comparingDouble(Note::at)).toList()) {
-      double wide = Letters.width(each.number(), Letters.SMALL);
+      double wide = PanelText.width(each.number(), PanelText.SMALL);
       double left = plot.x(each.at()) - wide / 2;
       level = left > taken ? 0 : level + 1;
       taken = left + wide + 2 * GAP;
@@ -258,14 +258,14 @@ public final class LinePanel implements Panel {
     AffineTransform before = g.getTransform();
     g.translate(at - GAP, bottom);
     g.rotate(-Math.PI / 2);
-    label(g, text, Letters.width(text, Letters.SMALL));
+    label(g, text, PanelText.width(text, PanelText.SMALL));
     g.setTransform(before);
   }
 
   private static void label(Graphics2D g, String text, double length) {
-    double thick = Letters.height(Letters.SMALL);
+    double thick = PanelText.height(PanelText.SMALL);
     g.setColor(Palette.VEIL);
     g.fill(new Rectangle2D.Double(-1, -thick - 1, length + 2, thick + 2));
-    Letters.paint(g, text, Letters.SMALL, Palette.INK, 0, 0, Letters.Side.LEFT);
+    PanelText.paint(g, text, PanelText.SMALL, Palette.INK, 0, 0, PanelText.Side.LEFT);
   }
 }

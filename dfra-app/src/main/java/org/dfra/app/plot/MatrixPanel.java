@@ -92,14 +92,14 @@ public final class MatrixPanel implements Panel {
 
   @Override
   public void paint(Graphics2D g, int width, int height) {
-    Letters.paint(
+    PanelText.paint(
         g,
-        Letters.fitting(title, Letters.HEADING, width - 2.0 * MARGIN),
-        Letters.HEADING,
+        PanelText.fitting(title, PanelText.HEADING, width - 2.0 * MARGIN),
+        PanelText.HEADING,
         Palette.INK,
         MARGIN,
         TITLE_HEIGHT - 8,
-        Letters.Side.LEFT);
+        PanelText.Side.LEFT);
     double left = MARGIN + (double) HEADING_WIDTH * rows.size();
     double top = top();
     double wide = (width - MARGIN - left) / combinations(columns);
@@ -125,7 +125,7 @@ public final class MatrixPanel implements Panel {
       Factor factor = columns.get(level);
       span /= factor.values().size();
       double y = TITLE_HEIGHT + (double) level * LINE_HEIGHT;
-      name(g, factor.name(), left - GAP, y, left - MARGIN, Letters.Side.RIGHT);
+      name(g, factor.name(), left - GAP, y, left - MARGIN, PanelText.Side.RIGHT);
       for (int i = 0; i < combinations(columns) / span; i++) {
         Rectangle2D box =
             new Rectangle2D.Double(left + i * span * wide, y, span * wide, LINE_HEIGHT);
@@ -142,7 +142,7 @@ public final class MatrixPanel implements Panel {
       Factor factor = rows.get(level);
       span /= factor.values().size();
       double x = MARGIN + (double) level * HEADING_WIDTH;
-      name(g, factor.name(), x + GAP, top - LINE_HEIGHT, HEADING_WIDTH, Letters.Side.LEFT);
+      name(g, factor.name(), x + GAP, top - LINE_HEIGHT, HEADING_WIDTH, PanelText.Side.LEFT);
       for (int i = 0; i < combinations(rows) / span; i++) {
         Rectangle2D box =
             new Rectangle2D.Double(
@@ -153,10 +153,10 @@ public final class MatrixPanel implements Panel {
   }
 
   private static void name(
-      Graphics2D g, String text, double x, double y, double room, Letters.Side side) {
-    String fitting = Letters.fitting(text, Letters.STRONG, room - 2.0 * GAP);
-    double baseline = y + (LINE_HEIGHT + Letters.height(Letters.STRONG)) / 2;
-    Letters.paint(g, fitting, Letters.STRONG, Palette.INK, x, baseline, side);
+      Graphics2D g, String text, double x, double y, double room, PanelText.Side side) {
+    String fitting = PanelText.fitting(text, PanelText.STRONG, room - 2.0 * GAP);
+    double baseline = y + (LINE_HEIGHT + PanelText.height(PanelText.STRONG)) / 2;
+    PanelText.paint(g, fitting, PanelText.STRONG, Palette.INK, x, baseline, side);
   }
 
   private static void box(
@@ -166,15 +166,15 @@ public final class MatrixPanel implements Panel {
     g.setColor(Palette.FAINT);
     g.setStroke(Palette.THIN);
     g.draw(box);
-    var font = isSmall ? Letters.SMALL : Letters.PLAIN;
-    Letters.paint(
+    var font = isSmall ? PanelText.SMALL : PanelText.PLAIN;
+    PanelText.paint(
         g,
-        Letters.fitting(text, font, box.getWidth() - GAP),
+        PanelText.fitting(text, font, box.getWidth() - GAP),
         font,
         Palette.INK,
         box.getCenterX(),
-        box.getCenterY() + Letters.height(font) / 2,
-        Letters.Side.MIDDLE);
+        box.getCenterY() + PanelText.height(font) / 2,
+        PanelText.Side.MIDDLE);
   }
 
   /** The values of each factor in a combination, by their places. */

@@ -56,21 +56,21 @@ final class NumberTags {
       g.draw(new Line2D.Double(each.at(), disc));
       g.fill(circle(each.at(), POINT));
     }
-    double baseline = Letters.height(Letters.SMALL) / 2;
+    double baseline = PanelText.height(PanelText.SMALL) / 2;
     for (int i = 0; i < discs.size(); i++) {
       Point2D disc = discs.get(i);
       g.setColor(Palette.PAPER);
       g.fill(circle(disc, TAG));
       g.setColor(Palette.INK);
       g.draw(circle(disc, TAG));
-      Letters.paint(
+      PanelText.paint(
           g,
           all.get(i).number(),
-          Letters.SMALL,
+          PanelText.SMALL,
           Palette.INK,
           disc.getX(),
           disc.getY() + baseline,
-          Letters.Side.MIDDLE);
+          PanelText.Side.MIDDLE);
     }
   }
 

@@ -92,14 +92,14 @@ public final class Page {
     g.addRenderingHints(HINTS);
     g.setColor(Palette.PAPER);
     g.fill(new Rectangle2D.Double(0, 0, WIDTH, height()));
-    Letters.paint(
+    PanelText.paint(
         g,
-        Letters.fitting(title, Letters.TITLE, WIDTH - 2.0 * MARGIN),
-        Letters.TITLE,
+        PanelText.fitting(title, PanelText.TITLE, WIDTH - 2.0 * MARGIN),
+        PanelText.TITLE,
         Palette.INK,
         WIDTH / 2.0,
-        MARGIN + TITLE_HEIGHT / 2.0 + Letters.height(Letters.TITLE) / 2,
-        Letters.Side.MIDDLE);
+        MARGIN + TITLE_HEIGHT / 2.0 + PanelText.height(PanelText.TITLE) / 2,
+        PanelText.Side.MIDDLE);
     alignStacked();
     int y = top();
     for (Row row : rows) {
@@ -138,7 +138,7 @@ public final class Page {
    * Has Java paint without a display, even where one is named that does not answer. It is for
    * programs that show no window, and counts only before Java has painted anything.
    */
-  public static void needsNoDisplay() {
+  public static void setHeadless() {
     System.setProperty("java.awt.headless", "true");
   }
 
@@ -157,7 +157,7 @@ public final class Page {
    * @param prefix begins all ids in it, so that several fit into one document
    */
   String element(String prefix) {
-    Letters.require();
+    PanelText.require();
     SvgCanvas canvas = SvgCanvas.of(WIDTH, height(), prefix);
     paint(canvas);
     return canvas.text(title);

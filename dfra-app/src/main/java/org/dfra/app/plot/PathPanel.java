@@ -24,7 +24,7 @@ public final class PathPanel implements Panel {
   private final Axis y;
   private final List<Series> all = new ArrayList<>();
   private final List<Note> notes = new ArrayList<>();
-  private final List<Series> ways = new ArrayList<>();
+  private final List<Series> paths = new ArrayList<>();
 
   /** A place with the number under which a list tells what happened there. */
   private record Note(double x, double y, String number) {}
@@ -53,8 +53,8 @@ public final class PathPanel implements Panel {
   }
 
   /** Adds a path that was gone: with its start, its end, and arrows in its direction. */
-  public PathPanel addWay(Series way) {
-    ways.add(way);
+  public PathPanel addPath(Series way) {
+    paths.add(way);
     return add(way);
   }
 
@@ -74,7 +74,7 @@ public final class PathPanel implements Panel {
   public void paint(Graphics2D g, int width, int height) {
     Range across = x.over(Range.of(values(Series::x, Note::x), MARGIN));
     Range up = y.over(Range.of(values(Series::y, Note::y), MARGIN));
-    boolean hasWays = !ways.stream().allMatch(Series::isEmpty);
+    boolean hasWays = !paths.stream().allMatch(Series::isEmpty);
     Plot plot = new Plot(title, x, y, all, hasWays, Plot.paper(all), width, height);
     equalise(plot, across, up);
     plot.paint(g, this::paintNotes);
@@ -88,9 +88,9 @@ public final class PathPanel implements Panel {
 
   private void paintNotes(Graphics2D g, Plot plot) {
     List<String> names = Legend.names(all);
-    for (Series each : ways) {
+    for (Series each : paths) {
       int number = names.indexOf(each.name());
-      Direction.paint(g, plot, each, number < 0 ? Palette.GREY : Palette.colour(number));
+      PathArrows.paint(g, plot, each, number < 0 ? Palette.GREY : Palette.colour(number));
     }
     NumberTags tags = new NumberTags(plot.area());
     notes.forEach(each -> tags.add(plot.x(each.x()), plot.y(each.y()), each.number()));

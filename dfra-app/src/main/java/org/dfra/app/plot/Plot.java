@@ -71,7 +71,7 @@ final class Plot {
   }
 
   /**
-   * @param hasWays whether paths among the series have marks, which the legend explains
+   * @param hasPaths whether paths among the series have marks, which the legend explains
    * @param ground painted below the series, clipped to what is between the axes
    * @param wide of the panel, in pixels
    * @param high of the panel, in pixels
@@ -81,14 +81,14 @@ final class Plot {
       Axis x,
       Axis y,
       List<Series> all,
-      boolean hasWays,
+      boolean hasPaths,
       Layer ground,
       int wide,
       int high) {
     this.title = title;
     this.x = x;
     this.y = y;
-    legend = new Legend(all, hasWays, wide - 2.0 * PADDING);
+    legend = new Legend(all, hasPaths, wide - 2.0 * PADDING);
     left = y.title().isEmpty() ? 0 : TITLE;
     top = title.isEmpty() ? 0 : TITLE;
     width = wide - left;
@@ -190,24 +190,24 @@ final class Plot {
   private void paintTitles(Graphics2D g) {
     Rectangle2D area = area();
     double widest = left + width - 2.0 * PADDING;
-    String fitting = Letters.fitting(title, Letters.HEADING, widest);
-    double spare = (widest - Letters.width(fitting, Letters.HEADING)) / 2;
+    String fitting = PanelText.fitting(title, PanelText.HEADING, widest);
+    double spare = (widest - PanelText.width(fitting, PanelText.HEADING)) / 2;
     double panel = (width - left) / 2.0;
     double middle = Math.max(panel - spare, Math.min(area.getCenterX(), panel + spare));
-    Letters.paint(
-        g, fitting, Letters.HEADING, Palette.INK, middle, TITLE_BASELINE, Letters.Side.MIDDLE);
-    Letters.paint(
+    PanelText.paint(
+        g, fitting, PanelText.HEADING, Palette.INK, middle, TITLE_BASELINE, PanelText.Side.MIDDLE);
+    PanelText.paint(
         g,
-        Letters.fitting(x.title(), Letters.PLAIN, area.getWidth()),
-        Letters.PLAIN,
+        PanelText.fitting(x.title(), PanelText.PLAIN, area.getWidth()),
+        PanelText.PLAIN,
         Palette.INK,
         area.getCenterX(),
         height + X_BASELINE,
-        Letters.Side.MIDDLE);
-    Letters.upwards(
+        PanelText.Side.MIDDLE);
+    PanelText.upwards(
         g,
-        Letters.fitting(y.title(), Letters.PLAIN, height),
-        Letters.PLAIN,
+        PanelText.fitting(y.title(), PanelText.PLAIN, height),
+        PanelText.PLAIN,
         Palette.INK,
         Y_BASELINE,
         height / 2.0);
@@ -259,14 +259,14 @@ final class Plot {
     return (g, plot) -> {
       if (isEmpty) {
         Rectangle2D area = plot.area();
-        Letters.paint(
+        PanelText.paint(
             g,
             "no data",
-            Letters.PLAIN,
+            PanelText.PLAIN,
             Palette.GREY,
             area.getCenterX(),
             area.getCenterY(),
-            Letters.Side.MIDDLE);
+            PanelText.Side.MIDDLE);
       }
     };
   }

@@ -14,7 +14,7 @@ final class PlotStyle {
 
   static void apply(XYStyler styler) {
     styler.setLocale(Locale.ROOT);
-    styler.setAxisTickLabelsFont(Letters.SMALL);
+    styler.setAxisTickLabelsFont(PanelText.SMALL);
     styler.setChartBackgroundColor(Palette.PAPER);
     styler.setChartPadding(PADDING);
     styler.setPlotBackgroundColor(Palette.PAPER);

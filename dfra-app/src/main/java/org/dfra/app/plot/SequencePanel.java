@@ -68,8 +68,8 @@ public final class SequencePanel implements Panel {
     double[] x = new double[lines.size()];
     for (int i = 0; i < x.length; i++) {
       x[i] = MARGIN + TIME_WIDTH + apart * (i + 0.5);
-      Letters.paint(
-          g, lines.get(i), Letters.STRONG, Palette.INK, x[i], HEAD - 8.0, Letters.Side.MIDDLE);
+      PanelText.paint(
+          g, lines.get(i), PanelText.STRONG, Palette.INK, x[i], HEAD - 8.0, PanelText.Side.MIDDLE);
       g.setColor(Palette.GREY);
       g.setStroke(DASHED);
       g.draw(new Line2D.Double(x[i], HEAD, x[i], height));
@@ -80,7 +80,7 @@ public final class SequencePanel implements Panel {
   }
 
   private static void paint(Graphics2D g, Arrow arrow, double[] x, double y) {
-    Letters.paint(g, arrow.time(), Letters.SMALL, Palette.GREY, MARGIN, y, Letters.Side.LEFT);
+    PanelText.paint(g, arrow.time(), PanelText.SMALL, Palette.GREY, MARGIN, y, PanelText.Side.LEFT);
     g.setStroke(Palette.THIN);
     g.setColor(Palette.colour(arrow.from()));
     double nearest = x[arrow.to() < 0 ? (arrow.from() == 0 ? 1 : arrow.from() - 1) : arrow.to()];
@@ -90,7 +90,8 @@ public final class SequencePanel implements Panel {
       }
     }
     double middle = (x[arrow.from()] + nearest) / 2;
-    Letters.paint(g, arrow.text(), Letters.SMALL, Palette.INK, middle, y - 4, Letters.Side.MIDDLE);
+    PanelText.paint(
+        g, arrow.text(), PanelText.SMALL, Palette.INK, middle, y - 4, PanelText.Side.MIDDLE);
   }
 
   private static void arrow(Graphics2D g, double from, double to, double y) {

@@ -131,7 +131,7 @@ final class SvgCanvas extends SVGGraphics2D {
   @Override
   public void drawString(String text, float x, float y) {
     finish();
-    super.drawString(Letters.printable(text), x, y);
+    super.drawString(PanelText.printable(text), x, y);
   }
 
   /** Draws the segments to which others might have been added. */
@@ -169,7 +169,7 @@ final class SvgCanvas extends SVGGraphics2D {
     svg.setAttribute("viewBox", "0 0 " + size.width + " " + size.height);
     svg.setAttribute("role", "img");
     Element name = svg.getOwnerDocument().createElementNS(NAMESPACE, "title");
-    name.setTextContent(Letters.printable(title));
+    name.setTextContent(PanelText.printable(title));
     svg.insertBefore(name, svg.getFirstChild());
     StringWriter text = new StringWriter();
     try {

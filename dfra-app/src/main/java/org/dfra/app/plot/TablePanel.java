@@ -48,7 +48,7 @@ public final class TablePanel implements Panel {
     double first =
         2 * GAP
             + rows.stream()
-                .mapToDouble(row -> Letters.width(row.get(0), Letters.PLAIN))
+                .mapToDouble(row -> PanelText.width(row.get(0), PanelText.PLAIN))
                 .max()
                 .orElse(0);
     double other = (width - 2.0 * MARGIN - first) / Math.max(1, rows.get(0).size() - 1);
@@ -63,14 +63,14 @@ public final class TablePanel implements Panel {
       double left = MARGIN;
       for (int column = 0; column < rows.get(row).size(); column++) {
         double wide = column == 0 ? first : other;
-        Letters.paint(
+        PanelText.paint(
             g,
-            Letters.fitting(rows.get(row).get(column), Letters.PLAIN, wide - GAP),
-            Letters.PLAIN,
+            PanelText.fitting(rows.get(row).get(column), PanelText.PLAIN, wide - GAP),
+            PanelText.PLAIN,
             Palette.INK,
             isRight[column] ? left + wide - GAP : left + GAP,
-            bottom - (LINE_HEIGHT - Letters.height(Letters.PLAIN)) / 2,
-            isRight[column] ? Letters.Side.RIGHT : Letters.Side.LEFT);
+            bottom - (LINE_HEIGHT - PanelText.height(PanelText.PLAIN)) / 2,
+            isRight[column] ? PanelText.Side.RIGHT : PanelText.Side.LEFT);
         left += wide;
       }
       g.setColor(Palette.FAINT);

@@ -62,33 +62,33 @@ public final class TextPanel implements Panel {
   }
 
   private static double width(String piece) {
-    return Letters.width(piece.strip(), Letters.PLAIN) + (piece.startsWith("\t") ? INDENT : 0);
+    return PanelText.width(piece.strip(), PanelText.PLAIN) + (piece.startsWith("\t") ? INDENT : 0);
   }
 
   @Override
   public void paint(Graphics2D g, int width, int height) {
-    Letters.paint(
+    PanelText.paint(
         g,
-        Letters.fitting(title, Letters.HEADING, width - 2.0 * MARGIN),
-        Letters.HEADING,
+        PanelText.fitting(title, PanelText.HEADING, width - 2.0 * MARGIN),
+        PanelText.HEADING,
         Palette.INK,
         MARGIN,
         TITLE_HEIGHT - 6,
-        Letters.Side.LEFT);
+        PanelText.Side.LEFT);
     List<String> pieces = broken(width);
     int perColumn = perColumn(pieces);
     for (int i = 0; i < pieces.size(); i++) {
       double x = MARGIN + i / perColumn * (columnWidth(width) + MARGIN);
       double room = columnWidth(width);
       boolean goesOn = pieces.get(i).startsWith("\t");
-      Letters.paint(
+      PanelText.paint(
           g,
-          Letters.fitting(pieces.get(i).strip(), Letters.PLAIN, room - (goesOn ? INDENT : 0)),
-          Letters.PLAIN,
+          PanelText.fitting(pieces.get(i).strip(), PanelText.PLAIN, room - (goesOn ? INDENT : 0)),
+          PanelText.PLAIN,
           Palette.INK,
           x + (goesOn ? INDENT : 0),
           TITLE_HEIGHT + (i % perColumn + 1) * LINE_HEIGHT - 4,
-          Letters.Side.LEFT);
+          PanelText.Side.LEFT);
     }
   }
 }

@@ -9,7 +9,7 @@ import java.util.regex.Pattern;
 import org.dfra.behavior.GoalRefusedException;
 import org.dfra.behaviors.raster.Region;
 import org.dfra.behaviors.raster.RegionFile;
-import org.dfra.behaviors.raster.RegionText;
+import org.dfra.behaviors.raster.RegionParser;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.geometry.LocalPosition;
 
@@ -36,7 +36,7 @@ public record GivenRegion(Region region, String place) {
    */
   public static GivenRegion parse(String text) {
     if (!isFile(text) && CORNERS.matcher(text).matches()) {
-      return new GivenRegion(RegionText.parse(text), "");
+      return new GivenRegion(RegionParser.parse(text), "");
     }
     try {
       Path file = Path.of(text);
@@ -89,7 +89,7 @@ public record GivenRegion(Region region, String place) {
   }
 
   /** The same complaint, beginning with where the region is written. */
-  public GoalRefusedException placed(GoalRefusedException refusal) {
+  public GoalRefusedException withLocation(GoalRefusedException refusal) {
     return place.isEmpty() ? refusal : new GoalRefusedException(place + refusal.getMessage());
   }
 }

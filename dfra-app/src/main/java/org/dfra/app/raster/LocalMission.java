@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
-import org.dfra.app.raster.Flight.RobotFlight;
+import org.dfra.app.raster.MissionResult.RobotMissionResult;
 import org.dfra.behavior.RasterGoal;
 import org.dfra.behavior.RasterSearch;
 import org.dfra.core.config.RobotDescription;
@@ -26,11 +26,11 @@ import org.dfra.event.Subscription;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
 import org.dfra.module.Module;
-import org.dfra.sim.run.SimulatedLine;
+import org.dfra.sim.run.DeviceEndpoint;
 import org.dfra.sim.run.Simulation;
 import org.dfra.sim.time.LockStep;
 import org.dfra.sim.world.Collision;
-import org.dfra.sim.world.TruePose;
+import org.dfra.sim.world.GroundTruthPose;
 
 /**
  * A search in one virtual machine, in lock-step: real drivers at emulated devices, the modules in
@@ -67,13 +67,13 @@ public final class LocalMission implements Mission {
   }
 
   /** One robot being watched. */
-  private final class Watched {
+  private final class MonitoredRobot {
     private final String name;
     private final RasterSearch search;
     private final LocalFrame frame = scenario.region().frame();
     private final RobotLog log;
 
-    Watched(String name, InMemoryModuleDirectory directory) throws IOException {
+    MonitoredRobot(String name, InMemoryModuleDirectory directory) throws IOException {
       this.name = name;
       this.search =
           directory.find(ModuleQuery.of(RasterSearch.class).robot(name)).stream()
@@ -81,7 +81,7 @@ public final class LocalMission implements Mission {
               .orElseThrow(() -> new IOException(name + " has no RasterSearch; add one to its XML"))
               .module();
       this.log = new RobotLog(name, frame);
-      for (Class<? extends Module> kind : RobotLog.HEARD) {
+      for (Class<? extends Module> kind : RobotLog.RECORDED_KINDS) {
         directory.find(log.query(kind)).forEach(each -> listen(each.name(), each.module()));
       }
     }
@@ -91,14 +91,17 @@ public final class LocalMission implements Mission {
           ((ModuleImpl) source).subscribe(log.listener(module), DeliveryPolicy.latestReading());
     }
 
-    MissionListener.At sample(
-        double time, Map<String, TruePose> poses, Bodies bodies, LocalFrame field)
+    MissionListener.RobotProgress sample(
+        double time,
+        Map<String, GroundTruthPose> poses,
+        ClearanceCalculator bodies,
+        LocalFrame field)
         throws IOException {
-      TruePose truth = Objects.requireNonNull(poses.get(name));
+      GroundTruthPose truth = Objects.requireNonNull(poses.get(name));
       LocalPosition at =
           frame.toLocal(field.toGeo(new LocalPosition(truth.east(), truth.north(), 0)));
       return log.sample(
-          new RobotLog.Truth(
+          new RobotLog.GroundTruth(
               time,
               at.east(),
               at.north(),
@@ -115,14 +118,14 @@ public final class LocalMission implements Mission {
    * @throws IOException if it could not begin; the message says what is missing
    */
   @Override
-  public Flight run(MissionListener listener) throws IOException {
+  public MissionResult run(MissionListener listener) throws IOException {
     LockStep time = new LockStep(BEGIN);
     List<LocalRobot> robots = new ArrayList<>();
     try (Simulation simulation = Simulation.inLockStep(scenario.world(), time);
         InMemoryModuleDirectory directory = new InMemoryModuleDirectory(time)) {
       simulation.start();
       try {
-        Map<String, String> links = links(simulation.lines());
+        Map<String, String> links = links(simulation.endpoints());
         for (Path xml : scenario.robots()) {
           RobotDescription description = adapt.apply(RobotXml.read(xml, links::get));
           robots.add(new LocalRobot(description, directory, time, path -> StateStore.inMemory()));
@@ -140,13 +143,13 @@ public final class LocalMission implements Mission {
     return "local";
   }
 
-  private static Map<String, String> links(List<SimulatedLine> lines) {
+  private static Map<String, String> links(List<DeviceEndpoint> lines) {
     Map<String, String> links = new HashMap<>();
-    lines.forEach(line -> links.put(line.variable(), line.link()));
+    lines.forEach(line -> links.put(line.linkVariable(), line.link()));
     return links;
   }
 
-  private Flight search(
+  private MissionResult search(
       Simulation simulation,
       InMemoryModuleDirectory directory,
       LockStep time,
@@ -154,9 +157,9 @@ public final class LocalMission implements Mission {
       MissionListener listener)
       throws IOException {
     time.advance(SAMPLE);
-    List<Watched> watched = new ArrayList<>();
+    List<MonitoredRobot> watched = new ArrayList<>();
     for (LocalRobot robot : robots) {
-      watched.add(new Watched(robot.name(), directory));
+      watched.add(new MonitoredRobot(robot.name(), directory));
     }
     awaitReady(time, robots);
     Instant begin = time.instant();
@@ -173,42 +176,42 @@ public final class LocalMission implements Mission {
                       scenario.spacing(),
                       i % 2 == 1));
     }
-    Bodies bodies = new Bodies(scenario.world());
+    ClearanceCalculator bodies = new ClearanceCalculator(scenario.world());
     LocalFrame field = new LocalFrame(scenario.world().datum());
     double seconds = 0;
     while (seconds < longest.toSeconds()
         && anyUnderWay(watched)
-        && !(endsAtCollision && !simulation.world().truth().collisions().isEmpty())) {
+        && !(endsAtCollision && !simulation.world().groundTruth().collisions().isEmpty())) {
       time.advance(SAMPLE);
       seconds = Duration.between(begin, time.instant()).toNanos() / 1e9;
-      Map<String, TruePose> poses = simulation.world().truth().poses(time.instant());
-      List<MissionListener.At> now = new ArrayList<>();
-      for (Watched each : watched) {
+      Map<String, GroundTruthPose> poses = simulation.world().groundTruth().poses(time.instant());
+      List<MissionListener.RobotProgress> now = new ArrayList<>();
+      for (MonitoredRobot each : watched) {
         now.add(each.sample(seconds, poses, bodies, field));
       }
-      listener.at(now);
+      listener.onProgress(now);
     }
-    List<RobotFlight> flights = new ArrayList<>();
-    for (Watched each : watched) {
-      flights.add(each.log.flight(each.search.status()));
+    List<RobotMissionResult> flights = new ArrayList<>();
+    for (MonitoredRobot each : watched) {
+      flights.add(each.log.result(each.search.status()));
     }
-    List<Collision> collisions = simulation.world().truth().collisions();
-    return new Flight(flights, collisions, marks(collisions, begin), seconds);
+    List<Collision> collisions = simulation.world().groundTruth().collisions();
+    return new MissionResult(flights, collisions, marks(collisions, begin), seconds);
   }
 
-  private static List<Mark> marks(List<Collision> collisions, Instant begin) {
+  private static List<MissionEvent> marks(List<Collision> collisions, Instant begin) {
     return collisions.stream()
         .map(
             each ->
-                new Mark(
+                new MissionEvent(
                     Duration.between(begin, each.time()).toNanos() / 1e9,
                     each.robot(),
                     "ran into " + each.other()))
         .toList();
   }
 
-  private static boolean anyUnderWay(List<Watched> watched) throws IOException {
-    for (Watched each : watched) {
+  private static boolean anyUnderWay(List<MonitoredRobot> watched) throws IOException {
+    for (MonitoredRobot each : watched) {
       if (each.search.status().phase().isUnderWay()) {
         return true;
       }

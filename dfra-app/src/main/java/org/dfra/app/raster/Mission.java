@@ -11,7 +11,7 @@ public interface Mission {
    * @throws Exception if it could not begin, or could not be watched to its end; the message says
    *     why
    */
-  Flight run(MissionListener listener) throws Exception;
+  MissionResult run(MissionListener listener) throws Exception;
 
   /** How it is run, in one word for reports: {@code local}, {@code embedded}, {@code processes}. */
   String mode();

@@ -14,11 +14,11 @@ public interface MissionListener {
    * @param sample where it is
    * @param status how far its search is
    */
-  record At(String robot, Sample sample, BehaviorStatus status) {}
+  record RobotProgress(String robot, Sample sample, BehaviorStatus status) {}
 
   /** Where the robots are now, each once; ten times a second of the robots' time. */
-  void at(List<At> robots);
+  void onProgress(List<RobotProgress> robots);
 
   /** Something happened on the way; it is among the flight's marks too. */
-  default void happened(Mark mark) {}
+  default void onEvent(MissionEvent mark) {}
 }

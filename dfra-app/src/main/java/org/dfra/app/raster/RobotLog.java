@@ -6,11 +6,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import org.dfra.app.raster.Flight.RobotFlight;
-import org.dfra.app.raster.Overheard.Advice;
-import org.dfra.app.raster.Overheard.Fix;
-import org.dfra.app.raster.Overheard.Mate;
-import org.dfra.app.raster.Overheard.Room;
+import org.dfra.app.raster.MissionResult.RobotMissionResult;
+import org.dfra.app.raster.ModuleReadings.Advice;
+import org.dfra.app.raster.ModuleReadings.ClearanceReading;
+import org.dfra.app.raster.ModuleReadings.Fix;
+import org.dfra.app.raster.ModuleReadings.TeammateDistance;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.event.ModuleEvent;
@@ -22,9 +22,9 @@ import org.dfra.flow.perceptual.Clearance;
 import org.dfra.flow.perceptual.PoseEstimate;
 import org.dfra.flow.perceptual.PositionEstimator;
 import org.dfra.flow.perceptual.RangeFilter;
-import org.dfra.flow.perceptual.TeamMate;
 import org.dfra.flow.perceptual.TeamPositions;
 import org.dfra.flow.perceptual.TeamTracker;
+import org.dfra.flow.perceptual.Teammate;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.flow.sensor.LocationSensor;
 import org.dfra.geometry.GeoPosition;
@@ -44,7 +44,7 @@ public final class RobotLog {
   public static final String STEERING = "position";
 
   /** Kinds of modules that are listened to. */
-  public static final List<Class<? extends Module>> HEARD =
+  public static final List<Class<? extends Module>> RECORDED_KINDS =
       List.of(
           PositionEstimator.class,
           LocationSensor.class,
@@ -59,8 +59,8 @@ public final class RobotLog {
   private final List<Sample> samples = new ArrayList<>();
   private final List<Fix> fixes = new ArrayList<>();
   private final List<Advice> advice = new ArrayList<>();
-  private final List<Room> rooms = new ArrayList<>();
-  private final List<Mate> mates = new ArrayList<>();
+  private final List<ClearanceReading> rooms = new ArrayList<>();
+  private final List<TeammateDistance> mates = new ArrayList<>();
   private final Map<String, Instant> lastSeen = new TreeMap<>(); // by robot, what is in mates
   private final Map<String, LocalPosition> estimated = new TreeMap<>(); // by module
   private final Map<String, ErrorSum> errors = new TreeMap<>(); // by module
@@ -110,12 +110,12 @@ public final class RobotLog {
   public ModuleListener listener(String module) {
     return delivery -> {
       if (delivery.event() instanceof ModuleEvent.NewReading fresh) {
-        take(module, fresh.reading());
+        record(module, fresh.reading());
       }
     };
   }
 
-  private synchronized void take(String module, Reading reading) {
+  private synchronized void record(String module, Reading reading) {
     if (reading instanceof PoseEstimate pose) {
       estimated.put(module, frame.toLocal(pose.position()));
       if (module.equals(STEERING)) {
@@ -142,22 +142,22 @@ public final class RobotLog {
           new Advice(
               time,
               told.velocity().speed(),
-              told.velocity().turnRate(),
+              told.velocity().yawRate(),
               told.reason(),
               told.strength()));
     } else if (reading instanceof Clearance room) {
-      rooms.add(new Room(time, room.left(), room.centre(), room.right()));
+      rooms.add(new ClearanceReading(time, room.left(), room.centre(), room.right()));
     } else if (reading instanceof TeamPositions told) {
-      told.mates().forEach(this::note);
+      told.teammates().forEach(this::note);
     }
   }
 
-  private void note(TeamMate mate) {
-    TeamMate.@Nullable Near near = mate.near();
-    @Nullable ClockOffset clock = mate.clock();
-    if (near != null && clock != null && !near.at().equals(lastSeen.get(mate.robot()))) {
-      lastSeen.put(mate.robot(), near.at());
-      mates.add(new Mate(time(near.at()), mate.robot(), near.distance(), clock));
+  private void note(Teammate mate) {
+    Teammate.@Nullable RelativePosition near = mate.relativePosition();
+    @Nullable ClockOffset clock = mate.clockOffset();
+    if (near != null && clock != null && !near.time().equals(lastSeen.get(mate.robot()))) {
+      lastSeen.put(mate.robot(), near.time());
+      mates.add(new TeammateDistance(time(near.time()), mate.robot(), near.distance(), clock));
     }
   }
 
@@ -176,7 +176,8 @@ public final class RobotLog {
    * @param truth where it truly is: only time, place, heading and clearance count
    * @param status how far its search is
    */
-  public synchronized MissionListener.At sample(Truth truth, BehaviorStatus status) {
+  public synchronized MissionListener.RobotProgress sample(
+      GroundTruth truth, BehaviorStatus status) {
     estimated.forEach(
         (module, position) ->
             errors
@@ -196,10 +197,10 @@ public final class RobotLog {
             estimatedYaw,
             fix == null ? Double.NaN : fix.east(),
             fix == null ? Double.NaN : fix.north(),
-            status.done(),
+            status.completion(),
             truth.clearance());
     samples.add(sample);
-    return new MissionListener.At(robot, sample, status);
+    return new MissionListener.RobotProgress(robot, sample, status);
   }
 
   /**
@@ -212,19 +213,19 @@ public final class RobotLog {
    * @param speed over ground, metres per second
    * @param clearance from its body to the nearest obstacle or robot, metres
    */
-  public record Truth(
+  public record GroundTruth(
       double time, double east, double north, double yaw, double speed, double clearance) {}
 
   /** All that was noted. */
-  public synchronized RobotFlight flight(BehaviorStatus last) {
+  public synchronized RobotMissionResult result(BehaviorStatus last) {
     Map<String, Double> rms = new TreeMap<>();
     errors.forEach((module, sum) -> rms.put(module, sum.rms()));
-    return new RobotFlight(
+    return new RobotMissionResult(
         robot,
         last.phase() == BehaviorStatus.Phase.SUCCEEDED,
-        last.doing(),
+        last.activity(),
         samples,
         rms,
-        new Overheard(fixes, advice, rooms, mates));
+        new ModuleReadings(fixes, advice, rooms, mates));
   }
 }

@@ -34,7 +34,7 @@ public record Scenario(
   }
 
   /** The same in another world. */
-  public Scenario in(WorldDescription other) {
+  public Scenario withWorld(WorldDescription other) {
     return new Scenario(other, robots, region, swath, spacing);
   }
 }

@@ -3,7 +3,7 @@ package org.dfra.app.raster;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
-import org.dfra.app.raster.Flight.RobotFlight;
+import org.dfra.app.raster.MissionResult.RobotMissionResult;
 import org.dfra.behaviors.raster.Coverage;
 import org.dfra.behaviors.raster.CoverageMap;
 import org.dfra.behaviors.raster.RasterPlan;
@@ -15,12 +15,12 @@ import org.dfra.geometry.LocalPosition;
  * @param completed whether it came to the end of its lanes
  * @param seconds that it took
  * @param length metres that it drove
- * @param ideal metres of its lanes and the ways between them
+ * @param plannedLength metres of its lanes and the ways between them
  * @param coverage share of the region that it truly came within half a swath of, 0 to 1
  * @param overlap share that it saw more than once
  * @param crossTrack off the lanes by its own estimate, on the lanes only
  * @param trueCrossTrack the same, truly
- * @param misses how near it truly came to each waypoint that it did
+ * @param waypointErrors how near it truly came to each waypoint that it did
  * @param estimateError root mean square between estimate and truth, metres
  * @param fixError root mean square between the last fix and the truth, metres
  * @param clearance the least room to an obstacle or robot, metres
@@ -29,21 +29,21 @@ public record Scores(
     boolean completed,
     double seconds,
     double length,
-    double ideal,
+    double plannedLength,
     double coverage,
     double overlap,
     Deviation crossTrack,
     Deviation trueCrossTrack,
-    Deviation misses,
+    Deviation waypointErrors,
     double estimateError,
     double fixError,
     double clearance) {
 
   /** Of a robot's flight over its plan. */
-  public static Scores of(RobotFlight flight, RasterPlan plan) {
+  public static Scores of(RobotMissionResult flight, RasterPlan plan) {
     List<Sample> samples = flight.samples();
-    Coverage coverage = plan.coverage(driven(samples), plan.swath());
-    List<OffLane> off = OffLane.all(samples, plan);
+    Coverage coverage = plan.coverage(trajectory(samples), plan.swath());
+    List<CrossTrackError> off = CrossTrackError.all(samples, plan);
     List<Sample> estimated =
         samples.stream()
             .filter(each -> each.isEstimated() && !Double.isNaN(each.fixEast()))
@@ -55,9 +55,9 @@ public record Scores(
         plan.length(),
         coverage.share(),
         coverage.overlap(),
-        Deviation.of(numbers(off, OffLane::estimated)),
-        Deviation.of(numbers(off, OffLane::truly)),
-        Deviation.of(misses(samples, plan)),
+        Deviation.of(numbers(off, CrossTrackError::estimated)),
+        Deviation.of(numbers(off, CrossTrackError::actual)),
+        Deviation.of(waypointErrors(samples, plan)),
         Deviation.of(
                 numbers(
                     estimated,
@@ -71,17 +71,17 @@ public record Scores(
   }
 
   /** Share of the region that at least one of the robots saw, 0 to 1. */
-  public static double together(Flight flight, Scenario scenario) {
+  public static double teamCoverage(MissionResult flight, Scenario scenario) {
     RasterPlan plan = scenario.plan();
     return flight.robots().stream()
-        .map(each -> plan.coverageMap(driven(each.samples()), plan.swath()))
+        .map(each -> plan.coverageMap(trajectory(each.samples()), plan.swath()))
         .reduce(CoverageMap::and)
         .map(CoverageMap::share)
         .orElse(0.0);
   }
 
   /** The way that a robot truly went, in the region's frame. */
-  public static List<LocalPosition> driven(List<Sample> samples) {
+  public static List<LocalPosition> trajectory(List<Sample> samples) {
     return samples.stream().map(each -> new LocalPosition(each.east(), each.north(), 0)).toList();
   }
 
@@ -99,12 +99,12 @@ public record Scores(
    * How near the robot came to each waypoint that it did, while that was the next one; so one that
    * it gave up counts as far as it stayed away.
    */
-  private static double[] misses(List<Sample> samples, RasterPlan plan) {
+  private static double[] waypointErrors(List<Sample> samples, RasterPlan plan) {
     double[] least = new double[plan.waypoints().size()];
     Arrays.fill(least, Double.NaN);
     int next = 0;
     for (Sample each : samples) {
-      int done = Math.min(OffLane.waypoints(each, plan), least.length);
+      int done = Math.min(CrossTrackError.waypoints(each, plan), least.length);
       for (int i = next; i <= Math.min(done, least.length - 1); i++) {
         LocalPosition waypoint = plan.path().get(i);
         double distance =

@@ -9,16 +9,16 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
-import org.dfra.app.demo.stage.Narration;
-import org.dfra.app.figure.Figure;
+import org.dfra.app.demo.harness.ProgressReporter;
 import org.dfra.app.log.LogbackLevels;
+import org.dfra.app.measurement.MeasuredValue;
 import org.dfra.app.recruit.embedded.EmbeddedRuns;
-import org.dfra.app.recruit.embedded.LetterTimes;
+import org.dfra.app.recruit.embedded.MessageDelays;
 import org.dfra.module.LogLevel;
-import org.dfra.recruit.experiment.Cell;
 import org.dfra.recruit.experiment.CellResult;
 import org.dfra.recruit.experiment.Experiment;
-import org.dfra.recruit.experiment.Plan;
+import org.dfra.recruit.experiment.ExperimentCell;
+import org.dfra.recruit.experiment.ExperimentPlan;
 import org.dfra.recruit.experiment.Seeds;
 import org.dfra.recruit.transport.MeasuredDelays;
 
@@ -29,17 +29,18 @@ final class EmbeddedExperiment {
   private static final String DELAYS = "letter-delays.csv";
   private static final String TIMERS = "timer-delays.csv";
 
-  private final Plan plan;
+  private final ExperimentPlan plan;
   private final int seeds;
   private final int jobs;
   private final double speed;
-  private final Narration tell;
+  private final ProgressReporter tell;
 
   /**
    * @param jobs how many real runs go on at once
    * @param speed seconds of the agents' time in a real second
    */
-  EmbeddedExperiment(Plan plan, int seeds, int jobs, double speed, Narration tell) {
+  EmbeddedExperiment(
+      ExperimentPlan plan, int seeds, int jobs, double speed, ProgressReporter tell) {
     this.plan = EmbeddedRuns.shorter(plan);
     this.seeds = seeds;
     this.jobs = jobs;
@@ -57,13 +58,13 @@ final class EmbeddedExperiment {
     levels.set("dfra", LogLevel.ERROR);
     levels.set("com.sun.jini", LogLevel.ERROR);
     levels.set("org.dfra.river", LogLevel.ERROR); // that a busy machine was slow, delays tell
-    List<Cell> cells = EmbeddedRuns.cells();
+    List<ExperimentCell> cells = EmbeddedRuns.cells();
     tell.chapter("running", "Who comes when a robot calls, over remote events");
     tell.say(
         "%d cells with %d seeds each are %d runs of %d calls over JERI; %d at once, %.0f times as"
             + " fast as real time.",
         cells.size(), seeds, cells.size() * seeds, plan.calls(), jobs, speed);
-    Narration.Stopwatch watch = tell.stopwatch();
+    ProgressReporter.Stopwatch watch = tell.stopwatch();
     try (EmbeddedRuns runs = new EmbeddedRuns(plan, jobs, speed)) {
       tell.say("Some runs that judge nothing come first, in which the machine compiles.");
       RunProgress progress = new RunProgress(tell, System::nanoTime);
@@ -79,34 +80,38 @@ final class EmbeddedExperiment {
       double load = ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage();
       double took = watch.elapsed().toNanos() / 1e9;
       tell.say("All real runs are done, after %.1f s; the load is %.1f.", took, load);
-      double[] letters = keep(folder.resolve(DELAYS), cells, cell -> runs.times(cell).letters());
-      double[] timers = keep(folder.resolve(TIMERS), cells, cell -> runs.times(cell).timers());
-      AgreementReport report =
-          new AgreementReport(compare(cells, real, runs), how(letters, timers, load));
+      double[] letters =
+          keep(folder.resolve(DELAYS), cells, cell -> runs.delays(cell).messageDelays());
+      double[] timers =
+          keep(folder.resolve(TIMERS), cells, cell -> runs.delays(cell).timerDelays());
+      TransportComparisonReport report =
+          new TransportComparisonReport(compare(cells, real, runs), how(letters, timers, load));
       Path file = report.write(folder);
       tell.say("%s", report.summary());
-      for (Figure each : report.figures().all()) {
-        tell.figure(each.what(), each.measured(), each.most(), each.unit());
+      for (MeasuredValue each : report.figures().all()) {
+        tell.figure(each.name(), each.value(), each.target(), each.unit());
       }
       return file;
     }
   }
 
   /** The same cells, each with the delays that its real runs had, in the agents' time. */
-  private List<Agreement> compare(List<Cell> cells, List<CellResult> real, EmbeddedRuns runs)
+  private List<TransportComparison> compare(
+      List<ExperimentCell> cells, List<CellResult> real, EmbeddedRuns runs)
       throws InterruptedException {
     List<CellResult> paired = new ArrayList<>();
     List<CellResult> others = new ArrayList<>();
-    for (Cell cell : cells) {
-      LetterTimes times = runs.times(cell);
+    for (ExperimentCell cell : cells) {
+      MessageDelays times = runs.delays(cell);
       Experiment simulation =
           new Experiment(
-              plan.with(scaled(times.letters()), scaled(times.timers())),
+              plan.with(scaled(times.messageDelays()), scaled(times.timerDelays())),
               Runtime.getRuntime().availableProcessors());
       paired.addAll(simulation.run(List.of(cell), Seeds.evaluation(seeds), (done, all) -> {}));
-      others.addAll(simulation.run(List.of(cell), Seeds.others(OTHERS * seeds), (done, all) -> {}));
+      others.addAll(
+          simulation.run(List.of(cell), Seeds.replication(OTHERS * seeds), (done, all) -> {}));
     }
-    return Agreement.all(real, paired, others);
+    return TransportComparison.all(real, paired, others);
   }
 
   private MeasuredDelays scaled(double[] seconds) {
@@ -114,11 +119,12 @@ final class EmbeddedExperiment {
   }
 
   /** Writes those of each cell, milliseconds of real time, and returns those of all, seconds. */
-  private static double[] keep(Path file, List<Cell> cells, Function<Cell, double[]> times)
+  private static double[] keep(
+      Path file, List<ExperimentCell> cells, Function<ExperimentCell, double[]> times)
       throws IOException {
     StringBuilder lines = new StringBuilder("strategy,mode,vehicles,loss,delay_ms\n");
     List<double[]> all = new ArrayList<>();
-    for (Cell cell : cells) {
+    for (ExperimentCell cell : cells) {
       double[] seconds = times.apply(cell);
       all.add(seconds);
       for (double each : seconds) {
@@ -127,7 +133,7 @@ final class EmbeddedExperiment {
                 Locale.ROOT,
                 "%s,%s,%d,%.2f,%.4f%n",
                 cell.strategy(),
-                Comparison.name(cell.mode()),
+                StrategyComparison.name(cell.mode()),
                 cell.vehicles(),
                 cell.loss(),
                 1e3 * each));

@@ -8,22 +8,22 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.Callable;
-import org.dfra.app.demo.stage.Narration;
-import org.dfra.app.figure.RecordOption;
+import org.dfra.app.demo.harness.ProgressReporter;
+import org.dfra.app.measurement.RecordOption;
 import org.dfra.app.plot.Page;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.recruit.affect.Shame;
 import org.dfra.recruit.affect.ShameSettings;
-import org.dfra.recruit.experiment.Cell;
 import org.dfra.recruit.experiment.CellResult;
 import org.dfra.recruit.experiment.Experiment;
-import org.dfra.recruit.experiment.Grid;
-import org.dfra.recruit.experiment.Plan;
+import org.dfra.recruit.experiment.ExperimentCell;
+import org.dfra.recruit.experiment.ExperimentGrid;
+import org.dfra.recruit.experiment.ExperimentPlan;
 import org.dfra.recruit.experiment.Seeds;
 import org.dfra.recruit.loss.GilbertElliottLoss;
 import org.dfra.recruit.strategy.RecruitmentStrategy;
-import org.dfra.recruit.strategy.Strategies;
+import org.dfra.recruit.strategy.StrategyRegistry;
 import org.dfra.recruit.transport.MeasuredDelays;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -130,7 +130,7 @@ final class ExperimentCommand implements Callable<Integer> {
         named != null
             ? named
             : Path.of("reports", isEmbedded ? "recruit-embedded" : "recruit-experiment");
-    Plan plan = plan();
+    ExperimentPlan plan = plan();
     if (isEmbedded) {
       return embedded(plan, jobs, folder);
     }
@@ -138,32 +138,32 @@ final class ExperimentCommand implements Callable<Integer> {
       throw new ParameterException(
           spec.commandLine(), "--speed is for --embedded; without that time is no real time");
     }
-    List<Cell> cells = Grid.cells(strategies(plan.shame()));
+    List<ExperimentCell> cells = ExperimentGrid.cells(strategies(plan.shame()));
     writable(folder);
-    Page.needsNoDisplay();
-    Narration tell = narration();
+    Page.setHeadless();
+    ProgressReporter tell = narration();
     tell.chapter("running", "Who comes when a robot calls");
     tell.say(
         "%d cells with %d seeds each are %d runs, in each of which a robot calls %d times; %d at"
             + " once.",
         cells.size(), seeds, cells.size() * seeds, plan.calls(), jobs);
-    Narration.Stopwatch watch = tell.stopwatch();
+    ProgressReporter.Stopwatch watch = tell.stopwatch();
     List<CellResult> results =
         new Experiment(plan, jobs)
             .run(cells, Seeds.evaluation(seeds), new RunProgress(tell, System::nanoTime));
     Duration took = watch.elapsed();
     tell.say("All runs are done, after %.1f s.", took.toNanos() / 1e9);
-    Comparison comparison = new Comparison(results);
+    StrategyComparison comparison = new StrategyComparison(results);
     comparison.sentences().forEach(sentence -> tell.say("%s", sentence));
     comparison
         .figures()
         .all()
-        .forEach(each -> tell.figure(each.what(), each.measured(), each.most(), each.unit()));
+        .forEach(each -> tell.figure(each.name(), each.value(), each.target(), each.unit()));
     Path file = new ExperimentReport(plan, how(plan), comparison, took, jobs).write(folder);
     tell.say("The report is %s; every run is a line of runs.csv beside it.", file);
     tell.table();
-    record.keep(tell.figures(), "experiment", "recruit");
-    return tell.figures().missed().isEmpty() ? ExitCode.WELL : ExitCode.FAILED;
+    record.append(tell.figures(), "experiment", "recruit");
+    return tell.figures().missed().isEmpty() ? ExitCode.SUCCESS : ExitCode.FAILED;
   }
 
   private int jobs() {
@@ -173,11 +173,11 @@ final class ExperimentCommand implements Callable<Integer> {
     return isEmbedded ? EMBEDDED_JOBS : Runtime.getRuntime().availableProcessors();
   }
 
-  private Narration narration() {
-    return Narration.to(spec.commandLine().getOut());
+  private ProgressReporter narration() {
+    return ProgressReporter.to(spec.commandLine().getOut());
   }
 
-  private int embedded(Plan plan, int atOnce, Path folder) throws Exception {
+  private int embedded(ExperimentPlan plan, int atOnce, Path folder) throws Exception {
     double times = speed == null ? USUAL_SPEED : speed;
     if (!(times >= 1 && times <= FASTEST)) {
       throw new ParameterException(
@@ -190,13 +190,13 @@ final class ExperimentCommand implements Callable<Integer> {
               + " --strategy and --delays");
     }
     writable(folder);
-    Page.needsNoDisplay();
-    Narration tell = narration();
+    Page.setHeadless();
+    ProgressReporter tell = narration();
     Path file = new EmbeddedExperiment(plan, seeds, atOnce, times, tell).run(folder);
     tell.say("The report is %s; every run is a line of runs-real.csv beside it.", file);
     tell.table();
-    record.keep(tell.figures(), "experiment", "recruit-embedded");
-    return tell.figures().missed().isEmpty() ? ExitCode.WELL : ExitCode.FAILED;
+    record.append(tell.figures(), "experiment", "recruit-embedded");
+    return tell.figures().missed().isEmpty() ? ExitCode.SUCCESS : ExitCode.FAILED;
   }
 
   private void within(String option, int number, int least, int most) {
@@ -207,8 +207,8 @@ final class ExperimentCommand implements Callable<Integer> {
     }
   }
 
-  private Plan plan() throws IOException {
-    Plan plan = Plan.USUAL;
+  private ExperimentPlan plan() throws IOException {
+    ExperimentPlan plan = ExperimentPlan.DEFAULT;
     double length = burst == null ? 1 : burst;
     if (!(length >= 1 && length <= LONGEST_BURST)) {
       throw new ParameterException(
@@ -222,10 +222,10 @@ final class ExperimentCommand implements Callable<Integer> {
 
   /** The four and what was named; refuses what is none before anything is run. */
   private List<String> strategies(ShameSettings shame) {
-    List<String> all = new ArrayList<>(Grid.STRATEGIES);
+    List<String> all = new ArrayList<>(ExperimentGrid.STRATEGIES);
     for (String name : more) {
       RecruitmentStrategy unused =
-          Strategies.named(name, new Shame(shame), new SplittableRandom(1));
+          StrategyRegistry.named(name, new Shame(shame), new SplittableRandom(1));
       if (!all.contains(name)) {
         all.add(name);
       }
@@ -246,7 +246,7 @@ final class ExperimentCommand implements Callable<Integer> {
   }
 
   /** How messages travel, for the report. */
-  private String how(Plan plan) {
+  private String how(ExperimentPlan plan) {
     String lost =
         burst == null
             ? "Messages are lost each by itself."

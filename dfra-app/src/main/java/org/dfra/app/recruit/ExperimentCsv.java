@@ -4,11 +4,11 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
-import org.dfra.recruit.experiment.Cell;
 import org.dfra.recruit.experiment.CellResult;
-import org.dfra.recruit.experiment.Claim;
 import org.dfra.recruit.experiment.Estimate;
+import org.dfra.recruit.experiment.ExperimentCell;
 import org.dfra.recruit.experiment.Metric;
+import org.dfra.recruit.experiment.MetricComparison;
 import org.dfra.recruit.experiment.ResultsCsv;
 
 /** The numbers of an experiment as comma-separated values. */
@@ -22,7 +22,7 @@ final class ExperimentCsv {
     this.folder = folder;
   }
 
-  void write(Comparison comparison) throws IOException {
+  void write(StrategyComparison comparison) throws IOException {
     Files.writeString(folder.resolve("runs.csv"), ResultsCsv.of(comparison.results()));
     StringBuilder cells = new StringBuilder(CELL + ",metric,unit,value,low,high\n");
     for (CellResult each : comparison.results()) {
@@ -37,24 +37,24 @@ final class ExperimentCsv {
     Files.writeString(folder.resolve("cells.csv"), cells);
     StringBuilder claims =
         new StringBuilder(CELL + ",rival,metric,unit,affective_more,low,high,verdict\n");
-    for (Claim each : comparison.claims()) {
+    for (MetricComparison each : comparison.claims()) {
       claims
           .append(cell(each.cell()))
           .append("," + each.rival())
           .append(",\"" + each.metric().title() + "\",\"" + each.metric().unit() + "\",")
-          .append(numbers(each.more()))
+          .append(numbers(each.difference()))
           .append("," + each.verdict().name().toLowerCase(Locale.ROOT))
           .append('\n');
     }
     Files.writeString(folder.resolve("claims.csv"), claims);
   }
 
-  private static String cell(Cell cell) {
+  private static String cell(ExperimentCell cell) {
     return String.format(
         Locale.ROOT,
         "%s,%s,%d,%.2f",
         cell.strategy(),
-        Comparison.name(cell.mode()),
+        StrategyComparison.name(cell.mode()),
         cell.vehicles(),
         cell.loss());
   }

@@ -7,12 +7,12 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Locale;
-import org.dfra.app.figure.ReportHead;
+import org.dfra.app.measurement.ReportHead;
 import org.dfra.app.plot.HtmlReport;
 import org.dfra.app.plot.Page;
 import org.dfra.recruit.experiment.Estimate;
+import org.dfra.recruit.experiment.ExperimentPlan;
 import org.dfra.recruit.experiment.Metric;
-import org.dfra.recruit.experiment.Plan;
 import org.dfra.recruit.transport.MessageMode;
 
 /**
@@ -20,9 +20,9 @@ import org.dfra.recruit.transport.MessageMode;
  */
 final class ExperimentReport {
 
-  private final Plan plan;
+  private final ExperimentPlan plan;
   private final String messages;
-  private final Comparison comparison;
+  private final StrategyComparison comparison;
   private final Duration took;
   private final int jobs;
 
@@ -31,7 +31,12 @@ final class ExperimentReport {
    * @param took for how long it ran, in real time
    * @param jobs how many runs went on at once
    */
-  ExperimentReport(Plan plan, String messages, Comparison comparison, Duration took, int jobs) {
+  ExperimentReport(
+      ExperimentPlan plan,
+      String messages,
+      StrategyComparison comparison,
+      Duration took,
+      int jobs) {
     this.plan = plan;
     this.messages = messages;
     this.comparison = comparison;
@@ -127,7 +132,7 @@ final class ExperimentReport {
         folder,
         html,
         "difference",
-        new ExperimentFigures(comparison).difference(Metric.TRANSMISSIONS),
+        new ExperimentCharts(comparison).difference(Metric.TRANSMISSIONS),
         "Above the line at 0 the other sends more, and affective recruitment wins; below it, it"
             + " loses. Intervals are of 95 %.");
     html.paragraph(
@@ -140,17 +145,17 @@ final class ExperimentReport {
   private void metric(Path folder, HtmlReport html, ExperimentTables tables, Metric metric)
       throws IOException {
     String title = ExperimentTables.title(metric);
-    html.heading(ExperimentFigures.sentence(title));
+    html.heading(ExperimentCharts.sentence(title));
     html.paragraph(meaning(metric));
     String name = metric.name().toLowerCase(Locale.ROOT).replace('_', '-');
     add(
         folder,
         html,
         name,
-        new ExperimentFigures(comparison).metric(metric),
+        new ExperimentCharts(comparison).metric(metric),
         "Intervals are of 95 %. Strategies stand a little beside each other, at the same loss.");
     for (MessageMode mode : MessageMode.values()) {
-      html.paragraph("By " + Comparison.name(mode) + ":");
+      html.paragraph("By " + StrategyComparison.name(mode) + ":");
       tables.metric(metric, mode);
     }
     html.paragraph("Where affective recruitment differs:");
@@ -169,15 +174,15 @@ final class ExperimentReport {
       case FAILURES ->
           "Calls in which no helper had come within the deadline, or not both sides knew. Intervals"
               + " are Wilson's.";
-      case DOUBLES ->
+      case DUPLICATE_HELPERS ->
           "How often a second robot was on its way to a call, or there. Tables have the sum of all"
               + " runs.";
-      case ORPHANS ->
+      case ORPHANED_HELPERS ->
           "How often a robot was on its way or there for longer than 2 s although its requester did"
               + " not count on it; a robot that was not free in the end is one too. Tables have the"
               + " sum of all runs.";
       case REGRET -> "How much longer the chosen robot needs than the nearest free one.";
-      case RASTER_LOST -> "For how long scanners were away from their route, both together.";
+      case RASTER_TIME_LOST -> "For how long scanners were away from their route, both together.";
       case TRAVEL -> "What each vehicle drove for others and back, in the mean.";
     };
   }

@@ -5,12 +5,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import org.dfra.app.plot.HtmlReport;
-import org.dfra.recruit.experiment.Cell;
-import org.dfra.recruit.experiment.Claim;
-import org.dfra.recruit.experiment.Claim.Verdict;
 import org.dfra.recruit.experiment.Estimate;
-import org.dfra.recruit.experiment.Grid;
+import org.dfra.recruit.experiment.ExperimentCell;
+import org.dfra.recruit.experiment.ExperimentGrid;
 import org.dfra.recruit.experiment.Metric;
+import org.dfra.recruit.experiment.MetricComparison;
+import org.dfra.recruit.experiment.MetricComparison.Outcome;
 import org.dfra.recruit.experiment.RunResult;
 import org.dfra.recruit.experiment.Trend;
 import org.dfra.recruit.transport.MessageMode;
@@ -18,10 +18,10 @@ import org.dfra.recruit.transport.MessageMode;
 /** The tables of an experiment's report. */
 final class ExperimentTables {
 
-  private final Comparison comparison;
+  private final StrategyComparison comparison;
   private final HtmlReport html;
 
-  ExperimentTables(Comparison comparison, HtmlReport html) {
+  ExperimentTables(StrategyComparison comparison, HtmlReport html) {
     this.comparison = comparison;
     this.html = html;
   }
@@ -34,12 +34,12 @@ final class ExperimentTables {
         for (Metric metric : Metric.values()) {
           rows.add(
               List.of(
-                  Comparison.name(mode),
+                  StrategyComparison.name(mode),
                   rival,
                   title(metric),
-                  count(mode, rival, metric, Verdict.WINS),
-                  count(mode, rival, metric, Verdict.LOSES),
-                  count(mode, rival, metric, Verdict.OPEN)));
+                  count(mode, rival, metric, Outcome.WINS),
+                  count(mode, rival, metric, Outcome.LOSES),
+                  count(mode, rival, metric, Outcome.INCONCLUSIVE)));
         }
       }
     }
@@ -54,19 +54,21 @@ final class ExperimentTables {
         rows);
   }
 
-  private String count(MessageMode mode, String rival, Metric metric, Verdict verdict) {
+  private String count(MessageMode mode, String rival, Metric metric, Outcome verdict) {
     return Long.toString(comparison.count(mode, rival, metric, verdict));
   }
 
   private List<String> rivals() {
-    return comparison.strategies().stream().filter(each -> !each.equals(Claim.AFFECTIVE)).toList();
+    return comparison.strategies().stream()
+        .filter(each -> !each.equals(MetricComparison.AFFECTIVE))
+        .toList();
   }
 
   /** Every comparison of one metric that has a sign. */
   void claims(Metric metric) {
     List<List<String>> rows = new ArrayList<>();
-    for (Claim each : comparison.claims()) {
-      if (each.metric() == metric && each.verdict() != Verdict.OPEN) {
+    for (MetricComparison each : comparison.claims()) {
+      if (each.metric() == metric && each.verdict() != Outcome.INCONCLUSIVE) {
         rows.add(row(each));
       }
     }
@@ -82,18 +84,18 @@ final class ExperimentTables {
         "Messages", "Vehicles", "Loss", "Against", "Affective", "More by (95 %)", "Of the other's");
   }
 
-  private static List<String> row(Claim claim) {
-    Cell cell = claim.cell();
+  private static List<String> row(MetricComparison claim) {
+    ExperimentCell cell = claim.cell();
     return List.of(
-        Comparison.name(cell.mode()),
+        StrategyComparison.name(cell.mode()),
         Integer.toString(cell.vehicles()),
         percent(cell.loss()),
         claim.rival(),
-        claim.verdict() == Verdict.WINS ? "wins" : "LOSES",
-        claim.more().toString(),
-        Double.isNaN(claim.share())
+        claim.verdict() == Outcome.WINS ? "wins" : "LOSES",
+        claim.difference().toString(),
+        Double.isNaN(claim.relativeDifference())
             ? ""
-            : String.format(Locale.ROOT, "%+.0f %%", 100 * claim.share()));
+            : String.format(Locale.ROOT, "%+.0f %%", 100 * claim.relativeDifference()));
   }
 
   /** Every cell's value of a metric, by one way to send messages to all. */
@@ -101,11 +103,11 @@ final class ExperimentTables {
     List<String> headings =
         Stream.concat(Stream.of("Vehicles", "Loss"), comparison.strategies().stream()).toList();
     List<List<String>> rows = new ArrayList<>();
-    for (int vehicles : Grid.VEHICLES) {
-      for (double loss : Grid.LOSSES) {
+    for (int vehicles : ExperimentGrid.VEHICLES) {
+      for (double loss : ExperimentGrid.LOSSES) {
         List<String> row = new ArrayList<>(List.of(Integer.toString(vehicles), percent(loss)));
         for (String strategy : comparison.strategies()) {
-          row.add(value(metric, new Cell(strategy, mode, vehicles, loss)));
+          row.add(value(metric, new ExperimentCell(strategy, mode, vehicles, loss)));
         }
         rows.add(row);
       }
@@ -113,14 +115,15 @@ final class ExperimentTables {
     html.table(headings, rows);
   }
 
-  private String value(Metric metric, Cell cell) {
+  private String value(Metric metric, ExperimentCell cell) {
     return comparison
         .of(cell)
         .map(
             each ->
                 switch (metric) {
-                  case DOUBLES -> Integer.toString(each.total(RunResult::doubles));
-                  case ORPHANS -> Integer.toString(each.total(RunResult::orphans));
+                  case DUPLICATE_HELPERS ->
+                      Integer.toString(each.total(RunResult::duplicateHelpers));
+                  case ORPHANED_HELPERS -> Integer.toString(each.total(RunResult::orphanedHelpers));
                   case FAILURES ->
                       each.total(run -> run.calls() - run.successes())
                           + " of "
@@ -158,7 +161,7 @@ final class ExperimentTables {
 
   private static List<String> row(Trend trend, String way, String at) {
     return List.of(
-        Comparison.name(trend.from().mode()),
+        StrategyComparison.name(trend.from().mode()),
         trend.from().strategy(),
         way,
         at,
@@ -167,7 +170,7 @@ final class ExperimentTables {
           case -1 -> "falls";
           default -> "no change was seen";
         },
-        trend.more().toString());
+        trend.difference().toString());
   }
 
   static String title(Metric metric) {

@@ -8,5 +8,5 @@ import picocli.CommandLine.Command;
     description = "Shows which robots help, has held ones help again, and compares strategies.",
     synopsisSubcommandLabel = "VERB",
     commandListHeading = "%nVerbs:%n",
-    subcommands = {StatusCommand.class, ResumeCommand.class, ExperimentCommand.class})
+    subcommands = {RecruitStatusCommand.class, RecruitResumeCommand.class, ExperimentCommand.class})
 public final class RecruitCommand {}

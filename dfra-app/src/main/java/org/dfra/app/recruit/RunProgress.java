@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
-import org.dfra.app.demo.stage.Narration;
+import org.dfra.app.demo.harness.ProgressReporter;
 import org.dfra.recruit.experiment.Experiment;
 
 /**
@@ -17,7 +17,7 @@ final class RunProgress implements Experiment.Progress {
   private static final long SENTENCE = TimeUnit.SECONDS.toNanos(10);
   private static final int WIDE = 40;
 
-  private final Narration tell;
+  private final ProgressReporter tell;
   private final LongSupplier nanos;
   private final long began;
   private long told; // guarded by this
@@ -25,7 +25,7 @@ final class RunProgress implements Experiment.Progress {
   /**
    * @param nanos a clock of real time, of which only differences are taken
    */
-  RunProgress(Narration tell, LongSupplier nanos) {
+  RunProgress(ProgressReporter tell, LongSupplier nanos) {
     this.tell = tell;
     this.nanos = nanos;
     this.began = nanos.getAsLong();
@@ -55,7 +55,7 @@ final class RunProgress implements Experiment.Progress {
                   ofThem,
                   left)));
       if (isLast) {
-        tell.settle();
+        tell.freezeLive();
       }
     } else {
       tell.say("%d of %d runs are done; it takes %.0f s more.", runs, ofThem, left);

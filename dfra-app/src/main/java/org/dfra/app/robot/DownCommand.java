@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.PhoenixOptions;
-import org.dfra.app.terminal.Answer;
 import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.CommandOutput;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.config.NearestName;
 import org.dfra.core.config.RobotXml;
@@ -45,35 +45,35 @@ public final class DownCommand implements Callable<Integer> {
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private Answer answer;
+  private CommandOutput answer;
 
   @Override
   public Integer call() throws Exception {
-    PhoenixProcess phoenix = options.last();
-    phoenix.requireOwn();
-    if (!phoenix.answers(PhoenixOptions.PATIENCE)) {
+    PhoenixProcess phoenix = options.lastStarted();
+    phoenix.requireOwnedByUser();
+    if (!phoenix.isResponding(PhoenixOptions.TIMEOUT)) {
       answer.sentence(
           Map.of("phoenix", "none"),
           "No phoenix answers on port " + phoenix.port() + "; nothing is up.");
-      return ExitCode.WELL;
+      return ExitCode.SUCCESS;
     }
     if (robots.isEmpty()) {
-      RobotRemoval.ofAll(phoenix, PhoenixOptions.PATIENCE);
-      phoenix.shutdown(PhoenixOptions.PATIENCE);
+      RobotRemoval.removeAllRobots(phoenix, PhoenixOptions.TIMEOUT);
+      phoenix.shutdown(PhoenixOptions.TIMEOUT);
       answer.sentence(Map.of("phoenix", "ended"), "Phoenix and its groups have ended.");
-      return ExitCode.WELL;
+      return ExitCode.SUCCESS;
     }
     List<String> names = names(phoenix);
     for (String name : names) {
-      RobotRemoval.of(phoenix, name, PhoenixOptions.PATIENCE);
+      RobotRemoval.removeRobot(phoenix, name, PhoenixOptions.TIMEOUT);
       answer.line(Map.of("robot", name, "down", true), name + " is down.");
     }
-    return ExitCode.WELL;
+    return ExitCode.SUCCESS;
   }
 
   /** The robots' names; all are checked before any is taken down. */
   private List<String> names(PhoenixProcess phoenix) throws IOException, ActivationException {
-    List<String> known = RobotRemoval.robots(phoenix, PhoenixOptions.PATIENCE);
+    List<String> known = RobotRemoval.robots(phoenix, PhoenixOptions.TIMEOUT);
     List<String> names = new ArrayList<>();
     for (String each : robots) {
       String name =

@@ -8,14 +8,14 @@ import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dfra.app.team.PhoenixOptions;
-import org.dfra.app.terminal.Answer;
+import org.dfra.app.terminal.CommandOutput;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.app.terminal.Table;
 import org.dfra.core.config.RobotXml;
-import org.dfra.river.bootstrap.Inventory;
-import org.dfra.river.bootstrap.Inventory.ServiceGroup;
-import org.dfra.river.bootstrap.KeptStops;
+import org.dfra.river.bootstrap.PhoenixInventory;
+import org.dfra.river.bootstrap.PhoenixInventory.ServiceGroup;
 import org.dfra.river.bootstrap.PhoenixProcess;
+import org.dfra.river.bootstrap.StoredStopStates;
 import org.dfra.river.phoenix.GroupStatus;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -41,7 +41,7 @@ public final class StatusCommand implements Callable<Integer> {
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private Answer answer;
+  private CommandOutput answer;
 
   /**
    * A group as it is told of.
@@ -69,9 +69,9 @@ public final class StatusCommand implements Callable<Integer> {
     for (Path each : xml) {
       wanted.add(RobotXml.read(each).name());
     }
-    PhoenixProcess phoenix = options.running();
+    PhoenixProcess phoenix = options.requireRunning();
     List<Group> groups = new ArrayList<>();
-    for (ServiceGroup each : Inventory.of(phoenix, PhoenixOptions.PATIENCE)) {
+    for (ServiceGroup each : PhoenixInventory.groups(phoenix, PhoenixOptions.TIMEOUT)) {
       if (wanted.isEmpty() || wanted.contains(each.robot())) {
         groups.add(group(each, phoenix.state()));
       }
@@ -89,11 +89,11 @@ public final class StatusCommand implements Callable<Integer> {
     answer.table(groups, table, "Phoenix answers, but no such robot is up on this host.");
     if (!answer.isJson()) {
       for (Group each : groups) {
-        Stops.sentences(phoenix.state(), each.robot(), each.stopped())
+        StoppedEffectors.notices(phoenix.state(), each.robot(), each.stopped())
             .forEach(sentence -> answer.line(sentence, sentence + "."));
       }
     }
-    return ExitCode.WELL;
+    return ExitCode.SUCCESS;
   }
 
   private static String services(Group group) {
@@ -106,11 +106,11 @@ public final class StatusCommand implements Callable<Integer> {
     GroupStatus status = group.status();
     List<String> services = new ArrayList<>();
     List<String> idle = new ArrayList<>();
-    if (group.registrar()) {
-      (group.registrarRuns() ? services : idle).add("registrar");
+    if (group.hasRegistrar()) {
+      (group.isRegistrarRunning() ? services : idle).add("registrar");
     }
     for (String module : group.modules()) {
-      (group.running().contains(module) ? services : idle).add(module);
+      (group.runningModules().contains(module) ? services : idle).add(module);
     }
     String state = status.state().name().toLowerCase(Locale.ROOT);
     return new Group(
@@ -123,7 +123,7 @@ public final class StatusCommand implements Callable<Integer> {
         status.lastCrash(),
         services,
         idle,
-        List.copyOf(KeptStops.latched(kept, group.robot(), group.modules()).keySet()),
+        List.copyOf(StoredStopStates.latched(kept, group.robot(), group.modules()).keySet()),
         status.output());
   }
 }

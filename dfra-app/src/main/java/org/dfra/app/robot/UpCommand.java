@@ -13,17 +13,17 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.dfra.app.team.PhoenixOptions;
-import org.dfra.app.terminal.Answer;
+import org.dfra.app.terminal.CommandOutput;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.core.config.RobotXml;
-import org.dfra.core.robot.Rehearsal;
+import org.dfra.core.robot.RobotDryRun;
 import org.dfra.river.bootstrap.BringUpStep;
 import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.bootstrap.RobotBootstrap;
-import org.dfra.river.loading.RobotClasses;
+import org.dfra.river.loading.RobotCodebase;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -55,7 +55,7 @@ public final class UpCommand implements Callable<Integer> {
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private Answer answer;
+  private CommandOutput answer;
 
   /**
    * What was brought up.
@@ -66,13 +66,13 @@ public final class UpCommand implements Callable<Integer> {
    * @param step what was done, such as {@code started}, {@code kept} or {@code ended}
    * @param detail more of it, such as what was changed; may be empty
    */
-  record Up(String name, String group, boolean stopped, String step, String detail) {}
+  record BroughtUpService(String name, String group, boolean stopped, String step, String detail) {}
 
   @Override
   public Integer call() throws Exception {
     List<RobotDescription> robots = robots();
-    PhoenixProcess phoenix = options.last();
-    if (!phoenix.answers(PhoenixOptions.PATIENCE)) {
+    PhoenixProcess phoenix = options.lastStarted();
+    if (!phoenix.isResponding(PhoenixOptions.TIMEOUT)) {
       // Its address is in every proxy that brings a module back, so others must reach it too.
       Map.Entry<PhoenixProcess, Process> started =
           options.start(HostAddress.resolve(robots.get(0).host()));
@@ -82,35 +82,38 @@ public final class UpCommand implements Callable<Integer> {
     } else {
       say("Phoenix answers on port " + phoenix.port() + " of " + phoenix.host() + ".");
     }
-    options.noteProcess(phoenix);
-    List<Up> services = new ArrayList<>();
+    options.writePidFile(phoenix);
+    List<BroughtUpService> services = new ArrayList<>();
     for (RobotDescription robot : robots) {
       bringUp(new RobotBootstrap(phoenix, robot), robot, phoenix, services);
     }
     if (answer.isJson()) {
-      answer.outline(services);
+      answer.details(services);
     } else {
       say("How they are: ./dfra status");
     }
-    return ExitCode.WELL;
+    return ExitCode.SUCCESS;
   }
 
   private void bringUp(
-      RobotBootstrap bootstrap, RobotDescription robot, PhoenixProcess phoenix, List<Up> services)
+      RobotBootstrap bootstrap,
+      RobotDescription robot,
+      PhoenixProcess phoenix,
+      List<BroughtUpService> services)
       throws Exception {
-    try (NamesakeSearch namesakes = NamesakeSearch.begin(robot)) {
+    try (DuplicateNameSearch namesakes = DuplicateNameSearch.begin(robot)) {
       Set<String> kept = new HashSet<>();
-      List<RobotBootstrap.Service> unused =
+      List<RobotBootstrap.ServiceReference> unused =
           bootstrap.up(
               step -> {
-                if (step.kind() == BringUpStep.Kind.GROUP_KEPT) {
+                if (step.kind() == BringUpStep.Kind.GROUP_STALE) {
                   kept.add(step.name());
                 }
                 String module = step.name().substring(step.name().indexOf('/') + 1);
                 List<String> stops =
-                    Stops.sentences(phoenix.state(), robot.name(), List.of(module));
+                    StoppedEffectors.notices(phoenix.state(), robot.name(), List.of(module));
                 services.add(
-                    new Up(
+                    new BroughtUpService(
                         step.name(),
                         step.group(),
                         !stops.isEmpty(),
@@ -119,9 +122,9 @@ public final class UpCommand implements Callable<Integer> {
                 say(inWords(step));
                 stops.forEach(each -> say("But " + each + "."));
               });
-      sayClasses(bootstrap);
-      OtherJars.sentences(phoenix, robot.name(), kept).forEach(each -> say(each + "."));
-      namesakes.warning(bootstrap.identities()).ifPresent(answer::remark);
+      printClassServer(bootstrap);
+      OutdatedJarCheck.warnings(phoenix, robot.name(), kept).forEach(each -> say(each + "."));
+      namesakes.warning(bootstrap.identities()).ifPresent(answer::note);
     }
   }
 
@@ -129,14 +132,14 @@ public final class UpCommand implements Callable<Integer> {
     String inGroup = step.name() + " in group " + step.group();
     return switch (step.kind()) {
       case STARTED -> "Up: " + inGroup + ".";
-      case KEPT -> "Kept: " + inGroup + "; nothing of it has changed.";
+      case UNCHANGED -> "Kept: " + inGroup + "; nothing of it has changed.";
       case RESTARTED ->
           "Restarted: "
               + inGroup
               + (step.detail().isEmpty() ? "." : "; changed: " + step.detail() + ".");
       case MOVED -> "Moved: " + inGroup + "; it was in group " + step.detail() + ".";
       case ENDED -> "Ended: " + inGroup + "; the robot's XML does not have it there any more.";
-      case GROUP_KEPT ->
+      case GROUP_STALE ->
           "Kept: process of group "
               + step.name()
               + "; its changed JVM options or class path count from its next start.";
@@ -166,7 +169,7 @@ public final class UpCommand implements Callable<Integer> {
       try {
         RobotDescription robot = RobotXml.read(each);
         robots.add(robot);
-        Rehearsal.of(robot);
+        RobotDryRun.check(robot);
       } catch (ConfigurationException e) {
         faults.add(String.valueOf(e.getMessage()));
       }
@@ -200,18 +203,18 @@ public final class UpCommand implements Callable<Integer> {
   }
 
   /** A robot without its class server works, but not for clients that lack its classes. */
-  private void sayClasses(RobotBootstrap bootstrap) throws IOException, ActivationException {
-    Optional<RobotClasses> classes = bootstrap.classes();
+  private void printClassServer(RobotBootstrap bootstrap) throws IOException, ActivationException {
+    Optional<RobotCodebase> classes = bootstrap.codebase();
     if (classes.isPresent()) {
       String place = classes.get().host() + ":" + classes.get().port();
-      Optional<String> taken = bootstrap.classPortTaken();
+      Optional<String> taken = bootstrap.classServerPortConflict();
       Optional<String> fault =
           taken.isPresent()
               ? Optional.of(
                   taken.get()
                       + ", so clients that lack this robot's classes cannot download them; give one"
                       + " of the two another port in <registrar classes=\"…\">")
-              : classes.get().missing();
+              : classes.get().findUnserved();
       say(
           fault.isPresent()
               ? "Classes: " + fault.get() + "."

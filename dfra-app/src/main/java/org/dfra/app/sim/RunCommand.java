@@ -10,19 +10,19 @@ import java.time.temporal.ChronoUnit;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import org.dfra.app.terminal.Answer;
 import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.CommandOutput;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.app.terminal.Table;
 import org.dfra.core.time.RobotTime;
 import org.dfra.core.time.ScaledTime;
-import org.dfra.sim.run.SimulatedLine;
+import org.dfra.sim.run.DeviceEndpoint;
+import org.dfra.sim.run.GroundTruthLog;
 import org.dfra.sim.run.Simulation;
-import org.dfra.sim.run.Simulation.Ports;
-import org.dfra.sim.run.TruthLog;
+import org.dfra.sim.run.Simulation.PortPolicy;
 import org.dfra.sim.world.description.WorldDescription;
 import org.dfra.sim.world.file.WorldXml;
-import org.dfra.text.Printable;
+import org.dfra.text.PrintableText;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -83,7 +83,7 @@ final class RunCommand implements Callable<Integer> {
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private Answer answer;
+  private CommandOutput answer;
 
   private final CountDownLatch ended = new CountDownLatch(1);
 
@@ -91,32 +91,32 @@ final class RunCommand implements Callable<Integer> {
   public Integer call() throws Exception {
     checkOptions();
     WorldDescription read = WorldXml.read(file);
-    WorldDescription world = seed == null ? read : read.seeded(seed);
+    WorldDescription world = seed == null ? read : read.withSeed(seed);
     InstantSource clock = clock();
     try (Simulation simulation =
-        Simulation.overTcp(world, clock, anyPorts ? Ports.ANY : Ports.AS_WRITTEN)) {
+        Simulation.overTcp(world, clock, anyPorts ? PortPolicy.EPHEMERAL : PortPolicy.CONFIGURED)) {
       simulation.start();
       Runtime.getRuntime().addShutdownHook(new Thread(ended::countDown, "simulation end"));
       begin(simulation, clock);
       run(simulation, clock);
     }
-    return ExitCode.WELL;
+    return ExitCode.SUCCESS;
   }
 
   private void checkOptions() {
-    if (!(speed >= ScaledTime.SLOWEST && speed <= ScaledTime.FASTEST)) {
+    if (!(speed >= ScaledTime.MIN_SPEED && speed <= ScaledTime.MAX_SPEED)) {
       throw new CommandFailure(
-          ExitCode.WRONG_USE,
+          ExitCode.USAGE_ERROR,
           "--speed "
               + speed
               + " is outside "
-              + ScaledTime.SLOWEST
+              + ScaledTime.MIN_SPEED
               + " to "
-              + (int) ScaledTime.FASTEST);
+              + (int) ScaledTime.MAX_SPEED);
     }
     if (!(truthRate > 0 && truthRate <= 100)) {
       throw new CommandFailure(
-          ExitCode.WRONG_USE, "--truth-rate " + truthRate + " Hz is outside above 0 to 100");
+          ExitCode.USAGE_ERROR, "--truth-rate " + truthRate + " Hz is outside above 0 to 100");
     }
     @Nullable Path folder = truth == null ? null : truth.toAbsolutePath().getParent();
     if (folder != null && !Files.isDirectory(folder)) {
@@ -125,7 +125,7 @@ final class RunCommand implements Callable<Integer> {
           "--truth " + truth + ": there is no folder " + folder + "; make it first");
     }
     if (seconds != null && !(seconds > 0)) {
-      throw new CommandFailure(ExitCode.WRONG_USE, "--for " + seconds + " s is not above 0");
+      throw new CommandFailure(ExitCode.USAGE_ERROR, "--for " + seconds + " s is not above 0");
     }
   }
 
@@ -137,22 +137,22 @@ final class RunCommand implements Callable<Integer> {
   }
 
   private void begin(Simulation simulation, InstantSource clock) {
-    Beginning beginning = Beginning.of(simulation, clock);
+    SimulationStart beginning = SimulationStart.of(simulation, clock);
     if (answer.isJson()) {
       answer.line(beginning, "");
       return;
     }
     Table table = new Table("ROBOT", "DEVICE", "PROTOCOL", "LINK", "SERVES");
-    for (SimulatedLine each : beginning.lines()) {
+    for (DeviceEndpoint each : beginning.endpoints()) {
       table.row(
           each.robot(),
           each.device(),
           each.protocol(),
           each.link(),
-          String.join(", ", each.serves()));
+          String.join(", ", each.servedDevices()));
     }
-    answer.table(beginning.lines(), table, "the world has no device with a line of its own");
-    answer.remark(
+    answer.table(beginning.endpoints(), table, "the world has no device with a line of its own");
+    answer.note(
         "the world "
             + beginning.world()
             + " runs with seed "
@@ -164,7 +164,7 @@ final class RunCommand implements Callable<Integer> {
                     + " times as fast; start the robots with "
                     + RobotTime.VARIABLE
                     + "='"
-                    + beginning.time()
+                    + beginning.dfraTime()
                     + "' ./dfra up ..., and end this with Ctrl-C"));
   }
 
@@ -175,7 +175,8 @@ final class RunCommand implements Callable<Integer> {
     Instant nextTruth = begin;
     Instant nextState = begin.plus(scaled(STATE_EVERY));
     int known = 0; // collisions
-    try (TruthLog log = truth == null ? null : new TruthLog(simulation.world(), truth)) {
+    try (GroundTruthLog log =
+        truth == null ? null : new GroundTruthLog(simulation.world(), truth)) {
       while (end == null || clock.instant().isBefore(end)) {
         Instant now = clock.instant();
         simulation.world().advanceTo(now);
@@ -183,7 +184,7 @@ final class RunCommand implements Callable<Integer> {
           log.write(nextTruth);
         }
         if (!now.isBefore(nextState)) {
-          State state = State.of(simulation.world(), begin, now, known);
+          SimulationState state = SimulationState.of(simulation.world(), begin, now, known);
           known = state.collisions();
           answerState(state);
           nextState = now.plus(scaled(STATE_EVERY));
@@ -193,7 +194,7 @@ final class RunCommand implements Callable<Integer> {
           break;
         }
       }
-      last(State.of(simulation.world(), begin, clock.instant(), known));
+      last(SimulationState.of(simulation.world(), begin, clock.instant(), known));
     } catch (IOException e) {
       throw new IOException(truth + " cannot be written: " + e.getMessage(), e);
     }
@@ -204,23 +205,23 @@ final class RunCommand implements Callable<Integer> {
   }
 
   /** On a terminal in the last line, again and again; elsewhere people are not told. */
-  private void answerState(State state) {
+  private void answerState(SimulationState state) {
     if (answer.isJson()) {
       answer.line(state, "");
     } else if (System.console() != null) {
-      System.err.print("\r\u001b[K" + Printable.line(state.inWords()));
+      System.err.print("\r\u001b[K" + PrintableText.line(state.inWords()));
       System.err.flush();
     }
   }
 
-  private void last(State state) {
+  private void last(SimulationState state) {
     if (answer.isJson()) {
       answer.line(state, "");
     } else {
       if (System.console() != null) {
         System.err.println();
       }
-      answer.remark(state.inWords());
+      answer.note(state.inWords());
     }
   }
 }

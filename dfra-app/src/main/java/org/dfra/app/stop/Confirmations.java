@@ -11,23 +11,23 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.UUID;
 import java.util.stream.Collectors;
-import org.dfra.river.phoenix.stop.EffectorStop;
+import org.dfra.river.phoenix.stop.EffectorStopResult;
 import org.dfra.river.phoenix.stop.UnconfirmedGroup;
 
 /**
  * What the phoenixes that were asked say, put together. A phoenix that is configured is believed. A
  * lookup service that discovery found, which may be a stranger's, may name any computer as its own:
- * the word of a phoenix there counts no more than that of a proxy ({@link #doubtOf(EffectorStop,
- * List)}).
+ * the word of a phoenix there counts no more than that of a proxy ({@link
+ * #unconfirmedReason(EffectorStopResult, List)}).
  */
 final class Confirmations {
 
   /** An effector as a phoenix names it that discovery named: of one identity there may be two. */
-  private record Named(UUID id, String path) {}
+  private record EffectorKey(UUID id, String path) {}
 
   private final List<PhoenixAnswer> answers;
-  private final Map<UUID, EffectorStop> stops = new LinkedHashMap<>();
-  private final Map<Named, EffectorStop> discovered = new LinkedHashMap<>();
+  private final Map<UUID, EffectorStopResult> stops = new LinkedHashMap<>();
+  private final Map<EffectorKey, EffectorStopResult> discovered = new LinkedHashMap<>();
   private final Set<String> robots = new TreeSet<>();
   private final List<UnconfirmedGroup> unconfirmed = new ArrayList<>();
 
@@ -45,9 +45,9 @@ final class Confirmations {
     }
     for (PhoenixAnswer each : answers) {
       if (!each.isConfigured()) {
-        for (EffectorStop stop : each.stops().values()) {
+        for (EffectorStopResult stop : each.stops().values()) {
           if (!stops.containsKey(stop.id())) {
-            discovered.merge(new Named(stop.id(), stop.path()), stop, Confirmations::worse);
+            discovered.merge(new EffectorKey(stop.id(), stop.path()), stop, Confirmations::worse);
           }
         }
       }
@@ -55,7 +55,7 @@ final class Confirmations {
   }
 
   /** All but one may be false. */
-  private static EffectorStop worse(EffectorStop one, EffectorStop other) {
+  private static EffectorStopResult worse(EffectorStopResult one, EffectorStopResult other) {
     return one.isConfirmed() ? other : one;
   }
 
@@ -63,7 +63,7 @@ final class Confirmations {
    * What each effector answered to its phoenix, if one is configured that knows it, by its
    * identity. Of several phoenixes one counts that does not confirm the stop.
    */
-  Map<UUID, EffectorStop> stops() {
+  Map<UUID, EffectorStopResult> stops() {
     return stops;
   }
 
@@ -71,7 +71,7 @@ final class Confirmations {
    * What phoenixes say of other effectors that discovery named. Of several that give an effector
    * the same path one counts that does not confirm the stop.
    */
-  Collection<EffectorStop> discovered() {
+  Collection<EffectorStopResult> discovered() {
     return discovered.values();
   }
 
@@ -81,8 +81,8 @@ final class Confirmations {
   }
 
   /** Where a phoenix may run that did not answer, as {@code host:port}. */
-  List<String> silent() {
-    return addresses(answers.stream().filter(PhoenixAnswer::isSilent).toList());
+  List<String> unresponsive() {
+    return addresses(answers.stream().filter(PhoenixAnswer::isUnresponsive).toList());
   }
 
   private static List<String> addresses(List<PhoenixAnswer> of) {
@@ -91,7 +91,7 @@ final class Confirmations {
 
   /** Whether a phoenix reports an effector that a lookup service lists. */
   boolean knows(UUID id, String path) {
-    return stops.containsKey(id) || discovered.containsKey(new Named(id, path));
+    return stops.containsKey(id) || discovered.containsKey(new EffectorKey(id, path));
   }
 
   /**
@@ -100,8 +100,8 @@ final class Confirmations {
    *
    * @param robot name of the robot that the proxy is registered for
    */
-  Optional<String> doubtOf(String robot) {
-    List<String> silent = silent();
+  Optional<String> unconfirmedReason(String robot) {
+    List<String> silent = unresponsive();
     if (robots.contains(robot)) {
       return Optional.of(
           "its proxy says that it is stopped, and the phoenix of its robot does not confirm that");
@@ -129,7 +129,7 @@ final class Confirmations {
    * @param listings of its identity, one for each lookup service that lists it
    * @return a clause; empty where it counts
    */
-  Optional<String> doubtOf(EffectorStop stop, List<StopMerge.Claim> listings) {
+  Optional<String> unconfirmedReason(EffectorStopResult stop, List<StopMerge.ProxyClaim> listings) {
     return objection(stop, listings)
         .map(
             objection ->
@@ -143,18 +143,18 @@ final class Confirmations {
                     + "; name its robot's phoenix with --phoenix or DFRA_PHOENIX");
   }
 
-  private Optional<String> objection(EffectorStop stop, List<StopMerge.Claim> listings) {
+  private Optional<String> objection(EffectorStopResult stop, List<StopMerge.ProxyClaim> listings) {
     List<PhoenixAnswer> configured = answers.stream().filter(PhoenixAnswer::isConfigured).toList();
     if (configured.stream().anyMatch(each -> each.robots().contains(stop.robot()))) {
       return Optional.of("the configured phoenix of its robot does not");
     }
-    List<PhoenixAnswer> silent = configured.stream().filter(PhoenixAnswer::isSilent).toList();
+    List<PhoenixAnswer> silent = configured.stream().filter(PhoenixAnswer::isUnresponsive).toList();
     if (!silent.isEmpty()) {
       return Optional.of(
           "none of the configured ones answers at " + String.join(", ", addresses(silent)));
     }
     boolean isListedThere = false;
-    for (StopMerge.Claim listing : listings) {
+    for (StopMerge.ProxyClaim listing : listings) {
       List<PhoenixAnswer> there =
           answers.stream()
               .filter(each -> Objects.equals(each.address().host(), listing.host()))
@@ -164,7 +164,7 @@ final class Confirmations {
             listing.path().equals(stop.path())
                 && there.stream().anyMatch(each -> each.confirms(stop.id(), stop.path()));
       } else if (there.stream()
-          .anyMatch(each -> each.isSilent() || each.robots().contains(listing.robot()))) {
+          .anyMatch(each -> each.isUnresponsive() || each.robots().contains(listing.robot()))) {
         return Optional.of(
             "the phoenix at " + listing.host() + ", where it is listed too, does not");
       } else if (!listing.outcome().result().isWell()) {
@@ -180,7 +180,7 @@ final class Confirmations {
   /** Whether every effector and group that a phoenix knows has confirmed its stop. */
   boolean isComplete() {
     return unconfirmed.isEmpty()
-        && stops.values().stream().allMatch(EffectorStop::isConfirmed)
-        && discovered.values().stream().allMatch(EffectorStop::isConfirmed);
+        && stops.values().stream().allMatch(EffectorStopResult::isConfirmed)
+        && discovered.values().stream().allMatch(EffectorStopResult::isConfirmed);
   }
 }

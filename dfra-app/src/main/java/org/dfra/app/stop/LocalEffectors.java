@@ -11,7 +11,7 @@ import org.dfra.core.config.GroupDescription;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.flow.effector.Effector;
-import org.dfra.river.bootstrap.Inventory.RegisteredService;
+import org.dfra.river.bootstrap.PhoenixInventory.RegisteredService;
 import org.dfra.river.server.effector.EffectorServer;
 
 /**
@@ -22,7 +22,7 @@ import org.dfra.river.server.effector.EffectorServer;
 final class LocalEffectors {
 
   /** Asks phoenix what is registered. */
-  interface Phoenix {
+  interface RegisteredServices {
     List<RegisteredService> services() throws IOException, ActivationException;
   }
 
@@ -31,9 +31,9 @@ final class LocalEffectors {
    *
    * @param robot name of its robot
    * @param name its name on its robot
-   * @param way how it is reached
+   * @param access how it is reached
    */
-  record Local(String robot, String name, Way way) {
+  record LocalEffector(String robot, String name, EffectorAccess access) {
 
     /** {@code robot/name}. */
     String path() {
@@ -42,7 +42,7 @@ final class LocalEffectors {
   }
 
   /** How an effector is reached. */
-  interface Way {
+  interface EffectorAccess {
     /**
      * Its server, which is started where it does not run.
      *
@@ -52,7 +52,7 @@ final class LocalEffectors {
     Effector<?> reach() throws IOException, ActivationException;
   }
 
-  private final Phoenix phoenix;
+  private final RegisteredServices phoenix;
   private final List<RobotDescription> known;
   private final Predicate<String> wanted;
 
@@ -60,7 +60,8 @@ final class LocalEffectors {
    * @param known the robots that were brought up on this host, as far as their XML is known
    * @param wanted which robots it is about, by name
    */
-  LocalEffectors(Phoenix phoenix, List<RobotDescription> known, Predicate<String> wanted) {
+  LocalEffectors(
+      RegisteredServices phoenix, List<RobotDescription> known, Predicate<String> wanted) {
     this.phoenix = phoenix;
     this.known = List.copyOf(known);
     this.wanted = wanted;
@@ -73,13 +74,14 @@ final class LocalEffectors {
    * @throws IOException if phoenix does not answer and no XML names an effector
    * @throws ActivationException likewise
    */
-  List<Local> all() throws IOException, ActivationException {
-    List<Local> all = new ArrayList<>();
+  List<LocalEffector> all() throws IOException, ActivationException {
+    List<LocalEffector> all = new ArrayList<>();
     try {
       for (RegisteredService each : services()) {
         if (wanted.test(each.robot()) && isEffector(each.serverClass())) {
           String name = each.name() == null ? "(in group " + each.group() + ")" : each.name();
-          all.add(new Local(each.robot(), name, () -> (Effector<?>) each.id().activate(false)));
+          all.add(
+              new LocalEffector(each.robot(), name, () -> (Effector<?>) each.id().activate(false)));
         }
       }
     } catch (IOException | ActivationException e) {
@@ -111,7 +113,7 @@ final class LocalEffectors {
     return String.valueOf(failure.getMessage()).replaceFirst("(?s);? nested exception is:.*", "");
   }
 
-  private void named(List<Local> all, String whyNot) {
+  private void named(List<LocalEffector> all, String whyNot) {
     Set<String> found = new HashSet<>();
     all.forEach(each -> found.add(each.path()));
     for (RobotDescription robot : known) {
@@ -121,7 +123,7 @@ final class LocalEffectors {
               && isEffector(module.serverClass())
               && !found.contains(module.path())) {
             all.add(
-                new Local(
+                new LocalEffector(
                     robot.name(),
                     module.name(),
                     () -> {

@@ -3,7 +3,7 @@ package org.dfra.app.stop;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Locale;
-import org.dfra.flow.effector.StopState;
+import org.dfra.flow.effector.EmergencyStopState;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -11,14 +11,14 @@ import org.jspecify.annotations.Nullable;
  *
  * @param module the effector's path, {@code robot/name}
  * @param result what has become of it
- * @param by who stopped or released it last, for people; null where that is not known
+ * @param requester who stopped or released it last, for people; null where that is not known
  * @param since when that was, by the effector's clock, UTC; null likewise
  * @param reason what is wrong, a clause; null where nothing is
  */
 record Outcome(
     String module,
     Result result,
-    @Nullable String by,
+    @Nullable String requester,
     @Nullable Instant since,
     @Nullable String reason) {
 
@@ -27,11 +27,11 @@ record Outcome(
     /** It is stopped by this call. */
     STOPPED("stopped"),
     /** It was stopped before, and has been told to come to rest once more. */
-    STOPPED_ALREADY("was stopped already"),
+    ALREADY_STOPPED("was stopped already"),
     /** It obeys nobody, but its driver could not be told to come to rest yet. */
-    NOT_AT_REST("NOT AT REST"),
+    DRIVER_NOT_STOPPED("NOT AT REST"),
     /** Something says that it is stopped, and its phoenix does not confirm that. */
-    DOUBTFUL("DOUBTFUL"),
+    UNCONFIRMED("DOUBTFUL"),
     /** It was not reached, or not stopped. */
     NOT_STOPPED("NOT STOPPED"),
     /** It may be commanded again. */
@@ -53,7 +53,7 @@ record Outcome(
 
     boolean isWell() {
       return this == STOPPED
-          || this == STOPPED_ALREADY
+          || this == ALREADY_STOPPED
           || this == RELEASED
           || this == WAS_NOT_STOPPED;
     }
@@ -66,22 +66,22 @@ record Outcome(
    *     spans, since the clocks of two computers differ.
    * @param now what it answered
    */
-  static Outcome ofStop(String module, Duration running, StopState now) {
+  static Outcome ofStop(String module, Duration running, EmergencyStopState now) {
     if (!now.latched()) {
       return new Outcome(
           module,
           Result.NOT_STOPPED,
-          now.by(),
+          now.requester(),
           now.since(),
-          "it was released at the same time by " + now.by());
+          "it was released at the same time by " + now.requester());
     }
     Result result =
-        !now.resting()
-            ? Result.NOT_AT_REST
+        !now.haltCommanded()
+            ? Result.DRIVER_NOT_STOPPED
             : now.age() != null && now.age().compareTo(running) > 0
-                ? Result.STOPPED_ALREADY
+                ? Result.ALREADY_STOPPED
                 : Result.STOPPED;
-    return new Outcome(module, result, now.by(), now.since(), now.fault());
+    return new Outcome(module, result, now.requester(), now.since(), now.fault());
   }
 
   /**
@@ -90,17 +90,17 @@ record Outcome(
    * @param by who asked
    * @param now what it answered
    */
-  static Outcome ofRelease(String module, String by, StopState now) {
+  static Outcome ofRelease(String module, String by, EmergencyStopState now) {
     if (now.latched()) {
       return new Outcome(
           module,
           Result.NOT_RELEASED,
-          now.by(),
+          now.requester(),
           now.since(),
-          "it was stopped at the same time by " + now.by());
+          "it was stopped at the same time by " + now.requester());
     }
-    Result result = by.equals(now.by()) ? Result.RELEASED : Result.WAS_NOT_STOPPED;
-    return new Outcome(module, result, now.by(), now.since(), now.fault());
+    Result result = by.equals(now.requester()) ? Result.RELEASED : Result.WAS_NOT_STOPPED;
+    return new Outcome(module, result, now.requester(), now.since(), now.fault());
   }
 
   /** The same for people, one line. */
@@ -108,7 +108,7 @@ record Outcome(
     return module
         + ": "
         + result.words()
-        + (result == Result.STOPPED_ALREADY ? ", since " + since + ", by " + by : "")
+        + (result == Result.ALREADY_STOPPED ? ", since " + since + ", by " + requester : "")
         + (reason == null ? "" : ": " + reason)
         + ".";
   }

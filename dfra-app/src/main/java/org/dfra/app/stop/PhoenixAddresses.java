@@ -24,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  * option, a variable, the hosts of named lookup services) and by discovery (the hosts of the lookup
  * services that were found). Never by an entry, which anybody may register.
  *
- * <p>Only {@link #located} asks a name service, which may not answer for long; it is called on the
+ * <p>Only {@link #resolve} asks a name service, which may not answer for long; it is called on the
  * thread of one order.
  */
 final class PhoenixAddresses {
@@ -67,7 +67,7 @@ final class PhoenixAddresses {
     DISCOVERY(false) {
       @Override
       boolean isLeftOut(InetAddress address) {
-        return OwnAddresses.ofThisComputer().contain(address);
+        return OwnAddresses.ofThisComputer().contains(address);
       }
     };
 
@@ -156,7 +156,7 @@ final class PhoenixAddresses {
       PhoenixProcess phoenix = options.phoenix();
       return Optional.of(new Address(phoenix.host(), phoenix.port()));
     } catch (IOException | RuntimeException e) { // its address file is damaged, say
-      options.answer().remark("phoenix of this host has no readable address: " + e.getMessage());
+      options.answer().note("phoenix of this host has no readable address: " + e.getMessage());
       return Optional.empty();
     }
   }
@@ -182,7 +182,7 @@ final class PhoenixAddresses {
         : at(host, Origin.DISCOVERY);
   }
 
-  /** A name is kept until it is {@link #located}. */
+  /** A name is kept until it is {@link #resolve}. */
   private static Optional<Address> at(String host, Origin origin) {
     return HostAddress.literal(host).filter(origin::isLeftOut).isPresent()
         ? Optional.empty()
@@ -195,7 +195,7 @@ final class PhoenixAddresses {
    * @return its address; empty where the name is one of this computer, and it is left out
    * @throws java.rmi.UnknownHostException if the name has no address
    */
-  Optional<Address> located(Address address, Origin origin) throws RemoteException {
+  Optional<Address> resolve(Address address, Origin origin) throws RemoteException {
     if (origin == Origin.NAMED || HostAddress.literal(address.host()).isPresent()) {
       return Optional.of(address);
     }

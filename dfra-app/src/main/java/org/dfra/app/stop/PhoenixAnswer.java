@@ -7,7 +7,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.UUID;
 import org.dfra.app.stop.PhoenixAddresses.Address;
-import org.dfra.river.phoenix.stop.EffectorStop;
+import org.dfra.river.phoenix.stop.EffectorStopResult;
 import org.dfra.river.phoenix.stop.StopReport;
 import org.dfra.river.phoenix.stop.UnconfirmedGroup;
 import org.jspecify.annotations.Nullable;
@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
  * @param address where it was ordered
  * @param isConfigured whether the operator named it, or its computer; otherwise only a lookup
  *     service did that was found
- * @param isSilent whether a phoenix may run there, and none answered
+ * @param isUnresponsive whether a phoenix may run there, and none answered
  * @param stops what each effector answered to it, by its identity: of several answers the last one,
  *     unless an earlier one confirms the stop
  * @param robots names of the robots that have a group on it
@@ -27,8 +27,8 @@ import org.jspecify.annotations.Nullable;
 record PhoenixAnswer(
     Address address,
     boolean isConfigured,
-    boolean isSilent,
-    Map<UUID, EffectorStop> stops,
+    boolean isUnresponsive,
+    Map<UUID, EffectorStopResult> stops,
     Set<String> robots,
     List<UnconfirmedGroup> unconfirmed) {
 
@@ -39,11 +39,11 @@ record PhoenixAnswer(
    */
   static PhoenixAnswer of(
       Address address, boolean isConfigured, boolean isSilent, List<StopReport> reports) {
-    Map<UUID, EffectorStop> stops = new LinkedHashMap<>();
+    Map<UUID, EffectorStopResult> stops = new LinkedHashMap<>();
     Set<String> robots = new TreeSet<>();
     for (StopReport report : reports) {
       robots.addAll(report.robots());
-      for (EffectorStop stop : report.effectors()) {
+      for (EffectorStopResult stop : report.effectors()) {
         stops.merge(
             stop.id(), stop, (old, now) -> old.isConfirmed() && !now.isConfirmed() ? old : now);
       }
@@ -55,13 +55,13 @@ record PhoenixAnswer(
 
   /** Whether it confirms the stop of an effector, under whatever path. */
   boolean confirms(UUID id) {
-    @Nullable EffectorStop stop = stops.get(id);
+    @Nullable EffectorStopResult stop = stops.get(id);
     return stop != null && stop.isConfirmed();
   }
 
   /** Whether it confirms the stop of an effector under that path. */
   boolean confirms(UUID id, String path) {
-    @Nullable EffectorStop stop = stops.get(id);
+    @Nullable EffectorStopResult stop = stops.get(id);
     return stop != null && stop.isConfirmed() && stop.path().equals(path);
   }
 }

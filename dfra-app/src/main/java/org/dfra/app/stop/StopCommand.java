@@ -24,16 +24,16 @@ import org.dfra.app.stop.Outcome.Result;
 import org.dfra.app.stop.PhoenixAddresses.Address;
 import org.dfra.app.stop.PhoenixAddresses.Origin;
 import org.dfra.app.team.TeamOptions;
-import org.dfra.app.terminal.Answer;
+import org.dfra.app.terminal.CommandOutput;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.flow.effector.Effector;
-import org.dfra.flow.effector.StopState;
+import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.river.bootstrap.HostAddress;
-import org.dfra.river.bootstrap.Inventory;
+import org.dfra.river.bootstrap.PhoenixInventory;
 import org.dfra.river.bootstrap.PhoenixProcess;
-import org.dfra.river.call.Refusal;
+import org.dfra.river.call.ConnectionRefusal;
 import org.dfra.river.lookup.EffectorSearch;
 import org.dfra.river.lookup.ListedEffector;
 import org.dfra.river.phoenix.stop.StopLocator;
@@ -100,13 +100,13 @@ public final class StopCommand implements Callable<Integer> {
   /** A phoenix that does not answer is given up so much before its try ends. */
   private static final Duration MARGIN = Duration.ofMillis(200);
 
-  private final Set<Outcome> said = new HashSet<>(); // guarded by itself
+  private final Set<Outcome> printed = new HashSet<>(); // guarded by itself
   private final long begun = System.nanoTime();
   private String by = "";
   private Duration patience = Duration.ZERO;
 
   /** An effector as programs are told of it. */
-  record Told(
+  record EffectorView(
       String module,
       String result,
       @Nullable String by,
@@ -116,11 +116,11 @@ public final class StopCommand implements Callable<Integer> {
   /**
    * All that programs are told.
    *
-   * @param well whether every effector that is known was stopped, or released
+   * @param ok whether every effector that is known was stopped, or released
    * @param effectors what has become of each
-   * @param silent named lookup services that did not answer, and robots without effectors
+   * @param unresponsive named lookup services that did not answer, and robots without effectors
    */
-  record Report(boolean well, List<Told> effectors, List<String> silent) {}
+  record Report(boolean ok, List<EffectorView> effectors, List<String> unresponsive) {}
 
   @Override
   public Integer call() throws Exception {
@@ -128,18 +128,18 @@ public final class StopCommand implements Callable<Integer> {
       throw new ParameterException(
           spec.commandLine(), "name the robots, or say --all for every robot; one of the two");
     }
-    by = requester(System.getProperty("user.name", "somebody"), options.wantedHost());
-    patience = options.urgentPatience();
-    try (StopRound round =
-        new StopRound(
+    by = requester(System.getProperty("user.name", "somebody"), options.hostSetting());
+    patience = options.emergencyTimeout();
+    try (StopDispatcher round =
+        new StopDispatcher(
             release ? Result.NOT_RELEASED : Result.NOT_STOPPED,
-            StopRound.TRY,
+            StopDispatcher.ATTEMPT_TIMEOUT,
             this::isTimeLeft,
             this::say,
             new StopMerge(by, this::running))) {
       List<String> silent = Collections.synchronizedList(new ArrayList<>());
       PhoenixAddresses addresses = new PhoenixAddresses(options, phoenixes, InetAddress::getByName);
-      Phoenixes orders = new Phoenixes(round, addresses);
+      PhoenixDispatch orders = new PhoenixDispatch(round, addresses);
       if (!release) { // before all else: it needs no lookup service and no class of others
         addresses.configured(silent::add).forEach(each -> orders.send(each, Origin.NAMED));
         addresses.ofLocators().forEach(each -> orders.send(each, Origin.LOCATOR));
@@ -152,12 +152,12 @@ public final class StopCommand implements Callable<Integer> {
         silent.add("no lookup service can be looked for: " + e.getMessage());
       }
       List<Outcome> outcomes =
-          round.outcomes().stream().sorted(Comparator.comparing(Outcome::module)).toList();
+          round.awaitOutcomes().stream().sorted(Comparator.comparing(Outcome::module)).toList();
       silent.addAll(robotsWithout(outcomes));
       if (!release) {
         addresses.configured(unused -> {}).stream()
             .map(Address::toString)
-            .filter(round.confirmations().silent()::contains)
+            .filter(round.confirmations().unresponsive()::contains)
             .map(
                 each ->
                     "the phoenix at "
@@ -178,9 +178,10 @@ public final class StopCommand implements Callable<Integer> {
    */
   static String requester(String user, String host) {
     try {
-      return StopState.requesterName(user + " at " + HostAddress.resolveAtOnce(host));
+      return EmergencyStopState.requesterName(
+          user + " at " + HostAddress.resolveWithoutLookup(host));
     } catch (ConfigurationException e) { // the search for lookup services remarks it
-      return StopState.requesterName(user);
+      return EmergencyStopState.requesterName(user);
     }
   }
 
@@ -190,9 +191,9 @@ public final class StopCommand implements Callable<Integer> {
 
   private Outcome call(String path, Effector<?> effector) throws RemoteException {
     if (release) {
-      return Outcome.ofRelease(path, by, effector.releaseStop(by));
+      return Outcome.ofRelease(path, by, effector.releaseEmergencyStop(by));
     }
-    StopState now = effector.emergencyStop(by);
+    EmergencyStopState now = effector.emergencyStop(by);
     return Outcome.ofStop(path, running(), now);
   }
 
@@ -207,13 +208,13 @@ public final class StopCommand implements Callable<Integer> {
   }
 
   /** On a thread of the round's: phoenix may not answer, and the lookup services must not wait. */
-  private void callLocal(StopRound round) {
+  private void callLocal(StopDispatcher round) {
     Path state = options.state();
     List<RobotDescription> known = List.of();
     try {
       known = options.knownRobots();
     } catch (IOException | ConfigurationException e) { // phoenix may know them
-      options.answer().remark("the XML of this host's robots cannot be read: " + e.getMessage());
+      options.answer().note("the XML of this host's robots cannot be read: " + e.getMessage());
     }
     if (known.isEmpty() && !Files.exists(state.resolve("journal"))) {
       return; // no phoenix has ever run here
@@ -221,42 +222,43 @@ public final class StopCommand implements Callable<Integer> {
     try {
       PhoenixProcess phoenix = options.phoenix();
       LocalEffectors effectors =
-          new LocalEffectors(() -> Inventory.services(phoenix), known, this::isWanted);
-      for (LocalEffectors.Local each : effectors.all()) {
-        round.callLocal(each.path(), () -> call(each.path(), each.way().reach()));
+          new LocalEffectors(() -> PhoenixInventory.services(phoenix), known, this::isWanted);
+      for (LocalEffectors.LocalEffector each : effectors.all()) {
+        round.callLocal(each.path(), () -> call(each.path(), each.access().reach()));
       }
     } catch (IOException | ActivationException e) {
-      if (Refusal.isProvenBy(e)) {
+      if (ConnectionRefusal.isProvenBy(e)) {
         LOG.debug("No phoenix runs here, and no robot is known.", e);
       } else {
-        options.answer().remark("phoenix of this host cannot be asked: " + e.getMessage());
+        options.answer().note("phoenix of this host cannot be asked: " + e.getMessage());
       }
     }
   }
 
   /** Orders phoenixes; each is located and called on a thread of its own. */
-  private final class Phoenixes {
+  private final class PhoenixDispatch {
 
-    private final StopRound round;
+    private final StopDispatcher round;
     private final PhoenixAddresses addresses;
     private final List<String> wanted = all ? List.of() : List.copyOf(robots);
 
-    Phoenixes(StopRound round, PhoenixAddresses addresses) {
+    PhoenixDispatch(StopDispatcher round, PhoenixAddresses addresses) {
       this.round = round;
       this.addresses = addresses;
     }
 
     /** An address that is wrong fails there, and keeps no other from being ordered. */
     void send(Address address, Origin origin) {
-      round.askPhoenix(address, origin.isConfigured(), () -> stop(address, origin));
+      round.requestPhoenix(address, origin.isConfigured(), () -> stop(address, origin));
     }
 
     private @Nullable StopReport stop(Address address, Origin origin) throws RemoteException {
-      Optional<Address> at = addresses.located(address, origin);
+      Optional<Address> at = addresses.resolve(address, origin);
       if (at.isEmpty()) {
         return null;
       }
-      return StopLocator.at(at.get().host(), at.get().port(), StopRound.TRY.minus(MARGIN))
+      return StopLocator.proxyAt(
+              at.get().host(), at.get().port(), StopDispatcher.ATTEMPT_TIMEOUT.minus(MARGIN))
           .emergencyStop(wanted, by);
     }
 
@@ -267,17 +269,17 @@ public final class StopCommand implements Callable<Integer> {
   }
 
   /** Calls each as soon as it is read; returns the named lookup services that do not answer. */
-  private List<String> callListed(StopRound round, Phoenixes orders)
+  private List<String> callListed(StopDispatcher round, PhoenixDispatch orders)
       throws IOException, InterruptedException {
     List<String> unasked = Collections.synchronizedList(new ArrayList<>());
     EffectorSearch.Listener listener =
         new EffectorSearch.Listener() {
           @Override
-          public void registrarAt(UUID registrar, String host) {
+          public void registrarFound(UUID registrar, String host) {
             if (!release) {
               orders.sendTo(host);
             }
-            round.registrarAt(registrar, host);
+            round.registrarFound(registrar, host);
           }
 
           @Override
@@ -286,10 +288,11 @@ public final class StopCommand implements Callable<Integer> {
           }
         };
     try (EffectorSearch search =
-        options.urgentSearch(all ? List.of() : robots, listener, unasked::add)) {
+        options.emergencySearch(all ? List.of() : robots, listener, unasked::add)) {
       List<String> silent = search.awaitRead(patience);
       List<String> named = options.namedLocators();
-      List<Outcome> unused = round.outcomes(); // the search is open while its proxies are called
+      List<Outcome> unused =
+          round.awaitOutcomes(); // the search is open while its proxies are called
       unasked.addAll(search.unread());
       silent.stream()
           .filter(each -> named.contains(each.replaceAll("/$", "")))
@@ -299,7 +302,7 @@ public final class StopCommand implements Callable<Integer> {
     }
   }
 
-  private void callListed(StopRound round, ListedEffector listed) {
+  private void callListed(StopDispatcher round, ListedEffector listed) {
     if (isWanted(listed.robot())) {
       @Nullable Effector<?> effector = listed.effector();
       round.callListed(
@@ -325,35 +328,36 @@ public final class StopCommand implements Callable<Integer> {
 
   /** Once, as soon as it is known. */
   private void say(Outcome outcome) {
-    Answer answer = options.answer();
-    synchronized (said) {
-      if (!answer.isJson() && said.add(outcome)) {
+    CommandOutput answer = options.answer();
+    synchronized (printed) {
+      if (!answer.isJson() && printed.add(outcome)) {
         answer.line(outcome, outcome.inWords());
       }
     }
   }
 
   private int report(List<Outcome> outcomes, List<String> silent) {
-    Answer answer = options.answer();
+    CommandOutput answer = options.answer();
     boolean isEveryOne = outcomes.stream().allMatch(each -> each.result().isWell());
     boolean well = isEveryOne && silent.isEmpty() && !outcomes.isEmpty();
     if (answer.isJson()) {
-      answer.outline(new Report(well, outcomes.stream().map(StopCommand::told).toList(), silent));
+      answer.details(new Report(well, outcomes.stream().map(StopCommand::told).toList(), silent));
     } else {
       outcomes.forEach(this::say);
       String summary = summary(outcomes, isEveryOne);
       answer.line(summary, summary);
-      silent.forEach(answer::remark);
+      silent.forEach(answer::note);
     }
     if (well) {
-      return ExitCode.WELL;
+      return ExitCode.SUCCESS;
     } else if (outcomes.isEmpty()) {
       return ExitCode.NOT_FOUND;
     }
     boolean isOnlyHeldUp =
         silent.isEmpty()
             && outcomes.stream()
-                .allMatch(each -> each.result().isWell() || each.result() == Result.NOT_AT_REST);
+                .allMatch(
+                    each -> each.result().isWell() || each.result() == Result.DRIVER_NOT_STOPPED);
     return isOnlyHeldUp ? ExitCode.FAILED : ExitCode.NO_ANSWER;
   }
 
@@ -380,8 +384,8 @@ public final class StopCommand implements Callable<Integer> {
         isEveryOne || release ? "" : " Use the robot's own emergency stop.");
   }
 
-  private static Told told(Outcome outcome) {
-    return new Told(
-        outcome.module(), outcome.id(), outcome.by(), outcome.since(), outcome.reason());
+  private static EffectorView told(Outcome outcome) {
+    return new EffectorView(
+        outcome.module(), outcome.id(), outcome.requester(), outcome.since(), outcome.reason());
   }
 }

@@ -10,8 +10,8 @@ import java.util.Optional;
 import java.util.UUID;
 import java.util.function.Supplier;
 import org.dfra.app.stop.Outcome.Result;
-import org.dfra.flow.effector.StopState;
-import org.dfra.river.phoenix.stop.EffectorStop;
+import org.dfra.flow.effector.EmergencyStopState;
+import org.dfra.river.phoenix.stop.EffectorStopResult;
 import org.dfra.river.phoenix.stop.UnconfirmedGroup;
 import org.jspecify.annotations.Nullable;
 
@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
  * Decides from all answers what has become of each effector. One counts as stopped when its phoenix
  * confirms it, by either way to it. The word of a proxy that a lookup service holds counts only for
  * robots that no phoenix knows: anybody may have registered it. For the word of a phoenix that only
- * discovery named see {@link Confirmations#doubtOf(EffectorStop, List)}.
+ * discovery named see {@link Confirmations#unconfirmedReason(EffectorStopResult, List)}.
  */
 final class StopMerge {
 
@@ -43,7 +43,7 @@ final class StopMerge {
    * @param host the computer where the lookup service says that it runs; null if it is not known
    * @param outcome what has become of the effector
    */
-  record Claim(UUID id, String path, @Nullable String host, Outcome outcome) {
+  record ProxyClaim(UUID id, String path, @Nullable String host, Outcome outcome) {
 
     /** Name of its robot. */
     String robot() {
@@ -51,7 +51,7 @@ final class StopMerge {
     }
 
     /** The other one where all is well with this one. */
-    Claim orWorse(Claim other) {
+    ProxyClaim orWorse(ProxyClaim other) {
       return outcome.result().isWell() ? other : this;
     }
   }
@@ -71,12 +71,12 @@ final class StopMerge {
    * stopped: it was stopped already where somebody else did it, or it was before this command
    * began.
    */
-  Outcome ofPhoenix(EffectorStop stop) {
-    @Nullable StopState state = stop.state();
+  Outcome ofPhoenix(EffectorStopResult stop) {
+    @Nullable EmergencyStopState state = stop.state();
     if (state == null) {
       return new Outcome(stop.path(), Result.NOT_STOPPED, null, null, stop.fault());
     }
-    boolean isAnothers = stop.wasStopped() && !by.equals(state.by());
+    boolean isAnothers = stop.wasStopped() && !by.equals(state.requester());
     return Outcome.ofStop(stop.path(), isAnothers ? Duration.ZERO : running.get(), state);
   }
 
@@ -89,31 +89,31 @@ final class StopMerge {
    * @param confirmations what phoenixes say
    */
   List<Outcome> merge(
-      List<Claim> claimed, Map<String, List<Outcome>> local, Confirmations confirmations) {
+      List<ProxyClaim> claimed, Map<String, List<Outcome>> local, Confirmations confirmations) {
     Map<String, List<Outcome>> here = new LinkedHashMap<>(local);
-    Map<UUID, Claim> byIdentity = new LinkedHashMap<>();
-    Map<UUID, List<Claim>> listings = new HashMap<>();
-    Map<String, Claim> claims = new LinkedHashMap<>();
-    for (Claim claim : claimed) {
+    Map<UUID, ProxyClaim> byIdentity = new LinkedHashMap<>();
+    Map<UUID, List<ProxyClaim>> listings = new HashMap<>();
+    Map<String, ProxyClaim> claims = new LinkedHashMap<>();
+    for (ProxyClaim claim : claimed) {
       listings.computeIfAbsent(claim.id(), unused -> new ArrayList<>()).add(claim);
-      byIdentity.merge(claim.id(), claim, Claim::orWorse);
-      claims.merge(claim.id() + " " + claim.path(), claim, Claim::orWorse);
+      byIdentity.merge(claim.id(), claim, ProxyClaim::orWorse);
+      claims.merge(claim.id() + " " + claim.path(), claim, ProxyClaim::orWorse);
     }
     List<Outcome> outcomes = new ArrayList<>();
     confirmations
         .stops()
         .values()
         .forEach(stop -> outcomes.add(known(stop, byIdentity.get(stop.id()), here)));
-    for (EffectorStop stop : confirmations.discovered()) {
+    for (EffectorStopResult stop : confirmations.discovered()) {
       Optional<Outcome> doubt =
           ofPhoenix(stop).result().isWell()
               ? confirmations
-                  .doubtOf(stop, listings.getOrDefault(stop.id(), List.of()))
+                  .unconfirmedReason(stop, listings.getOrDefault(stop.id(), List.of()))
                   .map(why -> doubtful(ofPhoenix(stop), why))
               : Optional.empty();
       outcomes.add(doubt.orElseGet(() -> known(stop, byIdentity.get(stop.id()), here)));
     }
-    for (Claim claim : claims.values()) {
+    for (ProxyClaim claim : claims.values()) {
       if (!confirmations.knows(claim.id(), claim.path())) {
         outcomes.add(unknown(claim, here, confirmations));
       }
@@ -124,7 +124,7 @@ final class StopMerge {
         outcomes.add(
             new Outcome(
                 group.robot() + "/ (group " + group.group() + ")",
-                Result.DOUBTFUL,
+                Result.UNCONFIRMED,
                 null,
                 null,
                 group.reason()));
@@ -139,7 +139,8 @@ final class StopMerge {
   }
 
   /** An effector that a phoenix knows. */
-  private Outcome known(EffectorStop stop, @Nullable Claim claim, Map<String, List<Outcome>> here) {
+  private Outcome known(
+      EffectorStopResult stop, @Nullable ProxyClaim claim, Map<String, List<Outcome>> here) {
     Outcome outcome = ofPhoenix(stop);
     Optional<Outcome> other = only(stop.path(), here);
     if (outcome.result().isWell()) {
@@ -157,7 +158,7 @@ final class StopMerge {
 
   /** An effector that no phoenix knows. */
   private static Outcome unknown(
-      Claim claim, Map<String, List<Outcome>> here, Confirmations confirmations) {
+      ProxyClaim claim, Map<String, List<Outcome>> here, Confirmations confirmations) {
     Outcome outcome = claim.outcome();
     Optional<Outcome> other = only(claim.path(), here);
     if (other.isPresent() && other.get().result().isWell()) {
@@ -165,7 +166,10 @@ final class StopMerge {
     } else if (!outcome.result().isWell()) {
       return outcome;
     }
-    return confirmations.doubtOf(claim.robot()).map(why -> doubtful(outcome, why)).orElse(outcome);
+    return confirmations
+        .unconfirmedReason(claim.robot())
+        .map(why -> doubtful(outcome, why))
+        .orElse(outcome);
   }
 
   /** Takes the only outcome of that path; several of one name are several effectors. */
@@ -179,6 +183,7 @@ final class StopMerge {
   }
 
   private static Outcome doubtful(Outcome claimed, String why) {
-    return new Outcome(claimed.module(), Result.DOUBTFUL, claimed.by(), claimed.since(), why);
+    return new Outcome(
+        claimed.module(), Result.UNCONFIRMED, claimed.requester(), claimed.since(), why);
   }
 }

@@ -2,13 +2,13 @@
  * The emergency stop of every robot that can be reached.
  *
  * <pre>
- *   PhoenixAddresses --&gt; PhoenixAnswers  each phoenix, directly     -+
- *   EffectorSearch   --&gt; FairCalls       each proxy, round robin    -+-&gt; StopMerge --&gt; Outcome
- *   LocalEffectors   --&gt; StopRound       by this host's phoenix     -+
+ *   PhoenixAddresses --&gt; PhoenixStopRequests  each phoenix, directly     -+
+ *   EffectorSearch   --&gt; FairCallScheduler       each proxy, round robin    -+-&gt; StopMerge --&gt; Outcome
+ *   LocalEffectors   --&gt; StopDispatcher       by this host's phoenix     -+
  * </pre>
  *
  * <p>Enter at {@link org.dfra.app.stop.StopCommand}; whom it calls, and how often, is {@link
- * org.dfra.app.stop.StopRound}'s.
+ * org.dfra.app.stop.StopDispatcher}'s.
  */
 @NullMarked
 package org.dfra.app.stop;

@@ -14,10 +14,10 @@ final class PauseCommand implements Callable<Integer> {
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private Searches searches;
+  private TaskRobotOptions searches;
 
   @Override
   public Integer call() throws Exception {
-    return new Order(searches).give(Behavior::pause);
+    return new TaskBroadcast(searches).send(Behavior::pause);
   }
 }

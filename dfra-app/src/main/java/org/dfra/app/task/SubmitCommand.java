@@ -5,9 +5,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.dfra.app.raster.GivenRegion;
-import org.dfra.app.raster.Lanes;
-import org.dfra.app.team.Namesakes;
-import org.dfra.app.team.Team;
+import org.dfra.app.raster.LaneSettings;
+import org.dfra.app.team.DuplicateRobotNames;
+import org.dfra.app.team.TeamDirectory;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.behavior.GoalRefusedException;
@@ -55,60 +55,62 @@ final class SubmitCommand implements Callable<Integer> {
   @Option(
       names = "--swath",
       paramLabel = "M",
-      description = "How wide a strip a robot sees, metres (default " + Lanes.SWATH + ").")
+      description = "How wide a strip a robot sees, metres (default " + LaneSettings.SWATH + ").")
   private @Nullable Double swath;
 
   @Option(
       names = "--spacing",
       paramLabel = "M",
       description =
-          "From lane to lane, metres, at most the swath (default: " + Lanes.RESERVE + " of it).")
+          "From lane to lane, metres, at most the swath (default: "
+              + LaneSettings.SPACING_FRACTION
+              + " of it).")
   private @Nullable Double spacing;
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private Searches searches;
+  private TaskRobotOptions searches;
 
   @Override
   public Integer call() throws Exception {
-    Lanes lanes = Lanes.of(swath, spacing);
+    LaneSettings lanes = LaneSettings.of(swath, spacing);
     GivenRegion given = GivenRegion.parse(text);
     given.requireWider(lanes.spacing());
     try {
       RasterPlan unusedPlan = RasterPlan.of(goal(given.region(), lanes, 0));
     } catch (GoalRefusedException e) {
-      throw given.placed(e);
+      throw given.withLocation(e);
     }
-    try (Team team = searches.open()) {
-      List<ModuleListing<RasterSearch>> robots = searches.in(team);
-      requireFree(robots);
+    try (TeamDirectory team = searches.open()) {
+      List<ModuleListing<RasterSearch>> robots = searches.find(team);
+      requireIdle(robots);
       begin(robots, given.region(), lanes);
       List<TaskView> begun = new ArrayList<>();
       for (ModuleListing<RasterSearch> each : robots) {
-        begun.add(TaskView.of(Namesakes.robot(each, robots), each));
+        begun.add(TaskView.of(DuplicateRobotNames.displayName(each, robots), each));
       }
       TaskView.show(searches.answer(), begun);
-      searches.answer().remark("how far they are: ./dfra task status");
+      searches.answer().note("how far they are: ./dfra task status");
     }
-    return ExitCode.WELL;
+    return ExitCode.SUCCESS;
   }
 
   /** Whoever is at something else would refuse; better to know before another has begun. */
-  private static void requireFree(List<ModuleListing<RasterSearch>> robots) throws RemoteException {
+  private static void requireIdle(List<ModuleListing<RasterSearch>> robots) throws RemoteException {
     for (ModuleListing<RasterSearch> each : robots) {
       BehaviorStatus status = each.module().status();
       if (status.phase().isUnderWay()) {
         throw GoalRefusedException.busy(
             each.path()
                 + " is at another goal ("
-                + status.doing()
+                + status.activity()
                 + "); cancel that first, or wait for its end: ./dfra task cancel");
       }
     }
   }
 
   /** Has all of them begin, or none. */
-  private void begin(List<ModuleListing<RasterSearch>> robots, Region region, Lanes lanes)
+  private void begin(List<ModuleListing<RasterSearch>> robots, Region region, LaneSettings lanes)
       throws RemoteException {
     int asked = 0;
     try {
@@ -120,24 +122,24 @@ final class SubmitCommand implements Callable<Integer> {
       // Who did not answer may have begun. Who is at another goal by now is not to lose that.
       int last = e instanceof RemoteException ? asked : asked - 1;
       for (int i = 0; i <= last; i++) {
-        giveUp(robots.get(i));
+        cancel(robots.get(i));
       }
       throw e;
     }
   }
 
-  private void giveUp(ModuleListing<RasterSearch> robot) {
+  private void cancel(ModuleListing<RasterSearch> robot) {
     try {
       robot.module().cancel();
-      searches.answer().remark(robot.path() + " had begun and was told to give it up");
+      searches.answer().note(robot.path() + " had begun and was told to give it up");
     } catch (RemoteException | RuntimeException e) {
       searches
           .answer()
-          .remark(robot.path() + " may have begun, and cannot be told to stop: " + e.getMessage());
+          .note(robot.path() + " may have begun, and cannot be told to stop: " + e.getMessage());
     }
   }
 
-  private static RasterGoal goal(Region region, Lanes lanes, int robot) {
+  private static RasterGoal goal(Region region, LaneSettings lanes, int robot) {
     return new RasterGoal(region.corners(), lanes.swath(), lanes.spacing(), robot % 2 == 1);
   }
 }

@@ -10,9 +10,9 @@ import picocli.CommandLine.Command;
     commandListHeading = "%nVerbs:%n",
     subcommands = {
       SubmitCommand.class,
-      StatusCommand.class,
+      TaskStatusCommand.class,
       PauseCommand.class,
-      ResumeCommand.class,
+      TaskResumeCommand.class,
       CancelCommand.class
     })
 public final class TaskCommand {}

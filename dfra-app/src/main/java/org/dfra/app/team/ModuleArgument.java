@@ -1,7 +1,7 @@
 package org.dfra.app.team;
 
 import java.io.IOException;
-import org.dfra.app.terminal.Answer;
+import org.dfra.app.terminal.CommandOutput;
 import org.dfra.directory.ModuleListing;
 import org.dfra.module.Module;
 import picocli.CommandLine.Mixin;
@@ -28,17 +28,17 @@ public final class ModuleArgument {
   }
 
   /** How the command answers. */
-  public Answer answer() {
+  public CommandOutput answer() {
     return options.answer();
   }
 
   /** Begins to look for it. */
-  public Team open() throws IOException {
+  public TeamDirectory open() throws IOException {
     return options.open();
   }
 
   /** The module. */
-  public ModuleListing<Module> in(Team team) throws InterruptedException {
+  public ModuleListing<Module> find(TeamDirectory team) throws InterruptedException {
     return team.module(name);
   }
 }

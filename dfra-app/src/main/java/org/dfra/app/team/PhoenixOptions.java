@@ -21,10 +21,10 @@ import picocli.CommandLine.Spec.Target;
 public final class PhoenixOptions {
 
   /** How long phoenix may take to start or to end. */
-  public static final Duration PATIENCE = Duration.ofSeconds(30);
+  public static final Duration TIMEOUT = Duration.ofSeconds(30);
 
   private static final String ADDRESS = "phoenix.address";
-  private static final int USUAL_PORT = 1198;
+  private static final int DEFAULT_PORT = 1198;
 
   /** Phoenix has no RMI registry where no port is named: any user finds phoenix through it. */
   static final int REGISTRY_PORT = -1;
@@ -58,16 +58,16 @@ public final class PhoenixOptions {
   }
 
   /** The phoenix that was last started with this state; whether it answers is another question. */
-  public PhoenixProcess last() throws IOException {
-    PhoenixProcess last = last(state(), registryPort);
+  public PhoenixProcess lastStarted() throws IOException {
+    PhoenixProcess last = lastStarted(state(), registryPort);
     return at(last.host(), last.port());
   }
 
   /** The phoenix that was last started with this state, where no port is named. */
-  static PhoenixProcess last(Path state, int registryPort) throws IOException {
+  static PhoenixProcess lastStarted(Path state, int registryPort) throws IOException {
     Path file = state.resolve(ADDRESS);
     if (!Files.exists(file)) {
-      return new PhoenixProcess("localhost", USUAL_PORT, registryPort, state);
+      return new PhoenixProcess("localhost", DEFAULT_PORT, registryPort, state);
     }
     String address = Files.readString(file).strip();
     int colon = address.lastIndexOf(':');
@@ -84,10 +84,10 @@ public final class PhoenixOptions {
    * @throws CommandFailure if none does
    * @throws java.rmi.AccessException if it is another user's
    */
-  public PhoenixProcess running() throws IOException {
-    PhoenixProcess phoenix = last();
-    phoenix.requireOwn();
-    if (!phoenix.answers(PATIENCE)) {
+  public PhoenixProcess requireRunning() throws IOException {
+    PhoenixProcess phoenix = lastStarted();
+    phoenix.requireOwnedByUser();
+    if (!phoenix.isResponding(TIMEOUT)) {
       throw new CommandFailure(
           ExitCode.NO_ANSWER,
           "no phoenix answers on port "
@@ -105,14 +105,14 @@ public final class PhoenixOptions {
    * @return it, and its process
    */
   public Map.Entry<PhoenixProcess, Process> start(String host) throws IOException {
-    PhoenixProcess phoenix = at(host, USUAL_PORT);
-    Process process = phoenix.start(PATIENCE);
+    PhoenixProcess phoenix = at(host, DEFAULT_PORT);
+    Process process = phoenix.start(TIMEOUT);
     Files.writeString(addressFile(), phoenix.host() + ":" + phoenix.port());
     return Map.entry(phoenix, process);
   }
 
   /** Notes the process of a phoenix that answers, for a service manager that watches it. */
-  public void noteProcess(PhoenixProcess phoenix) throws IOException {
+  public void writePidFile(PhoenixProcess phoenix) throws IOException {
     OptionalLong pid = phoenix.pid();
     if (pid.isPresent()) {
       Files.writeString(state().resolve("phoenix.pid"), pid.getAsLong() + "\n");

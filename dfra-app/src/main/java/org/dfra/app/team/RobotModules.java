@@ -20,7 +20,8 @@ public final class RobotModules {
    * over.
    *
    * @param any all of the kind
-   * @param robots names, as {@link Namesakes#choose} takes them; all robots where there is none
+   * @param robots names, as {@link DuplicateRobotNames#choose} takes them; all robots where there
+   *     is none
    * @param kind for people, e.g. {@code recruitment agent}
    * @param remedy what to type where no robot has one, e.g. {@code ./dfra persona list shows the
    *     robots}
@@ -28,15 +29,17 @@ public final class RobotModules {
    * @throws CommandFailure if there is none, or a robot that was named has none
    */
   public static <M extends Module> List<ModuleListing<M>> of(
-      Team team, ModuleQuery<M> any, List<String> robots, String kind, String remedy)
+      TeamDirectory team, ModuleQuery<M> any, List<String> robots, String kind, String remedy)
       throws InterruptedException {
-    ModuleDirectory directory = team.surveyed();
+    ModuleDirectory directory = team.awaitDirectory();
     List<ModuleListing<M>> found = new ArrayList<>();
     for (String robot : robots) {
       List<ModuleListing<M>> unused =
-          team.await(any.robot(Namesakes.name(robot)), each -> Namesakes.isAtPlace(robot, each));
+          team.await(
+              any.robot(DuplicateRobotNames.name(robot)),
+              each -> DuplicateRobotNames.isAtPlace(robot, each));
       found.add(
-          Namesakes.choose(robot, name -> directory.find(any.robot(name))).stream()
+          DuplicateRobotNames.choose(robot, name -> directory.find(any.robot(name))).stream()
               .findFirst()
               .orElseThrow(() -> hasNone(robot, kind)));
     }

@@ -12,12 +12,12 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import net.jini.core.discovery.LookupLocator;
-import org.dfra.app.terminal.Answer;
+import org.dfra.app.terminal.CommandOutput;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.river.bootstrap.HostAddress;
-import org.dfra.river.bootstrap.KnownRobots;
 import org.dfra.river.bootstrap.PhoenixProcess;
+import org.dfra.river.bootstrap.RobotDescriptionStore;
 import org.dfra.river.call.CallbackHost;
 import org.dfra.river.lookup.EffectorSearch;
 import org.dfra.river.lookup.JiniModuleDirectory;
@@ -38,10 +38,10 @@ import picocli.CommandLine.Spec.Target;
 public final class TeamOptions {
 
   /** What is asked by multicast unless something else is said. */
-  static final String TEAM = "field";
+  static final String DEFAULT_TEAM = "field";
 
   /** How long answers are awaited unless something else is said, seconds. */
-  private static final String WAIT = "2";
+  private static final String DEFAULT_WAIT = "2";
 
   @Option(
       names = "--team",
@@ -78,25 +78,25 @@ public final class TeamOptions {
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
-  private Answer answer;
+  private CommandOutput answer;
 
   @Spec(Target.MIXEE)
   @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
   private CommandSpec spec;
 
   /** How the command that looks there answers. */
-  public Answer answer() {
+  public CommandOutput answer() {
     return answer;
   }
 
   /** Begins to look. */
-  public Team open() throws IOException {
-    return new Team(directory(), patience(), answer, whatIsAsked(groups(), locators()));
+  public TeamDirectory open() throws IOException {
+    return new TeamDirectory(directory(), timeout(), answer, whatIsAsked(groups(), locators()));
   }
 
   /** A directory of the lookup services that are asked. */
   public JiniModuleDirectory directory() throws IOException {
-    patience(); // refused before anything is begun
+    timeout(); // refused before anything is begun
     return new JiniModuleDirectory(here(), groups(), new ArrayList<>(locators()));
   }
 
@@ -109,7 +109,7 @@ public final class TeamOptions {
    * @param listener is given what is found
    * @param unasked is given a sentence about each named lookup service that cannot be asked
    */
-  public EffectorSearch urgentSearch(
+  public EffectorSearch emergencySearch(
       List<String> robots, EffectorSearch.Listener listener, Consumer<String> unasked)
       throws IOException {
     Set<String> locators = new LinkedHashSet<>();
@@ -118,14 +118,14 @@ public final class TeamOptions {
       for (RobotDescription robot : knownRobots()) {
         known.add(robot.name());
         try {
-          addLocator(robot, locators, HostAddress::resolveAtOnce);
+          addLocator(robot, locators, HostAddress::resolveWithoutLookup);
         } catch (ConfigurationException e) { // its address is no longer this computer's, say
-          answer.remark(
+          answer.note(
               "the lookup service of robot " + robot.name() + " is not asked: " + e.getMessage());
         }
       }
     } catch (IOException | ConfigurationException e) {
-      answer.remark("this host's lookup services are not known: " + e.getMessage());
+      answer.note("this host's lookup services are not known: " + e.getMessage());
     }
     for (String named : namedLocators()) {
       try {
@@ -136,20 +136,20 @@ public final class TeamOptions {
       }
     }
     try {
-      String unused = HostAddress.isName(wantedHost()) ? wantedHost() : here();
+      String unused = HostAddress.isName(hostSetting()) ? hostSetting() : here();
     } catch (ConfigurationException e) {
-      answer.remark(e.getMessage() + "; one is chosen now");
+      answer.note(e.getMessage() + "; one is chosen now");
     }
     return new EffectorSearch(groups(), new ArrayList<>(locators), robots, known, listener);
   }
 
-  /** As {@link #patience}, for an emergency: what is set wrongly is remarked and left out. */
-  public Duration urgentPatience() {
+  /** As {@link #timeout}, for an emergency: what is set wrongly is remarked and left out. */
+  public Duration emergencyTimeout() {
     try {
-      return patience();
+      return timeout();
     } catch (ParameterException e) {
-      answer.remark(e.getMessage() + "; it waits " + WAIT + " s");
-      return seconds(Double.parseDouble(WAIT), WAIT);
+      answer.note(e.getMessage() + "; it waits " + DEFAULT_WAIT + " s");
+      return seconds(Double.parseDouble(DEFAULT_WAIT), DEFAULT_WAIT);
     }
   }
 
@@ -173,7 +173,7 @@ public final class TeamOptions {
 
   /** The address at which others call this computer back, modules as well as lookup services. */
   private String here() {
-    String wanted = wantedHost();
+    String wanted = hostSetting();
     String here = HostAddress.resolve(wanted);
     if (!wanted.equals(HostAddress.AUTO)) {
       System.setProperty(CallbackHost.PROPERTY, here); // modules call listeners back there too
@@ -182,11 +182,11 @@ public final class TeamOptions {
   }
 
   /** How long answers are awaited. */
-  public Duration patience() {
+  public Duration timeout() {
     if (wait != null) {
       return seconds(wait, "--wait=" + wait);
     }
-    String variable = either(null, "DFRA_WAIT", WAIT);
+    String variable = either(null, "DFRA_WAIT", DEFAULT_WAIT);
     try {
       return seconds(Double.parseDouble(variable), "DFRA_WAIT=" + variable);
     } catch (NumberFormatException e) {
@@ -208,11 +208,11 @@ public final class TeamOptions {
 
   /** The discovery groups that are asked by multicast; none if empty. */
   public List<String> groups() {
-    return words(either(team, "DFRA_TEAM", TEAM));
+    return words(either(team, "DFRA_TEAM", DEFAULT_TEAM));
   }
 
   /** The address or name of this computer that is wanted, or {@code auto}. */
-  public String wantedHost() {
+  public String hostSetting() {
     return either(host, "DFRA_HOST", HostAddress.AUTO);
   }
 
@@ -223,12 +223,12 @@ public final class TeamOptions {
 
   /** The phoenix of this host that was last started; whether it answers is another question. */
   public PhoenixProcess phoenix() throws IOException {
-    return PhoenixOptions.last(state(), PhoenixOptions.REGISTRY_PORT);
+    return PhoenixOptions.lastStarted(state(), PhoenixOptions.REGISTRY_PORT);
   }
 
   /** The robots that were brought up on this host. */
   public List<RobotDescription> knownRobots() throws IOException {
-    return new KnownRobots(state()).all();
+    return new RobotDescriptionStore(state()).all();
   }
 
   /** The registrars that were named by option or variable, as {@code jini://host:port}. */

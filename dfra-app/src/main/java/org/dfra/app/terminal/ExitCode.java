@@ -4,13 +4,13 @@ package org.dfra.app.terminal;
 public final class ExitCode {
 
   /** All went well. */
-  public static final int WELL = 0;
+  public static final int SUCCESS = 0;
 
   /** What was asked could not be done. */
   public static final int FAILED = 1;
 
   /** It was asked wrongly: an unknown verb, option or value. */
-  public static final int WRONG_USE = 2;
+  public static final int USAGE_ERROR = 2;
 
   /** There is no such robot or module, or nothing answers the query. */
   public static final int NOT_FOUND = 3;

@@ -18,12 +18,12 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.reflect.Type;
 import java.time.Duration;
-import org.dfra.text.Printable;
+import org.dfra.text.PrintableText;
 
 /**
  * Values as JSON: a record as an object, an instant in ISO 8601 in UTC, a duration in seconds, what
- * is absent as null, and so is a number that is not known (NaN). What is not {@linkplain Printable
- * printable} in a text is escaped: the answer may go to a terminal, too.
+ * is absent as null, and so is a number that is not known (NaN). What is not {@linkplain
+ * PrintableText printable} in a text is escaped: the answer may go to a terminal, too.
  */
 final class Json {
 
@@ -67,7 +67,7 @@ final class Json {
 
   private static String write(Object value, boolean pretty) {
     try {
-      return Printable.json(
+      return PrintableText.json(
           pretty
               ? MAPPER.writerWithDefaultPrettyPrinter().writeValueAsString(value)
               : MAPPER.writeValueAsString(value));

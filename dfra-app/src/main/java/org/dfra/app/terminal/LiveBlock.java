@@ -15,8 +15,8 @@ import java.util.function.Supplier;
  */
 public final class LiveBlock {
 
-  private static final String CUT_OFF = "\u001b[?7l"; // no going on in the next line
-  private static final String GO_ON = "\u001b[?7h";
+  private static final String DISABLE_WRAP = "\u001b[?7l"; // no going on in the next line
+  private static final String ENABLE_WRAP = "\u001b[?7h";
   private static final String MORE = "…";
 
   private final Supplier<Terminal.Size> size;
@@ -41,7 +41,7 @@ public final class LiveBlock {
    *
    * @param text whole lines, each with its end
    */
-  public String above(String text) {
+  public String printAbove(String text) {
     return drawn.isEmpty() ? text : erased() + text + shown();
   }
 
@@ -51,7 +51,7 @@ public final class LiveBlock {
   }
 
   /** What is drawn stays for good; what comes next comes below. */
-  public void leave() {
+  public void freeze() {
     lines = List.of();
     drawn = List.of();
   }
@@ -64,7 +64,7 @@ public final class LiveBlock {
     int columns = size.get().columns();
     long rows = 0;
     for (String line : drawn) {
-      rows += Math.max(1, (Words.width(line) + (long) columns - 1) / columns);
+      rows += Math.max(1, (TextWrap.width(line) + (long) columns - 1) / columns);
     }
     return rows == 0 ? "" : "\u001b[" + rows + "A\u001b[J";
   }
@@ -81,7 +81,7 @@ public final class LiveBlock {
       return "";
     }
     String end = System.lineSeparator();
-    return CUT_OFF + String.join(end, fitting) + end + GO_ON;
+    return DISABLE_WRAP + String.join(end, fitting) + end + ENABLE_WRAP;
   }
 
   /**
@@ -90,7 +90,7 @@ public final class LiveBlock {
    */
   public static String cut(String line, int columns) {
     String text = line.stripTrailing();
-    if (Words.width(text) <= columns) {
+    if (TextWrap.width(text) <= columns) {
       return text;
     }
     return text.substring(0, text.offsetByCodePoints(0, columns - 1)) + MORE;

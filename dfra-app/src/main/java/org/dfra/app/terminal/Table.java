@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.ToIntFunction;
 import java.util.stream.IntStream;
-import org.dfra.text.Printable;
+import org.dfra.text.PrintableText;
 
 /**
  * Rows under headings, each column as wide as its widest cell. Where that is wider than the
@@ -33,14 +33,14 @@ public final class Table {
   /**
    * Adds a row.
    *
-   * @param cells one for each column; they are made {@linkplain Printable printable}
+   * @param cells one for each column; they are made {@linkplain PrintableText printable}
    */
   public void row(String... cells) {
     if (cells.length != headings.size()) {
       throw new IllegalArgumentException(
           cells.length + " cells in a table of " + headings.size() + " columns");
     }
-    rows.add(Arrays.stream(cells).map(cell -> Printable.line(cell, LONGEST_CELL)).toList());
+    rows.add(Arrays.stream(cells).map(cell -> PrintableText.line(cell, LONGEST_CELL)).toList());
   }
 
   /** The lines, the headings first, however wide. */
@@ -54,8 +54,8 @@ public final class Table {
    * @param columns that the terminal has
    */
   public List<String> lines(int columns) {
-    int[] widths = widths(Words::width, WIDEST);
-    int[] least = widths(Words::longestWord, Integer.MAX_VALUE);
+    int[] widths = widths(TextWrap::width, WIDEST);
+    int[] least = widths(TextWrap::longestWord, Integer.MAX_VALUE);
     while (total(widths) > columns) {
       int widest = foldable(widths, least);
       if (widest < 0) {
@@ -85,7 +85,7 @@ public final class Table {
     int wide = measure.applyAsInt(cell);
     return wide <= limit
         ? wide
-        : Words.folded(cell, limit).stream().mapToInt(Words::width).max().orElse(0);
+        : TextWrap.wrap(cell, limit).stream().mapToInt(TextWrap::width).max().orElse(0);
   }
 
   private static int total(int[] widths) {
@@ -108,7 +108,8 @@ public final class Table {
     List<List<String>> cells =
         IntStream.range(0, widths.length)
             .mapToObj(
-                i -> i == 0 ? indented(row.get(0), widths[0]) : Words.folded(row.get(i), widths[i]))
+                i ->
+                    i == 0 ? indented(row.get(0), widths[0]) : TextWrap.wrap(row.get(i), widths[i]))
             .toList();
     int height = cells.stream().mapToInt(List::size).max().orElse(0);
     List<String> lines = new ArrayList<>();
@@ -117,7 +118,7 @@ public final class Table {
       for (int i = 0; i < widths.length; i++) {
         List<String> cell = cells.get(i);
         text.append(i == 0 ? "" : GAP)
-            .append(Words.padded(line < cell.size() ? cell.get(line) : "", widths[i]));
+            .append(TextWrap.padded(line < cell.size() ? cell.get(line) : "", widths[i]));
       }
       lines.add(text.toString().stripTrailing());
     }
@@ -129,14 +130,14 @@ public final class Table {
    * a name must not be mistaken for a line of its own.
    */
   private static List<String> indented(String cell, int width) {
-    List<String> pieces = Words.folded(cell, width);
+    List<String> pieces = TextWrap.wrap(cell, width);
     if (pieces.size() == 1) {
       return pieces;
     }
-    pieces = Words.folded(cell, Math.max(1, width - GAP.length()));
+    pieces = TextWrap.wrap(cell, Math.max(1, width - GAP.length()));
     List<String> lines = new ArrayList<>(pieces.subList(0, 1));
     for (String piece : pieces.subList(1, pieces.size())) {
-      int room = Math.max(0, Math.min(GAP.length(), width - Words.width(piece)));
+      int room = Math.max(0, Math.min(GAP.length(), width - TextWrap.width(piece)));
       lines.add(" ".repeat(room) + piece);
     }
     return lines;
@@ -144,14 +145,14 @@ public final class Table {
 
   /** Each cell in a line of its own, behind its heading; the headings' line stays the first. */
   private List<String> paragraphs(int columns) {
-    int name = headings.stream().mapToInt(Words::width).max().orElse(0);
+    int name = headings.stream().mapToInt(TextWrap::width).max().orElse(0);
     int room = Math.max(1, columns - name - GAP.length());
-    List<String> lines = new ArrayList<>(Words.folded(String.join(GAP, headings), columns));
+    List<String> lines = new ArrayList<>(TextWrap.wrap(String.join(GAP, headings), columns));
     for (List<String> row : rows) {
       for (int i = 0; i < row.size(); i++) {
         String heading = headings.get(i);
-        for (String piece : Words.folded(row.get(i), room)) {
-          lines.add((Words.padded(heading, name) + GAP + piece).stripTrailing());
+        for (String piece : TextWrap.wrap(row.get(i), room)) {
+          lines.add((TextWrap.padded(heading, name) + GAP + piece).stripTrailing());
           heading = "";
         }
       }

@@ -19,7 +19,7 @@ import picocli.CommandLine.Help.Ansi;
 public final class Terminal implements Supplier<Terminal.Size> {
 
   private static final int MILLIS = 150; // what is drawn anew by a wrong size leaves ghosts
-  private static final long PATIENCE_MILLIS = 500;
+  private static final long STTY_TIMEOUT_MILLIS = 500;
   private static final Pattern STTY = Pattern.compile("\\s*(\\d{1,5})\\s+(\\d{1,5})\\s*");
 
   /**
@@ -31,10 +31,10 @@ public final class Terminal implements Supplier<Terminal.Size> {
   public record Size(int columns, int rows) {
 
     /** What a terminal has that does not say. */
-    public static final Size USUAL = new Size(80, 24);
+    public static final Size DEFAULT = new Size(80, 24);
 
     /** More than anything that is shown. */
-    public static final Size BOUNDLESS = new Size(Integer.MAX_VALUE, Integer.MAX_VALUE);
+    public static final Size UNLIMITED = new Size(Integer.MAX_VALUE, Integer.MAX_VALUE);
 
     /** Refuses a terminal that shows nothing. */
     public Size {
@@ -80,16 +80,16 @@ public final class Terminal implements Supplier<Terminal.Size> {
    * {@code NO_COLOR} is set or the terminal is {@code dumb}.
    */
   public static boolean canRedraw() {
-    return Colour.isWanted();
+    return StatusHighlighter.isEnabled();
   }
 
   /**
-   * How wide a table may be: what {@code COLUMNS} says, or the terminal; {@link Size#USUAL} in a
+   * How wide a table may be: what {@code COLUMNS} says, or the terminal; {@link Size#DEFAULT} in a
    * file or a pipe.
    */
   public static int columns() {
     return columns(
-        System.getenv("COLUMNS"), isTerminal() ? () -> new Terminal().get() : () -> Size.USUAL);
+        System.getenv("COLUMNS"), isTerminal() ? () -> new Terminal().get() : () -> Size.DEFAULT);
   }
 
   /**
@@ -97,7 +97,7 @@ public final class Terminal implements Supplier<Terminal.Size> {
    * where other programs look for it.
    */
   public static int textColumns() {
-    return isTerminal() ? columns() : Size.BOUNDLESS.columns();
+    return isTerminal() ? columns() : Size.UNLIMITED.columns();
   }
 
   /** Whether this process writes to a terminal, whatever that can show. */
@@ -116,7 +116,7 @@ public final class Terminal implements Supplier<Terminal.Size> {
     long now = nanos.getAsLong();
     if (last.isEmpty() || now - asked > TimeUnit.MILLISECONDS.toNanos(MILLIS)) {
       asked = now;
-      last = Optional.of(Size.read(stty.get()).or(() -> last).orElse(Size.USUAL));
+      last = Optional.of(Size.read(stty.get()).or(() -> last).orElse(Size.DEFAULT));
     }
     return last.orElseThrow();
   }
@@ -129,7 +129,7 @@ public final class Terminal implements Supplier<Terminal.Size> {
               .redirectInput(new File("/dev/tty"))
               .redirectError(ProcessBuilder.Redirect.DISCARD)
               .start();
-      if (!process.waitFor(PATIENCE_MILLIS, TimeUnit.MILLISECONDS)) {
+      if (!process.waitFor(STTY_TIMEOUT_MILLIS, TimeUnit.MILLISECONDS)) {
         process.destroyForcibly();
         return "";
       }

@@ -2,27 +2,27 @@ package org.dfra.app.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.dfra.app.figure.Figure;
-import org.dfra.app.figure.Figures;
+import org.dfra.app.measurement.MeasuredValue;
+import org.dfra.app.measurement.RunMeasurements;
 import org.junit.jupiter.api.Test;
 
 /** What must be true decides how a demonstration ends; a missed time only where it is strict. */
 class VerdictTest {
 
-  private final Figures figures = new Figures();
+  private final RunMeasurements figures = new RunMeasurements();
 
   private boolean isWell(boolean isStrict) {
-    return new Verdict(figures, isStrict).isWell();
+    return new DemoVerdict(figures, isStrict).passed();
   }
 
   private String said(boolean isStrict) {
-    return String.join(" ", new Verdict(figures, isStrict).sentences(() -> 0.426));
+    return String.join(" ", new DemoVerdict(figures, isStrict).sentences(() -> 0.426));
   }
 
   @Test
   void aMissedTimeIsNoFailureUnlessItIsStrict() {
-    figures.add(new Figure("gps_front killed to heard again", 7.3, 5, "s"));
-    figures.add(new Figure("collisions", 0, 0, ""));
+    figures.add(new MeasuredValue("gps_front killed to heard again", 7.3, 5, "s"));
+    figures.add(new MeasuredValue("collisions", 0, 0, ""));
     assertThat(isWell(false)).isTrue();
     assertThat(isWell(true)).isFalse();
     assertThat(said(false))
@@ -35,7 +35,7 @@ class VerdictTest {
 
   @Test
   void whatMustBeTrueAndIsNotIsAFailure() {
-    figures.add(new Figure("troubles that did not come, or were not mended", 1, 0, ""));
+    figures.add(new MeasuredValue("troubles that did not come, or were not mended", 1, 0, ""));
     assertThat(isWell(false)).isFalse();
     assertThat(said(false))
         .isEqualTo(
@@ -45,9 +45,9 @@ class VerdictTest {
 
   @Test
   void thePaceIsNotMeasuredWhereThereAreNoTimes() {
-    figures.add(new Figure("collisions", 0, 0, ""));
+    figures.add(new MeasuredValue("collisions", 0, 0, ""));
     assertThat(
-            new Verdict(figures, true)
+            new DemoVerdict(figures, true)
                 .sentences(
                     () -> {
                       throw new AssertionError("nobody asks");

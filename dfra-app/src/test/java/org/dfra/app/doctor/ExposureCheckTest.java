@@ -28,7 +28,7 @@ class ExposureCheckTest {
 
   private static List<Finding> examined(RobotDescription... robots) {
     return new ExposureCheck(List.of(robots), host -> host.equals("auto") ? "192.0.2.5" : host)
-        .examine();
+        .run();
   }
 
   @Test
@@ -65,7 +65,7 @@ class ExposureCheckTest {
                 host -> {
                   throw new ConfigurationException("host " + host + " is gone; name another");
                 })
-            .examine();
+            .run();
     assertThat(findings)
         .containsExactly(Finding.fail(Subject.EXPOSURE, "host 192.0.2.9 is gone", "Name another."));
   }

@@ -31,22 +31,22 @@ class HostChecksTest {
 
   @Test
   void javaOlderThan17IsAFailure() {
-    assertThat(new JavaCheck(11, "11.0.2", "/opt/java", WHOLE).examine())
+    assertThat(new JavaCheck(11, "11.0.2", "/opt/java", WHOLE).run())
         .containsExactly(
             Finding.fail(
                 Subject.JAVA,
                 "Java 11.0.2 at /opt/java is older than 17",
                 "Install Java 17 or newer, and name its folder in JAVA_HOME."));
-    assertThat(new JavaCheck(17, "17.0.15", "/opt/java", WHOLE).examine())
+    assertThat(new JavaCheck(17, "17.0.15", "/opt/java", WHOLE).run())
         .containsExactly(Finding.ok(Subject.JAVA, "Java 17.0.15 at /opt/java"));
-    assertThat(JavaCheck.ofThisProcess().examine().get(0).verdict()).isEqualTo(Verdict.OK);
+    assertThat(JavaCheck.ofThisProcess().run().get(0).verdict()).isEqualTo(Verdict.OK);
   }
 
   @Test
   void aJavaThatLacksModulesIsAFailure() {
     Set<String> some = new HashSet<>(WHOLE);
     some.remove("java.rmi");
-    assertThat(new JavaCheck(17, "17.0.15", "/opt/java", some).examine())
+    assertThat(new JavaCheck(17, "17.0.15", "/opt/java", some).run())
         .singleElement()
         .returns(Verdict.FAIL, Finding::verdict)
         .returns("Java 17.0.15 at /opt/java lacks java.rmi", Finding::what);
@@ -55,12 +55,12 @@ class HostChecksTest {
   @Test
   void onlyTheBootLoaderMayDefineActivation() {
     Optional<String> jar = Optional.of("/opt/dfra/lib/boot/dfra-activation.jar");
-    assertThat(new BootJarCheck(name -> Object.class, jar).examine())
+    assertThat(new BootJarCheck(name -> Object.class, jar).run())
         .containsExactly(
             Finding.ok(
                 Subject.BOOT_JAR,
                 "java.rmi.activation comes from /opt/dfra/lib/boot/dfra-activation.jar"));
-    assertThat(new BootJarCheck(name -> HostChecksTest.class, jar).examine())
+    assertThat(new BootJarCheck(name -> HostChecksTest.class, jar).run())
         .singleElement()
         .returns(Verdict.FAIL, Finding::verdict)
         .returns(
@@ -71,23 +71,23 @@ class HostChecksTest {
                       throw new ClassNotFoundException(name);
                     },
                     jar)
-                .examine())
+                .run())
         .singleElement()
         .returns(Verdict.FAIL, Finding::verdict)
         .returns("there is no java.rmi.activation", Finding::what);
-    assertThat(BootJarCheck.ofThisProcess().examine().get(0).verdict()).isEqualTo(Verdict.OK);
+    assertThat(BootJarCheck.ofThisProcess().run().get(0).verdict()).isEqualTo(Verdict.OK);
   }
 
   @Test
   void fewFileDescriptorsAreAWarning() throws IOException {
-    assertThat(limit("1024").examine())
+    assertThat(limit("1024").run())
         .singleElement()
         .returns(Verdict.WARN, Finding::verdict)
-        .satisfies(finding -> assertThat(finding.mend()).contains("ulimit -n 4096"));
-    assertThat(limit("4096").examine())
+        .satisfies(finding -> assertThat(finding.remedy()).contains("ulimit -n 4096"));
+    assertThat(limit("4096").run())
         .containsExactly(
             Finding.ok(Subject.FILE_DESCRIPTORS, "a process may have 4096 files and sockets open"));
-    assertThat(new FileDescriptorCheck(folder.resolve("none")).examine())
+    assertThat(new FileDescriptorCheck(folder.resolve("none")).run())
         .as("the system does not tell")
         .isEmpty();
   }
@@ -107,7 +107,7 @@ class HostChecksTest {
   @Test
   void aNameThatStandsForTheLoopbackIsAWarning() throws Exception {
     InetAddress debian = InetAddress.getByAddress("robot7", new byte[] {127, 0, 1, 1});
-    assertThat(new HostCheck(names(debian, "192.0.2.10"), "auto").examine())
+    assertThat(new HostCheck(names(debian, "192.0.2.10"), "auto").run())
         .containsExactly(
             Finding.warn(
                 Subject.HOST_NAME,
@@ -120,14 +120,14 @@ class HostChecksTest {
   @Test
   void aNameThatStandsForItsAddressIsWell() throws Exception {
     InetAddress good = InetAddress.getByAddress("robot7", new byte[] {(byte) 192, 0, 2, 10});
-    assertThat(new HostCheck(names(good, "192.0.2.10"), "auto").examine())
+    assertThat(new HostCheck(names(good, "192.0.2.10"), "auto").run())
         .allSatisfy(finding -> assertThat(finding.verdict()).isEqualTo(Verdict.OK));
   }
 
   @Test
   void withoutANetworkOnlyTheLoopbackIsLeft() throws Exception {
     InetAddress debian = InetAddress.getByAddress("robot7", new byte[] {127, 0, 1, 1});
-    assertThat(new HostCheck(names(debian, "127.0.0.1"), "auto").examine())
+    assertThat(new HostCheck(names(debian, "127.0.0.1"), "auto").run())
         .extracting(Finding::subject, Finding::verdict)
         .containsExactly(
             org.assertj.core.groups.Tuple.tuple(Subject.HOST_NAME, Verdict.OK),
@@ -136,27 +136,27 @@ class HostChecksTest {
 
   @Test
   void aNameThatStandsForNothingIsAWarning() {
-    assertThat(new HostCheck(names(null, "192.0.2.10"), "auto").examine().get(0))
+    assertThat(new HostCheck(names(null, "192.0.2.10"), "auto").run().get(0))
         .returns(Verdict.WARN, Finding::verdict)
         .returns("this computer's own name stands for no address", Finding::what);
   }
 
   @Test
   void anAddressThatIsNotThisComputersIsAFailure() {
-    HostCheck.Names names =
-        new HostCheck.Names() {
+    HostCheck.HostResolver names =
+        new HostCheck.HostResolver() {
           @Override
           public InetAddress ownName() {
             return InetAddress.getLoopbackAddress();
           }
 
           @Override
-          public String chosen(String wanted) {
+          public String advertisedAddress(String wanted) {
             throw new ConfigurationException(
                 "host " + wanted + " is no address of this machine; name one that is, or auto");
           }
         };
-    assertThat(new HostCheck(names, "10.9.9.9").examine())
+    assertThat(new HostCheck(names, "10.9.9.9").run())
         .containsExactly(
             Finding.fail(
                 Subject.HOST_ADDRESS,
@@ -164,8 +164,8 @@ class HostChecksTest {
                 "Name one that is, or auto."));
   }
 
-  private static HostCheck.Names names(@Nullable InetAddress own, String chosen) {
-    return new HostCheck.Names() {
+  private static HostCheck.HostResolver names(@Nullable InetAddress own, String chosen) {
+    return new HostCheck.HostResolver() {
       @Override
       public InetAddress ownName() throws UnknownHostException {
         if (own == null) {
@@ -175,7 +175,7 @@ class HostChecksTest {
       }
 
       @Override
-      public String chosen(String wanted) {
+      public String advertisedAddress(String wanted) {
         return chosen;
       }
     };

@@ -11,7 +11,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.dfra.app.doctor.PortCheck.Holder;
+import org.dfra.app.doctor.PortCheck.PortUser;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -33,18 +33,18 @@ class NetworkChecksTest {
   @Test
   void whatIsSentByMulticastIsToBeHeard() {
     OneInterface good = there -> Optional.of(Duration.ofMillis(12));
-    assertThat(new MulticastCheck(good, FIELD).examine())
+    assertThat(new MulticastCheck(good, FIELD).run())
         .containsExactly(Finding.ok(Subject.MULTICAST, "a request on eth0 was heard after 12 ms"));
     OneInterface firewall = there -> Optional.empty();
-    assertThat(new MulticastCheck(firewall, FIELD).examine())
+    assertThat(new MulticastCheck(firewall, FIELD).run())
         .singleElement()
         .returns(Verdict.FAIL, Finding::verdict)
-        .satisfies(finding -> assertThat(finding.mend()).contains("firewall", "UDP port 4160"));
+        .satisfies(finding -> assertThat(finding.remedy()).contains("firewall", "UDP port 4160"));
     OneInterface noRoute =
         there -> {
           throw new IOException("Network is unreachable");
         };
-    assertThat(new MulticastCheck(noRoute, FIELD).examine())
+    assertThat(new MulticastCheck(noRoute, FIELD).run())
         .singleElement()
         .returns(Verdict.FAIL, Finding::verdict)
         .returns("nothing can be sent on eth0 (Network is unreachable)", Finding::what);
@@ -53,7 +53,7 @@ class NetworkChecksTest {
   @Test
   void multicastIsNoMatterWhereNobodyAsksForIt() {
     OneInterface firewall = there -> Optional.empty();
-    assertThat(new MulticastCheck(firewall, List.of()).examine())
+    assertThat(new MulticastCheck(firewall, List.of()).run())
         .containsExactly(
             Finding.ok(Subject.MULTICAST, "no group is asked for, so it is not needed"));
   }
@@ -68,23 +68,23 @@ class NetworkChecksTest {
           }
 
           @Override
-          public Optional<Duration> heard(String networkInterface) {
+          public Optional<Duration> roundTrip(String networkInterface) {
             throw new AssertionError("there is no " + networkInterface);
           }
         };
-    assertThat(new MulticastCheck(alone, FIELD).examine())
+    assertThat(new MulticastCheck(alone, FIELD).run())
         .singleElement()
         .returns(Verdict.WARN, Finding::verdict);
   }
 
   @Test
   void aPortIsFreeOrOursOrSomebodyElses() {
-    Map<Integer, Holder> held =
+    Map<Integer, PortUser> held =
         Map.of(
-            1198, new Holder(17, "java org.dfra.river.phoenix.Phoenix", true),
-            1098, new Holder(18, "rmiregistry", false),
-            8085, new Holder(-1, "", false));
-    PortCheck.Ports ports = port -> Optional.ofNullable(held.get(port));
+            1198, new PortUser(17, "java org.dfra.river.phoenix.Phoenix", true),
+            1098, new PortUser(18, "rmiregistry", false),
+            8085, new PortUser(-1, "", false));
+    PortCheck.PortProbe ports = port -> Optional.ofNullable(held.get(port));
     assertThat(at(ports, 1198))
         .isEqualTo(Finding.ok(Subject.PORT, "1198, for a test, is held by DFRA, process 17"));
     assertThat(at(ports, 4160)).isEqualTo(Finding.ok(Subject.PORT, "4160, for a test, is free"));
@@ -98,8 +98,8 @@ class NetworkChecksTest {
         .isEqualTo("8085, for a test, is held by a process of another user");
   }
 
-  private static Finding at(PortCheck.Ports ports, int port) {
-    return new PortCheck(ports, Map.of(port, "a test")).examine().get(0);
+  private static Finding at(PortCheck.PortProbe ports, int port) {
+    return new PortCheck(ports, Map.of(port, "a test")).run().get(0);
   }
 
   @Test
@@ -124,11 +124,11 @@ class NetworkChecksTest {
     Files.writeString(process.resolve("cmdline"), "java\0-cp\0x\0org.dfra.river.phoenix.Phoenix\0");
 
     ListeningPorts ports = new ListeningPorts(proc);
-    assertThat(ports.holder(1198))
-        .contains(new Holder(17, "java -cp x org.dfra.river.phoenix.Phoenix", true));
-    assertThat(ports.holder(1098)).as("a connection is no listener").isEmpty();
-    assertThat(ports.holder(4160)).as("of another user").contains(new Holder(-1, "", false));
-    assertThat(ports.holder(80)).isEmpty();
+    assertThat(ports.user(1198))
+        .contains(new PortUser(17, "java -cp x org.dfra.river.phoenix.Phoenix", true));
+    assertThat(ports.user(1098)).as("a connection is no listener").isEmpty();
+    assertThat(ports.user(4160)).as("of another user").contains(new PortUser(-1, "", false));
+    assertThat(ports.user(80)).isEmpty();
   }
 
   @Test
@@ -137,11 +137,11 @@ class NetworkChecksTest {
     int port;
     try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
       port = socket.getLocalPort();
-      assertThat(ports.holder(port)).isPresent();
+      assertThat(ports.user(port)).isPresent();
       if (Files.isReadable(Path.of("/proc/net/tcp"))) {
-        assertThat(ports.holder(port).orElseThrow().pid()).isEqualTo(ProcessHandle.current().pid());
+        assertThat(ports.user(port).orElseThrow().pid()).isEqualTo(ProcessHandle.current().pid());
       }
     }
-    assertThat(ports.holder(port)).isEmpty();
+    assertThat(ports.user(port)).isEmpty();
   }
 }

@@ -56,27 +56,27 @@ class RobotChecksTest {
 
   @Test
   void aPhoenixThatAnswersIsTold() {
-    assertThat(new PhoenixCheck(new Fake(OptionalLong.of(17), List.of())).examine())
+    assertThat(new PhoenixCheck(new Fake(OptionalLong.of(17), List.of())).run())
         .containsExactly(Finding.ok(Subject.PHOENIX, "process 17 answers at 192.0.2.10:1198"));
-    assertThat(new PhoenixCheck(new Fake(OptionalLong.empty(), List.of())).examine())
+    assertThat(new PhoenixCheck(new Fake(OptionalLong.empty(), List.of())).run())
         .containsExactly(
             Finding.ok(Subject.PHOENIX, "another user's process answers at 192.0.2.10:1198"));
   }
 
   @Test
   void noPhoenixIsAWarningAndASilentOneAFailure() {
-    assertThat(new PhoenixCheck(new Fake(OptionalLong.empty(), null)).examine())
+    assertThat(new PhoenixCheck(new Fake(OptionalLong.empty(), null)).run())
         .singleElement()
         .returns(Verdict.WARN, Finding::verdict)
         .returns(
             "none answers at 192.0.2.10:1198, so nothing is brought up or back on this host",
             Finding::what);
-    assertThat(new PhoenixCheck(new Fake(OptionalLong.of(17), null)).examine())
+    assertThat(new PhoenixCheck(new Fake(OptionalLong.of(17), null)).run())
         .singleElement()
         .returns(Verdict.FAIL, Finding::verdict)
         .returns(
             "process 17 does not answer at 192.0.2.10:1198 (connection refused)", Finding::what)
-        .satisfies(finding -> assertThat(finding.mend()).contains("/state/phoenix.log"));
+        .satisfies(finding -> assertThat(finding.remedy()).contains("/state/phoenix.log"));
   }
 
   @Test
@@ -86,14 +86,14 @@ class RobotChecksTest {
             "phoenix",
             Duration.ofSeconds(2),
             new ConnectException("no connection to 192.0.2.10:1198; nested exception is: …"));
-    assertThat(new PhoenixCheck(new Fake(OptionalLong.empty(), null, silent)).examine())
+    assertThat(new PhoenixCheck(new Fake(OptionalLong.empty(), null, silent)).run())
         .singleElement()
         .returns(Verdict.FAIL, Finding::verdict)
         .returns(
             "nobody knows whether one runs at 192.0.2.10:1198, since it does not answer (no"
                 + " connection to 192.0.2.10:1198)",
             Finding::what);
-    assertThat(new PhoenixCheck(new Fake(OptionalLong.of(17), null, silent)).examine())
+    assertThat(new PhoenixCheck(new Fake(OptionalLong.of(17), null, silent)).run())
         .singleElement()
         .returns(
             "process 17 does not answer at 192.0.2.10:1198 (no connection to 192.0.2.10:1198)",
@@ -109,7 +109,7 @@ class RobotChecksTest {
             group("2-r.gps", -1, 1, "it ended (exit code 137)", null),
             group("3-r.laser", -1, 5, "it ended (exit code 1)", until),
             group("4-r.idle", -1, 0, null, null));
-    assertThat(new PhoenixCheck(new Fake(OptionalLong.of(17), groups)).examine())
+    assertThat(new PhoenixCheck(new Fake(OptionalLong.of(17), groups)).run())
         .filteredOn(finding -> finding.subject() == Subject.GROUP)
         .extracting(Finding::verdict, Finding::what)
         .containsExactly(
@@ -128,7 +128,7 @@ class RobotChecksTest {
     GroupStatus left =
         new GroupStatus(
             "1-r.wheels", State.ACTIVE, 1, 21, false, 0, 2, 0, 0, null, null, "/state/wheels.log");
-    assertThat(new PhoenixCheck(new Fake(OptionalLong.of(17), List.of(left))).examine().get(1))
+    assertThat(new PhoenixCheck(new Fake(OptionalLong.of(17), List.of(left))).run().get(1))
         .isEqualTo(
             Finding.warn(
                 Subject.GROUP,
@@ -209,7 +209,7 @@ class RobotChecksTest {
             return "/state/phoenix.log";
           }
         };
-    assertThat(new PhoenixCheck(foreign).examine())
+    assertThat(new PhoenixCheck(foreign).run())
         .singleElement()
         .returns(Verdict.WARN, Finding::verdict)
         .returns("the phoenix on port 1198 belongs to user a; …", Finding::what);
@@ -240,6 +240,6 @@ class RobotChecksTest {
   }
 
   private static List<Finding> state(Path state, long room) {
-    return new StateCheck(state, path -> room).examine();
+    return new StateCheck(state, path -> room).run();
   }
 }

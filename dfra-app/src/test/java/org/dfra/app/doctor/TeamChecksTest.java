@@ -15,13 +15,13 @@ import java.util.Map;
 import java.util.UUID;
 import java.util.concurrent.Callable;
 import net.jini.admin.Administrable;
-import org.dfra.app.doctor.ClockCheck.Measured;
-import org.dfra.app.doctor.RegistrarCheck.Seen;
+import org.dfra.app.doctor.ClockCheck.RobotClock;
 import org.dfra.app.doctor.RegistrarCheck.Survey;
-import org.dfra.app.team.Unready;
+import org.dfra.app.doctor.RegistrarCheck.SurveyedRegistrar;
+import org.dfra.app.team.UnreadyModule;
 import org.dfra.module.Module;
 import org.dfra.module.Readiness;
-import org.dfra.persona.StopAttributes;
+import org.dfra.persona.EmergencyStopAttributes;
 import org.dfra.river.lookup.ModuleConflict;
 import org.dfra.river.lookup.UnreadableModule;
 import org.dfra.river.remote.ModuleAdmin;
@@ -35,11 +35,12 @@ class TeamChecksTest {
 
   @Test
   void aLookupServiceThatAnswersIsTold() throws Exception {
-    assertThat(seen(new Seen(HERE, List.of("field"), false, Duration.ofMillis(3))))
+    assertThat(seen(new SurveyedRegistrar(HERE, List.of("field"), false, Duration.ofMillis(3))))
         .isEqualTo(Finding.ok(Subject.REGISTRAR, HERE + " of group field answers in 3.0 ms"));
-    assertThat(seen(new Seen(HERE, List.of(), false, Duration.ofMillis(900))).verdict())
+    assertThat(
+            seen(new SurveyedRegistrar(HERE, List.of(), false, Duration.ofMillis(900))).verdict())
         .isEqualTo(Verdict.WARN);
-    assertThat(seen(new Seen("an-id", List.of(), false, null)))
+    assertThat(seen(new SurveyedRegistrar("an-id", List.of(), false, null)))
         .returns(Verdict.FAIL, Finding::verdict)
         .returns("an-id was found and does not answer", Finding::what);
   }
@@ -47,10 +48,11 @@ class TeamChecksTest {
   @Test
   void aGroupThatOnlyThisComputerReachesIsAWarning() throws Exception {
     String loopback = "jini://127.0.0.1:4160";
-    assertThat(seen(new Seen(loopback, List.of("field"), true, Duration.ofMillis(3))))
+    assertThat(seen(new SurveyedRegistrar(loopback, List.of("field"), true, Duration.ofMillis(3))))
         .returns(Verdict.WARN, Finding::verdict)
-        .satisfies(finding -> assertThat(finding.mend()).contains("DFRA_HOST"));
-    assertThat(seen(new Seen(loopback, List.of(), true, Duration.ofMillis(3))).verdict())
+        .satisfies(finding -> assertThat(finding.remedy()).contains("DFRA_HOST"));
+    assertThat(
+            seen(new SurveyedRegistrar(loopback, List.of(), true, Duration.ofMillis(3))).verdict())
         .as("nobody looks for it")
         .isEqualTo(Verdict.OK);
   }
@@ -61,24 +63,24 @@ class TeamChecksTest {
     assertThat(TeamSurvey.deadline(Duration.ofSeconds(60))).isEqualTo(Duration.ofSeconds(6));
   }
 
-  private static Finding seen(Seen seen) throws InterruptedException {
+  private static Finding seen(SurveyedRegistrar seen) throws InterruptedException {
     return new RegistrarCheck(() -> new Survey(List.of(seen), List.of()), List.of(), false)
-        .examine()
+        .run()
         .get(0);
   }
 
   @Test
   void aLocatorThatIsSilentIsAFailureIfSomebodyReliesOnIt() throws Exception {
     RegistrarCheck.Search silent = () -> new Survey(List.of(), List.of(HERE + "/"));
-    assertThat(new RegistrarCheck(silent, List.of(HERE), false).examine())
+    assertThat(new RegistrarCheck(silent, List.of(HERE), false).run())
         .singleElement()
         .returns(Verdict.FAIL, Finding::verdict)
         .returns("none answers at " + HERE, Finding::what);
-    assertThat(new RegistrarCheck(silent, List.of(), true).examine())
+    assertThat(new RegistrarCheck(silent, List.of(), true).run())
         .singleElement()
         .returns(Verdict.FAIL, Finding::verdict)
         .returns("that of this host at " + HERE + " does not answer", Finding::what);
-    assertThat(new RegistrarCheck(silent, List.of(), false).examine())
+    assertThat(new RegistrarCheck(silent, List.of(), false).run())
         .as("the robot was taken down")
         .singleElement()
         .returns(Verdict.WARN, Finding::verdict)
@@ -102,11 +104,11 @@ class TeamChecksTest {
   }
 
   private static Finding clock(int offset, int uncertainty) throws InterruptedException {
-    return clock(new ClockOffset(Duration.ofMillis(offset), Duration.ofMillis(uncertainty)));
+    return clock(new NtpClockOffset(Duration.ofMillis(offset), Duration.ofMillis(uncertainty)));
   }
 
-  private static Finding clock(@Nullable ClockOffset offset) throws InterruptedException {
-    return new ClockCheck(() -> List.of(new Measured("r", offset))).examine().get(0);
+  private static Finding clock(@Nullable NtpClockOffset offset) throws InterruptedException {
+    return new ClockCheck(() -> List.of(new RobotClock("r", offset))).run().get(0);
   }
 
   @Test
@@ -114,15 +116,15 @@ class TeamChecksTest {
     // Asked at 0, told 1050, back at 100; asked at 200, told 1210, back at 210: 5 ms either way.
     InstantSource here = instants(0, 100, 200, 210, 300, 380);
     InstantSource there = instants(1050, 1210, 1390);
-    assertThat(ClockOffset.measure(3, there::instant, here))
-        .isEqualTo(new ClockOffset(Duration.ofMillis(1005), Duration.ofMillis(5)));
+    assertThat(NtpClockOffset.measure(3, there::instant, here))
+        .isEqualTo(new NtpClockOffset(Duration.ofMillis(1005), Duration.ofMillis(5)));
   }
 
   @Test
   void anOffsetWithinItsUncertaintyMayBeNone() {
-    ClockOffset offset = new ClockOffset(Duration.ofMillis(-3), Duration.ofMillis(5));
+    NtpClockOffset offset = new NtpClockOffset(Duration.ofMillis(-3), Duration.ofMillis(5));
     assertThat(offset.atLeast()).isZero();
-    assertThat(new ClockOffset(Duration.ofMillis(-30), Duration.ofMillis(5)).atLeast())
+    assertThat(new NtpClockOffset(Duration.ofMillis(-30), Duration.ofMillis(5)).atLeast())
         .isEqualTo(Duration.ofMillis(25));
   }
 
@@ -130,7 +132,7 @@ class TeamChecksTest {
   void whatTheOtherClockThrowsIsThrown() {
     assertThatThrownBy(
             () ->
-                ClockOffset.measure(
+                NtpClockOffset.measure(
                     1,
                     () -> {
                       throw new RemoteException("out of range");
@@ -146,14 +148,14 @@ class TeamChecksTest {
 
   @Test
   void aNameThatTwoRobotsHaveIsAFailureThatNamesBothHosts() throws Exception {
-    assertThat(new NameCheck(() -> Map.of("r", List.of("10.0.0.5", "10.0.0.6"))).examine())
+    assertThat(new NameCheck(() -> Map.of("r", List.of("10.0.0.5", "10.0.0.6"))).run())
         .containsExactly(
             Finding.fail(
                 Subject.ROBOT_NAME,
                 "2 robots are named r, on 10.0.0.5 and 10.0.0.6, so whoever calls r may get either",
                 "Take one of them down, give it another name in its XML and bring it up again;"
                     + " until then name a module as r@HOST/MODULE."));
-    assertThat(new NameCheck(() -> Map.of("r", List.of("10.0.0.5", "10.0.0.5"))).examine())
+    assertThat(new NameCheck(() -> Map.of("r", List.of("10.0.0.5", "10.0.0.5"))).run())
         .as("on one host, each with a phoenix of its own")
         .containsExactly(
             Finding.fail(
@@ -162,23 +164,25 @@ class TeamChecksTest {
                 "Take one of them down, give it another name in its XML and bring it up again;"
                     + " until then name a module as r@ID/MODULE, with the first eight digits of its"
                     + " service ID, which module list --json shows."));
-    assertThat(new NameCheck(Map::of).examine()).isEmpty();
+    assertThat(new NameCheck(Map::of).run()).isEmpty();
   }
 
   @Test
   void anEffectorThatIsStoppedForAnEmergencyIsAWarning() throws Exception {
-    StopAttributes stop =
-        new StopAttributes(true, "ops at 192.0.2.7", Instant.parse("2026-11-21T12:00:00Z"));
+    EmergencyStopAttributes stop =
+        new EmergencyStopAttributes(
+            true, "ops at 192.0.2.7", Instant.parse("2026-11-21T12:00:00Z"));
     assertThat(
-            new StopCheck(() -> List.of(new StopCheck.Stopped("atrv1", "atrv1/drive", stop)))
-                .examine())
+            new StopCheck(
+                    () -> List.of(new StopCheck.StoppedEffector("atrv1", "atrv1/drive", stop)))
+                .run())
         .containsExactly(
             Finding.warn(
                 Subject.EMERGENCY_STOP,
                 "atrv1/drive is stopped since 2026-11-21T12:00:00Z, by ops at 192.0.2.7, and obeys"
                     + " nobody",
                 "When it is safe, release it: ./dfra stop --release atrv1."));
-    assertThat(new StopCheck(List::of).examine()).isEmpty();
+    assertThat(new StopCheck(List::of).run()).isEmpty();
   }
 
   @Test
@@ -187,13 +191,13 @@ class TeamChecksTest {
     ModuleCheck check =
         new ModuleCheck(
             () ->
-                new ModuleCheck.Unusable(
+                new ModuleCheck.UnusableModules(
                     List.of(
-                        new Unready(
+                        new UnreadyModule(
                             id, "atrv1/gps", Readiness.INITIALIZING, "its link is being opened"),
-                        new Unready(
+                        new UnreadyModule(
                             id, "atrv1/laser", Readiness.FAILED, "its motor stands; unblock it"),
-                        new Unready(id, "atrv1/search", Readiness.PAUSED, "it is paused")),
+                        new UnreadyModule(id, "atrv1/search", Readiness.PAUSED, "it is paused")),
                     List.of(
                         new UnreadableModule(
                             "atrv2",
@@ -207,7 +211,7 @@ class TeamChecksTest {
                             id.toString(),
                             "192.0.2.1:4160",
                             List.of("192.0.2.66:4160")))));
-    assertThat(check.examine())
+    assertThat(check.run())
         .containsExactly(
             Finding.warn(
                 Subject.MODULE,

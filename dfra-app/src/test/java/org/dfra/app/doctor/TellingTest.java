@@ -19,7 +19,7 @@ class TellingTest {
   void textOfOthersControlsNoTerminalAndBeginsNoLine() {
     Finding hostile =
         Finding.fail(Subject.REGISTRAR, "gps\nOK    \u001b[2J\u009b\u202e", "mend\n\u0007");
-    assertThat(String.join("\n", new Telling(Ansi.OFF, 80).of(List.of(hostile))))
+    assertThat(String.join("\n", new FindingPrinter(Ansi.OFF, 80).of(List.of(hostile))))
         .contains("gps\\nOK    \\u001b[2J\\u009b\\u202e", "→ mend\\n\\u0007")
         .doesNotContainPattern("[\\p{Cc}\\p{Cf}&&[^\n]]")
         .doesNotContainPattern("(?m)^OK");
@@ -27,7 +27,7 @@ class TellingTest {
 
   @Test
   void eachIsALineAndWhatToDoIsBelow() {
-    assertThat(new Telling(Ansi.OFF, 80).of(FINDINGS))
+    assertThat(new FindingPrinter(Ansi.OFF, 80).of(FINDINGS))
         .containsExactly(
             "OK    java              Java 17",
             "WARN  file-descriptors  few",
@@ -36,8 +36,9 @@ class TellingTest {
             "                        → Free it.",
             "",
             "1 failure, 1 warning.");
-    assertThat(new Telling(Ansi.OFF, 80).of(FINDINGS.subList(0, 1))).endsWith("All is well.");
-    assertThat(new Telling(Ansi.OFF, 80).of(FINDINGS.subList(0, 2)))
+    assertThat(new FindingPrinter(Ansi.OFF, 80).of(FINDINGS.subList(0, 1)))
+        .endsWith("All is well.");
+    assertThat(new FindingPrinter(Ansi.OFF, 80).of(FINDINGS.subList(0, 2)))
         .endsWith("Nothing fails, 1 warning.");
   }
 
@@ -48,7 +49,7 @@ class TellingTest {
             Subject.EMERGENCY_STOP,
             "atrv1/drive is stopped since noon, by root at 127.0.0.1, and obeys nobody",
             "When it is safe for everybody, release it: ./dfra stop --release atrv1.");
-    assertThat(new Telling(Ansi.OFF, 80).of(List.of(stop)).subList(0, 4))
+    assertThat(new FindingPrinter(Ansi.OFF, 80).of(List.of(stop)).subList(0, 4))
         .containsExactly(
             "WARN  emergency-stop    atrv1/drive is stopped since noon, by root at 127.0.0.1,",
             "                        and obeys nobody",
@@ -58,7 +59,7 @@ class TellingTest {
 
   @Test
   void onATerminalVerdictsAreColoured() {
-    assertThat(new Telling(Ansi.ON, 80).of(FINDINGS).get(0)).startsWith("\u001b[32mOK");
+    assertThat(new FindingPrinter(Ansi.ON, 80).of(FINDINGS).get(0)).startsWith("\u001b[32mOK");
   }
 
   @Test
@@ -71,11 +72,11 @@ class TellingTest {
           }
 
           @Override
-          public List<Finding> examine() {
+          public List<Finding> run() {
             throw new IllegalStateException("a fault of ours");
           }
         };
-    org.assertj.core.api.Assertions.assertThatThrownBy(() -> Examination.of(List.of(broken)))
+    org.assertj.core.api.Assertions.assertThatThrownBy(() -> CheckRunner.run(List.of(broken)))
         .hasMessage("a fault of ours");
   }
 }

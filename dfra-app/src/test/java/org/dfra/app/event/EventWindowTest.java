@@ -17,13 +17,13 @@ class EventWindowTest {
     window.add(SECOND, 200);
     window.add(3 * SECOND, 300);
     assertThat(window.rate()).as("two intervals in 3 s").isEqualTo(2.0 / 3);
-    Spread intervals = window.intervals();
+    SummaryStatistics intervals = window.intervals();
     assertThat(intervals.min()).isEqualTo(1);
     assertThat(intervals.max()).isEqualTo(2);
     assertThat(intervals.mean()).isEqualTo(1.5);
-    assertThat(intervals.deviation()).isEqualTo(0.5);
+    assertThat(intervals.standardDeviation()).isEqualTo(0.5);
     assertThat(window.sizes())
-        .extracting(Spread::mean, Spread::min, Spread::max)
+        .extracting(SummaryStatistics::mean, SummaryStatistics::min, SummaryStatistics::max)
         .containsExactly(200.0, 100.0, 300.0);
     assertThat(window.bytesPerSecond()).isCloseTo(200 * 2.0 / 3, within(1e-9));
   }
@@ -33,7 +33,7 @@ class EventWindowTest {
     for (int i = 0; i < 10; i++) {
       window.add(i < 6 ? i : 6 + (i - 6) * SECOND, i);
     }
-    assertThat(window.events()).isEqualTo(10);
+    assertThat(window.totalCount()).isEqualTo(10);
     assertThat(window.size()).isEqualTo(4);
     assertThat(window.rate()).isEqualTo(1);
     assertThat(window.sizes().min()).isEqualTo(6);
@@ -52,12 +52,12 @@ class EventWindowTest {
 
   @Test
   void numbersAreToldWithFourDigits() {
-    assertThat(Numbers.fourDigits(0.99984)).isEqualTo("0.9998");
-    assertThat(Numbers.fourDigits(12_345)).isEqualTo("12340");
-    assertThat(Numbers.fourDigits(Double.NaN)).isEqualTo("an unknown number of");
-    assertThat(Numbers.bytes(817)).isEqualTo("817 B");
-    assertThat(Numbers.bytes(1234.5)).isEqualTo("1.234 kB");
-    assertThat(Numbers.bytes(12_345_678)).isEqualTo("12.35 MB");
-    assertThat(Numbers.orNull(Double.POSITIVE_INFINITY)).isNull();
+    assertThat(NumberFormats.fourDigits(0.99984)).isEqualTo("0.9998");
+    assertThat(NumberFormats.fourDigits(12_345)).isEqualTo("12340");
+    assertThat(NumberFormats.fourDigits(Double.NaN)).isEqualTo("an unknown number of");
+    assertThat(NumberFormats.bytes(817)).isEqualTo("817 B");
+    assertThat(NumberFormats.bytes(1234.5)).isEqualTo("1.234 kB");
+    assertThat(NumberFormats.bytes(12_345_678)).isEqualTo("12.35 MB");
+    assertThat(NumberFormats.orNull(Double.POSITIVE_INFINITY)).isNull();
   }
 }

@@ -13,7 +13,7 @@ import java.util.concurrent.ExecutionException;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
-import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.DeliveryPolicy.EventKind;
 import org.dfra.event.ModuleEvent;
 import org.dfra.module.Incident;
 import org.dfra.module.Readiness;
@@ -38,7 +38,7 @@ class ListeningTest {
   }
 
   /** Remembers what it hears, and wants so many. */
-  private static final class Ear implements Listening.Ear {
+  private static final class Ear implements ListeningSession.EventHandler {
     final List<Delivery> heard = new CopyOnWriteArrayList<>();
     final int wanted;
 
@@ -47,13 +47,13 @@ class ListeningTest {
     }
 
     @Override
-    public boolean hear(Delivery delivery, long lost) {
+    public boolean onEvent(Delivery delivery, long lost) {
       heard.add(delivery);
       return heard.size() < wanted;
     }
 
     @Override
-    public boolean tick(long lost) {
+    public boolean onSecond(long lost) {
       return true;
     }
   }
@@ -62,8 +62,10 @@ class ListeningTest {
     CompletableFuture<Long> run =
         CompletableFuture.supplyAsync(
             () -> {
-              try (Listening listening = new Listening(talker.listing(), ear, count)) {
-                return listening.run(DeliveryPolicy.keepLast(100).only(Kind.READING), time);
+              try (ListeningSession listening =
+                  new ListeningSession(talker.listing(), ear, count)) {
+                return listening.run(
+                    DeliveryPolicy.keepLast(100).withKinds(EventKind.READING), time);
               } catch (java.rmi.RemoteException | InterruptedException e) {
                 throw new IllegalStateException(e);
               }
@@ -124,7 +126,7 @@ class ListeningTest {
     assertThat(words(new ModuleEvent.ParameterChanged("rate", "5"), 0)).endsWith("rate is now 5");
     assertThat(
             words(
-                new ModuleEvent.IncidentNoted(
+                new ModuleEvent.IncidentRecorded(
                     new Incident(Instant.EPOCH, Incident.Kind.FAILURE, "its cable was cut")),
                 0))
         .endsWith("incident   #7  failure: its cable was cut");
@@ -133,7 +135,7 @@ class ListeningTest {
   private static String words(ModuleEvent event, long lost) {
     Delivery delivery =
         new Delivery("atrv1/talker", 1, 7, 0, Instant.parse("2026-11-21T12:58:04.123456Z"), event);
-    assertThat(EventLine.of(delivery, lost).kind()).isEqualTo(Kind.of(event));
+    assertThat(EventLine.of(delivery, lost).kind()).isEqualTo(EventKind.of(event));
     return EventLine.of(delivery, lost).inWords();
   }
 }

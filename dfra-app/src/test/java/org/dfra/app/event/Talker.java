@@ -33,7 +33,7 @@ final class Talker extends ModuleImpl {
   }
 
   void say(double loudness) {
-    tell(new Word(Instant.EPOCH, loudness));
+    publish(new Word(Instant.EPOCH, loudness));
   }
 
   ModuleListing<Module> listing() {
@@ -50,7 +50,7 @@ final class Talker extends ModuleImpl {
 
   @Override
   protected void onStart() {
-    become(Readiness.READY);
+    transitionTo(Readiness.READY);
   }
 
   @Override

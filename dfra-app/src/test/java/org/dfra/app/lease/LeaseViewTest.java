@@ -6,8 +6,8 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.Set;
 import java.util.UUID;
-import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseHandle;
+import org.dfra.lease.LeaseRole;
 import org.dfra.lease.LeaseStatus;
 import org.junit.jupiter.api.Test;
 
@@ -24,7 +24,7 @@ class LeaseViewTest {
         LeaseView.of(
             "atrv1/gps",
             new LeaseStatus(
-                ID, Holder.CLIENT, "192.0.2.7", Instant.EPOCH, HELD, Duration.ofMillis(8600)));
+                ID, LeaseRole.CLIENT, "192.0.2.7", Instant.EPOCH, HELD, Duration.ofMillis(8600)));
     assertThat(far.shortId()).isEqualTo("7f73df46");
     assertThat(far.hostInWords()).isEqualTo("192.0.2.7");
     assertThat(far.endInWords()).isEqualTo("in 9 s");
@@ -36,7 +36,7 @@ class LeaseViewTest {
   void tellsWhoLivesWithTheModule() {
     LeaseView near =
         LeaseView.of(
-            "atrv1/gps", new LeaseStatus(ID, Holder.WATCHER, null, Instant.EPOCH, HELD, null));
+            "atrv1/gps", new LeaseStatus(ID, LeaseRole.OBSERVER, null, Instant.EPOCH, HELD, null));
     assertThat(near.hostInWords()).isEqualTo("its own JVM");
     assertThat(near.endInWords()).isEqualTo("with the module");
     assertThat(near.local()).isTrue();
@@ -47,7 +47,8 @@ class LeaseViewTest {
     LeaseView somewhere =
         LeaseView.of(
             "atrv1/gps",
-            new LeaseStatus(ID, Holder.CLIENT, null, Instant.EPOCH, HELD, Duration.ofSeconds(1)));
+            new LeaseStatus(
+                ID, LeaseRole.CLIENT, null, Instant.EPOCH, HELD, Duration.ofSeconds(1)));
     assertThat(somewhere.hostInWords()).isEqualTo("not known");
   }
 
@@ -55,9 +56,9 @@ class LeaseViewTest {
   void namesTheModuleThatHoldsItWhereOneIsKnown() {
     LeaseStatus lease =
         new LeaseStatus(
-            ID, Holder.COMMANDER, "192.0.2.7", Instant.EPOCH, HELD, Duration.ofSeconds(1));
-    Holders holders =
-        new Holders().add("atrv1/search", Set.of(ID, new LeaseHandle(new UUID(0, 1))));
+            ID, LeaseRole.COMMANDER, "192.0.2.7", Instant.EPOCH, HELD, Duration.ofSeconds(1));
+    LeaseHolders holders =
+        new LeaseHolders().add("atrv1/search", Set.of(ID, new LeaseHandle(new UUID(0, 1))));
     assertThat(LeaseView.of("atrv1/drive", lease, holders.of(ID)).holderInWords())
         .isEqualTo("atrv1/search");
     holders.add("atrv1/avoid", Set.of(ID)); // in the same process

@@ -2,7 +2,7 @@ package org.dfra.app.log;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.dfra.core.log.LogLevels;
+import org.dfra.core.log.LogLevelControl;
 import org.dfra.module.LogLevel;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -16,7 +16,7 @@ class LogbackLevelsTest {
   @ParameterizedTest
   @EnumSource(LogLevel.class)
   void setsALevelThatCountsAtOnce(LogLevel level) {
-    LogLevels levels = LogLevels.service();
+    LogLevelControl levels = LogLevelControl.service();
     assertThat(levels).isInstanceOf(LogbackLevels.class);
     levels.set(LOGGER, level);
     assertThat(levels.level(LOGGER)).isEqualTo(level);
@@ -26,7 +26,7 @@ class LogbackLevelsTest {
 
   @Test
   void aLoggerInheritsItsLevel() {
-    LogLevels.service().set("dfra.atrv7", LogLevel.WARN);
-    assertThat(LogLevels.service().level("dfra.atrv7.lamp")).isEqualTo(LogLevel.WARN);
+    LogLevelControl.service().set("dfra.atrv7", LogLevel.WARN);
+    assertThat(LogLevelControl.service().level("dfra.atrv7.lamp")).isEqualTo(LogLevel.WARN);
   }
 }

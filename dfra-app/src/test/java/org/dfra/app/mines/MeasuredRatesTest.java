@@ -45,12 +45,15 @@ class MeasuredRatesTest {
   /** One lane again: what was recorded can be measured by anybody. */
   @Test
   void aLaneGivesTheSameLooksAgain() {
-    assertThat(found(MineLane.of(1))).isNotEmpty().isEqualTo(found(MineLane.of(1)));
+    assertThat(found(MineLaneObservations.of(1)))
+        .isNotEmpty()
+        .isEqualTo(found(MineLaneObservations.of(1)));
   }
 
-  private static String found(MineLane lane) {
+  private static String found(MineLaneObservations lane) {
     StringBuilder all = new StringBuilder();
-    lane.looks().forEach(look -> look.look().views().forEach(view -> all.append(view.found())));
+    lane.observations()
+        .forEach(look -> look.observation().views().forEach(view -> all.append(view.points())));
     return all.toString();
   }
 }

@@ -18,13 +18,13 @@ import org.dfra.core.robot.LocalRobot;
 import org.dfra.core.state.StateStore;
 import org.dfra.flow.perceptual.MineDetector;
 import org.dfra.flow.perceptual.MinePercept;
-import org.dfra.flow.perceptual.MinePercept.Sighting;
+import org.dfra.flow.perceptual.MinePercept.Detection;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
-import org.dfra.persona.Described;
+import org.dfra.persona.AttributeProvider;
 import org.dfra.persona.PerceptualSchemaAttributes;
-import org.dfra.sim.run.SimulatedLine;
+import org.dfra.sim.run.DeviceEndpoint;
 import org.dfra.sim.run.Simulation;
 import org.dfra.sim.time.LockStep;
 import org.dfra.sim.world.description.MineDescription;
@@ -52,11 +52,11 @@ class MinesInLockStepTest {
     MinePercept percept = drive();
     LocalFrame field = new LocalFrame(world.datum());
     for (MineDescription mine : world.mines()) {
-      assertThat(percept.sightings())
+      assertThat(percept.detections())
           .as("%s at %.1f, %.1f", mine.name(), mine.east(), mine.north())
           .anyMatch(each -> each.probability() > 0.8 && distance(field, each, mine) < 0.5);
     }
-    assertThat(percept.sightings())
+    assertThat(percept.detections())
         .as("what is no mine, but taken for one")
         .filteredOn(
             each -> world.mines().stream().noneMatch(mine -> distance(field, each, mine) < 0.5))
@@ -82,7 +82,7 @@ class MinesInLockStepTest {
     return known;
   }
 
-  private static double distance(LocalFrame field, Sighting sighting, MineDescription mine) {
+  private static double distance(LocalFrame field, Detection sighting, MineDescription mine) {
     LocalPosition at = field.toLocal(sighting.position());
     return Math.hypot(at.east() - mine.east(), at.north() - mine.north());
   }
@@ -93,8 +93,8 @@ class MinesInLockStepTest {
         InMemoryModuleDirectory directory = new InMemoryModuleDirectory(time)) {
       simulation.start();
       Map<String, String> links = new HashMap<>();
-      for (SimulatedLine line : simulation.lines()) {
-        links.put(line.variable(), line.link());
+      for (DeviceEndpoint line : simulation.endpoints()) {
+        links.put(line.linkVariable(), line.link());
       }
       try (LocalRobot robot =
           new LocalRobot(
@@ -149,7 +149,7 @@ class MinesInLockStepTest {
                 path -> StateStore.inMemory())) {
       ModuleImpl detector = (ModuleImpl) robot.module("mine_detector", MineDetector.class).get();
       Map<String, Double> recorded = RecordedRates.last();
-      assertThat(((Described) detector).attributes())
+      assertThat(((AttributeProvider) detector).attributes())
           .contains(
               new PerceptualSchemaAttributes(
                   "MinePercept",

@@ -42,16 +42,16 @@ class NoiseStudyTest {
   private static final int HOURS = Boolean.getBoolean("dfra.full") ? 3 : 1;
 
   /** What the modules of a standing robot amount to, by figure; a module each. */
-  private static Map<String, List<NoiseFigure>> measured(
+  private static Map<String, List<NoiseParameter>> measured(
       long seed, Duration time, List<String> modules) throws Exception {
     LockStep clock = new LockStep(Instant.parse("2026-11-21T12:00:00Z"));
-    Map<String, List<NoiseFigure>> figures = new HashMap<>();
+    Map<String, List<NoiseParameter>> figures = new HashMap<>();
     WorldDescription field = WorldXml.read(CONFIG.resolve("worlds/raster.xml"), name -> null);
-    try (Simulation world = Simulation.inLockStep(alone(field.seeded(seed), modules), clock);
+    try (Simulation world = Simulation.inLockStep(alone(field.withSeed(seed), modules), clock);
         InMemoryModuleDirectory directory = new InMemoryModuleDirectory(clock)) {
       world.start();
       Map<String, String> links = new HashMap<>();
-      world.lines().forEach(line -> links.put(line.variable(), line.link()));
+      world.endpoints().forEach(line -> links.put(line.linkVariable(), line.link()));
       try (LocalRobot robot =
           new LocalRobot(
               RobotXml.read(CONFIG.resolve("teams/raster/atrv1.xml"), links::get),
@@ -69,13 +69,13 @@ class NoiseStudyTest {
                       Reading reading = fresh.reading();
                       studies
                           .computeIfAbsent(name, key -> NoiseStudy.of(reading).orElseThrow())
-                          .take(reading);
+                          .add(reading);
                     }
                   },
                   DeliveryPolicy.keepLast(1000));
         }
         clock.advance(time);
-        studies.forEach((name, study) -> figures.put(name, study.figures()));
+        studies.forEach((name, study) -> figures.put(name, study.parameters()));
       }
     }
     System.out.println("seed " + seed + ": " + figures);
@@ -110,8 +110,8 @@ class NoiseStudyTest {
         whole.place());
   }
 
-  private static Map<String, Double> byName(List<NoiseFigure> figures) {
-    return figures.stream().collect(Collectors.toMap(NoiseFigure::name, NoiseFigure::value));
+  private static Map<String, Double> byName(List<NoiseParameter> figures) {
+    return figures.stream().collect(Collectors.toMap(NoiseParameter::name, NoiseParameter::value));
   }
 
   @Test
@@ -119,7 +119,7 @@ class NoiseStudyTest {
     List<Double> biases = new ArrayList<>();
     List<Double> times = new ArrayList<>();
     for (long seed = 1; seed <= HOURS; seed++) {
-      for (List<NoiseFigure> each :
+      for (List<NoiseParameter> each :
           measured(seed, HOUR, List.of("gps_front", "gps_rear")).values()) {
         Map<String, Double> figures = byName(each);
         // sqrt(0.6² + 1.5² (1 - exp(-1/200))) = 0.609, of 3600 differences
@@ -153,11 +153,11 @@ class NoiseStudyTest {
 
   @Test
   void saysThatNothingIsKnownYetOfTooFewReadings() {
-    GpsNoise study = new GpsNoise();
-    study.take(
+    GpsNoiseStudy study = new GpsNoiseStudy();
+    study.add(
         new GpsFix(GpsFix.Mode.NONE, null, Instant.EPOCH, 0, 0, 1, 0, 0)); // no position, no figure
     assertThat(study.readings()).isZero();
-    assertThat(study.figures()).allMatch(each -> Double.isNaN(each.value()));
+    assertThat(study.parameters()).allMatch(each -> Double.isNaN(each.value()));
   }
 
   private static double mean(List<Double> values) {

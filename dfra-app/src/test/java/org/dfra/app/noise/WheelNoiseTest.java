@@ -23,7 +23,7 @@ import org.dfra.flow.sensor.OdometrySensor;
 import org.dfra.module.Module;
 import org.dfra.sim.run.Simulation;
 import org.dfra.sim.time.LockStep;
-import org.dfra.sim.world.TruePose;
+import org.dfra.sim.world.GroundTruthPose;
 import org.dfra.sim.world.description.WorldDescription;
 import org.dfra.sim.world.file.WorldXml;
 import org.junit.jupiter.api.Test;
@@ -57,11 +57,11 @@ class WheelNoiseTest {
   /** Drives a robot of its own for so long, and lets it come to rest. */
   private Driven drive(long seed, Velocity velocity, Duration time) throws Exception {
     LockStep clock = new LockStep(Instant.parse("2026-11-21T12:00:00Z"));
-    try (Simulation world = Simulation.inLockStep(open().seeded(seed), clock);
+    try (Simulation world = Simulation.inLockStep(open().withSeed(seed), clock);
         InMemoryModuleDirectory directory = new InMemoryModuleDirectory(clock)) {
       world.start();
       Map<String, String> links = new HashMap<>();
-      world.lines().forEach(line -> links.put(line.variable(), line.link()));
+      world.endpoints().forEach(line -> links.put(line.linkVariable(), line.link()));
       try (LocalRobot robot =
           new LocalRobot(
               RobotXml.read(CONFIG.resolve("teams/raster/atrv1.xml"), links::get),
@@ -75,27 +75,27 @@ class WheelNoiseTest {
         }
         OdometrySensor counter = robot.module("odometry", OdometrySensor.class).orElseThrow();
         Odometry before = counter.odometry();
-        TruePose from = world.world().truth().pose("atrv1", clock.instant());
+        GroundTruthPose from = world.world().groundTruth().pose("atrv1", clock.instant());
         double turned = 0;
         double turn = 0;
         double yaw = before.yaw();
         double trueYaw = from.yaw();
         DriveEffector wheels = robot.module("drive", DriveEffector.class).orElseThrow();
-        CommandLease lease = wheels.command(Duration.ofSeconds(30));
-        wheels.obey(lease.key(), new Brake(false));
+        CommandLease lease = wheels.acquireCommandLease(Duration.ofSeconds(30));
+        wheels.execute(lease.key(), new Brake(false));
         for (long i = 0; i < time.dividedBy(TURN) + 20; i++) { // two seconds to come to rest
-          wheels.obey(lease.key(), i < time.dividedBy(TURN) ? velocity : new Velocity(0, 0));
+          wheels.execute(lease.key(), i < time.dividedBy(TURN) ? velocity : new Velocity(0, 0));
           clock.advance(TURN);
           double now = counter.odometry().yaw();
           turned += Math.IEEEremainder(now - yaw, 2 * Math.PI);
           yaw = now;
-          double truly = world.world().truth().pose("atrv1", clock.instant()).yaw();
+          double truly = world.world().groundTruth().pose("atrv1", clock.instant()).yaw();
           turn += Math.IEEEremainder(truly - trueYaw, 2 * Math.PI);
           trueYaw = truly;
         }
         lease.close();
         Odometry after = counter.odometry();
-        TruePose to = world.world().truth().pose("atrv1", clock.instant());
+        GroundTruthPose to = world.world().groundTruth().pose("atrv1", clock.instant());
         return new Driven(
             Math.hypot(after.x() - before.x(), after.y() - before.y()),
             Math.hypot(to.east() - from.east(), to.north() - from.north()),
@@ -111,7 +111,7 @@ class WheelNoiseTest {
    */
   @Test
   void tenDrivesOf20MetresTellTheScaleOfTheWheelsAndTheirSlip() throws Exception {
-    Series parts = new Series();
+    SampleSeries parts = new SampleSeries();
     for (long seed = 1; seed <= ROBOTS; seed++) {
       Driven driven = drive(seed, new Velocity(1, 0), Duration.ofSeconds(20));
       assertThat(driven.way()).isBetween(18.0, 22.0);
@@ -127,7 +127,7 @@ class WheelNoiseTest {
 
   @Test
   void tenTurnsOnTheSpotTellTheScaleAndTheSlipOfTurns() throws Exception {
-    Series parts = new Series();
+    SampleSeries parts = new SampleSeries();
     double radians = 0;
     for (long seed = 1; seed <= ROBOTS; seed++) {
       Driven driven = drive(seed, new Velocity(0, 1), Duration.ofSeconds(25));

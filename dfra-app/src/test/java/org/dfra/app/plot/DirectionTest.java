@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
-import org.dfra.app.plot.Direction.Arrow;
+import org.dfra.app.plot.PathArrows.Arrow;
 import org.junit.jupiter.api.Test;
 
 class DirectionTest {
@@ -21,7 +21,7 @@ class DirectionTest {
 
   @Test
   void arrowsLookWhereThePathGoesAndAreSpreadAlongIt() {
-    List<Arrow> arrows = Direction.arrows(line(0, -4, 200)); // up, 796 pixels
+    List<Arrow> arrows = PathArrows.arrows(line(0, -4, 200)); // up, 796 pixels
     assertThat(arrows).hasSize(7);
     assertThat(arrows).allSatisfy(a -> assertThat(a.angle()).isCloseTo(-Math.PI / 2, within(1e-9)));
     for (int i = 1; i < arrows.size(); i++) {
@@ -31,8 +31,8 @@ class DirectionTest {
 
   @Test
   void aShortPathHasOneAndARobotThatStoodHasNone() {
-    assertThat(Direction.arrows(line(5, 0, 12))).hasSize(1);
-    assertThat(Direction.arrows(line(0.01, 0, 200))).isEmpty();
-    assertThat(Direction.arrows(line(0, 0, 1))).isEmpty();
+    assertThat(PathArrows.arrows(line(5, 0, 12))).hasSize(1);
+    assertThat(PathArrows.arrows(line(0.01, 0, 200))).isEmpty();
+    assertThat(PathArrows.arrows(line(0, 0, 1))).isEmpty();
   }
 }

@@ -60,7 +60,7 @@ class HtmlReportTest {
             .paragraph(name)
             .table(List.of(name), List.of(List.of(name)))
             .figure(page, name)
-            .picture(new byte[] {1}, "image/png", name)
+            .image(new byte[] {1}, "image/png", name)
             .html();
     assertThat(html)
         .contains("<title>" + shown, "<h1>" + shown, "<h2>" + shown, "<p>" + shown)

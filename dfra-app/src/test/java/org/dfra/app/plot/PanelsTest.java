@@ -161,10 +161,10 @@ class PanelsTest {
 
   @Test
   void cutsTextThatDoesNotFit() {
-    String cut = Letters.fitting("heading error in degrees", Letters.PLAIN, 60);
+    String cut = PanelText.fitting("heading error in degrees", PanelText.PLAIN, 60);
     assertThat(cut).startsWith("head").endsWith("…");
-    assertThat(Letters.width(cut, Letters.PLAIN)).isLessThanOrEqualTo(60);
-    assertThat(Letters.fitting("short", Letters.PLAIN, 60)).isEqualTo("short");
+    assertThat(PanelText.width(cut, PanelText.PLAIN)).isLessThanOrEqualTo(60);
+    assertThat(PanelText.fitting("short", PanelText.PLAIN, 60)).isEqualTo("short");
   }
 
   @Test
@@ -240,7 +240,7 @@ class PanelsTest {
     double[] both = {0, 10};
     String key = ">start, direction, end<";
     Series way = Series.line("robot", both, both);
-    assertThat(new Page("").row(300, new PathPanel("", EAST, NORTH).addWay(way)).svg())
+    assertThat(new Page("").row(300, new PathPanel("", EAST, NORTH).addPath(way)).svg())
         .contains(key);
     assertThat(new Page("").row(300, new PathPanel("", EAST, NORTH).add(way)).svg())
         .as("a line without marks")

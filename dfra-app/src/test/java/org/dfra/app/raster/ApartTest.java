@@ -7,8 +7,8 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import org.dfra.app.raster.Flight.RobotFlight;
-import org.dfra.app.raster.Overheard.Mate;
+import org.dfra.app.raster.MissionResult.RobotMissionResult;
+import org.dfra.app.raster.ModuleReadings.TeammateDistance;
 import org.dfra.time.ClockOffset;
 import org.junit.jupiter.api.Test;
 
@@ -19,41 +19,44 @@ class ApartTest {
       new ClockOffset(Duration.ofMillis(800), Duration.ofMillis(10));
 
   /** From east 0 on at so many metres per second, told every 0.1 s up to 10 s. */
-  private static RobotFlight robot(String name, double north, double speed, List<Mate> mates) {
+  private static RobotMissionResult robot(
+      String name, double north, double speed, List<TeammateDistance> mates) {
     List<Sample> samples = new ArrayList<>();
     for (int i = 1; i <= 100; i++) {
       double time = i / 10.0;
       samples.add(
           new Sample(time, speed * time, north, 0, speed, 0, 0, 0, Double.NaN, Double.NaN, 0, 1));
     }
-    Overheard overheard = new Overheard(List.of(), List.of(), List.of(), mates);
-    return new RobotFlight(name, true, "it ends", samples, Map.of(), overheard);
+    ModuleReadings overheard = new ModuleReadings(List.of(), List.of(), List.of(), mates);
+    return new RobotMissionResult(name, true, "it ends", samples, Map.of(), overheard);
   }
 
   @Test
   void comparesWithTheTruthOfThatInstant() {
-    List<Mate> mates =
+    List<TeammateDistance> mates =
         List.of(
-            new Mate(0.02, "atrv2", 99, CLOCK), // before the first sample
-            new Mate(2.05, "atrv3", 99, CLOCK), // another robot
-            new Mate(2.05, "atrv2", 5.0, CLOCK),
-            new Mate(4.0, "atrv2", 6.0, CLOCK),
-            new Mate(12, "atrv2", 99, CLOCK)); // after the last
-    List<Apart> all = Apart.all(robot("atrv1", 0, -1, mates), robot("atrv2", 3, 1, List.of()));
-    assertThat(all).extracting(Apart::time).containsExactly(2.05, 4.0);
+            new TeammateDistance(0.02, "atrv2", 99, CLOCK), // before the first sample
+            new TeammateDistance(2.05, "atrv3", 99, CLOCK), // another robot
+            new TeammateDistance(2.05, "atrv2", 5.0, CLOCK),
+            new TeammateDistance(4.0, "atrv2", 6.0, CLOCK),
+            new TeammateDistance(12, "atrv2", 99, CLOCK)); // after the last
+    List<RobotSeparation> all =
+        RobotSeparation.all(robot("atrv1", 0, -1, mates), robot("atrv2", 3, 1, List.of()));
+    assertThat(all).extracting(RobotSeparation::time).containsExactly(2.05, 4.0);
     // Each is 1 m/s on its way, 3 m beside the other.
-    assertThat(all.get(0).truly()).isCloseTo(Math.hypot(4.1, 3), within(1e-9));
-    assertThat(all.get(1).truly()).isCloseTo(Math.hypot(8, 3), within(1e-9));
+    assertThat(all.get(0).actual()).isCloseTo(Math.hypot(4.1, 3), within(1e-9));
+    assertThat(all.get(1).actual()).isCloseTo(Math.hypot(8, 3), within(1e-9));
     double first = Math.hypot(4.1, 3) - 5;
     double second = Math.hypot(8, 3) - 6;
-    assertThat(Apart.rms(all))
+    assertThat(RobotSeparation.rms(all))
         .isCloseTo(Math.sqrt((first * first + second * second) / 2), within(1e-9));
   }
 
   @Test
   void nothingToldIsNoFigure() {
-    List<Apart> none = Apart.all(robot("atrv1", 0, 1, List.of()), robot("atrv2", 3, 1, List.of()));
+    List<RobotSeparation> none =
+        RobotSeparation.all(robot("atrv1", 0, 1, List.of()), robot("atrv2", 3, 1, List.of()));
     assertThat(none).isEmpty();
-    assertThat(Apart.rms(none)).isNaN();
+    assertThat(RobotSeparation.rms(none)).isNaN();
   }
 }

@@ -3,7 +3,7 @@ package org.dfra.app.raster;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import org.dfra.app.raster.Flight.RobotFlight;
+import org.dfra.app.raster.MissionResult.RobotMissionResult;
 import org.dfra.behaviors.raster.RasterPlan;
 import org.dfra.behaviors.raster.Region;
 import org.dfra.geometry.GeoPosition;
@@ -87,7 +87,8 @@ public final class HandMade {
   }
 
   /** What became of a robot that was there, and told nothing else. */
-  public static RobotFlight flight(List<Sample> samples, boolean isCompleted) {
-    return new RobotFlight("atrv1", isCompleted, "it ends", samples, Map.of(), Overheard.NOTHING);
+  public static RobotMissionResult flight(List<Sample> samples, boolean isCompleted) {
+    return new RobotMissionResult(
+        "atrv1", isCompleted, "it ends", samples, Map.of(), ModuleReadings.EMPTY);
   }
 }

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import org.dfra.app.raster.Flight.RobotFlight;
-import org.dfra.app.raster.Overheard.Fix;
+import org.dfra.app.raster.MissionResult.RobotMissionResult;
+import org.dfra.app.raster.ModuleReadings.Fix;
 import org.junit.jupiter.api.Test;
 
 class SilenceTest {
@@ -20,22 +20,23 @@ class SilenceTest {
         fixes.add(new Fix(second + 0.2, "gps_rear", 0, 0));
       }
     }
-    assertThat(Silence.all(flight(fixes))).containsExactly(new Silence("gps_rear", 19.2, 31.2));
+    assertThat(ReceiverOutage.all(flight(fixes)))
+        .containsExactly(new ReceiverOutage("gps_rear", 19.2, 31.2));
   }
 
   @Test
   void itIsSilentToTheEndWhereItDoesNotComeBack() {
-    assertThat(Silence.all(flight(List.of(new Fix(0.5, "gps_front", 0, 0)))))
-        .containsExactly(new Silence("gps_front", 0.5, 86));
+    assertThat(ReceiverOutage.all(flight(List.of(new Fix(0.5, "gps_front", 0, 0)))))
+        .containsExactly(new ReceiverOutage("gps_front", 0.5, 86));
   }
 
-  private static RobotFlight flight(List<Fix> fixes) {
-    return new RobotFlight(
+  private static RobotMissionResult flight(List<Fix> fixes) {
+    return new RobotMissionResult(
         "atrv1",
         true,
         "it ends",
         HandMade.drive(HandMade.plan(), 0, 0, 8),
         Map.of(),
-        new Overheard(fixes, List.of(), List.of(), List.of()));
+        new ModuleReadings(fixes, List.of(), List.of(), List.of()));
   }
 }

@@ -6,9 +6,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
-import org.dfra.app.recruit.Agreement.Verdict;
-import org.dfra.recruit.experiment.Cell;
+import org.dfra.app.recruit.TransportComparison.Verdict;
 import org.dfra.recruit.experiment.CellResult;
+import org.dfra.recruit.experiment.ExperimentCell;
 import org.dfra.recruit.experiment.Metric;
 import org.dfra.recruit.experiment.RunResult;
 import org.dfra.recruit.transport.MessageMode;
@@ -18,7 +18,8 @@ import org.junit.jupiter.api.Test;
 class AgreementTest {
 
   private static final long SEED = 20261121;
-  private static final Cell CELL = new Cell("greedy", MessageMode.BROADCAST, 6, 0);
+  private static final ExperimentCell CELL =
+      new ExperimentCell("greedy", MessageMode.BROADCAST, 6, 0);
 
   /** Runs that take so many seconds to the choice, give or take. */
   private static CellResult runs(int count, double allocation, double spread, RandomGenerator lot) {
@@ -30,9 +31,9 @@ class AgreementTest {
     return new CellResult(CELL, runs);
   }
 
-  private static Agreement allocation(double real, double spread) {
+  private static TransportComparison allocation(double real, double spread) {
     RandomGenerator lot = new SplittableRandom(SEED);
-    return Agreement.all(
+    return TransportComparison.all(
             List.of(runs(30, real, spread, lot)),
             List.of(runs(30, 2, spread, lot)),
             List.of(runs(300, 2, spread, lot)))
@@ -49,7 +50,7 @@ class AgreementTest {
 
   @Test
   void aDifferenceWithinATenthIsClose() {
-    assertThat(allocation(2.1, 0.01).verdict()).as("seed %s", SEED).isEqualTo(Verdict.CLOSE);
+    assertThat(allocation(2.1, 0.01).verdict()).as("seed %s", SEED).isEqualTo(Verdict.NEGLIGIBLE);
   }
 
   @Test
@@ -59,7 +60,7 @@ class AgreementTest {
 
   @Test
   void whatSpreadsTooMuchIsOpen() {
-    assertThat(allocation(2, 2).verdict()).as("seed %s", SEED).isEqualTo(Verdict.OPEN);
+    assertThat(allocation(2, 2).verdict()).as("seed %s", SEED).isEqualTo(Verdict.INCONCLUSIVE);
   }
 
   /**
@@ -69,12 +70,13 @@ class AgreementTest {
   void holmRejectsAsLongAsItMay() {
     RandomGenerator lot = new SplittableRandom(SEED);
     CellResult any = runs(2, 2, 0, lot);
-    List<Agreement> all = new ArrayList<>();
+    List<TransportComparison> all = new ArrayList<>();
     for (double p : new double[] {0.02, 0.001, 0.5, 0.012, 0.024}) {
       all.add(
-          new Agreement(Metric.ARRIVAL, any, any, 0.5, p, false, Metric.ARRIVAL.more(any, any), 1));
+          new TransportComparison(
+              Metric.ARRIVAL, any, any, 0.5, p, false, Metric.ARRIVAL.difference(any, any), 1));
     }
-    assertThat(Agreement.holm(all).stream().map(Agreement::isRejected))
+    assertThat(TransportComparison.holm(all).stream().map(TransportComparison::isRejected))
         .containsExactly(false, true, false, true, false);
   }
 }

@@ -4,12 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.dfra.app.figure.Figure;
-import org.dfra.recruit.experiment.Cell;
+import org.dfra.app.measurement.MeasuredValue;
 import org.dfra.recruit.experiment.CellResult;
-import org.dfra.recruit.experiment.Claim.Verdict;
-import org.dfra.recruit.experiment.Grid;
+import org.dfra.recruit.experiment.ExperimentCell;
+import org.dfra.recruit.experiment.ExperimentGrid;
 import org.dfra.recruit.experiment.Metric;
+import org.dfra.recruit.experiment.MetricComparison.Outcome;
 import org.dfra.recruit.experiment.RunResult;
 import org.dfra.recruit.transport.MessageMode;
 import org.junit.jupiter.api.Test;
@@ -20,7 +20,7 @@ class ComparisonTest {
   private static final int CALLS = 12;
 
   /** Three runs of which the n-th took so many transmissions for each recruitment and n more. */
-  private static CellResult runs(Cell cell, int transmissions, int failed, int doubles) {
+  private static CellResult runs(ExperimentCell cell, int transmissions, int failed, int doubles) {
     List<RunResult> runs = new ArrayList<>();
     for (int i = 0; i < 3; i++) {
       int completed = CALLS - failed;
@@ -32,35 +32,35 @@ class ComparisonTest {
     return new CellResult(cell, runs);
   }
 
-  private static Comparison of(int affective, int failed, int doubles) {
+  private static StrategyComparison of(int affective, int failed, int doubles) {
     List<CellResult> results = new ArrayList<>();
-    for (Cell cell : Grid.cells()) {
+    for (ExperimentCell cell : ExperimentGrid.cells()) {
       boolean isAffective = cell.strategy().equals("affective");
       results.add(runs(cell, isAffective ? affective : 20, isAffective ? failed : 0, doubles));
     }
-    return new Comparison(results);
+    return new StrategyComparison(results);
   }
 
-  private static List<String> missed(Comparison comparison) {
-    return comparison.figures().missed().stream().map(Figure::what).toList();
+  private static List<String> missed(StrategyComparison comparison) {
+    return comparison.figures().missed().stream().map(MeasuredValue::name).toList();
   }
 
   @Test
   void findsNothingMissedWhereAllIsWell() {
-    Comparison comparison = of(9, 0, 0);
+    StrategyComparison comparison = of(9, 0, 0);
     assertThat(missed(comparison)).isEmpty();
     // 2 of doubles and orphans, 4 of calls without help, 6 of transmissions
     assertThat(comparison.figures().all()).hasSize(12);
     assertThat(comparison.losses()).isEmpty();
-    assertThat(comparison.count(MessageMode.UNICAST, "greedy", Metric.TRANSMISSIONS, Verdict.WINS))
+    assertThat(comparison.count(MessageMode.UNICAST, "greedy", Metric.TRANSMISSIONS, Outcome.WINS))
         .isEqualTo(12);
-    assertThat(comparison.count(MessageMode.UNICAST, "greedy", Metric.TRAVEL, Verdict.OPEN))
+    assertThat(comparison.count(MessageMode.UNICAST, "greedy", Metric.TRAVEL, Outcome.INCONCLUSIVE))
         .isEqualTo(12);
   }
 
   @Test
   void saysWhereItLoses() {
-    Comparison comparison = of(21, 0, 0);
+    StrategyComparison comparison = of(21, 0, 0);
     assertThat(missed(comparison)).hasSize(6).allMatch(each -> each.startsWith("transmissions"));
     assertThat(comparison.sentences())
         .contains(

@@ -6,7 +6,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
-import org.dfra.app.demo.stage.Narration;
+import org.dfra.app.demo.harness.ProgressReporter;
 import org.junit.jupiter.api.Test;
 
 /** What is told while an experiment runs; its time is the test's. */
@@ -19,7 +19,7 @@ class RunProgressTest {
   private String watch(boolean isTerminal) {
     RunProgress progress =
         new RunProgress(
-            new Narration(new PrintWriter(out, true), nanos::get, isTerminal), nanos::get);
+            new ProgressReporter(new PrintWriter(out, true), nanos::get, isTerminal), nanos::get);
     for (int i = 1; i <= 100; i++) {
       nanos.addAndGet(TimeUnit.MILLISECONDS.toNanos(500));
       progress.done(i, 100);

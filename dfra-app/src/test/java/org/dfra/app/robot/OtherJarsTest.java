@@ -16,7 +16,7 @@ class OtherJarsTest {
     Files.createDirectories(proc.resolve("42"));
     Files.writeString(
         proc.resolve("42/cmdline"), "java\0-cp\0/dfra/.dfra/jars/2/lib/dfra-app.jar\0Group\0");
-    return OtherJars.runsFromOther(proc, 42, lib);
+    return OutdatedJarCheck.runsFromOther(proc, 42, lib);
   }
 
   @Test
@@ -28,7 +28,7 @@ class OtherJarsTest {
 
   @Test
   void claimsNothingOfAProcessThatItCannotSee() {
-    assertThat(OtherJars.runsFromOther(proc, 43, "/dfra/lib")).isFalse();
-    assertThat(OtherJars.runsFromOther(proc, -1, "/dfra/lib")).isFalse();
+    assertThat(OutdatedJarCheck.runsFromOther(proc, 43, "/dfra/lib")).isFalse();
+    assertThat(OutdatedJarCheck.runsFromOther(proc, -1, "/dfra/lib")).isFalse();
   }
 }

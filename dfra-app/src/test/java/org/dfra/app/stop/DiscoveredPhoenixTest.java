@@ -11,8 +11,8 @@ import java.util.Map;
 import java.util.UUID;
 import org.dfra.app.stop.Outcome.Result;
 import org.dfra.app.stop.PhoenixAddresses.Address;
-import org.dfra.flow.effector.StopState;
-import org.dfra.river.phoenix.stop.EffectorStop;
+import org.dfra.flow.effector.EmergencyStopState;
+import org.dfra.river.phoenix.stop.EffectorStopResult;
 import org.dfra.river.phoenix.stop.StopReport;
 import org.junit.jupiter.api.Test;
 
@@ -26,21 +26,24 @@ class DiscoveredPhoenixTest {
   private static final String STRANGER = "192.0.2.66";
   private static final UUID ID = new UUID(1, 2);
   private static final String PATH = "atrv1/drive";
-  private static final StopState STATE =
-      new StopState(true, "ops", Instant.parse("2026-11-21T12:00:00Z"), true, null);
-  private static final EffectorStop STOPPED = new EffectorStop(ID, PATH, false, STATE, null);
-  private static final EffectorStop HANGS = new EffectorStop(ID, PATH, false, null, "it hangs");
+  private static final EmergencyStopState STATE =
+      new EmergencyStopState(true, "ops", Instant.parse("2026-11-21T12:00:00Z"), true, null);
+  private static final EffectorStopResult STOPPED =
+      new EffectorStopResult(ID, PATH, false, STATE, null);
+  private static final EffectorStopResult HANGS =
+      new EffectorStopResult(ID, PATH, false, null, "it hangs");
   private static final boolean CONFIGURED = true;
   private static final boolean FOUND = false;
 
   private final StopMerge merge = new StopMerge("ops", () -> Duration.ofSeconds(2));
 
-  private static PhoenixAnswer reported(String host, boolean configured, EffectorStop... stops) {
+  private static PhoenixAnswer reported(
+      String host, boolean configured, EffectorStopResult... stops) {
     return reported(host, configured, List.of("atrv1"), stops);
   }
 
   private static PhoenixAnswer reported(
-      String host, boolean configured, List<String> robots, EffectorStop... stops) {
+      String host, boolean configured, List<String> robots, EffectorStopResult... stops) {
     StopReport report = new StopReport(robots, List.of(stops), List.of());
     return PhoenixAnswer.of(new Address(host, 1198), configured, false, List.of(report));
   }
@@ -49,23 +52,24 @@ class DiscoveredPhoenixTest {
     return PhoenixAnswer.of(new Address(host, 1198), configured, true, List.of());
   }
 
-  private static StopMerge.Claim listed(String host, Result result) {
-    return new StopMerge.Claim(ID, PATH, host, new Outcome(PATH, result, "ops", null, null));
+  private static StopMerge.ProxyClaim listed(String host, Result result) {
+    return new StopMerge.ProxyClaim(ID, PATH, host, new Outcome(PATH, result, "ops", null, null));
   }
 
-  private List<Outcome> merged(List<StopMerge.Claim> listings, PhoenixAnswer... answers) {
+  private List<Outcome> merged(List<StopMerge.ProxyClaim> listings, PhoenixAnswer... answers) {
     return merge.merge(listings, Map.of(), new Confirmations(Arrays.asList(answers)));
   }
 
-  private void assertDoubt(String why, List<StopMerge.Claim> listings, PhoenixAnswer... answers) {
+  private void assertDoubt(
+      String why, List<StopMerge.ProxyClaim> listings, PhoenixAnswer... answers) {
     assertThat(merged(listings, answers))
         .singleElement()
         .returns(PATH, Outcome::module)
-        .returns(Result.DOUBTFUL, Outcome::result)
+        .returns(Result.UNCONFIRMED, Outcome::result)
         .satisfies(each -> assertThat(each.reason()).contains(", and " + why));
   }
 
-  private void assertStopped(List<StopMerge.Claim> listings, PhoenixAnswer... answers) {
+  private void assertStopped(List<StopMerge.ProxyClaim> listings, PhoenixAnswer... answers) {
     assertThat(merged(listings, answers))
         .extracting(Outcome::module, Outcome::result)
         .containsExactly(tuple(PATH, Result.STOPPED));
@@ -106,7 +110,7 @@ class DiscoveredPhoenixTest {
 
   @Test
   void itConfirmsNoEffectorThatIsListedElsewhereAndIsNotConfirmedThere() {
-    List<StopMerge.Claim> both =
+    List<StopMerge.ProxyClaim> both =
         List.of(listed(STRANGER, Result.STOPPED), listed(ROBOT, Result.STOPPED));
     PhoenixAnswer strangers = reported(STRANGER, FOUND, STOPPED);
     assertDoubt("the phoenix at 192.0.2.7, where it", both, strangers, silent(ROBOT, FOUND));
@@ -114,14 +118,14 @@ class DiscoveredPhoenixTest {
     assertThat(merged(both, strangers, reported(ROBOT, FOUND, HANGS)))
         .as("one of both is false")
         .extracting(Outcome::result)
-        .containsExactly(Result.DOUBTFUL);
+        .containsExactly(Result.UNCONFIRMED);
   }
 
   @Test
   void anEffectorThatIsListedWhereNoPhoenixHasItsRobotSaysSoItself() {
     PhoenixAnswer its = reported(ROBOT, FOUND, STOPPED);
     PhoenixAnswer others = reported("192.0.2.9", FOUND, List.of("theta"));
-    StopMerge.Claim own = listed(ROBOT, Result.STOPPED);
+    StopMerge.ProxyClaim own = listed(ROBOT, Result.STOPPED);
     for (String elsewhere : Arrays.asList("192.0.2.8", "192.0.2.9", null)) {
       assertStopped(List.of(own, listed(elsewhere, Result.STOPPED)), its, others);
       assertDoubt(
@@ -145,16 +149,16 @@ class DiscoveredPhoenixTest {
                 reported(STRANGER, FOUND, STOPPED),
                 reported(ROBOT, CONFIGURED, HANGS)))
         .extracting(Outcome::module, Outcome::result)
-        .containsExactly(tuple(PATH, Result.DOUBTFUL));
+        .containsExactly(tuple(PATH, Result.UNCONFIRMED));
   }
 
   @Test
   void oneThatTakesAnIdentityUnderAnotherPathHidesNoEffector() {
-    EffectorStop renamed = new EffectorStop(ID, "forged/drive", false, STATE, null);
-    StopMerge.Claim real = listed(ROBOT, Result.NOT_STOPPED);
+    EffectorStopResult renamed = new EffectorStopResult(ID, "forged/drive", false, STATE, null);
+    StopMerge.ProxyClaim real = listed(ROBOT, Result.NOT_STOPPED);
     assertThat(merged(List.of(real), reported(STRANGER, FOUND, List.of("forged"), renamed)))
         .extracting(Outcome::module, Outcome::result)
         .containsExactlyInAnyOrder(
-            tuple("forged/drive", Result.DOUBTFUL), tuple(PATH, Result.NOT_STOPPED));
+            tuple("forged/drive", Result.UNCONFIRMED), tuple(PATH, Result.NOT_STOPPED));
   }
 }

@@ -54,7 +54,7 @@ class FairCallsTest {
     return STOPPED;
   }
 
-  private static void callMany(FairCalls calls, int count, Callable<Outcome> code) {
+  private static void callMany(FairCallScheduler calls, int count, Callable<Outcome> code) {
     for (int i = 0; i < count; i++) {
       CompletableFuture<Outcome> unused = calls.call(STRANGERS, "fake" + i, code);
     }
@@ -62,8 +62,8 @@ class FairCallsTest {
 
   @Test
   void oneLookupServiceDoesNotTakeEveryPlace() throws Exception {
-    FairCalls.Limits noneLeaves = new FairCalls.Limits(4, 3, 100, 1, LONG, LONG);
-    try (FairCalls calls = new FairCalls(noneLeaves, LONG)) {
+    FairCallScheduler.Limits noneLeaves = new FairCallScheduler.Limits(4, 3, 100, 1, LONG, LONG);
+    try (FairCallScheduler calls = new FairCallScheduler(noneLeaves, LONG)) {
       callMany(calls, 500, this::beSilent);
       assertThat(calls.call(HONEST, "atrv1", () -> STOPPED).get(20, TimeUnit.SECONDS))
           .isEqualTo(STOPPED);
@@ -72,8 +72,8 @@ class FairCallsTest {
 
   @Test
   void aSilentCallLeavesItsPlaceAndItsAnswerStillCounts() throws Exception {
-    FairCalls.Limits one = new FairCalls.Limits(1, 1, 100, 1, BRIEF, LONG);
-    try (FairCalls calls = new FairCalls(one, LONG)) {
+    FairCallScheduler.Limits one = new FairCallScheduler.Limits(1, 1, 100, 1, BRIEF, LONG);
+    try (FairCallScheduler calls = new FairCallScheduler(one, LONG)) {
       CompletableFuture<Outcome> late = calls.call(HONEST, "atrv1", this::beSilent);
       assertThat(calls.call(HONEST, "atrv1", () -> STOPPED).get(20, TimeUnit.SECONDS))
           .isEqualTo(STOPPED);
@@ -85,9 +85,9 @@ class FairCallsTest {
 
   @Test
   void robotsOfOneLookupServiceAreCalledRoundRobin() throws Exception {
-    FairCalls.Limits one = new FairCalls.Limits(1, 1, 100, 1, LONG, LONG);
+    FairCallScheduler.Limits one = new FairCallScheduler.Limits(1, 1, 100, 1, LONG, LONG);
     CountDownLatch first = new CountDownLatch(1);
-    try (FairCalls calls = new FairCalls(one, LONG)) {
+    try (FairCallScheduler calls = new FairCallScheduler(one, LONG)) {
       CompletableFuture<Outcome> begun =
           calls.call(
               STRANGERS,
@@ -109,7 +109,7 @@ class FairCallsTest {
 
   @Test
   void aCallThatIsNotAnsweredInTimeIsInterrupted() throws Exception {
-    try (FairCalls calls = new FairCalls(FairCalls.Limits.USUAL, BRIEF)) {
+    try (FairCallScheduler calls = new FairCallScheduler(FairCallScheduler.Limits.DEFAULT, BRIEF)) {
       CompletableFuture<Outcome> answer = calls.call(STRANGERS, "fake", this::ignoreInterrupts);
       assertThatThrownBy(() -> answer.get(20, TimeUnit.SECONDS))
           .isInstanceOf(ExecutionException.class)
@@ -120,8 +120,9 @@ class FairCallsTest {
 
   @Test
   void callsThatNeverEndKeepNoOtherLookupServiceWaiting() throws Exception {
-    FairCalls.Limits few = new FairCalls.Limits(100, 100, 5, 1, BRIEF, Duration.ofSeconds(1));
-    try (FairCalls calls = new FairCalls(few, LONG)) {
+    FairCallScheduler.Limits few =
+        new FairCallScheduler.Limits(100, 100, 5, 1, BRIEF, Duration.ofSeconds(1));
+    try (FairCallScheduler calls = new FairCallScheduler(few, LONG)) {
       callMany(calls, 5, this::beSilent);
       CompletableFuture<Outcome> sixth = calls.call(STRANGERS, "fake6", this::beSilent);
       assertThat(calls.call(HONEST, "atrv1", () -> STOPPED).get(20, TimeUnit.SECONDS))
@@ -129,7 +130,7 @@ class FairCallsTest {
       assertThatThrownBy(() -> sixth.get(20, TimeUnit.SECONDS))
           .isInstanceOf(ExecutionException.class)
           .cause()
-          .isInstanceOf(FairCalls.NotCalledException.class)
+          .isInstanceOf(FairCallScheduler.NotCalledException.class)
           .hasMessage("it was not called within 1.0 s: 5 other calls do not end");
     }
   }

@@ -9,10 +9,10 @@ import java.nio.file.Path;
 import java.rmi.ConnectException;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
-import org.dfra.app.stop.LocalEffectors.Local;
+import org.dfra.app.stop.LocalEffectors.LocalEffector;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.core.config.RobotXml;
-import org.dfra.river.bootstrap.Inventory.RegisteredService;
+import org.dfra.river.bootstrap.PhoenixInventory.RegisteredService;
 import org.dfra.river.server.effector.DriveServer;
 import org.dfra.river.server.sensor.GPSServer;
 import org.junit.jupiter.api.Test;
@@ -47,7 +47,7 @@ class LocalEffectorsTest {
    * methods of this class also where there is no {@code java.rmi.activation}.
    */
   private record FakePhoenix(List<RegisteredService> registered, AtomicInteger asked)
-      implements LocalEffectors.Phoenix {
+      implements LocalEffectors.RegisteredServices {
     @Override
     public List<RegisteredService> services() throws IOException {
       asked.incrementAndGet();
@@ -60,7 +60,7 @@ class LocalEffectorsTest {
 
   private final AtomicInteger asked = new AtomicInteger();
 
-  private List<Local> all(List<RegisteredService> registered, RobotDescription... known)
+  private List<LocalEffector> all(List<RegisteredService> registered, RobotDescription... known)
       throws Exception {
     return new LocalEffectors(new FakePhoenix(registered, asked), List.of(known), "r"::equals)
         .all();
@@ -68,15 +68,15 @@ class LocalEffectorsTest {
 
   @Test
   void oneThatTheXmlNamesNoLongerIsFoundAsPhoenixHasItRegistered() throws Exception {
-    List<Local> all =
+    List<LocalEffector> all =
         all(
             List.of(
                 service("r.wheels", "drive", DriveServer.class),
                 service("r.wheels", "gps", GPSServer.class),
                 service("other.wheels", "drive", DriveServer.class)),
             robot("motor"));
-    assertThat(all).extracting(Local::path).containsExactly("r/drive", "r/motor");
-    assertThatThrownBy(() -> all.get(1).way().reach())
+    assertThat(all).extracting(LocalEffector::path).containsExactly("r/drive", "r/motor");
+    assertThatThrownBy(() -> all.get(1).access().reach())
         .hasMessageContaining("does not have it registered");
   }
 
@@ -88,16 +88,16 @@ class LocalEffectorsTest {
                     service("r.wheels", "drive", DriveServer.class),
                     service("r.former", "drive", DriveServer.class)),
                 robot("drive")))
-        .extracting(Local::path)
+        .extracting(LocalEffector::path)
         .containsExactly("r/drive", "r/drive");
   }
 
   @Test
   void wherePhoenixDoesNotAnswerThatIsSaidOfThoseInTheXml() throws Exception {
-    List<Local> all = all(null, robot("drive"));
+    List<LocalEffector> all = all(null, robot("drive"));
     assertThat(asked).hasValue(2);
-    assertThat(all).extracting(Local::path).containsExactly("r/drive");
-    assertThatThrownBy(() -> all.get(0).way().reach())
+    assertThat(all).extracting(LocalEffector::path).containsExactly("r/drive");
+    assertThatThrownBy(() -> all.get(0).access().reach())
         .hasMessage("no lookup service has it, and phoenix of this host cannot be asked: refused");
     assertThatThrownBy(() -> all(null)).isInstanceOf(ConnectException.class);
   }

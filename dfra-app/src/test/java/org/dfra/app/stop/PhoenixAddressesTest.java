@@ -114,14 +114,14 @@ class PhoenixAddressesTest {
         .containsExactly(new Address("robot", 1199), new Address("nowhere", 1198));
     assertThat(addresses.ofLocators()).containsExactly(robot, here);
     assertThat(addresses.ofRegistrar("robot")).contains(robot);
-    assertThat(addresses.located(new Address("192.0.2.9", 1198), Origin.DISCOVERY)).isPresent();
+    assertThat(addresses.resolve(new Address("192.0.2.9", 1198), Origin.DISCOVERY)).isPresent();
     assertThat(lookedUp).isEmpty();
 
-    assertThat(addresses.located(robot, Origin.DISCOVERY)).contains(new Address("192.0.2.9", 1198));
-    assertThat(addresses.located(here, Origin.DISCOVERY)).isEmpty();
-    assertThat(addresses.located(here, Origin.LOCATOR)).isEmpty();
-    assertThat(addresses.located(here, Origin.NAMED)).contains(here);
-    assertThatThrownBy(() -> addresses.located(new Address("nowhere", 1198), Origin.DISCOVERY))
+    assertThat(addresses.resolve(robot, Origin.DISCOVERY)).contains(new Address("192.0.2.9", 1198));
+    assertThat(addresses.resolve(here, Origin.DISCOVERY)).isEmpty();
+    assertThat(addresses.resolve(here, Origin.LOCATOR)).isEmpty();
+    assertThat(addresses.resolve(here, Origin.NAMED)).contains(here);
+    assertThatThrownBy(() -> addresses.resolve(new Address("nowhere", 1198), Origin.DISCOVERY))
         .isInstanceOf(java.rmi.UnknownHostException.class)
         .hasMessageContaining("no address of nowhere is known");
     assertThat(lookedUp).containsExactly("robot", "here", "here", "nowhere");

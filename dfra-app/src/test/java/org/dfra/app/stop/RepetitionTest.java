@@ -34,8 +34,8 @@ class RepetitionTest {
   }
 
   private CompletableFuture<String> call(BooleanSupplier isTimeLeft) {
-    return new Repetition(TRY, isTimeLeft)
-        .of(this::once, failure -> Repetition.cause(failure) instanceof IllegalStateException);
+    return new RetryPolicy(TRY, isTimeLeft)
+        .run(this::once, failure -> RetryPolicy.cause(failure) instanceof IllegalStateException);
   }
 
   private static DeadlineExceededException silence() {
@@ -76,7 +76,7 @@ class RepetitionTest {
     assertThat(tries).isEqualTo(5);
     assertThat(System.nanoTime() - began)
         .as("three pauses")
-        .isGreaterThanOrEqualTo(3 * Repetition.PAUSE.toNanos());
+        .isGreaterThanOrEqualTo(3 * RetryPolicy.BACKOFF.toNanos());
   }
 
   @Test

@@ -9,8 +9,8 @@ import java.util.Map;
 import java.util.UUID;
 import org.dfra.app.stop.Outcome.Result;
 import org.dfra.app.stop.PhoenixAddresses.Address;
-import org.dfra.flow.effector.StopState;
-import org.dfra.river.phoenix.stop.EffectorStop;
+import org.dfra.flow.effector.EmergencyStopState;
+import org.dfra.river.phoenix.stop.EffectorStopResult;
 import org.dfra.river.phoenix.stop.StopReport;
 import org.junit.jupiter.api.Test;
 
@@ -22,12 +22,12 @@ class StopMergeTest {
 
   private final StopMerge merge = new StopMerge("ops", () -> Duration.ofSeconds(2));
 
-  private static EffectorStop answered(boolean wasStopped, String by, Duration age) {
-    return new EffectorStop(
-        ID, PATH, wasStopped, new StopState(true, by, NOON, true, null, age), null);
+  private static EffectorStopResult answered(boolean wasStopped, String by, Duration age) {
+    return new EffectorStopResult(
+        ID, PATH, wasStopped, new EmergencyStopState(true, by, NOON, true, null, age), null);
   }
 
-  private static Confirmations confirmations(EffectorStop... stops) {
+  private static Confirmations confirmations(EffectorStopResult... stops) {
     return reported(new StopReport(List.of("atrv1"), List.of(stops), List.of()));
   }
 
@@ -41,8 +41,8 @@ class StopMergeTest {
     return PhoenixAnswer.of(address, true, false, List.of(reports));
   }
 
-  private static StopMerge.Claim claim() {
-    return new StopMerge.Claim(ID, PATH, "192.0.2.7", stopped());
+  private static StopMerge.ProxyClaim claim() {
+    return new StopMerge.ProxyClaim(ID, PATH, "192.0.2.7", stopped());
   }
 
   private static Outcome stopped() {
@@ -57,27 +57,29 @@ class StopMergeTest {
         .as("by another way of this command")
         .isEqualTo(Result.STOPPED);
     assertThat(merge.ofPhoenix(answered(true, "ops", Duration.ofSeconds(3))).result())
-        .isEqualTo(Result.STOPPED_ALREADY);
+        .isEqualTo(Result.ALREADY_STOPPED);
     assertThat(merge.ofPhoenix(answered(true, "the chief", Duration.ofSeconds(1))).result())
         .as("by somebody else meanwhile")
-        .isEqualTo(Result.STOPPED_ALREADY);
+        .isEqualTo(Result.ALREADY_STOPPED);
   }
 
   @Test
   void aDriverThatIsHeldUpIsNotConfirmedByAProxy() {
-    EffectorStop heldUp =
-        new EffectorStop(ID, PATH, false, new StopState(true, "ops", NOON, false, "held up"), null);
+    EffectorStopResult heldUp =
+        new EffectorStopResult(
+            ID, PATH, false, new EmergencyStopState(true, "ops", NOON, false, "held up"), null);
     assertThat(merge.merge(List.of(claim()), Map.of(), confirmations(heldUp)))
         .extracting(Outcome::result)
-        .containsExactly(Result.NOT_AT_REST);
+        .containsExactly(Result.DRIVER_NOT_STOPPED);
   }
 
   @Test
   void anEffectorThatDoesNotAnswerItsPhoenixIsDoubtedWhateverItsProxySays() {
-    EffectorStop mute = new EffectorStop(ID, PATH, false, null, "it did not answer within 0.9 s");
+    EffectorStopResult mute =
+        new EffectorStopResult(ID, PATH, false, null, "it did not answer within 0.9 s");
     assertThat(merge.merge(List.of(claim()), Map.of(), confirmations(mute)))
         .singleElement()
-        .returns(Result.DOUBTFUL, Outcome::result)
+        .returns(Result.UNCONFIRMED, Outcome::result)
         .satisfies(each -> assertThat(each.reason()).endsWith("it did not answer within 0.9 s"));
     assertThat(merge.merge(List.of(), Map.of(), confirmations(mute)))
         .extracting(Outcome::result)
@@ -86,7 +88,8 @@ class StopMergeTest {
 
   @Test
   void phoenixsAdministratorConfirmsToo() {
-    EffectorStop mute = new EffectorStop(ID, PATH, false, null, "it did not answer within 0.9 s");
+    EffectorStopResult mute =
+        new EffectorStopResult(ID, PATH, false, null, "it did not answer within 0.9 s");
     assertThat(merge.merge(List.of(), Map.of(PATH, List.of(stopped())), confirmations(mute)))
         .containsExactly(stopped());
     assertThat(merge.merge(List.of(claim()), Map.of(PATH, List.of(stopped())), confirmations()))
@@ -96,9 +99,9 @@ class StopMergeTest {
 
   @Test
   void theLatestAnswerCountsUnlessAnEarlierOneConfirmedTheStop() {
-    EffectorStop good = answered(false, "ops", Duration.ofSeconds(1));
-    EffectorStop mute = new EffectorStop(ID, PATH, false, null, "it hangs");
-    for (List<EffectorStop> order : List.of(List.of(good, mute), List.of(mute, good))) {
+    EffectorStopResult good = answered(false, "ops", Duration.ofSeconds(1));
+    EffectorStopResult mute = new EffectorStopResult(ID, PATH, false, null, "it hangs");
+    for (List<EffectorStopResult> order : List.of(List.of(good, mute), List.of(mute, good))) {
       StopReport[] reports =
           order.stream()
               .map(each -> new StopReport(List.of("atrv1"), List.of(each), List.of()))
@@ -109,7 +112,7 @@ class StopMergeTest {
 
   @Test
   void aPhoenixThatKnowsNothingOfAnEffectorCannotConfirmWhatItsOwnDoesNot() {
-    EffectorStop mute = new EffectorStop(ID, PATH, false, null, "it hangs");
+    EffectorStopResult mute = new EffectorStopResult(ID, PATH, false, null, "it hangs");
     StopReport real = new StopReport(List.of("atrv1"), List.of(mute), List.of());
     StopReport fake =
         new StopReport(

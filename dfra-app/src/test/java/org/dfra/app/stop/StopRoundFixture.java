@@ -8,7 +8,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.dfra.app.stop.Outcome.Result;
 import org.dfra.app.stop.PhoenixAddresses.Address;
-import org.dfra.flow.effector.StopState;
+import org.dfra.flow.effector.EmergencyStopState;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -22,17 +22,17 @@ abstract class StopRoundFixture {
   static final UUID REGISTRAR = UUID.randomUUID();
   static final Address ROBOT = new Address("192.0.2.7", 1198);
   static final Duration RUNNING = Duration.ofSeconds(2);
-  static final StopState STOPPED = stopped(Duration.ofSeconds(1), true, null);
+  static final EmergencyStopState STOPPED = stopped(Duration.ofSeconds(1), true, null);
 
   final BlockingQueue<Outcome> well = new LinkedBlockingQueue<>();
   final CountDownLatch end = new CountDownLatch(1);
   final StopMerge merge = new StopMerge("the test", () -> RUNNING);
-  final StopRound round =
-      new StopRound(Result.NOT_STOPPED, Duration.ofSeconds(20), () -> false, well::add, merge);
+  final StopDispatcher round =
+      new StopDispatcher(Result.NOT_STOPPED, Duration.ofSeconds(20), () -> false, well::add, merge);
 
   @BeforeEach
   void findRegistrar() {
-    round.registrarAt(REGISTRAR, ROBOT.host());
+    round.registrarFound(REGISTRAR, ROBOT.host());
   }
 
   @AfterEach
@@ -45,8 +45,8 @@ abstract class StopRoundFixture {
     return Outcome.ofStop(path, RUNNING, STOPPED);
   }
 
-  static StopState stopped(Duration age, boolean resting, @Nullable String fault) {
-    return new StopState(true, "ops", NOON, resting, fault, age);
+  static EmergencyStopState stopped(Duration age, boolean resting, @Nullable String fault) {
+    return new EmergencyStopState(true, "ops", NOON, resting, fault, age);
   }
 
   Outcome beSilent() throws InterruptedException {

@@ -11,7 +11,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.dfra.app.stop.Outcome.Result;
 import org.dfra.app.stop.PhoenixAddresses.Address;
-import org.dfra.river.phoenix.stop.EffectorStop;
+import org.dfra.river.phoenix.stop.EffectorStopResult;
 import org.dfra.river.phoenix.stop.StopReport;
 import org.dfra.river.phoenix.stop.UnconfirmedGroup;
 import org.junit.jupiter.api.Test;
@@ -19,12 +19,12 @@ import org.junit.jupiter.api.Test;
 /** What phoenixes confirm of a round, and what is doubted since they do not. */
 class StopRoundPhoenixTest extends StopRoundFixture {
 
-  private static StopReport report(List<String> robots, EffectorStop... stops) {
+  private static StopReport report(List<String> robots, EffectorStopResult... stops) {
     return new StopReport(robots, List.of(stops), List.of());
   }
 
-  private static EffectorStop confirmed(UUID id, String path) {
-    return new EffectorStop(id, path, false, STOPPED, null);
+  private static EffectorStopResult confirmed(UUID id, String path) {
+    return new EffectorStopResult(id, path, false, STOPPED, null);
   }
 
   @Test
@@ -33,15 +33,15 @@ class StopRoundPhoenixTest extends StopRoundFixture {
     round.callListed(UUID.randomUUID(), elsewhere, "theta/drive", () -> stopped("theta/drive"));
     round.callListed(UUID.randomUUID(), REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
     assertThat(well.poll(20, TimeUnit.SECONDS)).isEqualTo(stopped("atrv1/drive"));
-    round.askPhoenix(
+    round.requestPhoenix(
         new Address("192.0.2.9", 1198),
         false,
         () -> new StopReport(List.of("theta"), List.of(), List.of()));
-    round.registrarAt(elsewhere, "192.0.2.9");
-    assertThat(round.outcomes())
+    round.registrarFound(elsewhere, "192.0.2.9");
+    assertThat(round.awaitOutcomes())
         .extracting(Outcome::module, Outcome::result)
         .containsExactlyInAnyOrder(
-            tuple("theta/drive", Result.DOUBTFUL), tuple("atrv1/drive", Result.STOPPED));
+            tuple("theta/drive", Result.UNCONFIRMED), tuple("atrv1/drive", Result.STOPPED));
     assertThat(well).isEmpty();
   }
 
@@ -49,29 +49,29 @@ class StopRoundPhoenixTest extends StopRoundFixture {
   void aPhoenixThatOnlyDiscoveryNamedConfirmsOnlyWhatItsLookupServiceLists() {
     UUID own = UUID.randomUUID();
     UUID another = UUID.randomUUID();
-    round.askPhoenix(
+    round.requestPhoenix(
         ROBOT,
         false,
         () -> report(List.of("atrv1"), confirmed(own, "atrv1/drive"), confirmed(another, "x/y")));
     round.callListed(own, REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
-    assertThat(round.outcomes())
+    assertThat(round.awaitOutcomes())
         .extracting(Outcome::module, Outcome::result)
         .containsExactlyInAnyOrder(
-            tuple("atrv1/drive", Result.STOPPED), tuple("x/y", Result.DOUBTFUL));
+            tuple("atrv1/drive", Result.STOPPED), tuple("x/y", Result.UNCONFIRMED));
     assertThat(well).as("it is not published before everything is known").isEmpty();
   }
 
   @Test
   void aNameThatIsOfThisComputerIsNotSilent() {
-    round.askPhoenix(new Address("this-computer", 1198), false, () -> null);
+    round.requestPhoenix(new Address("this-computer", 1198), false, () -> null);
     round.callListed(UUID.randomUUID(), REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
-    assertThat(round.outcomes()).containsExactly(stopped("atrv1/drive"));
+    assertThat(round.awaitOutcomes()).containsExactly(stopped("atrv1/drive"));
   }
 
   @Test
   void aPhoenixConfirmsWithoutAnyLookupService() throws Exception {
     UUID id = UUID.randomUUID();
-    round.askPhoenix(ROBOT, true, () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
+    round.requestPhoenix(ROBOT, true, () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
     assertThat(well.poll(20, TimeUnit.SECONDS)).isEqualTo(stopped("atrv1/drive"));
     round.callListed(
         id,
@@ -80,41 +80,42 @@ class StopRoundPhoenixTest extends StopRoundFixture {
         () -> {
           throw new ConnectException("refused");
         });
-    assertThat(round.outcomes()).containsExactly(stopped("atrv1/drive"));
+    assertThat(round.awaitOutcomes()).containsExactly(stopped("atrv1/drive"));
   }
 
   @Test
   void aProxyThatSaysStoppedIsDoubtedWhereThePhoenixOfItsRobotDoesNotKnowIt() {
     UUID real = UUID.randomUUID();
-    round.askPhoenix(ROBOT, true, () -> report(List.of("atrv1"), confirmed(real, "atrv1/drive")));
+    round.requestPhoenix(
+        ROBOT, true, () -> report(List.of("atrv1"), confirmed(real, "atrv1/drive")));
     round.callListed(real, REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
     round.callListed(UUID.randomUUID(), REGISTRAR, "atrv1/fake", () -> stopped("atrv1/fake"));
-    assertThat(round.outcomes())
+    assertThat(round.awaitOutcomes())
         .extracting(Outcome::module, Outcome::result)
         .containsExactlyInAnyOrder(
-            tuple("atrv1/drive", Result.STOPPED), tuple("atrv1/fake", Result.DOUBTFUL));
+            tuple("atrv1/drive", Result.STOPPED), tuple("atrv1/fake", Result.UNCONFIRMED));
     assertThat(well).extracting(Outcome::module).containsOnly("atrv1/drive");
   }
 
   @Test
   void aProxyIsDoubtedWhereThePhoenixThatMayRunItIsSilent() {
-    round.askPhoenix(
+    round.requestPhoenix(
         ROBOT,
         true,
         () -> {
           throw new RemoteException("it does not answer");
         });
     round.callListed(UUID.randomUUID(), REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
-    assertThat(round.outcomes())
+    assertThat(round.awaitOutcomes())
         .singleElement()
-        .returns(Result.DOUBTFUL, Outcome::result)
+        .returns(Result.UNCONFIRMED, Outcome::result)
         .satisfies(each -> assertThat(each.inWords()).contains("none answers at 192.0.2.7:1198"));
   }
 
   @Test
   void aProxyIsDoubtedWherePhoenixesAreTooManyToBeAsked() {
     for (int i = 0; i <= 64; i++) {
-      round.askPhoenix(
+      round.requestPhoenix(
           new Address("192.0.2." + i, 1198),
           false,
           () -> {
@@ -123,29 +124,29 @@ class StopRoundPhoenixTest extends StopRoundFixture {
           });
     }
     round.callListed(UUID.randomUUID(), REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
-    assertThat(round.outcomes())
+    assertThat(round.awaitOutcomes())
         .singleElement()
-        .returns(Result.DOUBTFUL, Outcome::result)
+        .returns(Result.UNCONFIRMED, Outcome::result)
         .satisfies(each -> assertThat(each.inWords()).contains("none answers at 192.0.2.64:1198"));
   }
 
   @Test
   void anAddressThatMakesNoSenseIsSilentAndStopsNothingElse() {
     UUID id = UUID.randomUUID();
-    round.askPhoenix(
+    round.requestPhoenix(
         new Address("robot", 70000),
         true,
         () -> {
           throw new IllegalArgumentException("port out of range");
         });
-    round.askPhoenix(ROBOT, true, () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
-    assertThat(round.outcomes()).containsExactly(stopped("atrv1/drive"));
-    assertThat(round.confirmations().silent()).containsExactly("robot:70000");
+    round.requestPhoenix(ROBOT, true, () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
+    assertThat(round.awaitOutcomes()).containsExactly(stopped("atrv1/drive"));
+    assertThat(round.confirmations().unresponsive()).containsExactly("robot:70000");
   }
 
   @Test
   void anEmbeddedRobotIsStoppedByItsOwnWordWhereNoPhoenixRuns() throws Exception {
-    round.askPhoenix(
+    round.requestPhoenix(
         ROBOT,
         true,
         () -> {
@@ -154,14 +155,14 @@ class StopRoundPhoenixTest extends StopRoundFixture {
         });
     round.callListed(UUID.randomUUID(), REGISTRAR, "atrv1/drive", () -> stopped("atrv1/drive"));
     assertThat(well.poll(20, TimeUnit.SECONDS)).isEqualTo(stopped("atrv1/drive"));
-    assertThat(round.outcomes()).containsExactly(stopped("atrv1/drive"));
+    assertThat(round.awaitOutcomes()).containsExactly(stopped("atrv1/drive"));
   }
 
   @Test
   void aPhoenixWhoseGroupWasStartedToBeStoppedIsAskedAgain() {
     UUID id = UUID.randomUUID();
     AtomicInteger orders = new AtomicInteger();
-    round.askPhoenix(
+    round.requestPhoenix(
         ROBOT,
         true,
         () ->
@@ -171,13 +172,13 @@ class StopRoundPhoenixTest extends StopRoundFixture {
                     List.of(),
                     List.of(new UnconfirmedGroup("atrv1", "atrv1.wheels", "it is started")))
                 : report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
-    assertThat(round.outcomes()).containsExactly(stopped("atrv1/drive"));
+    assertThat(round.awaitOutcomes()).containsExactly(stopped("atrv1/drive"));
     assertThat(orders).hasValue(2);
   }
 
   @Test
   void aGroupThatDoesNotAnswerItsPhoenixIsADoubtAlsoWhereNothingElseIsKnownOfIt() {
-    round.askPhoenix(
+    round.requestPhoenix(
         ROBOT,
         true,
         () ->
@@ -185,7 +186,7 @@ class StopRoundPhoenixTest extends StopRoundFixture {
                 List.of("atrv1"),
                 List.of(),
                 List.of(new UnconfirmedGroup("atrv1", "atrv1.wheels", "it hangs"))));
-    assertThat(round.outcomes())
+    assertThat(round.awaitOutcomes())
         .singleElement()
         .returns("atrv1/ (group atrv1.wheels): DOUBTFUL: it hangs.", Outcome::inWords);
   }
@@ -196,7 +197,7 @@ class StopRoundPhoenixTest extends StopRoundFixture {
       round.callListed(UUID.randomUUID(), REGISTRAR, "fake" + i + "/drive", this::beSilent);
     }
     UUID id = UUID.randomUUID();
-    round.askPhoenix(ROBOT, true, () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
+    round.requestPhoenix(ROBOT, true, () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
     assertThat(well.poll(20, TimeUnit.SECONDS)).isEqualTo(stopped("atrv1/drive"));
   }
 }

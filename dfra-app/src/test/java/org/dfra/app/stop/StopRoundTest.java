@@ -10,7 +10,7 @@ import java.util.UUID;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.dfra.app.stop.Outcome.Result;
-import org.dfra.flow.effector.StopState;
+import org.dfra.flow.effector.EmergencyStopState;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -42,8 +42,9 @@ class StopRoundTest extends StopRoundFixture {
   @Test
   void whatIsNotAnsweredInTimeIsTriedOnceMoreAndTold() {
     AtomicInteger calls = new AtomicInteger();
-    try (StopRound brief =
-        new StopRound(Result.NOT_STOPPED, Duration.ofMillis(50), () -> false, well::add, merge)) {
+    try (StopDispatcher brief =
+        new StopDispatcher(
+            Result.NOT_STOPPED, Duration.ofMillis(50), () -> false, well::add, merge)) {
       brief.callListed(
           UUID.randomUUID(),
           REGISTRAR,
@@ -52,7 +53,7 @@ class StopRoundTest extends StopRoundFixture {
             calls.incrementAndGet();
             return beSilent();
           });
-      assertThat(brief.outcomes())
+      assertThat(brief.awaitOutcomes())
           .containsExactly(
               new Outcome(
                   "mute/drive",
@@ -81,7 +82,7 @@ class StopRoundTest extends StopRoundFixture {
             return stopped("atrv1/drive");
           });
     }
-    assertThat(round.outcomes()).containsExactly(stopped("atrv1/drive"));
+    assertThat(round.awaitOutcomes()).containsExactly(stopped("atrv1/drive"));
     assertThat(calls).hasValue(2);
   }
 
@@ -104,7 +105,7 @@ class StopRoundTest extends StopRoundFixture {
           calls.incrementAndGet();
           return stopped("atrv1/drive");
         });
-    assertThat(round.outcomes())
+    assertThat(round.awaitOutcomes())
         .as("one of both is the effector, and which is not known")
         .extracting(Outcome::module, Outcome::result)
         .containsExactly(tuple("atrv1/drive", Result.NOT_STOPPED));
@@ -120,7 +121,7 @@ class StopRoundTest extends StopRoundFixture {
         () -> {
           throw new ConnectException("refused\nnested exception is: so and so");
         });
-    assertThat(round.outcomes())
+    assertThat(round.awaitOutcomes())
         .singleElement()
         .returns(Result.NOT_STOPPED, Outcome::result)
         .returns("atrv1/drive: NOT STOPPED: refused.", Outcome::inWords);
@@ -143,26 +144,27 @@ class StopRoundTest extends StopRoundFixture {
           throw new ConnectException("phoenix does not answer");
         });
     round.callLocal("atrv1/arm", () -> stopped("atrv1/arm"));
-    assertThat(round.outcomes())
+    assertThat(round.awaitOutcomes())
         .containsExactlyInAnyOrder(
             stopped("atrv1/drive"), stopped("atrv1/head"), stopped("atrv1/arm"));
   }
 
   @Test
   void tellsWhatTheAnswersMean() {
-    StopState before = stopped(Duration.ofSeconds(3), true, null); // whatever its clock says
+    EmergencyStopState before =
+        stopped(Duration.ofSeconds(3), true, null); // whatever its clock says
     assertThat(List.of(stopped("a/b"), Outcome.ofStop("a/b", RUNNING, before)))
         .extracting(Outcome::inWords)
         .containsExactly(
             "a/b: stopped.", "a/b: was stopped already, since 2026-11-21T12:00:00Z, by ops.");
-    StopState heldUp = stopped(Duration.ofSeconds(3), false, "its driver is held up");
+    EmergencyStopState heldUp = stopped(Duration.ofSeconds(3), false, "its driver is held up");
     assertThat(Outcome.ofStop("a/b", RUNNING, heldUp))
         .returns("a/b: NOT AT REST: its driver is held up.", Outcome::inWords)
         .matches(each -> !each.result().isWell());
-    StopState free = new StopState(false, "the chief", NOON, true, null);
+    EmergencyStopState free = new EmergencyStopState(false, "the chief", NOON, true, null);
     assertThat(Outcome.ofStop("a/b", RUNNING, free).result()).isEqualTo(Result.NOT_STOPPED);
     assertThat(Outcome.ofRelease("a/b", "the chief", free).inWords()).isEqualTo("a/b: released.");
-    assertThat(Outcome.ofRelease("a/b", "ops", StopState.NEVER).inWords())
+    assertThat(Outcome.ofRelease("a/b", "ops", EmergencyStopState.NEVER).inWords())
         .isEqualTo("a/b: was not stopped.");
     assertThat(Outcome.ofRelease("a/b", "ops", STOPPED).result()).isEqualTo(Result.NOT_RELEASED);
   }
@@ -188,7 +190,7 @@ class StopRoundTest extends StopRoundFixture {
         () -> {
           throw new IllegalStateException("a fault");
         });
-    assertThat(round.outcomes())
+    assertThat(round.awaitOutcomes())
         .containsExactlyInAnyOrder(
             stopped("atrv1/drive"),
             new Outcome("the effectors of this host", Result.NOT_STOPPED, null, null, "a fault"));
@@ -203,7 +205,7 @@ class StopRoundTest extends StopRoundFixture {
         () -> {
           throw new ConnectException("its process hangs");
         });
-    assertThat(round.outcomes())
+    assertThat(round.awaitOutcomes())
         .extracting(each -> each.result().isWell())
         .containsExactly(true, true, false);
   }

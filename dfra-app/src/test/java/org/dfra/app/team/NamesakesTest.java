@@ -54,19 +54,22 @@ class NamesakesTest {
 
   @Test
   void robotsOfOneNameOnTwoHostsAreFound() {
-    assertThat(Namesakes.of(List.of(FIRST, SECOND, listing(3, "s", "drive", "10.0.0.6", false))))
+    assertThat(
+            DuplicateRobotNames.of(
+                List.of(FIRST, SECOND, listing(3, "s", "drive", "10.0.0.6", false))))
         .isEqualTo(Map.of("r", List.of("10.0.0.5", "10.0.0.6")));
-    assertThat(Namesakes.of(List.of(FIRST, listing(2, "r", "gps", "10.0.0.5", false)))).isEmpty();
-    assertThat(Namesakes.of(List.of(FIRST, drive(2, "10.0.0.6", true))))
+    assertThat(DuplicateRobotNames.of(List.of(FIRST, listing(2, "r", "gps", "10.0.0.5", false))))
+        .isEmpty();
+    assertThat(DuplicateRobotNames.of(List.of(FIRST, drive(2, "10.0.0.6", true))))
         .as("it may be gone")
         .isEmpty();
   }
 
   @Test
   void twoOnOneHostAreFoundByTheirModules() {
-    assertThat(Namesakes.of(List.of(FIRST, drive(2, "10.0.0.5", false))))
+    assertThat(DuplicateRobotNames.of(List.of(FIRST, drive(2, "10.0.0.5", false))))
         .isEqualTo(Map.of("r", List.of("10.0.0.5", "10.0.0.5")));
-    assertThat(Namesakes.inWords("r", List.of("10.0.0.5", "10.0.0.6")))
+    assertThat(DuplicateRobotNames.inWords("r", List.of("10.0.0.5", "10.0.0.6")))
         .isEqualTo("2 robots are named r, on 10.0.0.5 and 10.0.0.6");
   }
 
@@ -107,13 +110,13 @@ class NamesakesTest {
     Persona first = persona("r", "10.0.0.5", false);
     Persona second = persona("r", "10.0.0.6", false);
     List<Persona> team = List.of(first, second, persona("s", "10.0.0.6", false));
-    assertThatThrownBy(() -> Namesakes.choose("r", team))
+    assertThatThrownBy(() -> DuplicateRobotNames.choose("r", team))
         .isInstanceOf(CommandFailure.class)
         .hasMessage(
             "2 robots are named r, on 10.0.0.5 and 10.0.0.6; name one of r@10.0.0.5, r@10.0.0.6");
-    assertThat(Namesakes.choose("r@10.0.0.6", team)).contains(second);
-    assertThat(Namesakes.choose("t", team)).isEmpty();
-    assertThat(Namesakes.choose("r", List.of(persona("r", "10.0.0.6", true), first)))
+    assertThat(DuplicateRobotNames.choose("r@10.0.0.6", team)).contains(second);
+    assertThat(DuplicateRobotNames.choose("t", team)).isEmpty();
+    assertThat(DuplicateRobotNames.choose("r", List.of(persona("r", "10.0.0.6", true), first)))
         .as("the other may be gone")
         .contains(first);
   }
@@ -122,19 +125,19 @@ class NamesakesTest {
   void listingsTellThemApartByHost() {
     ModuleListing<Module> other = listing(3, "s", "drive", "10.0.0.6", false);
     List<ModuleListing<Module>> all = List.of(FIRST, SECOND, other);
-    assertThat(all.stream().map(each -> Namesakes.robot(each, all)))
+    assertThat(all.stream().map(each -> DuplicateRobotNames.displayName(each, all)))
         .containsExactly("r@10.0.0.5", "r@10.0.0.6", "s");
-    assertThat(Namesakes.path(SECOND, all)).isEqualTo("r@10.0.0.6/drive");
-    assertThat(Namesakes.path(FIRST, List.of(FIRST, other))).isEqualTo("r/drive");
+    assertThat(DuplicateRobotNames.displayPath(SECOND, all)).isEqualTo("r@10.0.0.6/drive");
+    assertThat(DuplicateRobotNames.displayPath(FIRST, List.of(FIRST, other))).isEqualTo("r/drive");
   }
 
   @Test
   void aRobotForATaskIsToldFromItsNamesakeToo() {
-    assertThatThrownBy(() -> Namesakes.choose("r", name -> List.of(FIRST, SECOND)))
+    assertThatThrownBy(() -> DuplicateRobotNames.choose("r", name -> List.of(FIRST, SECOND)))
         .isInstanceOf(CommandFailure.class)
         .hasMessage(
             "2 robots are named r, on 10.0.0.5 and 10.0.0.6; name one of r@10.0.0.5, r@10.0.0.6");
-    assertThat(Namesakes.choose("r@10.0.0.6", name -> List.of(FIRST, SECOND)))
+    assertThat(DuplicateRobotNames.choose("r@10.0.0.6", name -> List.of(FIRST, SECOND)))
         .containsExactly(SECOND);
   }
 }

@@ -30,14 +30,14 @@ class PhoenixOptionsTest {
         port.isEmpty()
             ? line.parseArgs("--state=" + state)
             : line.parseArgs("--state=" + state, "--registry-port=" + port);
-    return begins.options.last();
+    return begins.options.lastStarted();
   }
 
   /** Any user of the computer finds phoenix by it. */
   @Test
   void phoenixHasNoRegistryUnlessItsPortIsNamed() throws Exception {
     assertThat(phoenix("").registryPort()).isEqualTo(-1);
-    assertThat(PhoenixOptions.last(state, PhoenixOptions.REGISTRY_PORT).registryPort())
+    assertThat(PhoenixOptions.lastStarted(state, PhoenixOptions.REGISTRY_PORT).registryPort())
         .as("where a command has no such option")
         .isEqualTo(-1);
     assertThat(phoenix("1098").registryPort()).isEqualTo(1098);

@@ -21,7 +21,7 @@ class AnswerTest {
   @Command(name = "modules")
   static final class Modules implements Callable<Integer> {
 
-    @Mixin private Answer answer;
+    @Mixin private CommandOutput answer;
 
     @Override
     public Integer call() {
@@ -31,7 +31,7 @@ class AnswerTest {
       table.row("r/drive", "MISSED");
       answer.table(List.of("gps", "laser", "drive"), table, "none");
       answer.lines("two", List.of("r/gps: READY", "r/laser: failed"));
-      return ExitCode.WELL;
+      return ExitCode.SUCCESS;
     }
   }
 

@@ -12,7 +12,7 @@ class CalledTest {
   @Test
   void hintsAreWrittenAsTheyAreTypedWhereItIsInstalled() {
     StringWriter written = new StringWriter();
-    PrintWriter out = new Called.Renaming(new PrintWriter(written), "dfra");
+    PrintWriter out = new CommandName.Renaming(new PrintWriter(written), "dfra");
     out.println("none is up; ./dfra up ROBOT.XML brings one up, ./dfra status tells");
     out.print("in ./dfra-app nothing changes");
     out.flush();
@@ -26,7 +26,7 @@ class CalledTest {
   @Test
   void aCheckoutIsNotInstalled() {
     PrintWriter plain = new PrintWriter(new StringWriter());
-    assertThat(Called.isInstalled()).isFalse();
-    assertThat(Called.renaming(plain)).isSameAs(plain);
+    assertThat(CommandName.isInstalled()).isFalse();
+    assertThat(CommandName.replacingName(plain)).isSameAs(plain);
   }
 }

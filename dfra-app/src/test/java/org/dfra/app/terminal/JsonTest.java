@@ -18,6 +18,6 @@ class JsonTest {
 
   @Test
   void onALineForPeopleItIsLeftOut() {
-    assertThat(Inline.of(new Motion(1.5, Double.NaN))).isEqualTo("speed 1.5");
+    assertThat(InlineFormat.of(new Motion(1.5, Double.NaN))).isEqualTo("speed 1.5");
   }
 }

@@ -25,12 +25,12 @@ class LiveBlockTest {
 
   @Test
   void textScrollsAboveItUnharmed() {
-    screen.print(block.above("before" + END));
+    screen.print(block.printAbove("before" + END));
     screen.print(block.draw(List.of("one", "two")));
-    screen.print(block.above("said" + END + "in two lines" + END));
+    screen.print(block.printAbove("said" + END + "in two lines" + END));
     assertThat(screen.lines()).containsExactly("before", "said", "in two lines", "one", "two");
     screen.print(block.draw(List.of("three", "four")));
-    screen.print(block.above("said again" + END));
+    screen.print(block.printAbove("said again" + END));
     assertThat(screen.lines())
         .containsExactly("before", "said", "in two lines", "said again", "three", "four");
   }
@@ -39,9 +39,9 @@ class LiveBlockTest {
   void whatIsLeftStays() {
     screen.print(block.draw(List.of("one")));
     assertThat(block.isDrawn()).isTrue();
-    block.leave();
+    block.freeze();
     assertThat(block.isDrawn()).isFalse();
-    screen.print(block.above("below" + END));
+    screen.print(block.printAbove("below" + END));
     screen.print(block.draw(List.of("two")));
     screen.print(block.draw(List.of("three")));
     assertThat(screen.lines()).containsExactly("one", "below", "three");
@@ -53,7 +53,7 @@ class LiveBlockTest {
     assertThat(screen.lines()).containsExactly("a line of exactly 20", "a line with 21 in a…");
     size = new Size(8, 10);
     screen.narrow(8);
-    screen.print(block.above("no matter how wide what is said is" + END));
+    screen.print(block.printAbove("no matter how wide what is said is" + END));
     assertThat(screen.lines())
         .containsExactly("no matter how wide what is said is", "a line …", "a line …");
   }
@@ -71,7 +71,9 @@ class LiveBlockTest {
   void leavesTheTerminalAsItWasAfterEachPiece() {
     for (String piece :
         List.of(
-            block.draw(List.of("one")), block.above("said" + END), block.draw(List.of("two")))) {
+            block.draw(List.of("one")),
+            block.printAbove("said" + END),
+            block.draw(List.of("two")))) {
       assertThat(piece).endsWith("\u001b[?7h").doesNotContain("\u001b[?25");
       assertThat(piece.split("\u001b\\[\\?7l", -1)).as("turned off once").hasSize(2);
     }

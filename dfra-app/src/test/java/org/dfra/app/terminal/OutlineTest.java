@@ -23,8 +23,8 @@ class OutlineTest {
 
   @Test
   void sumsUpWhatNobodyReadsOneByOne() {
-    assertThat(Outline.of(scan())).contains("ranges: 361 numbers, 1 to 2");
-    assertThat(Inline.of(scan())).endsWith("ranges 361 numbers, 1 to 2");
+    assertThat(IndentedFormat.of(scan())).contains("ranges: 361 numbers, 1 to 2");
+    assertThat(InlineFormat.of(scan())).endsWith("ranges 361 numbers, 1 to 2");
   }
 
   /** A record whose outline has long lines. */
@@ -34,8 +34,8 @@ class OutlineTest {
   void aLineThatIsTooLongGoesOnBelowIt() {
     Parameter rate = new Parameter("rate", "from one position to the next, 1 to 255 s");
     List<String> lines =
-        Outline.of(List.of(rate)).stream()
-            .flatMap(line -> Outline.folded(line, 40).stream())
+        IndentedFormat.of(List.of(rate)).stream()
+            .flatMap(line -> IndentedFormat.folded(line, 40).stream())
             .toList();
     assertThat(lines)
         .containsExactly(
@@ -48,7 +48,8 @@ class OutlineTest {
   @Test
   void peopleGetAsManyDigitsAsTheyCanUse() {
     Figures figures = new Figures(48.000085123456, 0.000000123456, 3);
-    assertThat(Inline.of(figures)).isEqualTo("latitude 48.0000851, noise 0.0000001235, whole 3");
+    assertThat(InlineFormat.of(figures))
+        .isEqualTo("latitude 48.0000851, noise 0.0000001235, whole 3");
     assertThat(Json.line(figures)).contains("48.000085123456");
   }
 
@@ -58,7 +59,7 @@ class OutlineTest {
         new CameraImage(
             NOON, "atrv1/camera", Band.VISIBLE, 320, 240, 300, "image/jpeg", new byte[999]);
 
-    assertThat(Outline.of(image)).contains("data: 999 bytes");
+    assertThat(IndentedFormat.of(image)).contains("data: 999 bytes");
   }
 
   @Test

@@ -29,7 +29,7 @@ class PrintedTextTest {
   @Command(name = "says")
   static final class Says implements Callable<Integer> {
 
-    @Mixin private Answer answer;
+    @Mixin private CommandOutput answer;
 
     @Override
     public Integer call() {
@@ -38,12 +38,12 @@ class PrintedTextTest {
       table.row("b", HOSTILE);
       answer.table(List.of(HOSTILE), table, "none");
       answer.table(List.of(), table, HOSTILE);
-      answer.outline(Map.of(HOSTILE, List.of(HOSTILE, "b")));
+      answer.details(Map.of(HOSTILE, List.of(HOSTILE, "b")));
       answer.lines(HOSTILE, List.of(HOSTILE));
       answer.sentence(HOSTILE, HOSTILE);
       answer.line(HOSTILE, HOSTILE);
-      answer.remark(HOSTILE);
-      return ExitCode.WELL;
+      answer.note(HOSTILE);
+      return ExitCode.SUCCESS;
     }
   }
 
@@ -93,8 +93,8 @@ class PrintedTextTest {
 
   @Test
   void aFailureStaysInItsLineAndFaultsAreIndented() {
-    assertThat(Sentences.remark(HOSTILE)).isEqualTo("dfra: " + SHOWN);
-    assertThat(Sentences.remarks("one\ntwo\u001b"))
+    assertThat(ConsoleMessages.prefixed(HOSTILE)).isEqualTo("dfra: " + SHOWN);
+    assertThat(ConsoleMessages.prefixedLines("one\ntwo\u001b"))
         .isEqualTo("dfra: one" + System.lineSeparator() + "      two\\u001b");
   }
 

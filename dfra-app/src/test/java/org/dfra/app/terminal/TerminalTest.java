@@ -33,7 +33,7 @@ class TerminalTest {
 
   @Test
   void isUsualWhereNobodySays() {
-    assertThat(terminal.get()).isEqualTo(Size.USUAL);
+    assertThat(terminal.get()).isEqualTo(Size.DEFAULT);
   }
 
   @Test
@@ -54,7 +54,7 @@ class TerminalTest {
   void aTableIsAsWideAsColumnsSaysOrTheTerminal() {
     assertThat(Terminal.columns("132", () -> new Size(70, 24))).isEqualTo(132);
     assertThat(Terminal.columns("", () -> new Size(70, 24))).isEqualTo(70);
-    assertThat(Terminal.columns("-3", () -> Size.USUAL)).isEqualTo(80);
-    assertThat(Terminal.columns(null, () -> Size.USUAL)).isEqualTo(80);
+    assertThat(Terminal.columns("-3", () -> Size.DEFAULT)).isEqualTo(80);
+    assertThat(Terminal.columns(null, () -> Size.DEFAULT)).isEqualTo(80);
   }
 }

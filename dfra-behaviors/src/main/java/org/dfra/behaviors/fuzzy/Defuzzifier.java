@@ -1,14 +1,14 @@
 package org.dfra.behaviors.fuzzy;
 
-import org.dfra.behaviors.fuzzy.Methods.Defuzzification;
+import org.dfra.behaviors.fuzzy.Operators.Defuzzification;
 
 /** Makes a number of a set on a grid. */
 final class Defuzzifier {
 
   private final Defuzzification method;
-  private final Engine engine;
+  private final ToolboxCompatibility engine;
 
-  Defuzzifier(Defuzzification method, Engine engine) {
+  Defuzzifier(Defuzzification method, ToolboxCompatibility engine) {
     this.method = method;
     this.engine = engine;
   }
@@ -20,16 +20,17 @@ final class Defuzzifier {
    * @param set how far each of its points belongs to the set
    * @param middle the answer where no point does
    */
-  double number(double[] x, double[] set, double middle) {
+  double defuzzify(double[] x, double[] set, double middle) {
     double area = 0;
     for (double each : set) {
       area += each;
     }
     if (area == 0) {
-      return engine == Engine.MATLAB ? middle : Double.NaN;
+      return engine == ToolboxCompatibility.MATLAB ? middle : Double.NaN;
     }
     return switch (method) {
-      case CENTROID -> engine == Engine.MATLAB ? centroid(x, set, area) : trapezoidal(x, set);
+      case CENTROID ->
+          engine == ToolboxCompatibility.MATLAB ? centroid(x, set, area) : trapezoidal(x, set);
       case BISECTOR -> bisector(x, set, area);
       case MOM -> meanOfMaximum(x, set);
       case SOM -> extreme(x, set, true);

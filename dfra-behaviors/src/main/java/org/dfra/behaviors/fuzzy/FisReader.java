@@ -14,8 +14,8 @@ import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
-import org.dfra.behaviors.fuzzy.FisSections.Line;
-import org.dfra.behaviors.fuzzy.FisSections.Section;
+import org.dfra.behaviors.fuzzy.FisDocument.FisLine;
+import org.dfra.behaviors.fuzzy.FisDocument.Section;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.NearestName;
 import org.dfra.core.config.Place;
@@ -30,9 +30,9 @@ public final class FisReader {
       Pattern.compile(QUOTED + ":" + QUOTED + ",\\s*\\[([^\\]]*)\\]\\s*");
 
   private final String file;
-  private final FisSections sections;
+  private final FisDocument sections;
 
-  private FisReader(String file, FisSections sections) {
+  private FisReader(String file, FisDocument sections) {
     this.file = file;
     this.sections = sections;
   }
@@ -53,7 +53,7 @@ public final class FisReader {
    * @throws ConfigurationException naming file, line and word of what is wrong
    */
   public static FuzzySystem parse(String text, String file) {
-    return new FisReader(file, FisSections.of(text, file)).system();
+    return new FisReader(file, FisDocument.of(text, file)).system();
   }
 
   private static String text(Path file) {
@@ -74,7 +74,7 @@ public final class FisReader {
   }
 
   private FuzzySystem system() {
-    Section system = sections.one("System");
+    Section system = sections.section("System");
     system.requireKnown(
         List.of(
             "Name",
@@ -89,20 +89,20 @@ public final class FisReader {
             "AggMethod",
             "DefuzzMethod"));
     FuzzySystem.Type type = constant(system.line("Type"), FuzzySystem.Type.class);
-    Methods methods =
-        new Methods(
-            constant(system.line("AndMethod"), Methods.And.class),
-            constant(system.line("OrMethod"), Methods.Or.class),
-            constant(system.line("ImpMethod"), Methods.Implication.class),
-            constant(system.line("AggMethod"), Methods.Aggregation.class),
-            constant(system.line("DefuzzMethod"), Methods.Defuzzification.class));
+    Operators methods =
+        new Operators(
+            constant(system.line("AndMethod"), Operators.And.class),
+            constant(system.line("OrMethod"), Operators.Or.class),
+            constant(system.line("ImpMethod"), Operators.Implication.class),
+            constant(system.line("AggMethod"), Operators.Aggregation.class),
+            constant(system.line("DefuzzMethod"), Operators.Defuzzification.class));
     List<Variable> inputs = variables("Input", count(system.line("NumInputs")), true);
     boolean isMamdani = type == FuzzySystem.Type.MAMDANI;
     List<Variable> outputs = variables("Output", count(system.line("NumOutputs")), isMamdani);
     sections.requireKnown(inputs.size(), outputs.size());
-    Line rules = system.line("NumRules");
-    FisRules rulesReader = new FisRules(inputs.size(), outputs.size());
-    List<Rule> read = sections.one("Rules").lines().stream().map(rulesReader::rule).toList();
+    FisLine rules = system.line("NumRules");
+    FisRuleParser rulesReader = new FisRuleParser(inputs.size(), outputs.size());
+    List<Rule> read = sections.section("Rules").lines().stream().map(rulesReader::rule).toList();
     if (read.size() != count(rules)) {
       throw rules.fault(
           "NumRules is " + rules.value() + ", but there are " + read.size() + " rules");
@@ -121,20 +121,20 @@ public final class FisReader {
 
   private List<Variable> variables(String what, int count, boolean hasSets) {
     return IntStream.rangeClosed(1, count)
-        .mapToObj(number -> variable(sections.one(what + number), hasSets))
+        .mapToObj(number -> variable(sections.section(what + number), hasSets))
         .toList();
   }
 
   private static Variable variable(Section section, boolean hasSets) {
     String name = matched(TEXT, section.line("Name"), "a name in quotes").group(1);
-    Line range = section.line("Range");
+    FisLine range = section.line("Range");
     double[] ends =
-        FisNumbers.list(range, matched(LIST, range, "two numbers in brackets").group(1));
+        FisNumberParser.list(range, matched(LIST, range, "two numbers in brackets").group(1));
     if (ends.length != 2) {
       throw range.fault("the range of " + name + " has " + ends.length + " ends; write [low high]");
     }
-    Line number = section.line("NumMFs");
-    List<Line> lines = section.numbered("MF");
+    FisLine number = section.line("NumMFs");
+    List<FisLine> lines = section.numbered("MF");
     if (lines.size() != count(number)) {
       throw number.fault(
           "NumMFs of " + name + " is " + number.value() + ", but there are " + lines.size());
@@ -143,10 +143,11 @@ public final class FisReader {
     return fitting(range.place(), () -> new Variable(name, ends[0], ends[1], terms));
   }
 
-  private static Term term(Line line, boolean isSet) {
+  private static Term term(FisLine line, boolean isSet) {
     Matcher parts = matched(TERM, line, "'name':'type',[parameters]");
     String word = parts.group(2);
-    List<Double> numbers = Arrays.stream(FisNumbers.list(line, parts.group(3))).boxed().toList();
+    List<Double> numbers =
+        Arrays.stream(FisNumberParser.list(line, parts.group(3))).boxed().toList();
     return new Term(
         parts.group(1),
         fitting(
@@ -154,9 +155,9 @@ public final class FisReader {
   }
 
   /** Old files pad a list of parameters with zeros. */
-  private static Membership set(Line line, String word, List<Double> numbers) {
-    MembershipType type =
-        MembershipType.of(word)
+  private static MembershipFunction set(FisLine line, String word, List<Double> numbers) {
+    MembershipFunctionType type =
+        MembershipFunctionType.of(word)
             .orElseThrow(
                 () ->
                     line.fault(
@@ -168,14 +169,16 @@ public final class FisReader {
     boolean isPadded =
         numbers.size() > arity
             && numbers.subList(arity, numbers.size()).stream().allMatch(each -> each == 0);
-    return new Membership(type, isPadded ? numbers.subList(0, arity) : numbers);
+    return new MembershipFunction(type, isPadded ? numbers.subList(0, arity) : numbers);
   }
 
   private static List<String> words() {
-    return Arrays.stream(MembershipType.values()).map(MembershipType::word).toList();
+    return Arrays.stream(MembershipFunctionType.values())
+        .map(MembershipFunctionType::fisName)
+        .toList();
   }
 
-  private static LinearFunction function(Line line, String word, List<Double> numbers) {
+  private static LinearFunction function(FisLine line, String word, List<Double> numbers) {
     if (word.equals(LinearFunction.LINEAR)) {
       return LinearFunction.linear(numbers);
     } else if (word.equals(LinearFunction.CONSTANT)) {
@@ -188,13 +191,13 @@ public final class FisReader {
     throw line.fault("the type \"" + word + "\" is unknown; write constant or linear");
   }
 
-  private static int count(Line line) {
-    return FisNumbers.whole(line, line.value());
+  private static int count(FisLine line) {
+    return FisNumberParser.integer(line, line.value());
   }
 
-  private static <E extends Enum<E>> E constant(Line line, Class<E> type) {
+  private static <E extends Enum<E>> E constant(FisLine line, Class<E> type) {
     String word = matched(TEXT, line, "a word in quotes").group(1);
-    List<String> words = Arrays.stream(type.getEnumConstants()).map(Methods::word).toList();
+    List<String> words = Arrays.stream(type.getEnumConstants()).map(Operators::fisName).toList();
     int place = words.indexOf(word);
     if (place < 0) {
       throw line.fault(
@@ -207,7 +210,7 @@ public final class FisReader {
     return type.getEnumConstants()[place];
   }
 
-  private static Matcher matched(Pattern pattern, Line line, String wanted) {
+  private static Matcher matched(Pattern pattern, FisLine line, String wanted) {
     Matcher matcher = pattern.matcher(line.value());
     if (!matcher.matches()) {
       throw line.fault(line.key() + " is \"" + line.value().strip() + "\", not " + wanted);

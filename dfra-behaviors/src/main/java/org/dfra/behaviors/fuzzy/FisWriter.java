@@ -41,16 +41,16 @@ public final class FisWriter {
   private void system(FuzzySystem system) {
     text.append("[System]\n");
     entry("Name", quoted(system.name()));
-    entry("Type", quoted(Methods.word(system.type())));
+    entry("Type", quoted(Operators.fisName(system.type())));
     entry("Version", "2.0");
     entry("NumInputs", system.inputs().size());
     entry("NumOutputs", system.outputs().size());
     entry("NumRules", system.rules().size());
-    entry("AndMethod", quoted(Methods.word(system.methods().and())));
-    entry("OrMethod", quoted(Methods.word(system.methods().or())));
-    entry("ImpMethod", quoted(Methods.word(system.methods().implication())));
-    entry("AggMethod", quoted(Methods.word(system.methods().aggregation())));
-    entry("DefuzzMethod", quoted(Methods.word(system.methods().defuzzification())));
+    entry("AndMethod", quoted(Operators.fisName(system.operators().and())));
+    entry("OrMethod", quoted(Operators.fisName(system.operators().or())));
+    entry("ImpMethod", quoted(Operators.fisName(system.operators().implication())));
+    entry("AggMethod", quoted(Operators.fisName(system.operators().aggregation())));
+    entry("DefuzzMethod", quoted(Operators.fisName(system.operators().defuzzification())));
     text.append('\n');
   }
 
@@ -67,7 +67,7 @@ public final class FisWriter {
             "MF" + (j + 1),
             quoted(term.name())
                 + ":"
-                + quoted(term.function().word())
+                + quoted(term.function().fisName())
                 + ",["
                 + term.function().parameters().stream()
                     .map(FisWriter::number)

@@ -8,7 +8,7 @@ import java.util.List;
  *
  * @param name its name
  * @param type Mamdani's or Sugeno's
- * @param methods how it reckons
+ * @param operators how it reckons
  * @param inputs at least one
  * @param outputs at least one
  * @param rules the rule base
@@ -16,7 +16,7 @@ import java.util.List;
 public record FuzzySystem(
     String name,
     Type type,
-    Methods methods,
+    Operators operators,
     List<Variable> inputs,
     List<Variable> outputs,
     List<Rule> rules) {
@@ -40,12 +40,12 @@ public record FuzzySystem(
       throw new IllegalArgumentException(
           "the system " + name + " has no " + (inputs.isEmpty() ? "input" : "output"));
     }
-    if (methods.defuzzification().isOfSugeno() != (type == Type.SUGENO)) {
+    if (operators.defuzzification().isSugenoOnly() != (type == Type.SUGENO)) {
       throw new IllegalArgumentException(
           "the defuzzification "
-              + Methods.word(methods.defuzzification())
+              + Operators.fisName(operators.defuzzification())
               + " is not for a system of type "
-              + Methods.word(type));
+              + Operators.fisName(type));
     }
     inputs.forEach(FuzzySystem::requireSets);
     for (Variable output : outputs) {
@@ -62,14 +62,14 @@ public record FuzzySystem(
 
   private static void requireSets(Variable variable) {
     for (Term term : variable.terms()) {
-      if (!(term.function() instanceof Membership)) {
+      if (!(term.function() instanceof MembershipFunction)) {
         throw new IllegalArgumentException(
             "the term "
                 + term.name()
                 + " of "
                 + variable.name()
                 + " is "
-                + term.function().word()
+                + term.function().fisName()
                 + ", which is only for the outputs of a Sugeno system");
       }
     }
@@ -84,7 +84,7 @@ public record FuzzySystem(
                 + " of "
                 + output.name()
                 + " is "
-                + term.function().word()
+                + term.function().fisName()
                 + "; an output of a Sugeno system wants constant or linear");
       }
       int wanted = function.isConstant() ? 1 : inputs + 1;
@@ -154,11 +154,11 @@ public record FuzzySystem(
 
   /** Evaluates the system as MATLAB does. */
   public Inference inference() {
-    return inference(Engine.MATLAB);
+    return inference(ToolboxCompatibility.MATLAB);
   }
 
   /** Evaluates the system as one of the toolboxes does. */
-  public Inference inference(Engine engine) {
+  public Inference inference(ToolboxCompatibility engine) {
     return type == Type.MAMDANI
         ? new MamdaniInference(this, engine)
         : new SugenoInference(this, engine);

@@ -20,7 +20,7 @@ public final class LinearFunction implements TermFunction {
     this.constant = constant;
     this.parameters = parameters.stream().mapToDouble(each -> each + 0.0).toArray(); // −0 is 0
     if (!Arrays.stream(this.parameters).allMatch(Double::isFinite)) {
-      throw new IllegalArgumentException(word() + " wants finite numbers, not " + parameters);
+      throw new IllegalArgumentException(fisName() + " wants finite numbers, not " + parameters);
     }
   }
 
@@ -48,7 +48,7 @@ public final class LinearFunction implements TermFunction {
   }
 
   @Override
-  public String word() {
+  public String fisName() {
     return constant ? CONSTANT : LINEAR;
   }
 
@@ -85,6 +85,6 @@ public final class LinearFunction implements TermFunction {
 
   @Override
   public String toString() {
-    return word() + parameters();
+    return fisName() + parameters();
   }
 }

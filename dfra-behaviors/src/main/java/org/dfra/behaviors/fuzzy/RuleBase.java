@@ -5,21 +5,21 @@ import java.util.List;
 /** The antecedents of a system's rules, laid out so that they fire quickly. */
 final class RuleBase {
 
-  private final Membership[] terms; // of all inputs, one after the other
+  private final MembershipFunction[] terms; // of all inputs, one after the other
   private final int[] inputOfTerm;
   private final double[] memberships; // of each term now; then of each term's opposite
   private final int[][] antecedents; // for each rule, places in memberships
   private final boolean[] isOr;
   private final double[] weights;
-  private final Methods.And and;
-  private final Methods.Or or;
+  private final Operators.And and;
+  private final Operators.Or or;
   private final double[] strengths;
 
   RuleBase(FuzzySystem system) {
-    this.and = system.methods().and();
-    this.or = system.methods().or();
+    this.and = system.operators().and();
+    this.or = system.operators().or();
     int count = system.inputs().stream().mapToInt(input -> input.terms().size()).sum();
-    terms = new Membership[count];
+    terms = new MembershipFunction[count];
     inputOfTerm = new int[count];
     memberships = new double[2 * count];
     int[] first = new int[system.inputs().size()];
@@ -28,7 +28,7 @@ final class RuleBase {
       first[input] = next;
       for (Term term : system.inputs().get(input).terms()) {
         inputOfTerm[next] = input;
-        terms[next++] = (Membership) term.function();
+        terms[next++] = (MembershipFunction) term.function();
       }
     }
     List<Rule> rules = system.rules();
@@ -43,13 +43,13 @@ final class RuleBase {
     }
   }
 
-  private static int[] places(List<Integer> named, int[] first, int opposite) {
+  private static int[] places(List<Integer> named, int[] first, int complement) {
     int[] places = new int[(int) named.stream().filter(each -> each != 0).count()];
     int next = 0;
     for (int input = 0; input < first.length; input++) {
       int term = named.get(input);
       if (term != 0) {
-        places[next++] = first[input] + Math.abs(term) - 1 + (term < 0 ? opposite : 0);
+        places[next++] = first[input] + Math.abs(term) - 1 + (term < 0 ? complement : 0);
       }
     }
     return places;

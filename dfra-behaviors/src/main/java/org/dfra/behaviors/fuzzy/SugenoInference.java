@@ -1,25 +1,26 @@
 package org.dfra.behaviors.fuzzy;
 
-import org.dfra.behaviors.fuzzy.Methods.Defuzzification;
+import org.dfra.behaviors.fuzzy.Operators.Defuzzification;
 import org.jspecify.annotations.Nullable;
 
 /** Sugeno's inference: each rule gives a number, and these are averaged or summed. */
 final class SugenoInference extends Inference {
 
   private final @Nullable LinearFunction[][] consequents; // by output and rule; null for none
-  private final double[] otherwise; // what an output is where no rule fires
+  private final double[] defaultOutputs; // what an output is where no rule fires
   private final boolean isMean;
 
-  SugenoInference(FuzzySystem system, Engine engine) {
+  SugenoInference(FuzzySystem system, ToolboxCompatibility engine) {
     super(system);
     int rules = system.rules().size();
     int outputs = system.outputs().size();
-    isMean = system.methods().defuzzification() == Defuzzification.WTAVER;
+    isMean = system.operators().defuzzification() == Defuzzification.WTAVER;
     consequents = new @Nullable LinearFunction[outputs][rules];
-    otherwise = new double[outputs];
+    defaultOutputs = new double[outputs];
     for (int output = 0; output < outputs; output++) {
       Variable variable = system.outputs().get(output);
-      otherwise[output] = engine == Engine.MATLAB ? variable.middle() : Double.NaN;
+      defaultOutputs[output] =
+          engine == ToolboxCompatibility.MATLAB ? variable.middle() : Double.NaN;
       for (int rule = 0; rule < rules; rule++) {
         int term = system.rules().get(rule).consequents().get(output);
         consequents[output][rule] =
@@ -41,7 +42,7 @@ final class SugenoInference extends Inference {
         }
       }
       if (isMean) {
-        outputs[output] = total == 0 ? otherwise[output] : sum / total;
+        outputs[output] = total == 0 ? defaultOutputs[output] : sum / total;
       } else {
         outputs[output] = sum;
       }

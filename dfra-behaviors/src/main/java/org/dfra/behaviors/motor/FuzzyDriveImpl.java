@@ -3,7 +3,7 @@ package org.dfra.behaviors.motor;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
-import org.dfra.behaviors.motor.WaypointRules.Answer;
+import org.dfra.behaviors.motor.WaypointController.ControlOutput;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.SchemaImpl;
 import org.dfra.flow.effector.DriveCommand.Velocity;
@@ -16,8 +16,8 @@ import org.dfra.persona.Attributes;
 import org.dfra.persona.MotorSchemaAttributes;
 
 /**
- * Drives by the rules of a {@code .fis} file; see {@link WaypointRules}. It keeps nothing from one
- * question to the next, and tells every answer.
+ * Drives by the rules of a {@code .fis} file; see {@link WaypointController}. It keeps nothing from
+ * one question to the next, and tells every answer.
  *
  * <p>Parameters, read at the start:
  *
@@ -29,9 +29,9 @@ import org.dfra.persona.MotorSchemaAttributes;
  */
 public final class FuzzyDriveImpl extends SchemaImpl implements FuzzyDrive {
 
-  private final WaypointRules rules; // guarded by itself
+  private final WaypointController rules; // guarded by itself
   private final double maxSpeed;
-  private final double maxTurnRate;
+  private final double maxYawRate;
 
   /**
    * See {@link org.dfra.core.module.ModuleImpl}.
@@ -45,27 +45,27 @@ public final class FuzzyDriveImpl extends SchemaImpl implements FuzzyDrive {
         "DFRA",
         "1",
         List.of("DriveAdvice"));
-    this.rules = new WaypointRules(Path.of(settings().text("system_file")));
+    this.rules = new WaypointController(Path.of(settings().text("system_file")));
     this.maxSpeed = settings().number("max_speed", 0.7, 0.01, 10);
-    this.maxTurnRate = settings().number("max_turn_rate", 1, 0.01, 10);
+    this.maxYawRate = settings().number("max_turn_rate", 1, 0.01, 10);
   }
 
   @Override
-  protected List<? extends Attributes> furtherAttributes() {
-    return List.of(new MotorSchemaAttributes("Velocity", rules.method(), rules.size()));
+  protected List<? extends Attributes> additionalAttributes() {
+    return List.of(new MotorSchemaAttributes("Velocity", rules.inferenceType(), rules.ruleCount()));
   }
 
   @Override
   protected void onStart() {
     super.onStart();
-    become(Readiness.READY);
+    transitionTo(Readiness.READY);
   }
 
   @Override
   public DriveAdvice advise(Clearance clearance, HeadingPercept heading) {
-    Answer answer;
+    ControlOutput answer;
     synchronized (rules) {
-      answer = rules.answer(clearance, heading);
+      answer = rules.evaluate(clearance, heading);
     }
     Instant older =
         clearance.measured().isBefore(heading.measured())
@@ -74,10 +74,10 @@ public final class FuzzyDriveImpl extends SchemaImpl implements FuzzyDrive {
     DriveAdvice advice =
         new DriveAdvice(
             older,
-            new Velocity(answer.speed() * maxSpeed, answer.turn() * maxTurnRate),
+            new Velocity(answer.speedFraction() * maxSpeed, answer.yawRateFraction() * maxYawRate),
             answer.reason(),
             answer.strength());
-    tell(advice);
+    publish(advice);
     return advice;
   }
 }

@@ -18,18 +18,18 @@ final class CellTour {
 
   private static final double GAIN = 1e-6; // metres
 
-  private final List<Cell> cells;
-  private final Interior interior;
+  private final List<BoustrophedonCell> cells;
+  private final InteriorPathFinder interior;
   private final double[][] between; // from the exit of a cell's way to the entry of another's
 
-  CellTour(List<Cell> cells, Interior interior) {
+  CellTour(List<BoustrophedonCell> cells, InteriorPathFinder interior) {
     this.cells = cells;
     this.interior = interior;
-    this.between = new double[cells.size() * Cell.WAYS][];
+    this.between = new double[cells.size() * BoustrophedonCell.TRAVERSALS][];
   }
 
   /** The lanes of all cells in the order and direction in which they are driven. */
-  List<Stroke> strokes() {
+  List<LaneSegment> segments() {
     List<Integer> order = nearestFirst();
     double length = length(order);
     boolean isShorter = true;
@@ -49,10 +49,10 @@ final class CellTour {
         }
       }
     }
-    List<Stroke> strokes = new ArrayList<>();
+    List<LaneSegment> strokes = new ArrayList<>();
     int[] ways = ways(order);
     for (int i = 0; i < ways.length; i++) {
-      strokes.addAll(cells.get(order.get(i)).driven(ways[i]));
+      strokes.addAll(cells.get(order.get(i)).traversal(ways[i]));
     }
     return strokes;
   }
@@ -92,8 +92,8 @@ final class CellTour {
 
   private double nearest(int cell, int other) {
     double least = Double.POSITIVE_INFINITY;
-    for (int way = 0; way < Cell.WAYS; way++) {
-      for (int then = 0; then < Cell.WAYS; then++) {
+    for (int way = 0; way < BoustrophedonCell.TRAVERSALS; way++) {
+      for (int then = 0; then < BoustrophedonCell.TRAVERSALS; then++) {
         least = Math.min(least, between(cell, way, other, then));
       }
     }
@@ -106,13 +106,13 @@ final class CellTour {
 
   /** The length of the ways up to each stage, for each way to drive the cell of that stage. */
   private double[][] lengths(List<Integer> order) {
-    double[][] lengths = new double[order.size()][Cell.WAYS];
+    double[][] lengths = new double[order.size()][BoustrophedonCell.TRAVERSALS];
     // it begins in the west, and northward if that makes no difference
     lengths[0] = new double[] {0, Double.POSITIVE_INFINITY, GAIN, Double.POSITIVE_INFINITY};
     for (int i = 1; i < lengths.length; i++) {
-      for (int way = 0; way < Cell.WAYS; way++) {
+      for (int way = 0; way < BoustrophedonCell.TRAVERSALS; way++) {
         double least = Double.POSITIVE_INFINITY;
-        for (int before = 0; before < Cell.WAYS; before++) {
+        for (int before = 0; before < BoustrophedonCell.TRAVERSALS; before++) {
           double step = between(order.get(i - 1), before, order.get(i), way);
           least = Math.min(least, lengths[i - 1][before] + step);
         }
@@ -129,7 +129,7 @@ final class CellTour {
     ways[last] = least(lengths[last]);
     for (int i = last; i > 0; i--) {
       double[] before = lengths[i - 1].clone();
-      for (int way = 0; way < Cell.WAYS; way++) {
+      for (int way = 0; way < BoustrophedonCell.TRAVERSALS; way++) {
         before[way] += between(order.get(i - 1), way, order.get(i), ways[i]);
       }
       ways[i - 1] = least(before);
@@ -146,12 +146,12 @@ final class CellTour {
   }
 
   private double between(int cell, int way, int other, int then) {
-    int row = cell * Cell.WAYS + way;
+    int row = cell * BoustrophedonCell.TRAVERSALS + way;
     if (between[row] == null) {
       between[row] = new double[between.length];
       Arrays.fill(between[row], Double.NaN);
     }
-    int column = other * Cell.WAYS + then;
+    int column = other * BoustrophedonCell.TRAVERSALS + then;
     if (Double.isNaN(between[row][column])) {
       between[row][column] =
           interior.distance(cells.get(cell).exit(way), cells.get(other).entry(then));

@@ -9,11 +9,11 @@ import java.util.List;
  *
  * @param west side of the westernmost squares, in the region's frame, metres
  * @param south side of the southernmost squares, likewise
- * @param cell side of a square, metres
+ * @param cellSize side of a square, metres
  * @param passes over the middle of each square: 0, 1, or 2 for more; {@link #OUTSIDE} where that is
  *     not in the region
  */
-public record CoverageMap(double west, double south, double cell, List<List<Integer>> passes) {
+public record CoverageMap(double west, double south, double cellSize, List<List<Integer>> passes) {
 
   /** Instead of a number of passes. */
   public static final int OUTSIDE = -1;
@@ -30,7 +30,7 @@ public record CoverageMap(double west, double south, double cell, List<List<Inte
   public CoverageMap and(CoverageMap other) {
     if (passes.size() != other.passes.size()
         || passes.get(0).size() != other.passes.get(0).size()
-        || cell != other.cell) {
+        || cellSize != other.cellSize) {
       throw new IllegalArgumentException("these maps are not of one region and one swath");
     }
     List<List<Integer>> both = new ArrayList<>();
@@ -43,7 +43,7 @@ public record CoverageMap(double west, double south, double cell, List<List<Inte
       }
       both.add(cells);
     }
-    return new CoverageMap(west, south, cell, both);
+    return new CoverageMap(west, south, cellSize, both);
   }
 
   /** Share of the region's squares that were seen, 0 to 1. */
@@ -61,11 +61,11 @@ public record CoverageMap(double west, double south, double cell, List<List<Inte
 
   /** Side of the easternmost squares, in the region's frame, metres. */
   public double east() {
-    return west + cell * passes.get(0).size();
+    return west + cellSize * passes.get(0).size();
   }
 
   /** Side of the northernmost squares, likewise. */
   public double north() {
-    return south + cell * passes.size();
+    return south + cellSize * passes.size();
   }
 }

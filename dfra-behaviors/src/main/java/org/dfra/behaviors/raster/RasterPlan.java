@@ -80,15 +80,16 @@ public final class RasterPlan {
     }
     LaneAxes axes = new LaneAxes(laneBearing);
     Polygon polygon = axes.of(region.polygon());
-    LaneLines lines = new LaneLines(polygon, spacing, swath, region.centre());
-    Interior interior = new Interior(polygon);
-    List<Stroke> tour = new CellTour(Cell.of(polygon, lines), interior).strokes();
-    StrokeOrder order = new StrokeOrder(tour, interior);
-    order.insert(new Gaps(polygon, lines, swath / 2).fill());
+    StripDecomposition lines = new StripDecomposition(polygon, spacing, swath, region.centre());
+    InteriorPathFinder interior = new InteriorPathFinder(polygon);
+    List<LaneSegment> tour =
+        new CellTour(BoustrophedonCell.of(polygon, lines), interior).segments();
+    LaneSegmentSequence order = new LaneSegmentSequence(tour, interior);
+    order.insert(new CoverageGapFiller(polygon, lines, swath / 2).fill());
 
     List<Coordinate> way = new ArrayList<>();
     List<Integer> laneStarts = new ArrayList<>();
-    for (Stroke stroke : order.driven()) {
+    for (LaneSegment stroke : order.segments()) {
       connect(way, stroke.from(), interior);
       laneStarts.add(way.size() - 1);
       way.add(stroke.to());
@@ -99,12 +100,12 @@ public final class RasterPlan {
     return new RasterPlan(region, swath, lines.width(), path, waypoints, laneStarts);
   }
 
-  private static void connect(List<Coordinate> way, Coordinate to, Interior interior) {
+  private static void connect(List<Coordinate> way, Coordinate to, InteriorPathFinder interior) {
     if (way.isEmpty()) {
       way.add(to);
       return;
     }
-    List<Coordinate> between = interior.way(way.get(way.size() - 1), to);
+    List<Coordinate> between = interior.path(way.get(way.size() - 1), to);
     for (Coordinate each : between.subList(1, between.size())) {
       if (each.distance(way.get(way.size() - 1)) > 0) {
         way.add(each);

@@ -8,14 +8,14 @@ import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.FollowWaypoints;
 import org.dfra.behavior.RasterGoal;
 import org.dfra.behavior.RasterSearch;
-import org.dfra.behaviors.raster.RasterMemory.Begun;
-import org.dfra.behaviors.raster.RasterMemory.PathBegun;
+import org.dfra.behaviors.raster.RasterSearchStore.DelegatedPath;
+import org.dfra.behaviors.raster.RasterSearchStore.StoredSearch;
 import org.dfra.core.behavior.BehaviorImpl;
-import org.dfra.core.behavior.Delegation;
-import org.dfra.core.behavior.Progress;
-import org.dfra.core.behavior.Pursuit;
+import org.dfra.core.behavior.GoalDelegation;
+import org.dfra.core.behavior.GoalExecution;
+import org.dfra.core.behavior.GoalProgress;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.core.module.Needed;
+import org.dfra.core.module.ModuleDependency;
 import org.dfra.flow.perceptual.PositionEstimator;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.NotReadyException;
@@ -41,10 +41,10 @@ import org.jspecify.annotations.Nullable;
  */
 public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements RasterSearch {
 
-  private final Needed<FollowWaypoints> follow;
-  private final Needed<PositionEstimator> position;
-  private final Reach reach;
-  private final RasterMemory memory;
+  private final ModuleDependency<FollowWaypoints> follow;
+  private final ModuleDependency<PositionEstimator> position;
+  private final WaypointDistanceLimit reach;
+  private final RasterSearchStore memory;
   private final boolean goesOn;
   private final double tolerance;
 
@@ -54,16 +54,18 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
   private @Nullable RasterGoal goal; // guarded by remembering
   private int reached; // guarded by remembering
   private int missed; // guarded by remembering
-  private @Nullable PathBegun driven; // guarded by remembering
+  private @Nullable DelegatedPath driven; // guarded by remembering
   private Phase phase = Phase.IDLE; // guarded by remembering
 
   /** See {@link org.dfra.core.module.ModuleImpl}. */
   public RasterSearchImpl(ModuleContext context) {
     super(context, "searches a region lane by lane", "DFRA", "1", RasterGoal.class, 5);
-    this.follow = Needed.of(context, FollowWaypoints.class, "follow_waypoints");
-    this.position = Needed.of(context, PositionEstimator.class, "position");
-    this.reach = new Reach(settings().number("farthest", Reach.DEFAULT.limit(), 1, 100_000));
-    this.memory = new RasterMemory(context.state());
+    this.follow = ModuleDependency.of(context, FollowWaypoints.class, "follow_waypoints");
+    this.position = ModuleDependency.of(context, PositionEstimator.class, "position");
+    this.reach =
+        new WaypointDistanceLimit(
+            settings().number("farthest", WaypointDistanceLimit.DEFAULT.limit(), 1, 100_000));
+    this.memory = new RasterSearchStore(context.state());
     this.tolerance = settings().number("tolerance", 0.4, 0.05, 10);
     String text = settings().find("go_on").orElse("true").strip();
     if (!text.equals("true") && !text.equals("false")) {
@@ -78,9 +80,9 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
   }
 
   @Override
-  protected Pursuit begin(RasterGoal wanted) throws RemoteException {
+  protected GoalExecution startGoal(RasterGoal wanted) throws RemoteException {
     RasterPlan plan = RasterPlan.of(wanted);
-    FollowWaypoints unused = follow.now();
+    FollowWaypoints unused = follow.resolve();
     requireInReach(plan);
     return pursuit(plan, wanted, 0, 0, null);
   }
@@ -92,38 +94,38 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
   private void requireInReach(RasterPlan plan) throws RemoteException {
     GeoPosition here;
     try {
-      here = position.now().estimate().position();
+      here = position.resolve().estimate().position();
     } catch (NotReadyException e) {
       log.debug("{}: it is not known yet how far the region is: {}", path(), e.getMessage());
       return;
     }
-    reach.require(here, plan.waypoints());
+    reach.requireWithin(here, plan.waypoints());
   }
 
-  private Pursuit pursuit(
-      RasterPlan plan, RasterGoal wanted, int done, int leftOut, @Nullable PathBegun path) {
+  private GoalExecution pursuit(
+      RasterPlan plan, RasterGoal wanted, int done, int leftOut, @Nullable DelegatedPath path) {
     synchronized (remembering) {
       driven = path;
       goal = wanted;
       reached = done;
       missed = leftOut;
     }
-    return new RasterPursuit(
+    return new RasterSearchExecution(
         plan,
         tolerance,
-        new Delegation<>(path(), follow, errands(), log),
+        new GoalDelegation<>(path(), follow, taskExecutor(), log),
         interlock(),
         done,
         leftOut,
         path,
-        new Kept());
+        new StoringProgressRecorder());
   }
 
   /** What a pursuit has kept for the next process. */
-  private final class Kept implements RasterPursuit.Counter {
+  private final class StoringProgressRecorder implements RasterSearchExecution.ProgressRecorder {
 
     @Override
-    public void count(int done, int leftOut) {
+    public void recordProgress(int done, int leftOut) {
       synchronized (remembering) {
         reached = done;
         missed = leftOut;
@@ -132,7 +134,7 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
     }
 
     @Override
-    public void drives(@Nullable PathBegun path) {
+    public void recordPath(@Nullable DelegatedPath path) {
       synchronized (remembering) {
         if (!Objects.equals(path, driven)) {
           driven = path;
@@ -155,14 +157,15 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
     @Nullable RasterGoal wanted = goal;
     try {
       if (phase.isUnderWay() && wanted != null) {
-        memory.keep(new Begun(wanted, reached, missed, phase, driven, interlock().seen()));
+        memory.save(
+            new StoredSearch(wanted, reached, missed, phase, driven, interlock().lastStop()));
       } else {
         goal = null;
         memory.forget();
       }
     } catch (IOException e) {
       log.warn("{}: the next process would not know how far it is: {}", path(), e.toString());
-      survived(e);
+      recordException(e);
     }
   }
 
@@ -170,28 +173,33 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
   protected void onStart() {
     super.onStart();
     try {
-      Optional<Begun> begun = memory.recall();
+      Optional<StoredSearch> begun = memory.load();
       if (begun.isPresent()) {
         goOn(begun.get());
       }
     } catch (IOException | IllegalArgumentException e) {
       log.warn("{}: it does not go on with what it was at: {}", path(), e.toString());
-      survived(e);
+      recordException(e);
     }
   }
 
-  private void goOn(Begun begun) {
+  private void goOn(StoredSearch begun) {
     RasterPlan plan = RasterPlan.of(begun.goal());
     int done = Math.min(begun.reached(), plan.waypoints().size() - 1);
     int leftOut = Math.min(begun.missed(), done);
     interlock().restore(begun.seen());
     Phase next = goesOn ? begun.phase() : Phase.PAUSED;
-    Pursuit again = pursuit(plan, begun.goal(), done, leftOut, begun.path());
+    GoalExecution again = pursuit(plan, begun.goal(), done, leftOut, begun.path());
     if (next == Phase.PAUSED && begun.path() != null) {
-      again.rest(); // nobody drives on for a search that is paused
+      again.suspend(); // nobody drives on for a search that is paused
     }
     int all = plan.waypoints().size();
-    goOn(again, next, Progress.going("", (double) done / all).missing(leftOut).counting(done, all));
+    restoreGoal(
+        again,
+        next,
+        GoalProgress.inProgress("", (double) done / all)
+            .withSkippedParts(leftOut)
+            .withParts(done, all));
   }
 
   /** {@inheritDoc} One that is ended in good order waits, when it is back, to be resumed. */

@@ -59,12 +59,12 @@ public final class Region {
     }
     LocalFrame first = new LocalFrame(corners.get(0));
     Polygon seenFromFirst = polygon(corners, first);
-    Outline.requireNear(corners, seenFromFirst);
-    Outline.requireSimple(corners, seenFromFirst);
+    RegionValidation.requireWithinExtent(corners, seenFromFirst);
+    RegionValidation.requireSimple(corners, seenFromFirst);
     if (seenFromFirst.getArea() < LEAST_AREA) {
       throw new GoalRefusedException(
           "the region at "
-              + Outline.text(corners.get(0))
+              + RegionValidation.format(corners.get(0))
               + " encloses no area to speak of; give corners that do not lie on one line");
     }
     Coordinate middle = seenFromFirst.getCentroid().getCoordinate();

@@ -3,7 +3,7 @@ package org.dfra.behaviors.raster;
 import java.nio.file.Path;
 import java.util.List;
 import org.dfra.behavior.GoalRefusedException;
-import org.dfra.core.config.Faults;
+import org.dfra.core.config.ConfigurationFaults;
 import org.dfra.core.geojson.GeoJsonFeature;
 import org.dfra.core.geojson.GeoJsonFile;
 import org.dfra.geometry.GeoPosition;
@@ -24,7 +24,7 @@ public final class RegionFile {
    *     if it is no region; each line of the message names file and line
    */
   public static Region read(Path path) {
-    Faults faults = new Faults();
+    ConfigurationFaults faults = new ConfigurationFaults();
     GeoJsonFile file = GeoJsonFile.read(path, faults);
     faults.throwIfAny();
     List<GeoJsonFeature> polygons =
@@ -52,7 +52,10 @@ public final class RegionFile {
   }
 
   private static void complain(
-      GeoJsonFile file, List<GeoJsonFeature> polygons, List<GeoJsonFeature> meant, Faults faults) {
+      GeoJsonFile file,
+      List<GeoJsonFeature> polygons,
+      List<GeoJsonFeature> meant,
+      ConfigurationFaults faults) {
     if (polygons.isEmpty()) {
       faults.add(
           file.place(),

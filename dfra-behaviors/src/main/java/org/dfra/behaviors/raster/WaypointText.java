@@ -13,7 +13,7 @@ public final class WaypointText {
    * @param done waypoints that are dealt with; the next is the one that is meant
    * @param all waypoints there are
    */
-  public static String number(int done, int all) {
+  public static String position(int done, int all) {
     return "waypoint " + Math.min(all, done + 1) + " of " + all;
   }
 
@@ -25,10 +25,11 @@ public final class WaypointText {
    * @param before waypoints of the longer way before the path's first
    * @param all waypoints of the longer way
    */
-  public static String amongAll(BehaviorStatus path, int before, int all) {
-    String own = number(path.partsDone(), path.parts()) + ":";
-    return path.parts() > 0 && path.doing().startsWith(own)
-        ? number(before + path.partsDone(), all) + path.doing().substring(own.length() - 1)
-        : path.doing();
+  public static String positionInWhole(BehaviorStatus path, int before, int all) {
+    String own = position(path.completedParts(), path.totalParts()) + ":";
+    return path.totalParts() > 0 && path.activity().startsWith(own)
+        ? position(before + path.completedParts(), all)
+            + path.activity().substring(own.length() - 1)
+        : path.activity();
   }
 }

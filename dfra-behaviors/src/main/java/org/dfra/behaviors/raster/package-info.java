@@ -5,12 +5,12 @@
  * <pre>
  *   field.geojson --RegionFile--.
  *                                +--&gt; Region --RasterPlan.of--&gt; lanes, waypoints
- *   "48.1,11.2 …" --RegionText--'        |                         |
+ *   "48.1,11.2 …" --RegionParser--'        |                         |
  *                                        |                         v
  *                             strips -&gt; lanes -&gt; gaps      Coverage of a driven path
- *                               (LaneLines)     (Gaps)
+ *                               (StripDecomposition)     (Gaps)
  *                                    '-&gt; cells -&gt; order -&gt; ways between, inside the region
- *                                         (CellTour)  (StrokeOrder)    (Interior)
+ *                                         (CellTour)  (LaneSegmentSequence)    (Interior)
  * </pre>
  *
  * <p>Enter at {@link org.dfra.behaviors.raster.RasterPlan}. Whatever cannot be planned ends in a

@@ -33,10 +33,10 @@ import org.dfra.flow.perceptual.Clearance;
 final class ClearanceMargin {
 
   /** Of age and cycle together, which the rules allow for, seconds. */
-  static final double USUAL = 0.2;
+  static final double ALLOWED_LATENCY = 0.2;
 
   /** Beyond it nothing more is taken off, so that a clock that leaps does not hold a robot. */
-  static final double MOST = 1;
+  static final double MAX_LATENCY = 1;
 
   private static final double CYCLE = 0.1; // seconds, where there was none before
   private static final double LONGEST_CYCLE = 0.3; // seconds, the wheels' command timeout
@@ -68,7 +68,7 @@ final class ClearanceMargin {
     isRunning = true;
     last = nanos;
     double age = Math.max(0, seconds(Duration.between(measured.measured(), now).toNanos()));
-    double late = Math.max(0, Math.min(MOST, age + cycle - USUAL));
+    double late = Math.max(0, Math.min(MAX_LATENCY, age + cycle - ALLOWED_LATENCY));
     double own = isRecent(nanos) ? fastest : 0;
     double ahead = (own + peerSpeed) * late;
     double beside = peerSpeed * late;
@@ -81,7 +81,7 @@ final class ClearanceMargin {
   }
 
   /** The wheels were commanded so. */
-  void commanded(Velocity velocity, long nanos) {
+  void recordCommand(Velocity velocity, long nanos) {
     double speed = Math.max(0, velocity.speed());
     if (speed >= fastest || !isRecent(nanos)) {
       fastest = speed;
@@ -96,7 +96,7 @@ final class ClearanceMargin {
   }
 
   private boolean isRecent(long nanos) {
-    return seconds(nanos - fastestAt) <= MOST;
+    return seconds(nanos - fastestAt) <= MAX_LATENCY;
   }
 
   private static double seconds(long nanos) {

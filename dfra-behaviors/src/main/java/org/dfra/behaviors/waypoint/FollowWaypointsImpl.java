@@ -4,11 +4,11 @@ import java.rmi.RemoteException;
 import org.dfra.behavior.FollowWaypoints;
 import org.dfra.behavior.GoToWaypoint;
 import org.dfra.behavior.PathGoal;
-import org.dfra.behaviors.raster.Reach;
+import org.dfra.behaviors.raster.WaypointDistanceLimit;
 import org.dfra.core.behavior.BehaviorImpl;
-import org.dfra.core.behavior.Pursuit;
+import org.dfra.core.behavior.GoalExecution;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.core.module.Needed;
+import org.dfra.core.module.ModuleDependency;
 import org.dfra.flow.perceptual.PositionEstimator;
 
 /**
@@ -31,16 +31,18 @@ import org.dfra.flow.perceptual.PositionEstimator;
  */
 public final class FollowWaypointsImpl extends BehaviorImpl<PathGoal> implements FollowWaypoints {
 
-  private final Needed<GoToWaypoint> goTo;
-  private final Needed<PositionEstimator> position;
-  private final Reach reach;
+  private final ModuleDependency<GoToWaypoint> goTo;
+  private final ModuleDependency<PositionEstimator> position;
+  private final WaypointDistanceLimit reach;
 
   /** See {@link org.dfra.core.module.ModuleImpl}. */
   public FollowWaypointsImpl(ModuleContext context) {
     super(context, "drives from waypoint to waypoint", "DFRA", "1", PathGoal.class, 10);
-    this.goTo = Needed.of(context, GoToWaypoint.class, "go_to_waypoint");
-    this.position = Needed.of(context, PositionEstimator.class, "position");
-    this.reach = new Reach(settings().number("farthest", Reach.DEFAULT.limit(), 1, 100_000));
+    this.goTo = ModuleDependency.of(context, GoToWaypoint.class, "go_to_waypoint");
+    this.position = ModuleDependency.of(context, PositionEstimator.class, "position");
+    this.reach =
+        new WaypointDistanceLimit(
+            settings().number("farthest", WaypointDistanceLimit.DEFAULT.limit(), 1, 100_000));
   }
 
   @Override
@@ -49,9 +51,9 @@ public final class FollowWaypointsImpl extends BehaviorImpl<PathGoal> implements
   }
 
   @Override
-  protected Pursuit begin(PathGoal goal) throws RemoteException {
-    GoToWaypoint unused = goTo.now();
-    reach.require(position.now().estimate().position(), goal.waypoints());
-    return new PathPursuit(path(), goTo, goal, interlock(), errands(), log);
+  protected GoalExecution startGoal(PathGoal goal) throws RemoteException {
+    GoToWaypoint unused = goTo.resolve();
+    reach.requireWithin(position.resolve().estimate().position(), goal.waypoints());
+    return new PathExecution(path(), goTo, goal, interlock(), taskExecutor(), log);
   }
 }

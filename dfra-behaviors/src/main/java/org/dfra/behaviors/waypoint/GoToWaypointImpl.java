@@ -7,11 +7,11 @@ import java.util.UUID;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.behavior.GoToWaypoint;
 import org.dfra.behavior.LegGoal;
-import org.dfra.behaviors.raster.Reach;
+import org.dfra.behaviors.raster.WaypointDistanceLimit;
 import org.dfra.core.behavior.BehaviorImpl;
-import org.dfra.core.behavior.Pursuit;
+import org.dfra.core.behavior.GoalExecution;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.core.module.Needed;
+import org.dfra.core.module.ModuleDependency;
 import org.dfra.flow.motor.FuzzyDrive;
 import org.dfra.flow.perceptual.HeadingError;
 import org.dfra.flow.perceptual.PositionEstimator;
@@ -43,24 +43,26 @@ import org.jspecify.annotations.Nullable;
  */
 public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoToWaypoint {
 
-  private final Needed<RangeFilter> room;
-  private final Needed<HeadingError> heading;
-  private final Needed<FuzzyDrive> rules;
-  private final Needed<PositionEstimator> position;
-  private final Reach reach;
+  private final ModuleDependency<RangeFilter> room;
+  private final ModuleDependency<HeadingError> heading;
+  private final ModuleDependency<FuzzyDrive> rules;
+  private final ModuleDependency<PositionEstimator> position;
+  private final WaypointDistanceLimit reach;
   private final int attempts;
   private final double overshoot;
   private final double peerSpeed;
-  private volatile @Nullable LegPursuit last; // that was made
+  private volatile @Nullable LegExecution last; // that was made
 
   /** See {@link org.dfra.core.module.ModuleImpl}. */
   public GoToWaypointImpl(ModuleContext context) {
     super(context, "drives to a waypoint", "DFRA", "1", LegGoal.class, 10);
-    this.room = Needed.of(context, RangeFilter.class, "range_filter");
-    this.heading = Needed.of(context, HeadingError.class, "heading_error");
-    this.rules = Needed.of(context, FuzzyDrive.class, "fuzzy_drive");
-    this.position = Needed.of(context, PositionEstimator.class, "position");
-    this.reach = new Reach(settings().number("farthest", Reach.DEFAULT.limit(), 1, 100_000));
+    this.room = ModuleDependency.of(context, RangeFilter.class, "range_filter");
+    this.heading = ModuleDependency.of(context, HeadingError.class, "heading_error");
+    this.rules = ModuleDependency.of(context, FuzzyDrive.class, "fuzzy_drive");
+    this.position = ModuleDependency.of(context, PositionEstimator.class, "position");
+    this.reach =
+        new WaypointDistanceLimit(
+            settings().number("farthest", WaypointDistanceLimit.DEFAULT.limit(), 1, 100_000));
     this.attempts = (int) settings().number("attempts", 6, 0, 100);
     this.overshoot = settings().number("overshoot", 1, 0, 100);
     this.peerSpeed = settings().number("peer_speed", 0.7, 0, 10);
@@ -72,21 +74,21 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
   }
 
   @Override
-  protected Pursuit begin(LegGoal goal) throws RemoteException {
-    for (Needed<?> each : List.of(room, heading, rules, interlock().drive())) {
-      Module unused = each.now(); // refuses where one is missing
+  protected GoalExecution startGoal(LegGoal goal) throws RemoteException {
+    for (ModuleDependency<?> each : List.of(room, heading, rules, interlock().drive())) {
+      Module unused = each.resolve(); // refuses where one is missing
     }
-    GeoPosition here = position.now().estimate().position();
-    reach.require(here, goal.to());
+    GeoPosition here = position.resolve().estimate().position();
+    reach.requireWithin(here, goal.to());
     GeoPosition from = goal.from() == null ? here : goal.from();
-    reach.require(here, from);
-    LegPursuit made =
-        new LegPursuit(
-            new LegPursuit.Means(
-                heading::now,
-                room::now,
-                rules::now,
-                new Wheels(interlock()),
+    reach.requireWithin(here, from);
+    LegExecution made =
+        new LegExecution(
+            new LegExecution.Dependencies(
+                heading::resolve,
+                room::resolve,
+                rules::resolve,
+                new LeasedDrive(interlock()),
                 context().robotTime()::nanos,
                 clock(),
                 peerSpeed,
@@ -94,22 +96,22 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
                 overshoot),
             new Leg(from, goal.to()),
             goal.tolerance(),
-            goal.limit());
+            goal.timeLimit());
     last = made;
     return made;
   }
 
   @Override
-  public void limit(UUID goal, Duration limit) {
+  public void setTimeLimit(UUID goal, Duration limit) {
     if (limit.isNegative()) {
       throw new IllegalArgumentException("time limit " + limit.toMillis() + " ms is below 0");
     }
-    @Nullable LegPursuit pursued = last;
+    @Nullable LegExecution pursued = last;
     BehaviorStatus now = status();
     if (pursued != last) { // another goal was begun between the two
-      limit(goal, limit);
+      setTimeLimit(goal, limit);
     } else if (pursued != null && now.phase().isUnderWay() && goal.equals(now.goal())) {
-      pursued.limit(limit);
+      pursued.setTimeLimit(limit);
     }
   }
 }

@@ -10,9 +10,9 @@ import org.dfra.behavior.HomeGoal;
 import org.dfra.behavior.PathGoal;
 import org.dfra.behavior.ReturnHome;
 import org.dfra.core.behavior.BehaviorImpl;
-import org.dfra.core.behavior.Pursuit;
+import org.dfra.core.behavior.GoalExecution;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.core.module.Needed;
+import org.dfra.core.module.ModuleDependency;
 import org.dfra.directory.ModuleListing;
 import org.dfra.flow.perceptual.PoseEstimate;
 import org.dfra.flow.perceptual.PositionEstimator;
@@ -39,7 +39,7 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
   private static final String EXPECTED =
       "latitude and longitude in degrees, such as 48.0001 11.0002, or here";
 
-  private final Needed<GoToWaypoint> goTo;
+  private final ModuleDependency<GoToWaypoint> goTo;
   private final Object place = new Object();
   private @Nullable GeoPosition home; // guarded by place
   private @Nullable GeoPosition here; // guarded by place
@@ -47,7 +47,7 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
   /** See {@link org.dfra.core.module.ModuleImpl}. */
   public ReturnHomeImpl(ModuleContext context) {
     super(context, "drives back to where the robot began", "DFRA", "1", HomeGoal.class, 5);
-    this.goTo = Needed.of(context, GoToWaypoint.class, "go_to_waypoint");
+    this.goTo = ModuleDependency.of(context, GoToWaypoint.class, "go_to_waypoint");
     settings()
         .find("home")
         .ifPresent(
@@ -58,8 +58,8 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
                 throw settings().fault("home", EXPECTED, e);
               }
             });
-    declared().text("home", "where home is", this::told, this::setHome);
-    takes(PositionEstimator.class, "position", PoseEstimate.class, this::take);
+    parameterTable().declareText("home", "where home is", this::homeText, this::setHome);
+    declareInput(PositionEstimator.class, "position", PoseEstimate.class, this::take);
   }
 
   private static GeoPosition parse(String text) {
@@ -74,7 +74,7 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
     }
   }
 
-  private String told() {
+  private String homeText() {
     synchronized (place) {
       @Nullable GeoPosition now = home;
       return now == null
@@ -89,9 +89,9 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
         if (here == null) {
           throw new IllegalArgumentException("known yet; wait for the robot's position");
         }
-        remember(here);
+        storeHome(here);
       } else {
-        remember(parse(text));
+        storeHome(parse(text));
       }
     }
   }
@@ -100,19 +100,19 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
     synchronized (place) {
       here = pose.position();
       if (home == null && pose.positionSigma() <= GOOD_ENOUGH) {
-        remember(pose.position());
+        storeHome(pose.position());
       }
     }
   }
 
   /** Holds the lock. */
-  private void remember(GeoPosition wanted) {
+  private void storeHome(GeoPosition wanted) {
     home = wanted;
     try {
-      context().state().write(DOCUMENT, told().getBytes(StandardCharsets.UTF_8));
+      context().state().write(DOCUMENT, homeText().getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
       log.warn("{}: home is forgotten when this process ends: {}", path(), e.toString());
-      survived(e);
+      recordException(e);
     }
   }
 
@@ -120,13 +120,13 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
   protected void onStart() {
     synchronized (place) {
       if (home == null) {
-        recall();
+        loadHome();
       }
     }
     super.onStart();
   }
 
-  private void recall() {
+  private void loadHome() {
     try {
       context()
           .state()
@@ -134,7 +134,7 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
           .ifPresent(bytes -> home = parse(new String(bytes, StandardCharsets.UTF_8)));
     } catch (IOException | IllegalArgumentException e) {
       log.warn("{}: where home was cannot be read and is found anew: {}", path(), e.toString());
-      survived(e);
+      recordException(e);
     }
   }
 
@@ -144,19 +144,19 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
   }
 
   @Override
-  protected Pursuit begin(HomeGoal goal) {
-    GoToWaypoint unused = goTo.now();
+  protected GoalExecution startGoal(HomeGoal goal) {
+    GoToWaypoint unused = goTo.resolve();
     synchronized (place) {
       if (home == null) {
         throw new GoalRefusedException(
             path() + " does not know yet where home is; wait for a position, or set home");
       }
-      return new PathPursuit(
+      return new PathExecution(
           path(),
           goTo,
           new PathGoal(null, List.of(home), goal.tolerance()),
           interlock(),
-          errands(),
+          taskExecutor(),
           log);
     }
   }

@@ -2,9 +2,9 @@
  * Behaviours that bring a robot somewhere.
  *
  * <pre>
- *   FollowWaypointsImpl --legs--&gt; GoToWaypointImpl: LegPursuit, ten times a second:
+ *   FollowWaypointsImpl --legs--&gt; GoToWaypointImpl: LegExecution, ten times a second:
  *   ReturnHomeImpl ------'           HeadingError, RangeFilter --&gt; FuzzyDrive --&gt; Wheels
- *                                    StuckWatch ---------------&gt; Recovery -----'
+ *                                    StuckDetector ---------------&gt; Recovery -----'
  * </pre>
  *
  * <p>Enter at {@link org.dfra.behaviors.waypoint.GoToWaypointImpl}.

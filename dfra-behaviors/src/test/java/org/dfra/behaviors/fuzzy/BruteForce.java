@@ -53,7 +53,7 @@ final class BruteForce {
 
   private double strength(Rule rule) {
     boolean isAnd = rule.connective() == Rule.Connective.AND;
-    String method = isAnd ? system.methods().and().name() : system.methods().or().name();
+    String method = isAnd ? system.operators().and().name() : system.operators().or().name();
     double[] named =
         IntStream.range(0, inputs.length)
             .filter(i -> rule.antecedents().get(i) != 0)
@@ -94,7 +94,7 @@ final class BruteForce {
         total += strength(rule);
       }
     }
-    if (system.methods().defuzzification() == Methods.Defuzzification.WTSUM) {
+    if (system.operators().defuzzification() == Operators.Defuzzification.WTSUM) {
       return weighted;
     }
     return total > 0 ? weighted / total : (variable.low() + variable.high()) / 2;
@@ -114,23 +114,23 @@ final class BruteForce {
     double[] y = new double[LAST + 1];
     for (double[] set : sets) {
       for (int i = 0; i <= LAST; i++) {
-        y[i] = operator(system.methods().aggregation().name()).applyAsDouble(y[i], set[i]);
+        y[i] = operator(system.operators().aggregation().name()).applyAsDouble(y[i], set[i]);
       }
     }
     double area = Arrays.stream(y).sum();
     if (area == 0) {
       return Answer.of((variable.low() + variable.high()) / 2);
     }
-    return switch (system.methods().defuzzification()) {
+    return switch (system.operators().defuzzification()) {
       case CENTROID ->
           Answer.of(IntStream.rangeClosed(0, LAST).mapToDouble(i -> x[i] * y[i]).sum() / area);
       case BISECTOR -> new Answer(half(x, y, area * (1 - NEAR)), half(x, y, area * (1 + NEAR)));
-      default -> top(x, y, sets, system.methods());
+      default -> top(x, y, sets, system.operators());
     };
   }
 
   private double[] implied(Rule rule, Variable variable, int term, double[] x) {
-    DoubleBinaryOperator implication = operator(system.methods().implication().name());
+    DoubleBinaryOperator implication = operator(system.operators().implication().name());
     double strength = strength(rule);
     return Arrays.stream(x)
         .map(each -> implication.applyAsDouble(strength, membership(variable, term, each)))
@@ -148,14 +148,14 @@ final class BruteForce {
     return x[LAST];
   }
 
-  private static Answer top(double[] x, double[] y, List<double[]> sets, Methods methods) {
+  private static Answer top(double[] x, double[] y, List<double[]> sets, Operators methods) {
     double top = Arrays.stream(y).max().orElseThrow();
     double nearly = top * (1 - NEAR);
     double[] exact = places(x, y, top);
     double[] near = places(x, y, nearly);
     boolean isCutFlat =
-        methods.aggregation() == Methods.Aggregation.MAX
-            && methods.implication() == Methods.Implication.MIN;
+        methods.aggregation() == Operators.Aggregation.MAX
+            && methods.implication() == Operators.Implication.MIN;
     // Where two rules are equally strong, rounding may lift one of them above the other.
     boolean isOneTop =
         sets.stream()
@@ -186,7 +186,7 @@ final class BruteForce {
 
   private static double membership(Variable variable, int term, double x) {
     Term named = variable.terms().get(Math.abs(term) - 1);
-    double y = shape(named.function().word(), named.function().parameters()).applyAsDouble(x);
+    double y = shape(named.function().fisName(), named.function().parameters()).applyAsDouble(x);
     return term > 0 ? y : 1 - y;
   }
 

@@ -78,10 +78,10 @@ class FisFilesTest {
       Path table = Path.of(file.toString().replace(".fis", ".csv"));
       List<String> rows = Files.readAllLines(table);
       List<String> header = Arrays.asList(rows.get(0).split(","));
-      for (Engine engine : Engine.values()) {
+      for (ToolboxCompatibility engine : ToolboxCompatibility.values()) {
         Inference inference = system.inference(engine);
         double[] outputs = new double[system.outputs().size()];
-        int first = header.indexOf(Methods.word(engine) + "_out1");
+        int first = header.indexOf(Operators.fisName(engine) + "_out1");
         for (String row : rows.subList(1, rows.size())) {
           double[] values =
               Arrays.stream(row.split(",")).mapToDouble(Double::parseDouble).toArray();
@@ -137,7 +137,7 @@ class FisFilesTest {
     FuzzySystem small = FisReader.parse(SMALL, "small.fis");
     assertThat(small.name()).isEqualTo("small");
     assertThat(small.inputs().get(0).terms().get(0).function())
-        .isEqualTo(new Membership(MembershipType.TRIMF, List.of(-1.0, -0.5, 0.0)));
+        .isEqualTo(new MembershipFunction(MembershipFunctionType.TRIMF, List.of(-1.0, -0.5, 0.0)));
     assertThat(small.rules().get(1))
         .isEqualTo(new Rule(List.of(-2), List.of(1), 0.5, Rule.Connective.OR));
   }
@@ -195,7 +195,12 @@ class FisFilesTest {
     FuzzySystem small = FisReader.parse(SMALL, "small.fis");
     FuzzySystem odd =
         new FuzzySystem(
-            "it's", small.type(), small.methods(), small.inputs(), small.outputs(), small.rules());
+            "it's",
+            small.type(),
+            small.operators(),
+            small.inputs(),
+            small.outputs(),
+            small.rules());
     assertThatThrownBy(() -> FisWriter.text(odd)).hasMessageContaining("holds a quote");
   }
 }

@@ -7,7 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.Random;
-import org.dfra.behaviors.fuzzy.Methods.Defuzzification;
+import org.dfra.behaviors.fuzzy.Operators.Defuzzification;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -24,31 +24,31 @@ class InferenceTest {
             0,
             10,
             List.of(
-                set("poor", MembershipType.GAUSSMF, 1.5, 0.0),
-                set("good", MembershipType.GAUSSMF, 1.5, 5.0),
-                set("excellent", MembershipType.GAUSSMF, 1.5, 10.0)));
+                set("poor", MembershipFunctionType.GAUSSMF, 1.5, 0.0),
+                set("good", MembershipFunctionType.GAUSSMF, 1.5, 5.0),
+                set("excellent", MembershipFunctionType.GAUSSMF, 1.5, 10.0)));
     Variable food =
         new Variable(
             "food",
             0,
             10,
             List.of(
-                set("rancid", MembershipType.TRAPMF, -2.0, 0.0, 1.0, 3.0),
-                set("delicious", MembershipType.TRAPMF, 7.0, 9.0, 10.0, 12.0)));
+                set("rancid", MembershipFunctionType.TRAPMF, -2.0, 0.0, 1.0, 3.0),
+                set("delicious", MembershipFunctionType.TRAPMF, 7.0, 9.0, 10.0, 12.0)));
     Variable tip =
         new Variable(
             "tip",
             0,
             30,
             List.of(
-                set("cheap", MembershipType.TRIMF, 0.0, 5.0, 10.0),
-                set("average", MembershipType.TRIMF, 10.0, 15.0, 20.0),
-                set("generous", MembershipType.TRIMF, 20.0, 25.0, 30.0)));
-    Methods usual = Methods.MAMDANI;
+                set("cheap", MembershipFunctionType.TRIMF, 0.0, 5.0, 10.0),
+                set("average", MembershipFunctionType.TRIMF, 10.0, 15.0, 20.0),
+                set("generous", MembershipFunctionType.TRIMF, 20.0, 25.0, 30.0)));
+    Operators usual = Operators.MAMDANI;
     return new FuzzySystem(
         "tipper",
         FuzzySystem.Type.MAMDANI,
-        new Methods(
+        new Operators(
             usual.and(), usual.or(), usual.implication(), usual.aggregation(), defuzzification),
         List.of(service, food),
         List.of(tip),
@@ -58,8 +58,8 @@ class InferenceTest {
             new Rule(List.of(3, 2), List.of(3), 1, Rule.Connective.OR)));
   }
 
-  private static Term set(String name, MembershipType type, Double... parameters) {
-    return new Term(name, new Membership(type, List.of(parameters)));
+  private static Term set(String name, MembershipFunctionType type, Double... parameters) {
+    return new Term(name, new MembershipFunction(type, List.of(parameters)));
   }
 
   private static double tip(FuzzySystem system, double service, double food) {
@@ -112,17 +112,18 @@ class InferenceTest {
         new FuzzySystem(
             "silent",
             FuzzySystem.Type.MAMDANI,
-            Methods.MAMDANI,
-            List.of(
-                new Variable("x", 0, 10, List.of(set("low", MembershipType.TRIMF, 0.0, 1.0, 2.0)))),
+            Operators.MAMDANI,
             List.of(
                 new Variable(
-                    "y", -2, 8, List.of(set("some", MembershipType.TRIMF, 0.0, 1.0, 2.0)))),
+                    "x", 0, 10, List.of(set("low", MembershipFunctionType.TRIMF, 0.0, 1.0, 2.0)))),
+            List.of(
+                new Variable(
+                    "y", -2, 8, List.of(set("some", MembershipFunctionType.TRIMF, 0.0, 1.0, 2.0)))),
             List.of(new Rule(List.of(1), List.of(1), 1, Rule.Connective.AND)));
     double[] y = new double[1];
-    silent.inference(Engine.MATLAB).evaluate(new double[] {5}, y);
+    silent.inference(ToolboxCompatibility.MATLAB).evaluate(new double[] {5}, y);
     assertThat(y[0]).isEqualTo(3);
-    silent.inference(Engine.OCTAVE).evaluate(new double[] {5}, y);
+    silent.inference(ToolboxCompatibility.OCTAVE).evaluate(new double[] {5}, y);
     assertThat(y[0]).isNaN();
   }
 
@@ -162,7 +163,7 @@ class InferenceTest {
                 new FuzzySystem(
                     "t",
                     good.type(),
-                    good.methods(),
+                    good.operators(),
                     good.inputs(),
                     good.outputs(),
                     List.of(new Rule(List.of(1, 3), List.of(1), 1, Rule.Connective.AND))))
@@ -170,9 +171,10 @@ class InferenceTest {
     assertThatThrownBy(
             () ->
                 new FuzzySystem(
-                    "t", good.type(), Methods.SUGENO, good.inputs(), good.outputs(), List.of()))
+                    "t", good.type(), Operators.SUGENO, good.inputs(), good.outputs(), List.of()))
         .hasMessage("the defuzzification wtaver is not for a system of type mamdani");
-    assertThatThrownBy(() -> new Membership(MembershipType.TRIMF, List.of(1.0, 0.0, 2.0)))
+    assertThatThrownBy(
+            () -> new MembershipFunction(MembershipFunctionType.TRIMF, List.of(1.0, 0.0, 2.0)))
         .hasMessage("trimf [a, b, c] wants a ≤ b ≤ c, not [1.0, 0.0, 2.0]");
     assertThatThrownBy(() -> new Rule(List.of(1), List.of(1), 1.5, Rule.Connective.AND))
         .hasMessage("the weight 1.5 is not from 0 to 1");

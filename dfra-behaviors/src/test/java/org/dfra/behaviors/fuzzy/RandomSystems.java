@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
-import org.dfra.behaviors.fuzzy.Methods.Defuzzification;
+import org.dfra.behaviors.fuzzy.Operators.Defuzzification;
 
 /** Fuzzy systems of every kind, drawn by a seed. */
 final class RandomSystems {
@@ -28,14 +28,14 @@ final class RandomSystems {
             .toList();
     List<Defuzzification> fitting =
         Arrays.stream(Defuzzification.values())
-            .filter(each -> each.isOfSugeno() == isSugeno)
+            .filter(each -> each.isSugenoOnly() == isSugeno)
             .toList();
-    Methods methods =
-        new Methods(
-            one(Methods.And.values()),
-            one(Methods.Or.values()),
-            one(Methods.Implication.values()),
-            one(Methods.Aggregation.values()),
+    Operators methods =
+        new Operators(
+            one(Operators.And.values()),
+            one(Operators.Or.values()),
+            one(Operators.Implication.values()),
+            one(Operators.Aggregation.values()),
             fitting.get(random.nextInt(fitting.size())));
     List<Rule> rules = new ArrayList<>();
     for (int i = random.nextInt(12); i >= 0; i--) {
@@ -84,8 +84,8 @@ final class RandomSystems {
             IntStream.rangeClosed(0, inputs).mapToObj(i -> random.nextGaussian()).toList());
   }
 
-  private Membership membership(double low, double high) {
-    MembershipType type = one(MembershipType.values());
+  private MembershipFunction membership(double low, double high) {
+    MembershipFunctionType type = one(MembershipFunctionType.values());
     double[] places =
         IntStream.range(0, 4)
             .mapToDouble(i -> low + (random.nextDouble() * 1.4 - 0.2) * (high - low))
@@ -109,6 +109,6 @@ final class RandomSystems {
                   ? List.of(places[2], places[0])
                   : List.of(places[0], places[2]);
         };
-    return new Membership(type, parameters);
+    return new MembershipFunction(type, parameters);
   }
 }

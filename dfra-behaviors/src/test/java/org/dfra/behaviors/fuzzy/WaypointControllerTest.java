@@ -47,7 +47,7 @@ class WaypointControllerTest {
         .containsExactly("left", "centre", "right", "heading_error");
     assertThat(CONTROLLER.outputs()).extracting(Variable::name).containsExactly("tr", "rv");
     assertThat(CONTROLLER.type()).isEqualTo(FuzzySystem.Type.MAMDANI);
-    assertThat(CONTROLLER.methods()).isEqualTo(Methods.MAMDANI);
+    assertThat(CONTROLLER.operators()).isEqualTo(Operators.MAMDANI);
   }
 
   @Test
@@ -157,7 +157,8 @@ class WaypointControllerTest {
   /** The design that it was written from, as MATLAB's arithmetic and Octave's evaluate it. */
   @ParameterizedTest
   @CsvSource({"MATLAB, 6", "OCTAVE, 4"})
-  void agreesWithTheDesignItWasWrittenFrom(Engine engine, int column) throws Exception {
+  void agreesWithTheDesignItWasWrittenFrom(ToolboxCompatibility engine, int column)
+      throws Exception {
     assumeTrue(Files.exists(REFERENCE), "the folder with others' fuzzy systems is absent");
     Inference inference = CONTROLLER.inference(engine);
     double[] command = new double[2];

@@ -86,7 +86,7 @@ class FuzzyDriveTest {
       assertThat(advice.velocity().speed())
           .as("seed %s", seed)
           .isCloseTo(Math.max(0, Math.min(1, out[0])) * 0.5, within(1e-12));
-      assertThat(advice.velocity().turnRate())
+      assertThat(advice.velocity().yawRate())
           .as("seed %s", seed)
           .isCloseTo(Math.max(-1, Math.min(1, out[1])) * 2, within(1e-12));
       assertThat(advice.measured()).as("the older percept's").isEqualTo(Instant.EPOCH);
@@ -96,11 +96,11 @@ class FuzzyDriveTest {
   @Test
   void turnsToWhereTheHeadingIsAndAwayFromWhatIsNear() {
     FuzzyDriveImpl drive = drive(ScriptedRobot.rules());
-    assertThat(drive.advise(room(8, 8, 8), heading(1)).velocity().turnRate())
+    assertThat(drive.advise(room(8, 8, 8), heading(1)).velocity().yawRate())
         .as("to the left")
         .isPositive();
-    assertThat(drive.advise(room(8, 8, 8), heading(-1)).velocity().turnRate()).isNegative();
-    assertThat(drive.advise(room(8, 0.6, 0.5), heading(0)).velocity().turnRate())
+    assertThat(drive.advise(room(8, 8, 8), heading(-1)).velocity().yawRate()).isNegative();
+    assertThat(drive.advise(room(8, 0.6, 0.5), heading(0)).velocity().yawRate())
         .as("away from the right")
         .isPositive();
   }
@@ -120,7 +120,7 @@ class FuzzyDriveTest {
             + "[Rules]\n2 0 0 0, 2 1 (1) : 1\n");
     // Facing to the right of where it is to go, so "up": turn left, slowly.
     DriveAdvice advice = drive(other).advise(room(8, 8, 8), heading(Math.toRadians(170)));
-    assertThat(advice.velocity().turnRate()).as("%s", advice).isPositive();
+    assertThat(advice.velocity().yawRate()).as("%s", advice).isPositive();
     assertThat(advice.velocity().speed()).as("%s", advice).isBetween(0.0, 0.25);
     assertThat(advice.reason()).contains("heading_error", "rv", "tr");
   }

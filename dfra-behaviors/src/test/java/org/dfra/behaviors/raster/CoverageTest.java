@@ -26,7 +26,7 @@ class CoverageTest {
   @Test
   void oneStraightWaySeesAStripOfItsWidth() {
     Coverage coverage = PLAN.coverage(List.of(at(-30, 3), at(30, 3)), 4);
-    assertThat(coverage.share()).isCloseTo(0.2, within(2 * coverage.cell() / 20));
+    assertThat(coverage.share()).isCloseTo(0.2, within(2 * coverage.cellSize() / 20));
     assertThat(coverage.overlap()).isZero();
   }
 
@@ -40,19 +40,19 @@ class CoverageTest {
   void twoStripsOverlapWhereTheyDo() {
     Coverage coverage = PLAN.coverage(List.of(at(-30, 1), at(30, 1), at(30, -2), at(-30, -2)), 4);
     // the first from −1 to 3, the second from −4 to 0
-    assertThat(coverage.share()).isCloseTo(7 / 20.0, within(2 * coverage.cell() / 20));
-    assertThat(coverage.overlap()).isCloseTo(1 / 20.0, within(2 * coverage.cell() / 20));
+    assertThat(coverage.share()).isCloseTo(7 / 20.0, within(2 * coverage.cellSize() / 20));
+    assertThat(coverage.overlap()).isCloseTo(1 / 20.0, within(2 * coverage.cellSize() / 20));
   }
 
   @Test
   void theMapShowsWhatTheShareCounts() {
     List<LocalPosition> way = List.of(at(-30, 1), at(30, 1), at(30, -2), at(-30, -2));
     CoverageMap map = PLAN.coverageMap(way, 4);
-    assertThat(map.share()).isCloseTo(7 / 20.0, within(2 * map.cell() / 20));
+    assertThat(map.share()).isCloseTo(7 / 20.0, within(2 * map.cellSize() / 20));
     assertThat(map.west()).isCloseTo(-10, within(1e-3));
-    assertThat(map.north()).isBetween(9.999, 10 + map.cell());
+    assertThat(map.north()).isBetween(9.999, 10 + map.cellSize());
     for (int row = 0; row < map.passes().size(); row++) {
-      double north = map.south() + (row + 0.5) * map.cell();
+      double north = map.south() + (row + 0.5) * map.cellSize();
       int passes = (Math.abs(north - 1) < 2 ? 1 : 0) + (Math.abs(north + 2) < 2 ? 1 : 0);
       if (north < 10 && Math.abs(Math.abs(north - 1) - 2) > 0.01) {
         assertThat(map.passes().get(row)).as("north %s", north).startsWith(passes, passes);
@@ -121,7 +121,9 @@ class CoverageTest {
     Region region = Field.region(0, 0, east, north, east, north + width, 0, width);
     RasterPlan plan = RasterPlan.of(region, 2, 2, Math.atan2(north, east));
     Coverage whole = plan.coverage(plan.path(), 2);
-    assertThat(whole.cell()).as("few middles of squares are inside, if any").isGreaterThan(width);
+    assertThat(whole.cellSize())
+        .as("few middles of squares are inside, if any")
+        .isGreaterThan(width);
     // the middle of a square at its end lies outside, where the robot need not look
     assertThat(whole.share()).isCloseTo(1, within(2e-3));
     assertThat(plan.coverage(List.of(at(-1000, 1000)), 2).share()).isZero();

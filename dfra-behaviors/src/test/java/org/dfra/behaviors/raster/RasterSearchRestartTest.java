@@ -21,11 +21,11 @@ class RasterSearchRestartTest extends RasterSearchFixture {
     RasterSearchImpl first = addSearch(Map.of());
     UUID unused = first.pursue(FIELD);
     assertThat(robot.hears(first, "lane 3 of ", LONG)).isTrue();
-    double done = first.status().done();
+    double done = first.status().completion();
     assertThat(done).isPositive();
     RasterSearchImpl second = crash(first);
     assertThat(second.status().phase()).isEqualTo(Phase.RUNNING);
-    assertThat(second.status().done()).isEqualTo(done);
+    assertThat(second.status().completion()).isEqualTo(done);
     assertThat(robot.hears(second, "lane 3 of ", 2)).as("%s", second.status()).isTrue();
     assertThat(robot.reaches(second, Phase.SUCCEEDED, LONG)).as("%s", second.status()).isTrue();
   }
@@ -42,14 +42,14 @@ class RasterSearchRestartTest extends RasterSearchFixture {
     assertThat(robot.hears(first, "lane 2 of ", LONG)).isTrue();
     UUID path = follow.status().goal();
     dieAlone(first);
-    double done = follow.status().done();
-    assertThat(robot.time.until(() -> follow.status().done() > done + 0.3, LONG))
+    double done = follow.status().completion();
+    assertThat(robot.time.until(() -> follow.status().completion() > done + 0.3, LONG))
         .as("it is driven on meanwhile")
         .isTrue();
     RasterSearchImpl second = addSearch(Map.of());
     robot.time.step(1);
     assertThat(second.status().phase()).isEqualTo(Phase.RUNNING);
-    assertThat(second.status().done()).isCloseTo(follow.status().done(), within(0.2));
+    assertThat(second.status().completion()).isCloseTo(follow.status().completion(), within(0.2));
     assertThat(follow.status().goal()).isEqualTo(path);
     assertThat(robot.reaches(second, Phase.SUCCEEDED, LONG)).as("%s", second.status()).isTrue();
     assertThat(follow.status().goal()).as("no other was begun").isEqualTo(path);
@@ -77,7 +77,7 @@ class RasterSearchRestartTest extends RasterSearchFixture {
     dieAlone(first);
     Object stopped = robot.drive.emergencyStop("a test");
     assertThat(robot.reaches(follow, Phase.CANCELLED, 2)).as("%s", stopped).isTrue();
-    Object released = robot.drive.releaseStop("a test");
+    Object released = robot.drive.releaseEmergencyStop("a test");
     RasterSearchImpl second = addSearch(Map.of());
     assertThat(robot.reaches(second, Phase.PAUSED, 2)).as("%s", released).isTrue();
     double stood = robot.north;
@@ -96,7 +96,7 @@ class RasterSearchRestartTest extends RasterSearchFixture {
     dieAlone(first);
     robot.setAhead("drive", Duration.ofHours(-1)); // no clock has a part in this
     Object stopped = robot.drive.emergencyStop("a test");
-    Object released = robot.drive.releaseStop("a test");
+    Object released = robot.drive.releaseEmergencyStop("a test");
     robot.show(robot.drive);
     RasterSearchImpl second = addSearch(Map.of());
     assertThat(robot.reaches(second, Phase.PAUSED, 2))
@@ -109,7 +109,7 @@ class RasterSearchRestartTest extends RasterSearchFixture {
     robot.hide(follow);
     RasterSearchImpl search = addSearch(Map.of());
     robot.time.step(2);
-    assertThat(search.status().doing()).contains("it needs a FollowWaypoints on atrv1");
+    assertThat(search.status().activity()).contains("it needs a FollowWaypoints on atrv1");
     robot.show(follow);
     return search;
   }
@@ -173,7 +173,7 @@ class RasterSearchRestartTest extends RasterSearchFixture {
     robot.states.get("raster_search").write("raster", kept);
     RasterSearchImpl second = addSearch(Map.of());
     robot.time.step(3);
-    assertThat(second.status().doing()).contains("it needs a FollowWaypoints on atrv1");
+    assertThat(second.status().activity()).contains("it needs a FollowWaypoints on atrv1");
     follow = robot.add(new FollowWaypointsImpl(robot.context("follow_again", Map.of())));
     assertThat(robot.reaches(second, Phase.SUCCEEDED, LONG)).as("%s", second.status()).isTrue();
   }

@@ -22,7 +22,8 @@ class RasterSearchTest extends RasterSearchFixture {
     assertThat(robot.hears(search, "lane 2 of ", LONG)).isTrue();
     assertThat(robot.reaches(search, Phase.SUCCEEDED, LONG)).as("%s", search.status()).isTrue();
     assertThat(search.status().goal()).isEqualTo(goal);
-    assertThat(search.status().doing()).isEqualTo("the region is searched: it has been everywhere");
+    assertThat(search.status().activity())
+        .isEqualTo("the region is searched: it has been everywhere");
     assertThat(goTo.status().phase()).isEqualTo(Phase.SUCCEEDED);
     robot.end(search);
     RasterSearchImpl next = addSearch(Map.of());
@@ -36,23 +37,23 @@ class RasterSearchTest extends RasterSearchFixture {
     UUID unused = first.pursue(FIELD);
     assertThat(robot.hears(first, "waypoint 3 of ", LONG)).isTrue();
     robot.isHeld = true;
-    assertThat(robot.time.until(() -> first.status().missed() == 1, LONG)).isTrue();
+    assertThat(robot.time.until(() -> first.status().skippedParts() == 1, LONG)).isTrue();
     robot.isHeld = false;
     first.pause();
     first.resume();
     assertThat(robot.hears(first, "waypoint 5 of " + WAYPOINTS, LONG))
         .as("counted through the whole search: %s", first.status())
         .isTrue();
-    assertThat(first.status().missed()).isEqualTo(1);
-    assertThat(first.status().partsDone()).isEqualTo(4);
-    assertThat(first.status().parts()).isEqualTo(WAYPOINTS);
+    assertThat(first.status().skippedParts()).isEqualTo(1);
+    assertThat(first.status().completedParts()).isEqualTo(4);
+    assertThat(first.status().totalParts()).isEqualTo(WAYPOINTS);
     RasterSearchImpl second = crash(first);
-    assertThat(second.status().missed()).isEqualTo(1);
-    assertThat(second.status().partsDone()).isEqualTo(4);
-    assertThat(second.status().parts()).isEqualTo(WAYPOINTS);
+    assertThat(second.status().skippedParts()).isEqualTo(1);
+    assertThat(second.status().completedParts()).isEqualTo(4);
+    assertThat(second.status().totalParts()).isEqualTo(WAYPOINTS);
     assertThat(robot.reaches(second, Phase.SUCCEEDED, LONG)).as("%s", second.status()).isTrue();
-    assertThat(second.status().missed()).isEqualTo(1);
-    assertThat(second.status().doing())
+    assertThat(second.status().skippedParts()).isEqualTo(1);
+    assertThat(second.status().activity())
         .isEqualTo("the region is searched: 1 of " + WAYPOINTS + " waypoints left out, barred");
   }
 
@@ -66,8 +67,8 @@ class RasterSearchTest extends RasterSearchFixture {
     robot.isHeld = true;
     search.resume();
     assertThat(robot.reaches(search, Phase.SUCCEEDED, LONG)).as("%s", search.status()).isTrue();
-    assertThat(search.status().missed()).isEqualTo(1);
-    assertThat(search.status().doing()).contains("1 of " + WAYPOINTS);
+    assertThat(search.status().skippedParts()).isEqualTo(1);
+    assertThat(search.status().activity()).contains("1 of " + WAYPOINTS);
   }
 
   @Test
@@ -77,8 +78,8 @@ class RasterSearchTest extends RasterSearchFixture {
     RasterSearchImpl search = addSearch(Map.of());
     UUID unused = search.pursue(FIELD);
     assertThat(robot.reaches(search, Phase.FAILED, LONG)).as("%s", search.status()).isTrue();
-    assertThat(search.status().missed()).isEqualTo(WAYPOINTS);
-    assertThat(search.status().doing()).isEqualTo("it could get to none of its waypoints");
+    assertThat(search.status().skippedParts()).isEqualTo(WAYPOINTS);
+    assertThat(search.status().activity()).isEqualTo("it could get to none of its waypoints");
   }
 
   private void giveUpAtOnce() {
@@ -93,9 +94,9 @@ class RasterSearchTest extends RasterSearchFixture {
     assertThat(robot.hears(search, "lane 2 of ", LONG)).isTrue();
     Object stopped = robot.drive.emergencyStop("a test");
     assertThat(robot.reaches(search, Phase.PAUSED, 2)).as("%s", stopped).isTrue();
-    assertThat(search.status().doing())
+    assertThat(search.status().activity())
         .startsWith("its path was cancelled: its leg was cancelled: atrv1/drive is stopped");
-    Object released = robot.drive.releaseStop("a test");
+    Object released = robot.drive.releaseEmergencyStop("a test");
     double stood = robot.north;
     robot.time.step(5);
     assertThat(robot.north).as("%s", released).isEqualTo(stood);
@@ -145,7 +146,7 @@ class RasterSearchTest extends RasterSearchFixture {
     RasterSearchImpl search = addSearch(Map.of("position", "elsewhere"));
     UUID unused = search.pursue(onAnotherContinent());
     assertThat(robot.reaches(search, Phase.FAILED, 2)).as("%s", search.status()).isTrue();
-    assertThat(search.status().doing()).contains("km from the robot at");
+    assertThat(search.status().activity()).contains("km from the robot at");
     assertThat(robot.drive.told).isEmpty();
   }
 }

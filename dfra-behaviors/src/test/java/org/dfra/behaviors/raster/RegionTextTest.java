@@ -19,7 +19,7 @@ class RegionTextTest {
         " 48.0001, 11.0002 ; 48.0003 ,11.0002\n+48.0003,11.0005 48.0001,11.0002 "
       })
   void readsPairsOfLatitudeAndLongitude(String text) {
-    assertThat(RegionText.parse(text).corners())
+    assertThat(RegionParser.parse(text).corners())
         .containsExactly(
             new GeoPosition(48.0001, 11.0002, 0),
             new GeoPosition(48.0003, 11.0002, 0),
@@ -47,7 +47,7 @@ class RegionTextTest {
         "48,11 48.0001,11|a region of 2 different corners encloses nothing; give three or more"
       })
   void saysWhatIsNoRegion(String text, String message) {
-    assertThatThrownBy(() -> RegionText.parse(text))
+    assertThatThrownBy(() -> RegionParser.parse(text))
         .isInstanceOf(GoalRefusedException.class)
         .hasMessage(message);
   }

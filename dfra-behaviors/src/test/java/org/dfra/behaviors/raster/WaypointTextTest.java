@@ -22,6 +22,6 @@ class WaypointTextTest {
       String doing, int done, int parts, String expected) {
     BehaviorStatus path =
         new BehaviorStatus(Instant.EPOCH, null, Phase.RUNNING, doing, 0, 0, null, done, parts);
-    assertThat(WaypointText.amongAll(path, 5, 8)).isEqualTo(expected);
+    assertThat(WaypointText.positionInWhole(path, 5, 8)).isEqualTo(expected);
   }
 }

@@ -16,8 +16,8 @@ import org.dfra.behaviors.ScriptedRobot;
 import org.dfra.behaviors.raster.RasterSearchImpl;
 import org.dfra.core.behavior.BehaviorImpl;
 import org.dfra.core.behavior.DriveInterlock;
-import org.dfra.core.behavior.Progress;
-import org.dfra.core.behavior.Pursuit;
+import org.dfra.core.behavior.GoalExecution;
+import org.dfra.core.behavior.GoalProgress;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.DriveCommand.Brake;
@@ -67,7 +67,7 @@ class BrakeTest {
 
   private void staysPausedByTheBrake(BehaviorImpl<?> behavior) {
     assertThat(robot.reaches(behavior, Phase.PAUSED, 2)).as("%s", behavior.status()).isTrue();
-    assertThat(behavior.status().doing()).contains("atrv1/drive has its brake set");
+    assertThat(behavior.status().activity()).contains("atrv1/drive has its brake set");
     staysWhereItIs();
     assertThat(behavior.status().phase()).isEqualTo(Phase.PAUSED);
   }
@@ -156,13 +156,13 @@ class BrakeTest {
     robot.seesRoom = false;
     assertThat(robot.hears(goTo, "it waits: atrv1/range_filter", 1)).isTrue();
     Object stopped = robot.drive.emergencyStop("a test");
-    Object released = robot.drive.releaseStop("a test");
+    Object released = robot.drive.releaseEmergencyStop("a test");
     robot.time.step(1);
     robot.seesRoom = true;
     assertThat(robot.reaches(goTo, Phase.CANCELLED, 2))
         .as("%s %s %s", stopped, released, goTo.status())
         .isTrue();
-    assertThat(goTo.status().doing())
+    assertThat(goTo.status().activity())
         .contains("its drive was stopped for an emergency after the goal was begun");
     staysWhereItIs();
     UUID again = goTo.pursue(TEN_METRES);
@@ -178,7 +178,7 @@ class BrakeTest {
     robot.end(goTo);
     assertThat(robot.hears(follow, "it waits: atrv1/go_to_waypoint", 1)).isTrue();
     Object stopped = robot.drive.emergencyStop("a test");
-    Object released = robot.drive.releaseStop("a test");
+    Object released = robot.drive.releaseEmergencyStop("a test");
     goTo = robot.addGoTo(Map.of());
     assertThat(robot.reaches(follow, Phase.CANCELLED, 2))
         .as("%s %s %s", stopped, released, follow.status())
@@ -244,7 +244,7 @@ class BrakeTest {
     robot.end(follow);
     robot.states.get("raster_search").write("raster", kept);
     Object stopped = robot.drive.emergencyStop("a test");
-    Object released = robot.drive.releaseStop("a test");
+    Object released = robot.drive.releaseEmergencyStop("a test");
     follow = addFollow();
     RasterSearchImpl second = addSearch();
     assertThat(robot.reaches(second, Phase.PAUSED, 2))
@@ -277,7 +277,7 @@ class BrakeTest {
 
   private void stopAndRelease() {
     Object stopped = robot.drive.emergencyStop("a test");
-    Object released = robot.drive.releaseStop("a test");
+    Object released = robot.drive.releaseEmergencyStop("a test");
     assertThat(List.of(stopped, released)).doesNotContainNull();
   }
 
@@ -345,15 +345,15 @@ class BrakeTest {
     }
 
     @Override
-    protected Pursuit begin(LegGoal goal) {
-      return new Pursuit() {
+    protected GoalExecution startGoal(LegGoal goal) {
+      return new GoalExecution() {
         @Override
-        public Progress step() {
-          return Progress.reached("it has panned");
+        public GoalProgress step() {
+          return GoalProgress.reached("it has panned");
         }
 
         @Override
-        public void rest() {}
+        public void suspend() {}
       };
     }
 
@@ -376,11 +376,11 @@ class BrakeTest {
   @Test
   void theBrakeIsLeftToWhoeverCommandsTheWheels() throws Exception {
     robot.drive.switchBrake(true);
-    try (CommandLease other = robot.drive.command(java.time.Duration.ofSeconds(10))) {
+    try (CommandLease other = robot.drive.acquireCommandLease(java.time.Duration.ofSeconds(10))) {
       UUID unused = goTo.pursue(TEN_METRES);
       robot.time.step(2);
       assertThat(robot.drive.braked).isEmpty();
-      robot.drive.obey(other.key(), new Brake(false));
+      robot.drive.execute(other.key(), new Brake(false));
     }
     assertThat(robot.reaches(goTo, Phase.SUCCEEDED, 60)).as("%s", goTo.status()).isTrue();
   }

@@ -27,7 +27,7 @@ class ClearanceMarginTest {
   }
 
   private void drive(double speed) {
-    margin.commanded(new Velocity(speed, 0), nanos);
+    margin.recordCommand(new Velocity(speed, 0), nanos);
   }
 
   private void pass(double seconds) {

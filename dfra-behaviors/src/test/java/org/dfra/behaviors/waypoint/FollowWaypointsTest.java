@@ -42,13 +42,13 @@ class FollowWaypointsTest {
     UUID goal = follow.pursue(THREE);
     assertThat(robot.hears(follow, "waypoint 2 of 3", 60)).isTrue();
     assertThat(robot.distanceTo(6, 0)).isLessThan(0.5);
-    assertThat(follow.status().done()).isBetween(1 / 3.0, 0.5);
-    assertThat(follow.status().partsDone()).isEqualTo(1);
-    assertThat(follow.status().parts()).isEqualTo(3);
+    assertThat(follow.status().completion()).isBetween(1 / 3.0, 0.5);
+    assertThat(follow.status().completedParts()).isEqualTo(1);
+    assertThat(follow.status().totalParts()).isEqualTo(3);
     assertThat(robot.reaches(follow, Phase.SUCCEEDED, 90)).as("%s", follow.status()).isTrue();
     assertThat(follow.status().goal()).isEqualTo(goal);
-    assertThat(follow.status().partsDone()).isEqualTo(3);
-    assertThat(follow.status().doing()).isEqualTo("it has been everywhere");
+    assertThat(follow.status().completedParts()).isEqualTo(3);
+    assertThat(follow.status().activity()).isEqualTo("it has been everywhere");
     assertThat(robot.distanceTo(0, 6)).isLessThanOrEqualTo(0.4);
     assertThat(goTo.status().phase()).isEqualTo(Phase.SUCCEEDED);
   }
@@ -63,8 +63,8 @@ class FollowWaypointsTest {
     assertThat(robot.hears(follow, "waypoint 3 of 3", 60)).isTrue();
     robot.isHeld = false;
     assertThat(robot.reaches(follow, Phase.SUCCEEDED, 90)).as("%s", follow.status()).isTrue();
-    assertThat(follow.status().doing()).isEqualTo("1 of 3 waypoints left out, barred");
-    assertThat(follow.status().missed()).isEqualTo(1);
+    assertThat(follow.status().activity()).isEqualTo("1 of 3 waypoints left out, barred");
+    assertThat(follow.status().skippedParts()).isEqualTo(1);
     assertThat(robot.distanceTo(0, 6)).isLessThanOrEqualTo(0.4);
   }
 
@@ -75,8 +75,8 @@ class FollowWaypointsTest {
     robot.isHeld = true;
     UUID unused = follow.pursue(THREE);
     assertThat(robot.reaches(follow, Phase.FAILED, 90)).as("%s", goTo.status()).isTrue();
-    assertThat(follow.status().doing()).isEqualTo("it could get to none of its waypoints");
-    assertThat(follow.status().missed()).isEqualTo(3);
+    assertThat(follow.status().activity()).isEqualTo("it could get to none of its waypoints");
+    assertThat(follow.status().skippedParts()).isEqualTo(3);
   }
 
   @Test
@@ -96,7 +96,7 @@ class FollowWaypointsTest {
     GoToWaypointImpl second = robot.addGoTo(Map.of());
     assertThat(robot.reaches(follow, Phase.SUCCEEDED, 90)).as("%s", follow.status()).isTrue();
     assertThat(follow.status().goal()).isEqualTo(goal);
-    assertThat(follow.status().doing()).isEqualTo("it has been everywhere");
+    assertThat(follow.status().activity()).isEqualTo("it has been everywhere");
     assertThat(second.status().phase()).isEqualTo(Phase.SUCCEEDED);
   }
 
@@ -136,7 +136,8 @@ class FollowWaypointsTest {
     robot.time.step(2);
     goTo.cancel();
     assertThat(robot.reaches(follow, Phase.CANCELLED, 1)).isTrue();
-    assertThat(follow.status().doing()).isEqualTo("its leg was cancelled: it was told to give up");
+    assertThat(follow.status().activity())
+        .isEqualTo("its leg was cancelled: it was told to give up");
   }
 
   @Test

@@ -38,24 +38,24 @@ class GoToWaypointTest {
     GoToWaypointImpl goTo = robot.addGoTo(Map.of());
     UUID goal = goTo.pursue(TEN_METRES);
     robot.time.step(3);
-    assertThat(robot.drive.drive().commander()).isNotNull();
+    assertThat(robot.drive.driveState().commander()).isNotNull();
     assertThat(robot.reaches(goTo, Phase.SUCCEEDED, 60)).as("%s", goTo.status()).isTrue();
     assertThat(goTo.status().goal()).isEqualTo(goal);
     assertThat(robot.distanceTo(10, 0)).isLessThanOrEqualTo(0.4);
-    assertThat(robot.drive.drive().commander()).isNull();
+    assertThat(robot.drive.driveState().commander()).isNull();
     assertThat(robot.drive.turning).isEqualTo(Velocity.ZERO);
   }
 
   @Test
   void stopsWhenItsTimeLimitHasPassedThoughNobodyEndsIt() throws Exception {
     GoToWaypointImpl goTo = robot.addGoTo(Map.of());
-    UUID unused = goTo.pursue(TEN_METRES.within(Duration.ofSeconds(4)));
+    UUID unused = goTo.pursue(TEN_METRES.withTimeLimit(Duration.ofSeconds(4)));
     robot.time.step(3);
     assertThat(goTo.status().phase()).isEqualTo(Phase.RUNNING);
     assertThat(robot.east).isGreaterThan(0.2);
     assertThat(robot.reaches(goTo, Phase.FAILED, 1.5)).as("%s", goTo.status()).isTrue();
-    assertThat(goTo.status().doing()).isEqualTo("its time limit of 4.0 s has passed");
-    assertThat(robot.drive.drive().commander()).as("the wheels are let go").isNull();
+    assertThat(goTo.status().activity()).isEqualTo("its time limit of 4.0 s has passed");
+    assertThat(robot.drive.driveState().commander()).as("the wheels are let go").isNull();
     double stopped = robot.east;
     robot.time.step(5);
     assertThat(robot.east).isEqualTo(stopped);
@@ -64,10 +64,10 @@ class GoToWaypointTest {
   @Test
   void drivesOnWithoutAStopWhereItIsGivenALongerTimeLimit() throws Exception {
     GoToWaypointImpl goTo = robot.addGoTo(Map.of());
-    UUID goal = goTo.pursue(TEN_METRES.within(Duration.ofSeconds(4)));
+    UUID goal = goTo.pursue(TEN_METRES.withTimeLimit(Duration.ofSeconds(4)));
     robot.time.step(3);
-    goTo.limit(UUID.randomUUID(), Duration.ofSeconds(100)); // another's
-    goTo.limit(goal, Duration.ofSeconds(4));
+    goTo.setTimeLimit(UUID.randomUUID(), Duration.ofSeconds(100)); // another's
+    goTo.setTimeLimit(goal, Duration.ofSeconds(4));
     double before = robot.east;
     for (int i = 0; i < 30; i++) {
       robot.time.step(0.1);
@@ -75,8 +75,8 @@ class GoToWaypointTest {
     }
     assertThat(robot.east).isGreaterThan(before + 0.3);
     assertThat(robot.reaches(goTo, Phase.FAILED, 1.5)).as("%s", goTo.status()).isTrue();
-    assertThat(goTo.status().doing()).isEqualTo("its time limit of 7.0 s has passed");
-    goTo.limit(goal, Duration.ofSeconds(4));
+    assertThat(goTo.status().activity()).isEqualTo("its time limit of 7.0 s has passed");
+    goTo.setTimeLimit(goal, Duration.ofSeconds(4));
     robot.time.step(1);
     assertThat(goTo.status().phase()).as("what has ended stays so").isEqualTo(Phase.FAILED);
   }
@@ -100,8 +100,8 @@ class GoToWaypointTest {
     double stood = robot.east;
     robot.time.step(20);
     assertThat(robot.east).isEqualTo(stood);
-    assertThat(robot.drive.drive().commander()).as("the wheels are let go").isNull();
-    assertThat(goTo.status().doing())
+    assertThat(robot.drive.driveState().commander()).as("the wheels are let go").isNull();
+    assertThat(goTo.status().activity())
         .isEqualTo("it waits: atrv1/range_filter is INITIALIZING: no Clearance has come for 0.5 s");
     robot.seesRoom = true;
     assertThat(robot.reaches(goTo, Phase.SUCCEEDED, 60)).as("%s", goTo.status()).isTrue();
@@ -151,10 +151,10 @@ class GoToWaypointTest {
   @Test
   void waitsWhileAnotherCommandsTheWheels() throws Exception {
     GoToWaypointImpl goTo = robot.addGoTo(Map.of());
-    try (CommandLease other = robot.drive.command(Duration.ofSeconds(10))) {
+    try (CommandLease other = robot.drive.acquireCommandLease(Duration.ofSeconds(10))) {
       UUID unused = goTo.pursue(TEN_METRES);
       robot.time.step(3);
-      assertThat(goTo.status().doing()).startsWith("it waits: atrv1/drive is commanded by");
+      assertThat(goTo.status().activity()).startsWith("it waits: atrv1/drive is commanded by");
       assertThat(other.isLive()).isTrue();
       assertThat(robot.east).isZero();
     }
@@ -169,9 +169,9 @@ class GoToWaypointTest {
     Object stopped = robot.drive.emergencyStop("a test");
     assertThat(robot.drive.turning).as("%s", stopped).isEqualTo(Velocity.ZERO);
     assertThat(robot.reaches(goTo, Phase.CANCELLED, 1)).isTrue();
-    assertThat(goTo.status().doing()).contains("atrv1/drive", "emergency");
+    assertThat(goTo.status().activity()).contains("atrv1/drive", "emergency");
     double stood = robot.east;
-    Object released = robot.drive.releaseStop("a test");
+    Object released = robot.drive.releaseEmergencyStop("a test");
     robot.time.step(10);
     assertThat(robot.east).as("%s", released).isEqualTo(stood);
     UUID again = goTo.pursue(TEN_METRES);
@@ -185,7 +185,7 @@ class GoToWaypointTest {
     UUID unused = goTo.pursue(TEN_METRES);
     assertThat(robot.time.until(() -> robot.east > 2, 30)).isTrue();
     Object stopped = robot.drive.emergencyStop("a test");
-    Object released = robot.drive.releaseStop("a test");
+    Object released = robot.drive.releaseEmergencyStop("a test");
     double stood = robot.east;
     assertThat(robot.reaches(goTo, Phase.CANCELLED, 1)).as("%s, %s", stopped, released).isTrue();
     robot.time.step(10);
@@ -202,9 +202,9 @@ class GoToWaypointTest {
     assertThat(robot.drive.turning).as("back first").isEqualTo(new Velocity(-0.25, 0));
     robot.time.step(1.5);
     assertThat(robot.drive.turning.speed()).as("then a turn").isZero();
-    double firstTurn = robot.drive.turning.turnRate();
+    double firstTurn = robot.drive.turning.yawRate();
     assertThat(robot.reaches(goTo, Phase.FAILED, 60)).as("%s", goTo.status()).isTrue();
-    assertThat(goTo.status().doing())
+    assertThat(goTo.status().activity())
         .isEqualTo("it cannot get nearer than 10.0 m; something is in the way");
     assertThat(robot.drive.told)
         .as("the second time it turns to the other side")
@@ -219,7 +219,7 @@ class GoToWaypointTest {
     robot.time.step(0.3);
     UUID unused = goTo.pursue(new LegGoal(null, at(0, 10), 0.4)); // to its left
     assertThat(robot.time.until(() -> robot.east > 1.5, 10)).isTrue();
-    assertThat(goTo.status().doing()).startsWith("it drives straight on to learn which way");
+    assertThat(goTo.status().activity()).startsWith("it drives straight on to learn which way");
     assertThat(Math.abs(robot.north)).isLessThan(0.05);
     robot.yawSigma = 0.05;
     assertThat(robot.reaches(goTo, Phase.SUCCEEDED, 60)).as("%s", goTo.status()).isTrue();
@@ -247,7 +247,7 @@ class GoToWaypointTest {
     GoToWaypointImpl goTo = robot.addGoTo(Map.of());
     UUID unused = goTo.pursue(new LegGoal(at(0, 0), at(10, 0), 0.1));
     assertThat(robot.reaches(goTo, Phase.SUCCEEDED, 0.5)).as("%s", goTo.status()).isTrue();
-    assertThat(goTo.status().doing()).isEqualTo("it is there, 0.71 m off");
+    assertThat(goTo.status().activity()).isEqualTo("it is there, 0.71 m off");
   }
 
   @Test

@@ -33,7 +33,7 @@ class ReturnHomeTest {
 
   private static String home(ReturnHomeImpl module) {
     List<Parameter> all = module.parameters();
-    return all.stream().filter(each -> each.name().equals("home")).findFirst().get().text();
+    return all.stream().filter(each -> each.name().equals("home")).findFirst().get().value();
   }
 
   private void move(double east, double north) {

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 
 class StuckWatchTest {
 
-  private final StuckWatch watch = new StuckWatch(6, 40);
+  private final StuckDetector watch = new StuckDetector(6, 40);
 
   private boolean look(double seconds, double along, double error) {
     return watch.isStuck(

@@ -12,9 +12,9 @@ import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.Goal;
 import org.dfra.behavior.GoalRefusedException;
 import org.dfra.behavior.Script;
-import org.dfra.core.chain.Errands;
+import org.dfra.core.chain.DelayedTaskExecutor;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.core.module.Needed;
+import org.dfra.core.module.ModuleDependency;
 import org.dfra.core.module.SchemaImpl;
 import org.dfra.flow.effector.DriveEffector;
 import org.dfra.module.NotReadyException;
@@ -24,10 +24,10 @@ import org.dfra.persona.BehaviorAttributes;
 
 /**
  * Base of every behaviour. It moves along the arrows of {@link Phase}, and gives the {@link
- * Pursuit} of its goal a turn at a rate. Where a percept is missing or too old, a module is out of
- * reach, or another commands an effector, the behaviour comes to rest and says what it waits for.
- * Where an effector is stopped for an emergency, the goal is cancelled, since the release is not to
- * move the robot. Where a parking brake is set, the goal is paused for the same reason.
+ * GoalExecution} of its goal a turn at a rate. Where a percept is missing or too old, a module is
+ * out of reach, or another commands an effector, the behaviour comes to rest and says what it waits
+ * for. Where an effector is stopped for an emergency, the goal is cancelled, since the release is
+ * not to move the robot. Where a parking brake is set, the goal is paused for the same reason.
  *
  * <p>A turn may be held up by a module that does not answer. Nobody waits for it for long: who
  * pauses or cancels is obeyed at once, and the turn comes to rest at its end; a goal is refused as
@@ -43,12 +43,12 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
 
   private final String goalType;
   private final double rate;
-  private final Errands errands;
+  private final DelayedTaskExecutor taskExecutor;
   private final DriveInterlock interlock;
-  private final StatusLine said;
+  private final BehaviorStatusTracker status;
 
-  /** Used under the lock of {@link #said}. */
-  private final GoalMemory memory;
+  /** Used under the lock of {@link #status}. */
+  private final LastGoalStore memory;
 
   private final GoalExecutor executor;
 
@@ -56,7 +56,7 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
    * See {@link org.dfra.core.module.ModuleImpl}.
    *
    * @param goal what it can reach
-   * @param usualRate turns per second where nothing else is written, hertz
+   * @param defaultRate turns per second where nothing else is written, hertz
    */
   protected BehaviorImpl(
       ModuleContext context,
@@ -64,26 +64,29 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
       String author,
       String version,
       Class<G> goal,
-      double usualRate) {
+      double defaultRate) {
     super(context, description, author, version, List.of("BehaviorStatus"));
     this.goalType = goal.getSimpleName();
-    this.rate = settings().number("rate", usualRate, 1, 50);
-    this.errands = new Errands("dfra-errands " + context.path(), context.robotTime());
+    this.rate = settings().number("rate", defaultRate, 1, 50);
+    this.taskExecutor =
+        new DelayedTaskExecutor("dfra-errands " + context.path(), context.robotTime());
     this.interlock =
-        new DriveInterlock(context, Needed.of(context, DriveEffector.class, "drive"), log);
-    this.memory = new GoalMemory(context.state());
-    this.said = new StatusLine(clock(), this::say, this::changed);
-    this.executor = new GoalExecutor(path(), context.robotTime(), rate, said, log, this::survived);
-    declared()
-        .show(
+        new DriveInterlock(
+            context, ModuleDependency.of(context, DriveEffector.class, "drive"), log);
+    this.memory = new LastGoalStore(context.state());
+    this.status = new BehaviorStatusTracker(clock(), this::storeAndPublish, this::changed);
+    this.executor =
+        new GoalExecutor(path(), context.robotTime(), rate, status, log, this::recordException);
+    parameterTable()
+        .declareReadOnly(
             "lateness_p99",
             "seconds that 99 % of the last 600 turns were late at the most",
             () -> String.format(Locale.ROOT, "%.4f", executor.lateness(0.99)));
-    declared()
-        .show(
+    parameterTable()
+        .declareReadOnly(
             "turns_missed",
             "turns that were left out, since others took too long",
-            () -> Long.toString(executor.missed()));
+            () -> Long.toString(executor.missedCycles()));
   }
 
   /**
@@ -92,7 +95,7 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
    * @throws GoalRefusedException if it cannot be reached; nothing has moved
    * @throws NotReadyException if a module that is needed is not there; nothing has moved
    */
-  protected abstract Pursuit begin(G goal) throws RemoteException;
+  protected abstract GoalExecution startGoal(G goal) throws RemoteException;
 
   /**
    * A goal that has begun is about to be pursued for the first time, or a paused one again because
@@ -134,53 +137,53 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   }
 
   /** What it says of itself besides what every behaviour does; from memory. */
-  protected List<? extends Attributes> behaviorTraits() {
+  protected List<? extends Attributes> behaviorAttributes() {
     return List.of();
   }
 
   @Override
-  protected final List<? extends Attributes> furtherAttributes() {
+  protected final List<? extends Attributes> additionalAttributes() {
     List<Attributes> all = new ArrayList<>();
-    BehaviorStatus now = said.now();
+    BehaviorStatus now = status.status();
     all.add(
         new BehaviorAttributes(
             goalType, this instanceof Script, now.phase().name(), rate, now.heldSince()));
-    all.addAll(behaviorTraits());
+    all.addAll(behaviorAttributes());
     return all;
   }
 
   /** For what is to be done beside the turns; they end with the module. */
-  protected final Errands errands() {
-    return errands;
+  protected final DelayedTaskExecutor taskExecutor() {
+    return taskExecutor;
   }
 
   @Override
   protected void onStart() {
     super.onStart();
     try {
-      memory.recall(clock()).ifPresent(said::restore);
+      memory.load(clock()).ifPresent(status::restore);
     } catch (IOException e) {
       log.warn("{}: it does not know what became of its last goal: {}", path(), e.toString());
-      survived(e);
+      recordException(e);
     }
-    become(Readiness.READY);
+    transitionTo(Readiness.READY);
   }
 
   /** Written down before it is told: the robot stands by then, or has not begun to move yet. */
-  private void say(BehaviorStatus fresh) {
+  private void storeAndPublish(BehaviorStatus fresh) {
     try {
-      memory.keep(fresh);
+      memory.save(fresh);
     } catch (IOException e) {
       log.warn("{}: the next process would not know of this goal: {}", path(), e.toString());
-      survived(e);
+      recordException(e);
     }
-    tell(fresh);
+    publish(fresh);
   }
 
   @Override
   protected void onClose() {
     executor.close();
-    errands.close();
+    taskExecutor.close();
     super.onClose();
   }
 
@@ -195,17 +198,17 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   }
 
   private UUID pursue(G goal, boolean isAttended) throws RemoteException {
-    return executor.takeUp(
+    return executor.accept(
         this::requireReady,
         () -> {
-          Pursuit begun = begin(goal);
+          GoalExecution begun = startGoal(goal);
           prepare(isAttended);
           return begun;
         });
   }
 
   private void requireReady() {
-    if (executor.isOver() || !readiness().serves()) {
+    if (executor.isClosed() || !readiness().serves()) {
       throw new NotReadyException(path(), readiness(), "it cannot take up a goal now");
     }
   }
@@ -216,8 +219,8 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
    * @param phase {@link Phase#RUNNING}, or {@link Phase#PAUSED} where it is to wait to be resumed
    * @param before how far the goal was; only its numbers count
    */
-  protected final void goOn(Pursuit begun, Phase phase, Progress before) {
-    executor.restore(begun, phase, StatusLine.Extent.of(before));
+  protected final void restoreGoal(GoalExecution begun, Phase phase, GoalProgress before) {
+    executor.restore(begun, phase, BehaviorStatusTracker.Completion.of(before));
   }
 
   /**
@@ -227,8 +230,8 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
    */
   @Override
   public final BehaviorStatus status() {
-    BehaviorStatus now = said.now();
-    if (executor.isOver() && now.phase().isUnderWay()) {
+    BehaviorStatus now = status.status();
+    if (executor.isClosed() && now.phase().isUnderWay()) {
       throw new NotReadyException(path(), readiness(), "it has ended before its goal was reached");
     }
     return now;
@@ -261,7 +264,7 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
 
   @Override
   public final void resume() {
-    if (!executor.isOver() && said.phase() == Phase.PAUSED) {
+    if (!executor.isClosed() && status.phase() == Phase.PAUSED) {
       try {
         prepare(true);
       } catch (RemoteException | NotReadyException e) { // the next cycle finds what is in the way
@@ -280,7 +283,7 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   protected void onPhase(Phase phase) {}
 
   private void changed(Phase from, BehaviorStatus fresh) {
-    log.info("{}: {} -> {}: {}", path(), from, fresh.phase(), fresh.doing());
+    log.info("{}: {} -> {}: {}", path(), from, fresh.phase(), fresh.activity());
     onPhase(fresh.phase());
   }
 }

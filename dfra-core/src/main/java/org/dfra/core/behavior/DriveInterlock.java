@@ -5,15 +5,15 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.Objects;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.core.module.Needed;
+import org.dfra.core.module.ModuleDependency;
 import org.dfra.core.time.BootId;
-import org.dfra.core.time.BootMoment;
+import org.dfra.core.time.MonotonicTimestamp;
 import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.CommandRefusedByEmergencyStopException;
 import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.DriveCommand.Brake;
 import org.dfra.flow.effector.DriveEffector;
-import org.dfra.flow.effector.StopState;
-import org.dfra.flow.effector.StoppedCommandException;
+import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
@@ -44,22 +44,23 @@ public final class DriveInterlock {
    * @param isKnown whether the drive was there to be asked
    * @param since when that was, by the drive's clock; null where there never was one, or it is not
    *     known
-   * @param asked where it is not known: when the goal was asked for; null where that is not known
-   *     either, so that any stop at all counts
+   * @param requested where it is not known: when the goal was asked for; null where that is not
+   *     known either, so that any stop at all counts
    */
-  public record Seen(boolean isKnown, @Nullable Instant since, @Nullable BootMoment asked) {
+  public record LastStop(
+      boolean isKnown, @Nullable Instant since, @Nullable MonotonicTimestamp requested) {
 
     /** Nothing is known; any stop at all counts. */
-    public static final Seen NOTHING = new Seen(false, null, null);
+    public static final LastStop NOTHING = new LastStop(false, null, null);
 
     /** The drive was there, and was last stopped or released then; null for never. */
-    public static Seen known(@Nullable Instant since) {
-      return new Seen(true, since, null);
+    public static LastStop known(@Nullable Instant since) {
+      return new LastStop(true, since, null);
     }
 
     /** The drive was not there when the goal was asked for. */
-    public static Seen unknown(BootMoment asked) {
-      return new Seen(false, null, asked);
+    public static LastStop unknown(MonotonicTimestamp asked) {
+      return new LastStop(false, null, asked);
     }
 
     /**
@@ -67,7 +68,7 @@ public final class DriveInterlock {
      *
      * @param answered when it had answered, by this process's monotonic time, nanoseconds
      */
-    private boolean isStoppedSince(StopState now, long answered) {
+    private boolean isStoppedSince(EmergencyStopState now, long answered) {
       if (now.latched()) {
         return true;
       } else if (isKnown) {
@@ -77,21 +78,21 @@ public final class DriveInterlock {
       }
       // The drive's clock may be another computer's, and both are set; spans are comparable.
       @Nullable Duration age = now.age();
-      return asked == null || age == null || answered - age.toNanos() - asked.nanos() >= 0;
+      return requested == null || age == null || answered - age.toNanos() - requested.nanos() >= 0;
     }
   }
 
   private final String path;
   private final ModuleContext context;
-  private final Needed<DriveEffector> drive;
+  private final ModuleDependency<DriveEffector> drive;
   private final Logger log;
-  private volatile Seen seen = Seen.NOTHING;
+  private volatile LastStop seen = LastStop.NOTHING;
 
   /**
    * @param context of the behaviour
    * @param drive the wheels that its goals move
    */
-  DriveInterlock(ModuleContext context, Needed<DriveEffector> drive, Logger log) {
+  DriveInterlock(ModuleContext context, ModuleDependency<DriveEffector> drive, Logger log) {
     this.path = context.path();
     this.context = context;
     this.drive = drive;
@@ -99,7 +100,7 @@ public final class DriveInterlock {
   }
 
   /** Gives the wheels that are there now. */
-  public Needed<DriveEffector> drive() {
+  public ModuleDependency<DriveEffector> drive() {
     return drive;
   }
 
@@ -115,15 +116,15 @@ public final class DriveInterlock {
   void prepare(boolean isAttended) throws RemoteException {
     DriveEffector wheels;
     try {
-      wheels = drive.now();
+      wheels = drive.resolve();
     } catch (NotReadyException e) {
       if (isAttended) {
         throw e;
       }
-      seen = Seen.unknown(now());
+      seen = LastStop.unknown(now());
       return;
     }
-    seen = Seen.known(wheels.stopState().since());
+    seen = LastStop.known(wheels.emergencyStopState().since());
     if (!isAttended) {
       return;
     }
@@ -134,18 +135,18 @@ public final class DriveInterlock {
           readiness,
           "whether its brake is set is not known; ask again when it serves");
     }
-    if (wheels.drive().brake()) {
+    if (wheels.driveState().parkingBrakeEngaged()) {
       release(wheels);
     }
   }
 
-  private BootMoment now() {
-    return BootMoment.now(BootId.system(), context.scheduler());
+  private MonotonicTimestamp now() {
+    return MonotonicTimestamp.now(BootId.system(), context.scheduler());
   }
 
   private void release(DriveEffector wheels) throws RemoteException {
-    try (CommandLease lease = wheels.command(LEASE)) {
-      wheels.obey(lease.key(), new Brake(false));
+    try (CommandLease lease = wheels.acquireCommandLease(LEASE)) {
+      wheels.execute(lease.key(), new Brake(false));
       log.info("{}: the parking brake is released, since a goal is to be pursued", path);
     } catch (LeaseRefusedException | CommandRefusedException e) { // it is found set, and said so
       log.info("{}: the parking brake stays set: {}", path, e.getMessage());
@@ -153,7 +154,7 @@ public final class DriveInterlock {
   }
 
   /** What the goal has found. */
-  public Seen seen() {
+  public LastStop lastStop() {
     return seen;
   }
 
@@ -161,9 +162,9 @@ public final class DriveInterlock {
    * What the same goal found in an earlier process. Where that is only when it was asked for, it
    * counts within the same boot, and any stop counts after another.
    */
-  public void restore(Seen earlier) {
-    @Nullable BootMoment asked = earlier.asked();
-    seen = asked == null || asked.isOfBoot(now()) ? earlier : Seen.NOTHING;
+  public void restore(LastStop earlier) {
+    @Nullable MonotonicTimestamp asked = earlier.requested();
+    seen = asked == null || asked.isSameBoot(now()) ? earlier : LastStop.NOTHING;
   }
 
   /**
@@ -171,18 +172,18 @@ public final class DriveInterlock {
    * that was released or not. Asked when a goal takes the command of the wheels, after it has it,
    * so that a later stop refuses the command itself.
    *
-   * @throws StoppedCommandException if they were
+   * @throws CommandRefusedByEmergencyStopException if they were
    * @throws NotReadyException if the wheels are not there
    */
   public void requireNotStoppedSince() throws RemoteException {
-    requireNotStoppedSince(drive.now());
+    requireNotStoppedSince(drive.resolve());
   }
 
   /** The same of these wheels. */
   public void requireNotStoppedSince(DriveEffector wheels) throws RemoteException {
-    StopState now = wheels.stopState();
+    EmergencyStopState now = wheels.emergencyStopState();
     if (seen.isStoppedSince(now, context.scheduler().nanos())) {
-      throw new StoppedCommandException(
+      throw new CommandRefusedByEmergencyStopException(
           path
               + ": its drive was stopped for an emergency after the goal was begun, "
               + now.inWords()

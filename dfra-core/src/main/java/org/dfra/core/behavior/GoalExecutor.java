@@ -10,16 +10,16 @@ import java.util.function.Consumer;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.GoalRefusedException;
-import org.dfra.core.behavior.StatusLine.Extent;
+import org.dfra.core.behavior.BehaviorStatusTracker.Completion;
 import org.dfra.core.chain.ControlLoop;
 import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
 /**
- * Executes a behaviour's goals, one at a time: its control loop has the goal's {@link Pursuit} make
- * a step in every cycle, and what the step comes to moves the behaviour's status along the arrows
- * of {@link Phase}.
+ * Executes a behaviour's goals, one at a time: its control loop has the goal's {@link
+ * GoalExecution} make a step in every cycle, and what the step comes to moves the behaviour's
+ * status along the arrows of {@link Phase}.
  *
  * <p>A cycle may be held up by a module that does not answer. Nobody waits for it for long: who
  * stops the goal is obeyed at once, and the cycle comes to rest at its end.
@@ -29,14 +29,14 @@ import org.slf4j.Logger;
 final class GoalExecutor implements AutoCloseable {
 
   /** How long a cycle that is under way is waited for: less than a call's deadline. */
-  private static final long PATIENCE_MILLIS = 1000;
+  private static final long CYCLE_TIMEOUT_MILLIS = 1000;
 
   /** Takes up a goal. */
   @FunctionalInterface
-  interface Beginning {
+  interface GoalStarter {
 
-    /** See {@link BehaviorImpl#begin} and {@link BehaviorImpl#prepare}. */
-    Pursuit begin() throws RemoteException;
+    /** See {@link BehaviorImpl#startGoal} and {@link BehaviorImpl#prepare}. */
+    GoalExecution begin() throws RemoteException;
   }
 
   private final String path;
@@ -47,29 +47,29 @@ final class GoalExecutor implements AutoCloseable {
   /** Held during every cycle and while a goal is taken up; others are called under it. */
   private final ReentrantLock cycling = new ReentrantLock();
 
-  private @Nullable Pursuit pursuit; // guarded by cycling; the last that was begun
-  private boolean isAtRest; // guarded by cycling
+  private @Nullable GoalExecution pursuit; // guarded by cycling; the last that was begun
+  private boolean isSuspended; // guarded by cycling
 
   /** Its lock is taken after {@link #cycling}. */
-  private final StatusLine said;
+  private final BehaviorStatusTracker status;
 
   private volatile boolean isOver;
 
   /**
    * @param path of the behaviour, for messages
    * @param rate cycles per second, hertz
-   * @param said the behaviour's status, which nobody else moves
+   * @param status the behaviour's status, which nobody else moves
    * @param faults is told what a pursuit threw that it should not
    */
   GoalExecutor(
       String path,
       Scheduler time,
       double rate,
-      StatusLine said,
+      BehaviorStatusTracker status,
       Logger log,
       Consumer<Throwable> faults) {
     this.path = path;
-    this.said = said;
+    this.status = status;
     this.log = log;
     this.faults = faults;
     this.loop = new ControlLoop("dfra-behavior " + path, time, rate, this::cycle);
@@ -81,12 +81,12 @@ final class GoalExecutor implements AutoCloseable {
   }
 
   /** Cycles that were left out, since others took too long. */
-  long missed() {
-    return loop.missed();
+  long missedCycles() {
+    return loop.missedCycles();
   }
 
   /** Whether it executes nothing any more. */
-  boolean isOver() {
+  boolean isClosed() {
     return isOver;
   }
 
@@ -97,28 +97,28 @@ final class GoalExecutor implements AutoCloseable {
    * @return what names it
    * @throws GoalRefusedException if there is one already, or a cycle is held up
    */
-  UUID takeUp(Runnable requireReady, Beginning goal) throws RemoteException {
+  UUID accept(Runnable requireReady, GoalStarter goal) throws RemoteException {
     if (!await(cycling)) {
       throw GoalRefusedException.busy(
           path + " waits for a module that does not answer; ask again in a few seconds");
     }
     try {
       requireReady.run();
-      if (said.phase().isUnderWay()) {
+      if (status.phase().isUnderWay()) {
         throw GoalRefusedException.busy(
             path
                 + " is at another goal ("
-                + said.now().doing()
+                + status.status().activity()
                 + "); cancel that first, or wait for its end");
       }
-      return begin(goal.begin(), Phase.RUNNING, "it begins", Extent.NONE);
+      return begin(goal.begin(), Phase.RUNNING, "it begins", Completion.NONE);
     } finally {
       cycling.unlock();
     }
   }
 
   /** Goes on with what was begun in an earlier life. */
-  void restore(Pursuit begun, Phase phase, Extent before) {
+  void restore(GoalExecution begun, Phase phase, Completion before) {
     cycling.lock();
     try {
       UUID unused = begin(begun, phase, "it was begun before this process", before);
@@ -127,11 +127,11 @@ final class GoalExecutor implements AutoCloseable {
     }
   }
 
-  private UUID begin(Pursuit begun, Phase phase, String doing, Extent extent) {
+  private UUID begin(GoalExecution begun, Phase phase, String doing, Completion extent) {
     UUID id = UUID.randomUUID();
-    said.begin(id, phase, doing, extent);
+    status.begin(id, phase, doing, extent);
     pursuit = begun;
-    isAtRest = true;
+    isSuspended = true;
     if (phase == Phase.RUNNING) {
       loop.start();
     }
@@ -145,10 +145,10 @@ final class GoalExecutor implements AutoCloseable {
    *     {@linkplain BehaviorStatus#heldSince held}
    */
   void resume(boolean isAttended) {
-    synchronized (said) { // who pauses it again is to find the loop that he stops
+    synchronized (status) { // who pauses it again is to find the loop that he stops
       if (!isOver
-          && (isAttended || said.now().heldSince() == null)
-          && said.move(EnumSet.of(Phase.PAUSED), Phase.RUNNING, "it goes on", false)) {
+          && (isAttended || status.status().heldSince() == null)
+          && status.transition(EnumSet.of(Phase.PAUSED), Phase.RUNNING, "it goes on", false)) {
         loop.start();
       }
     }
@@ -168,8 +168,8 @@ final class GoalExecutor implements AutoCloseable {
             : EnumSet.of(Phase.RUNNING);
     boolean isIdle = !cycling.isHeldByCurrentThread() && await(cycling);
     try {
-      synchronized (said) { // no other goal is taken up between the question and the stop
-        BehaviorStatus now = said.now();
+      synchronized (status) { // no other goal is taken up between the question and the stop
+        BehaviorStatus now = status.status();
         if (!(only == null || only.equals(now.goal())) || stopAgain(now, wanted, isAttended)) {
           return;
         }
@@ -178,12 +178,12 @@ final class GoalExecutor implements AutoCloseable {
         }
         loop.stop();
         if (!isIdle) {
-          boolean unused = said.move(from, wanted, why, isAttended);
+          boolean unused = status.transition(from, wanted, why, isAttended);
         }
       }
       if (isIdle) {
-        rest();
-        boolean unused = said.move(from, wanted, why, isAttended);
+        suspend();
+        boolean unused = status.transition(from, wanted, why, isAttended);
       }
     } finally {
       if (isIdle) {
@@ -198,13 +198,13 @@ final class GoalExecutor implements AutoCloseable {
    */
   private boolean stopAgain(BehaviorStatus now, Phase wanted, boolean isAttended) {
     if (now.phase() == Phase.IDLE && now.goal() != null && isAttended) {
-      return said.move(
+      return status.transition(
           EnumSet.of(Phase.IDLE), Phase.CANCELLED, "it was stopped after its process ended", true);
     }
     return now.phase() == Phase.PAUSED
         && wanted == Phase.PAUSED
         && isAttended
-        && said.move(EnumSet.of(Phase.PAUSED), Phase.PAUSED, "it was told to pause", true);
+        && status.transition(EnumSet.of(Phase.PAUSED), Phase.PAUSED, "it was told to pause", true);
   }
 
   /** Ends for good; what is being pursued comes to rest, and its status stays. */
@@ -214,7 +214,7 @@ final class GoalExecutor implements AutoCloseable {
     loop.close(); // a cycle that waits for another module is interrupted
     if (await(cycling)) {
       try {
-        rest();
+        suspend();
         pursuit = null;
       } finally {
         cycling.unlock();
@@ -230,7 +230,7 @@ final class GoalExecutor implements AutoCloseable {
     try {
       while (true) {
         try {
-          return lock.tryLock(PATIENCE_MILLIS, TimeUnit.MILLISECONDS);
+          return lock.tryLock(CYCLE_TIMEOUT_MILLIS, TimeUnit.MILLISECONDS);
         } catch (InterruptedException e) {
           interrupted = true;
         }
@@ -245,18 +245,18 @@ final class GoalExecutor implements AutoCloseable {
   private void cycle() {
     cycling.lock();
     try {
-      @Nullable Pursuit now = pursuit;
-      if (now == null || isOver || said.phase() != Phase.RUNNING) {
+      @Nullable GoalExecution now = pursuit;
+      if (now == null || isOver || status.phase() != Phase.RUNNING) {
         return;
       }
-      isAtRest = false;
+      isSuspended = false;
       try {
-        take(StepResult.of(now));
+        take(StepResult.ofNextStep(now));
       } catch (RuntimeException | Error e) { // numbers that cannot be, say
         take(new StepResult.Faulty(e));
       }
-      if (said.phase() != Phase.RUNNING && !isOver) { // stopped meanwhile, or ended
-        rest();
+      if (status.phase() != Phase.RUNNING && !isOver) { // stopped meanwhile, or ended
+        suspend();
       }
     } finally {
       cycling.unlock();
@@ -268,45 +268,48 @@ final class GoalExecutor implements AutoCloseable {
       take(advanced.progress());
     } else if (result instanceof StepResult.Waiting waiting) {
       if (!isOver) { // whoever ends it has it rest
-        rest();
-        said.goOn("it waits: " + waiting.inWords(), Extent.of(said.now()));
+        suspend();
+        status.updateProgress("it waits: " + waiting.inWords(), Completion.of(status.status()));
       }
     } else if (result instanceof StepResult.Stopped stopped) {
-      end(stopped.phase(), stopped.why(), Extent.of(said.now()));
+      end(stopped.phase(), stopped.why(), Completion.of(status.status()));
     } else if (result instanceof StepResult.Faulty faulty) {
       log.error("{}: a cycle failed", path, faulty.fault());
       faults.accept(faulty.fault());
-      end(Phase.FAILED, "a fault of the behaviour: " + faulty.fault(), Extent.of(said.now()));
+      end(
+          Phase.FAILED,
+          "a fault of the behaviour: " + faulty.fault(),
+          Completion.of(status.status()));
     }
   }
 
-  private void take(Progress progress) {
-    Extent extent = Extent.of(progress).notBelow(said.now().done());
+  private void take(GoalProgress progress) {
+    Completion extent = Completion.of(progress).notBelow(status.status().completion());
     switch (progress.outcome()) {
-      case REACHED -> end(Phase.SUCCEEDED, progress.doing(), extent.notBelow(1));
-      case FAILED -> end(Phase.FAILED, progress.doing(), extent);
-      case CANCELLED -> end(Phase.CANCELLED, progress.doing(), extent);
-      case HELD -> end(Phase.PAUSED, progress.doing(), extent);
-      default -> said.goOn(progress.doing(), extent);
+      case REACHED -> end(Phase.SUCCEEDED, progress.activity(), extent.notBelow(1));
+      case FAILED -> end(Phase.FAILED, progress.activity(), extent);
+      case CANCELLED -> end(Phase.CANCELLED, progress.activity(), extent);
+      case PAUSED -> end(Phase.PAUSED, progress.activity(), extent);
+      default -> status.updateProgress(progress.activity(), extent);
     }
   }
 
   /** A cycle has come to an end of the pursuit, or to a pause. */
-  private void end(Phase phase, String why, Extent extent) {
+  private void end(Phase phase, String why, Completion extent) {
     loop.stop();
-    rest();
-    said.end(phase, why, extent);
+    suspend();
+    status.end(phase, why, extent);
   }
 
   /** Holds the lock of cycles. */
-  private void rest() {
-    @Nullable Pursuit now = pursuit;
-    if (now == null || isAtRest) {
+  private void suspend() {
+    @Nullable GoalExecution now = pursuit;
+    if (now == null || isSuspended) {
       return;
     }
-    isAtRest = true;
+    isSuspended = true;
     try {
-      now.rest();
+      now.suspend();
     } catch (RuntimeException e) { // a fault; what it commands ends with its leases
       log.error("{}: it could not come to rest", path, e);
       faults.accept(e);

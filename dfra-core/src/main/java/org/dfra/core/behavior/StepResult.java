@@ -5,7 +5,7 @@ import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.GoalRefusedException;
 import org.dfra.flow.effector.BrakeEngagedException;
 import org.dfra.flow.effector.CommandRefusedException;
-import org.dfra.flow.effector.StoppedForEmergency;
+import org.dfra.flow.effector.RefusedByEmergencyStop;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.NotReadyException;
 
@@ -13,7 +13,7 @@ import org.dfra.module.NotReadyException;
 sealed interface StepResult {
 
   /** It has done what was to be done. */
-  record Advanced(Progress progress) implements StepResult {}
+  record Advanced(GoalProgress progress) implements StepResult {}
 
   /** Something is missing, and the next step tries again. */
   record Waiting(Exception reason) implements StepResult {
@@ -38,14 +38,14 @@ sealed interface StepResult {
   record Faulty(Throwable fault) implements StepResult {}
 
   /** Has a pursuit make one step. */
-  static StepResult of(Pursuit pursuit) {
+  static StepResult ofNextStep(GoalExecution pursuit) {
     try {
       return new Advanced(pursuit.step());
     } catch (NotReadyException
         | CommandRefusedException
         | LeaseRefusedException
         | RemoteException e) {
-      if (e instanceof StoppedForEmergency) { // its release must not move the robot
+      if (e instanceof RefusedByEmergencyStop) { // its release must not move the robot
         return new Stopped(Phase.CANCELLED, String.valueOf(e.getMessage()));
       } else if (e instanceof BrakeEngagedException) { // likewise
         return new Stopped(Phase.PAUSED, e.getMessage() + "; when it may move, resume the goal");

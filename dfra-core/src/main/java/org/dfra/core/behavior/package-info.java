@@ -6,7 +6,7 @@
  *   BehaviorImpl  what others see: goals, status, attributes, parameters
  *     '--&gt; GoalExecutor  control loop; takes up, pauses, resumes, cancels and ends goals
  *            |--&gt; Pursuit --&gt; StepResult  what one step of a goal has come to
- *            '--&gt; StatusLine  the status, and who is told of it
+ *            '--&gt; BehaviorStatusTracker  the status, and who is told of it
  *   DriveInterlock  parking brake and emergency stop     Delegation  goals of other behaviours
  * </pre>
  */

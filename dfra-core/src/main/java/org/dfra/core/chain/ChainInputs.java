@@ -10,13 +10,13 @@ import java.util.Optional;
 import java.util.UUID;
 import java.util.function.Supplier;
 import org.dfra.directory.DirectoryListener;
+import org.dfra.directory.DirectoryRegistration;
 import org.dfra.directory.ModuleDirectory;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
-import org.dfra.directory.Watch;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
-import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.DeliveryPolicy.EventKind;
 import org.dfra.event.ModuleEvent;
 import org.dfra.event.Reading;
 import org.dfra.event.Subscription;
@@ -43,14 +43,14 @@ public final class ChainInputs implements AutoCloseable {
    * @param <R> what that is
    */
   @FunctionalInterface
-  public interface Taker<R extends Reading> {
+  public interface ReadingConsumer<R extends Reading> {
 
     /**
      * Takes a reading; on a delivery thread, one at a time for each module.
      *
      * @param source the module that it is from, as it was when it was found
      */
-    void take(ModuleListing<?> source, R reading);
+    void accept(ModuleListing<?> source, R reading);
   }
 
   /**
@@ -59,42 +59,42 @@ public final class ChainInputs implements AutoCloseable {
    * @param <R> what that is
    */
   @FunctionalInterface
-  public interface CountingTaker<R extends Reading> {
+  public interface SequencedReadingConsumer<R extends Reading> {
 
     /**
-     * As {@link Taker#take}.
+     * As {@link ReadingConsumer#accept}.
      *
      * @param sequence see {@link Delivery#sequence}
      */
-    void take(ModuleListing<?> source, long sequence, R reading);
+    void accept(ModuleListing<?> source, long sequence, R reading);
   }
 
   /** What one input takes. */
-  record Input<M extends Module, R extends Reading>(
+  record InputDeclaration<M extends Module, R extends Reading>(
       ModuleQuery<M> query,
       boolean isMany,
-      String named,
+      String origin,
       Class<R> type,
-      CountingTaker<? super R> taker) {}
+      SequencedReadingConsumer<? super R> consumer) {}
 
   private final String module;
   private final Supplier<ModuleDirectory> directory;
-  private final Errands errands;
+  private final DelayedTaskExecutor errands;
   private final Logger log;
-  private final List<Input<?, ?>> inputs = new ArrayList<>();
+  private final List<InputDeclaration<?, ?>> inputs = new ArrayList<>();
   private volatile List<Feed<?, ?>> feeds = List.of(); // written under this
   private boolean closed; // guarded by this
 
   /**
    * @param module whose inputs these are, {@code robot/name}
    * @param directory what it finds modules by
-   * @param errands tries again to listen to a module that could not be reached
+   * @param retries tries again to listen to a module that could not be reached
    */
   public ChainInputs(
-      String module, Supplier<ModuleDirectory> directory, Errands errands, Logger log) {
+      String module, Supplier<ModuleDirectory> directory, DelayedTaskExecutor retries, Logger log) {
     this.module = module;
     this.directory = directory;
-    this.errands = errands;
+    this.errands = retries;
     this.log = log;
   }
 
@@ -103,16 +103,16 @@ public final class ChainInputs implements AutoCloseable {
    *
    * @param query which modules it may be
    * @param isMany whether it listens to all of them, rather than to one
-   * @param named says where one is named, to go on a clause that there is none; or empty
+   * @param origin says where one is named, to go on a clause that there is none; or empty
    * @param type which of their readings it takes
    */
   public <M extends Module, R extends Reading> void declare(
       ModuleQuery<M> query,
       boolean isMany,
-      String named,
+      String origin,
       Class<R> type,
-      CountingTaker<? super R> taker) {
-    inputs.add(new Input<>(query, isMany, named, type, taker));
+      SequencedReadingConsumer<? super R> consumer) {
+    inputs.add(new InputDeclaration<>(query, isMany, origin, type, consumer));
   }
 
   /** The types of the inputs, by the simple names of their classes. */
@@ -127,7 +127,7 @@ public final class ChainInputs implements AutoCloseable {
     return feeds.stream()
         .filter(Feed::isAlone)
         .findFirst()
-        .map(feed -> "there is no " + feed.wanted + feed.input.named());
+        .map(feed -> "there is no " + feed.wanted + feed.input.origin());
   }
 
   /**
@@ -152,7 +152,7 @@ public final class ChainInputs implements AutoCloseable {
     feeds = fresh;
   }
 
-  private <M extends Module> ModuleQuery<M> wired(Input<M, ?> input, String path) {
+  private <M extends Module> ModuleQuery<M> wired(InputDeclaration<M, ?> input, String path) {
     ModuleQuery<Module> named = ModuleQuery.of(Module.class).robot(robot(path)).name(name(path));
     if (directory.get().find(named).isEmpty()) {
       throw new IllegalArgumentException(
@@ -169,7 +169,7 @@ public final class ChainInputs implements AutoCloseable {
 
   @SuppressWarnings("unchecked") // the query was made of the input's kind
   private <M extends Module, R extends Reading> Feed<M, R> feed(
-      Input<M, R> input, ModuleQuery<?> query) {
+      InputDeclaration<M, R> input, ModuleQuery<?> query) {
     Feed<M, R> feed = new Feed<>(input, query.toString());
     feed.watch = directory.get().listen((ModuleQuery<M>) query, feed);
     return feed;
@@ -195,7 +195,7 @@ public final class ChainInputs implements AutoCloseable {
   /** One input at work: a tie to each module that it has found. */
   private final class Feed<M extends Module, R extends Reading> implements DirectoryListener<M> {
 
-    private final Input<M, R> input;
+    private final InputDeclaration<M, R> input;
     private final String wanted; // which modules, for people
     private final Map<UUID, Tie> ties = new HashMap<>(); // guarded by this
 
@@ -203,9 +203,9 @@ public final class ChainInputs implements AutoCloseable {
     private final Map<UUID, ModuleListing<M>> inLine = new LinkedHashMap<>();
 
     private boolean over; // guarded by this
-    private volatile @Nullable Watch watch;
+    private volatile @Nullable DirectoryRegistration watch;
 
-    Feed(Input<M, R> input, String wanted) {
+    Feed(InputDeclaration<M, R> input, String wanted) {
       this.input = input;
       this.wanted = wanted;
     }
@@ -282,7 +282,7 @@ public final class ChainInputs implements AutoCloseable {
     }
 
     void close() {
-      @Nullable Watch watching = watch;
+      @Nullable DirectoryRegistration watching = watch;
       if (watching != null) {
         watching.close();
       }
@@ -300,7 +300,7 @@ public final class ChainInputs implements AutoCloseable {
       private final ModuleListing<M> source;
       private @Nullable Subscription subscription; // guarded by this
       private boolean cut; // guarded by this
-      private boolean isTold; // of a failure; by the one thread that begins
+      private boolean isFailureLogged; // of a failure; by the one thread that begins
 
       Tie(ModuleListing<M> source) {
         this.source = source;
@@ -311,7 +311,8 @@ public final class ChainInputs implements AutoCloseable {
           Subscription made =
               source
                   .module()
-                  .subscribe(this::take, DeliveryPolicy.keepLast(DEPTH).only(Kind.READING));
+                  .subscribe(
+                      this::take, DeliveryPolicy.keepLast(DEPTH).withKinds(EventKind.READING));
           synchronized (this) {
             if (!cut) {
               subscription = made;
@@ -320,15 +321,15 @@ public final class ChainInputs implements AutoCloseable {
           }
           made.close();
         } catch (RemoteException | RuntimeException e) {
-          if (!isTold) {
-            isTold = true;
+          if (!isFailureLogged) {
+            isFailureLogged = true;
             log.warn(
                 "{}: {} cannot be listened to and is tried again: {}",
                 module,
                 source.path(),
                 e.toString());
           }
-          errands.later(RETRY_NANOS, this::again);
+          errands.schedule(RETRY_NANOS, this::again);
         }
       }
 
@@ -349,7 +350,7 @@ public final class ChainInputs implements AutoCloseable {
       private void take(Delivery delivery) {
         if (delivery.event() instanceof ModuleEvent.NewReading fresh
             && input.type().isInstance(fresh.reading())) {
-          input.taker().take(source, delivery.sequence(), input.type().cast(fresh.reading()));
+          input.consumer().accept(source, delivery.sequence(), input.type().cast(fresh.reading()));
         }
       }
 

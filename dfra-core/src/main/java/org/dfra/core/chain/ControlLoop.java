@@ -2,7 +2,7 @@ package org.dfra.core.chain;
 
 import java.util.Arrays;
 import org.dfra.time.Scheduler;
-import org.dfra.time.Scheduler.Task;
+import org.dfra.time.Scheduler.ScheduledTask;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -19,14 +19,14 @@ public final class ControlLoop implements AutoCloseable {
 
   private final Scheduler time;
   private final long period;
-  private final Runnable turn;
-  private final Errands errands;
+  private final Runnable cycle;
+  private final DelayedTaskExecutor thread;
 
   private boolean running; // guarded by this
   private long due; // guarded by this; nanos of the next turn
-  private @Nullable Task next; // guarded by this
+  private @Nullable ScheduledTask next; // guarded by this
   private long beats; // guarded by this; a beat that is not the last does nothing
-  private long turns; // guarded by this
+  private long cycles; // guarded by this
   private long missed; // guarded by this
   private final long[] lateness = new long[REMEMBERED]; // guarded by this; nanos
 
@@ -34,13 +34,13 @@ public final class ControlLoop implements AutoCloseable {
    * @param name of its thread
    * @param time what the rate is reckoned by: the robot's
    * @param rate turns per second, hertz
-   * @param turn what to do; what it throws stops the loop, which may be started again
+   * @param cycle what to do; what it throws stops the loop, which may be started again
    */
-  public ControlLoop(String name, Scheduler time, double rate, Runnable turn) {
+  public ControlLoop(String name, Scheduler time, double rate, Runnable cycle) {
     this.time = time;
     this.period = Math.round(1e9 / rate);
-    this.turn = turn;
-    this.errands = new Errands(name, time);
+    this.cycle = cycle;
+    this.thread = new DelayedTaskExecutor(name, time);
   }
 
   /** Begins, with a turn at once. Does nothing while it runs. */
@@ -70,20 +70,20 @@ public final class ControlLoop implements AutoCloseable {
 
   private synchronized void schedule() {
     long beat = ++beats;
-    next = time.after(due - time.nanos(), () -> errands.now(() -> turn(beat)));
+    next = time.after(due - time.nanos(), () -> thread.execute(() -> runCycle(beat)));
   }
 
-  private void turn(long beat) {
+  private void runCycle(long beat) {
     synchronized (this) {
       if (!running || beat != beats) {
         return;
       }
-      lateness[(int) (turns % REMEMBERED)] = time.nanos() - due;
-      turns++;
+      lateness[(int) (cycles % REMEMBERED)] = time.nanos() - due;
+      cycles++;
     }
     boolean isDone = false;
     try {
-      turn.run();
+      cycle.run();
       isDone = true;
     } finally {
       if (!isDone) {
@@ -106,12 +106,12 @@ public final class ControlLoop implements AutoCloseable {
   }
 
   /** Turns so far. */
-  public synchronized long turns() {
-    return turns;
+  public synchronized long cycles() {
+    return cycles;
   }
 
   /** Turns that were left out, since others took too long. */
-  public synchronized long missed() {
+  public synchronized long missedCycles() {
     return missed;
   }
 
@@ -122,7 +122,7 @@ public final class ControlLoop implements AutoCloseable {
    * @param share of them, 0 to 1
    */
   public synchronized double lateness(double share) {
-    int known = (int) Math.min(turns, REMEMBERED);
+    int known = (int) Math.min(cycles, REMEMBERED);
     if (known == 0) {
       return 0;
     }
@@ -135,6 +135,6 @@ public final class ControlLoop implements AutoCloseable {
   @Override
   public void close() {
     stop();
-    errands.close();
+    thread.close();
   }
 }

@@ -22,7 +22,7 @@ public record GroupDescription(
   public GroupDescription {
     jvmOptions = jvmOptions.stream().map(String::strip).toList();
     modules = List.copyOf(modules);
-    Rules.require(place, Rules.name("group", name));
+    DescriptionRules.require(place, DescriptionRules.name("group", name));
     if (jvmOptions.stream().anyMatch(String::isEmpty)) {
       throw new ConfigurationException(
           place + ": group " + name + " has an empty JVM option; write one or leave it out");

@@ -36,11 +36,14 @@ public record ModuleDescription(
 
   public ModuleDescription {
     download = List.copyOf(download);
-    Rules.require(place, Rules.name("robot", robot));
-    Rules.require(place, Rules.name("module", name));
-    Rules.require(place, Rules.className("module " + name, "server", serverClass));
-    Rules.require(place, Rules.className("module " + name, "proxy", proxyClass));
-    Rules.require(place, Rules.className("module " + name, "driver", driverClass));
+    DescriptionRules.require(place, DescriptionRules.name("robot", robot));
+    DescriptionRules.require(place, DescriptionRules.name("module", name));
+    DescriptionRules.require(
+        place, DescriptionRules.className("module " + name, "server", serverClass));
+    DescriptionRules.require(
+        place, DescriptionRules.className("module " + name, "proxy", proxyClass));
+    DescriptionRules.require(
+        place, DescriptionRules.className("module " + name, "driver", driverClass));
     if (configuration != null && configuration.isBlank()) {
       throw new ConfigurationException(
           place

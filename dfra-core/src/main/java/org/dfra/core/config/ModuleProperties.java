@@ -27,7 +27,7 @@ public record ModuleProperties(Path source, Map<String, Parameters.Value> values
   public static final String PROXY = "proxy";
 
   /** Key of the driver's class. */
-  public static final String DRIVER = "driver";
+  public static final String IMPLEMENTATION = "driver";
 
   /** Key of the module's Jini configuration, a path relative to the properties file. */
   public static final String CONFIGURATION = "configuration";
@@ -36,14 +36,14 @@ public record ModuleProperties(Path source, Map<String, Parameters.Value> values
    * Key of the jars that clients without the module's classes download, paths relative to the
    * properties file, separated by commas.
    */
-  public static final String DOWNLOAD = "download";
+  public static final String CODEBASE = "download";
 
   /** What the key of a parameter begins with; the parameter's name follows. */
   public static final String PARAMETER = "parameter.";
 
   /** Every key there is; {@link #PARAMETER} stands for all that begin with it. */
   public static final List<String> KEYS =
-      List.of(SERVER, PROXY, DRIVER, CONFIGURATION, DOWNLOAD, PARAMETER);
+      List.of(SERVER, PROXY, IMPLEMENTATION, CONFIGURATION, CODEBASE, PARAMETER);
 
   public ModuleProperties {
     values = Collections.unmodifiableMap(new LinkedHashMap<>(values));
@@ -65,7 +65,7 @@ public record ModuleProperties(Path source, Map<String, Parameters.Value> values
    * @throws ConfigurationException naming everything that is wrong with it, a line each
    */
   public static ModuleProperties read(Path file, Function<String, @Nullable String> lookup) {
-    Faults faults = new Faults();
+    ConfigurationFaults faults = new ConfigurationFaults();
     PropertiesReader reader = new PropertiesReader(file, new Substitution(lookup, faults), faults);
     ModuleProperties properties = reader.read();
     faults.throwIfAny();

@@ -22,14 +22,18 @@ final class ModuleReader {
   private final Path file;
   private final Element element;
   private final XmlValues values;
-  private final Faults faults;
+  private final ConfigurationFaults faults;
   private final @Nullable String name;
   private final String label;
   private final @Nullable PropertiesReader reader;
   private final ModuleProperties properties;
 
   ModuleReader(
-      Path file, Element element, XmlValues values, Substitution substitution, Faults faults) {
+      Path file,
+      Element element,
+      XmlValues values,
+      Substitution substitution,
+      ConfigurationFaults faults) {
     this.file = file;
     this.element = element;
     this.values = values;
@@ -52,7 +56,7 @@ final class ModuleReader {
   Optional<ModuleDescription> module(@Nullable String robot) {
     String server = className(ModuleProperties.SERVER);
     String proxy = className(ModuleProperties.PROXY);
-    String driver = className(ModuleProperties.DRIVER);
+    String driver = className(ModuleProperties.IMPLEMENTATION);
     String configuration = configuration();
     List<String> download = download();
     boolean restart = values.restart(element);
@@ -90,7 +94,7 @@ final class ModuleReader {
       values.check(element, missing(key));
     } else if (text != null) {
       Place place = inXml ? values.place(element) : inProperties.orElseThrow().place();
-      String fault = Rules.className(label, key, text);
+      String fault = DescriptionRules.className(label, key, text);
       if (fault != null) {
         faults.add(place, fault);
       }
@@ -112,7 +116,7 @@ final class ModuleReader {
   private boolean mayHold(String key) {
     return reader == null
         ? element.getAttributeValue("properties") != null
-        : !reader.isReadable() || reader.holds(key);
+        : !reader.isReadable() || reader.hasKey(key);
   }
 
   private @Nullable String configuration() {
@@ -122,7 +126,7 @@ final class ModuleReader {
 
   private List<String> download() {
     return files(
-        ModuleProperties.DOWNLOAD,
+        ModuleProperties.CODEBASE,
         text ->
             Arrays.stream(text.split(","))
                 .map(String::strip)
@@ -180,12 +184,13 @@ final class ModuleReader {
     properties
         .parameters()
         .forEach((name, value) -> parameters.put(name, found(name, value, properties.source())));
-    XmlValues.Once names = values.once();
-    for (Element child : element.getChildren("parameter", RobotSchema.NAMESPACE)) {
+    XmlValues.UniqueNames names = values.uniqueNames();
+    for (Element child : element.getChildren("parameter", RobotXmlSchema.NAMESPACE)) {
       String parameter = values.name(child);
       String value = values.attribute(child, "value");
       if (parameter != null) {
-        names.check(child, parameter, "parameter " + parameter + " of " + label, "delete one");
+        names.requireFirst(
+            child, parameter, "parameter " + parameter + " of " + label, "delete one");
         if (value != null) {
           Parameters.Value written = new Parameters.Value(value, values.place(child));
           parameters.put(parameter, found(parameter, written, file));

@@ -12,7 +12,7 @@ public final class NearestName {
   /**
    * The candidate with the fewest differing letters, if they are few: two, or a third of the word.
    */
-  static Optional<String> to(String written, Collection<String> candidates) {
+  static Optional<String> find(String written, Collection<String> candidates) {
     return candidates.stream()
         .min(Comparator.comparingInt(candidate -> distance(written, candidate)))
         .filter(nearest -> isNear(written, nearest));
@@ -24,7 +24,7 @@ public final class NearestName {
 
   /** {@code ; did you mean "x"?}, or {@code otherwise} where nothing is near. */
   public static String hint(String written, Collection<String> candidates, String otherwise) {
-    return to(written, candidates)
+    return find(written, candidates)
         .map(nearest -> "; did you mean \"" + nearest + "\"?")
         .orElse(otherwise);
   }

@@ -31,10 +31,10 @@ public final class Parameters implements Serializable {
   public record Value(String text, Place place) implements Serializable {}
 
   /** Is told what a driver asks for. */
-  public interface Listener {
+  public interface ParameterAccessListener {
 
     /** A parameter is read, whether it is set or not. */
-    void asked(String name);
+    void onRead(String name);
 
     /**
      * A parameter names another module of the robot; where it is not set, the first of the kind is
@@ -42,17 +42,17 @@ public final class Parameters implements Serializable {
      *
      * @param kind what the other module must be
      */
-    default void needs(String name, Class<?> kind) {}
+    default void onModuleReference(String name, Class<?> kind) {}
 
     /** A parameter's value is wrong, or missing; whoever reads it is about to be refused it. */
-    default void wrong(String name) {}
+    default void onInvalid(String name) {}
   }
 
   private final String owner;
   private final TreeMap<String, Value> values;
 
   /** Nobody in what has come from elsewhere. */
-  private final transient @Nullable Listener listener;
+  private final transient @Nullable ParameterAccessListener listener;
 
   /**
    * @param owner whose parameters these are, for messages: {@code robot/name}
@@ -62,7 +62,8 @@ public final class Parameters implements Serializable {
     this(owner, new TreeMap<>(values), null);
   }
 
-  private Parameters(String owner, TreeMap<String, Value> values, @Nullable Listener listener) {
+  private Parameters(
+      String owner, TreeMap<String, Value> values, @Nullable ParameterAccessListener listener) {
     this.owner = owner;
     this.values = values;
     this.listener = listener;
@@ -76,8 +77,8 @@ public final class Parameters implements Serializable {
   }
 
   /** The same ones, which tell what they are asked for. */
-  public Parameters telling(Listener hearing) {
-    return new Parameters(owner, values, hearing);
+  public Parameters withListener(ParameterAccessListener listener) {
+    return new Parameters(owner, values, listener);
   }
 
   /** The same ones less one, to try how far whoever reads them comes without it. */
@@ -98,9 +99,9 @@ public final class Parameters implements Serializable {
    * @param kind what the other module must be
    * @return nothing where it is not set: any of the kind will do
    */
-  public Optional<String> module(String name, Class<?> kind) {
+  public Optional<String> moduleName(String name, Class<?> kind) {
     if (listener != null) {
-      listener.needs(name, kind);
+      listener.onModuleReference(name, kind);
     }
     return find(name);
   }
@@ -124,8 +125,8 @@ public final class Parameters implements Serializable {
    *
    * @throws ConfigurationException if it is set and is not such a number
    */
-  public double number(String name, double fallback, double min, double max) {
-    return number(name, fallback, min, max, "a number");
+  public double number(String name, double defaultValue, double min, double max) {
+    return number(name, defaultValue, min, max, "a number");
   }
 
   /**
@@ -180,10 +181,10 @@ public final class Parameters implements Serializable {
     }
   }
 
-  private double number(String name, double fallback, double min, double max, String kind) {
+  private double number(String name, double defaultValue, double min, double max, String kind) {
     Value value = read(name);
     if (value == null) {
-      return fallback;
+      return defaultValue;
     }
     String expected = kind + " from " + plain(min) + " to " + plain(max);
     try {
@@ -207,7 +208,7 @@ public final class Parameters implements Serializable {
 
   private @Nullable Value read(String name) {
     if (listener != null) {
-      listener.asked(name);
+      listener.onRead(name);
     }
     return values.get(name);
   }
@@ -216,7 +217,7 @@ public final class Parameters implements Serializable {
     Value value = read(name);
     if (value == null) {
       if (listener != null) {
-        listener.wrong(name);
+        listener.onInvalid(name);
       }
       throw new ConfigurationException(
           owner
@@ -234,7 +235,7 @@ public final class Parameters implements Serializable {
   private ConfigurationException fault(
       String name, Value value, String expected, @Nullable Throwable cause) {
     if (listener != null) {
-      listener.wrong(name);
+      listener.onInvalid(name);
     }
     String message =
         value.place()

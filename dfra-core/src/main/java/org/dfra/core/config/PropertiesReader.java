@@ -21,12 +21,12 @@ final class PropertiesReader {
 
   private final Path file;
   private final Substitution substitution;
-  private final Faults faults;
+  private final ConfigurationFaults faults;
   private final Map<String, Place> written = new HashMap<>();
   private final Map<String, Parameters.Value> values = new LinkedHashMap<>();
   private boolean readable;
 
-  PropertiesReader(Path file, Substitution substitution, Faults faults) {
+  PropertiesReader(Path file, Substitution substitution, ConfigurationFaults faults) {
     this.file = file;
     this.substitution = substitution;
     this.faults = faults;
@@ -38,7 +38,7 @@ final class PropertiesReader {
   }
 
   /** Whether the key was there, though perhaps with a value that is a fault. */
-  boolean holds(String key) {
+  boolean hasKey(String key) {
     return written.containsKey(key);
   }
 
@@ -103,7 +103,8 @@ final class PropertiesReader {
     } else {
       String fault =
           isParameter
-              ? Rules.name("parameter", key.substring(ModuleProperties.PARAMETER.length()))
+              ? DescriptionRules.name(
+                  "parameter", key.substring(ModuleProperties.PARAMETER.length()))
               : null;
       if (fault != null) {
         faults.add(place, fault);

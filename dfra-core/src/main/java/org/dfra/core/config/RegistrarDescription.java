@@ -8,7 +8,8 @@ import java.util.List;
  *
  * @param port TCP port at which unicast discovery finds it, 0 to 65535; 0 lets the system choose,
  *     so that only multicast finds it
- * @param classes TCP port of the class server beside it, 1 to 65535; {@link #NO_CLASSES} for none
+ * @param classes TCP port of the class server beside it, 1 to 65535; {@link #NO_CLASS_SERVER} for
+ *     none
  * @param restart whether it is started again at once after a crash, rather than at the next call
  * @param from addresses, ranges as {@code 10.0.0.0/24}, and host names of the robot's further
  *     computers, whose registrations of the robot's modules it takes; they are not resolved here;
@@ -20,23 +21,27 @@ public record RegistrarDescription(
     implements Serializable {
 
   /** The port that unicast discovery uses where none is named. */
-  public static final int DISCOVERY_PORT = 4160;
+  public static final int DEFAULT_PORT = 4160;
 
   /** The port of a robot's class server where none is named. */
-  public static final int CLASS_PORT = 8085;
+  public static final int DEFAULT_CLASS_SERVER_PORT = 8085;
 
   /** In place of a port: the robot runs no class server. */
-  public static final int NO_CLASSES = 0;
+  public static final int NO_CLASS_SERVER = 0;
 
-  /** How XML writes {@link #NO_CLASSES}. */
+  /** How XML writes {@link #NO_CLASS_SERVER}. */
   static final String OFF = "off";
 
   public RegistrarDescription {
-    Rules.require(place, Rules.registrarPort(Integer.toString(port)));
-    Rules.require(place, classes == NO_CLASSES ? null : Rules.classPort(Integer.toString(classes)));
+    DescriptionRules.require(place, DescriptionRules.registrarPort(Integer.toString(port)));
+    DescriptionRules.require(
+        place,
+        classes == NO_CLASS_SERVER
+            ? null
+            : DescriptionRules.classServerPort(Integer.toString(classes)));
     from = List.copyOf(from);
     for (String each : from) {
-      Rules.require(place, Rules.moduleHost(each));
+      DescriptionRules.require(place, DescriptionRules.moduleHost(each));
     }
   }
 
@@ -46,7 +51,7 @@ public record RegistrarDescription(
   }
 
   /** Whether the robot runs a class server. */
-  public boolean servesClasses() {
-    return classes != NO_CLASSES;
+  public boolean hasClassServer() {
+    return classes != NO_CLASS_SERVER;
   }
 }

@@ -35,12 +35,16 @@ public record RobotDescription(
 
   public RobotDescription {
     Place whole = new Place(source.toString(), 0);
-    Rules.require(whole, Rules.name("robot", name));
-    Rules.require(whole, Rules.host(host));
-    lookupGroups.forEach(group -> Rules.require(whole, Rules.lookupGroup(group)));
-    locators.forEach(locator -> Rules.require(whole, Rules.locator(locator)));
+    DescriptionRules.require(whole, DescriptionRules.name("robot", name));
+    DescriptionRules.require(whole, DescriptionRules.host(host));
+    lookupGroups.forEach(
+        group -> DescriptionRules.require(whole, DescriptionRules.lookupGroup(group)));
+    locators.forEach(locator -> DescriptionRules.require(whole, DescriptionRules.locator(locator)));
     lookupGroups = List.copyOf(lookupGroups);
-    locators = locators.stream().map(text -> Rules.canonicalLocator(text).orElseThrow()).toList();
+    locators =
+        locators.stream()
+            .map(text -> DescriptionRules.canonicalLocator(text).orElseThrow())
+            .toList();
     groups = List.copyOf(groups);
     if (groups.isEmpty()) {
       throw new ConfigurationException(
@@ -103,7 +107,7 @@ public record RobotDescription(
    *
    * @param registrars each as {@code jini://host:port}
    */
-  public RobotDescription among(List<String> registrars) {
+  public RobotDescription withRegistrars(List<String> registrars) {
     return new RobotDescription(
         name, host, lookupGroups, registrars, administration, persona, groups, source);
   }

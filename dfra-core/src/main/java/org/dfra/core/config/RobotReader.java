@@ -20,45 +20,45 @@ final class RobotReader {
   private static final Set<String> OTHERS = Set.of("lookup", "administration", "persona");
 
   private final Path file;
-  private final Faults faults;
+  private final ConfigurationFaults faults;
   private final XmlValues values;
   private final Substitution substitution;
-  private final XmlValues.Once groupNames;
-  private final XmlValues.Once moduleNames;
-  private final XmlValues.Once singles;
+  private final XmlValues.UniqueNames groupNames;
+  private final XmlValues.UniqueNames moduleNames;
+  private final XmlValues.UniqueNames singles;
 
-  RobotReader(Path file, Substitution substitution, Faults faults) {
+  RobotReader(Path file, Substitution substitution, ConfigurationFaults faults) {
     this.file = file;
     this.substitution = substitution;
     this.faults = faults;
     this.values = new XmlValues(file.toString(), substitution, faults);
-    this.groupNames = values.once();
-    this.moduleNames = values.once();
-    this.singles = values.once();
+    this.groupNames = values.uniqueNames();
+    this.moduleNames = values.uniqueNames();
+    this.singles = values.uniqueNames();
   }
 
   /** The robot; empty, with the reasons among the faults, if there is anything wrong with it. */
   Optional<RobotDescription> robot(Element root) {
     String name = values.name(root);
     String host = values.attribute(root, "host", "auto");
-    values.check(root, host == null ? null : Rules.host(host));
+    values.check(root, host == null ? null : DescriptionRules.host(host));
     List<String> lookupGroups = new ArrayList<>();
     List<String> locators = new ArrayList<>();
     List<GroupDescription> groups = new ArrayList<>();
     for (Element lookup : children(root, "lookup")) {
-      singles.check(lookup, "lookup", "<lookup>", "make them one");
+      singles.requireFirst(lookup, "lookup", "<lookup>", "make them one");
       lookupGroups.addAll(list(lookup, "groups"));
       locators.addAll(list(lookup, "locators"));
-      locators.forEach(locator -> values.check(lookup, Rules.locator(locator)));
+      locators.forEach(locator -> values.check(lookup, DescriptionRules.locator(locator)));
     }
     AdministrationDescription administration = AdministrationDescription.LOCAL;
     for (Element child : children(root, "administration")) {
-      singles.check(child, "administration", "<administration>", "make them one");
+      singles.requireFirst(child, "administration", "<administration>", "make them one");
       administration = administration(child);
     }
     Optional<PersonaAttributes> persona = Optional.empty();
     for (Element child : children(root, "persona")) {
-      singles.check(child, "persona", "<persona>", "make them one");
+      singles.requireFirst(child, "persona", "<persona>", "make them one");
       persona = persona(child, name);
     }
     for (Element group : children(root, "group")) {
@@ -76,7 +76,7 @@ final class RobotReader {
 
   private AdministrationDescription administration(Element element) {
     return new AdministrationDescription(
-        from(element, Rules::administrator), values.place(element));
+        from(element, DescriptionRules::administrator), values.place(element));
   }
 
   /** What is wrong with a text; null if nothing is. */
@@ -122,7 +122,7 @@ final class RobotReader {
   private Optional<GroupDescription> group(Element element, @Nullable String robot) {
     String name = values.name(element);
     if (name != null) {
-      groupNames.check(element, name, "group " + name, "rename one, or make them one");
+      groupNames.requireFirst(element, name, "group " + name, "rename one, or make them one");
     }
     List<String> options = new ArrayList<>();
     for (Element option : children(element, "jvm-option")) {
@@ -135,7 +135,8 @@ final class RobotReader {
     }
     Optional<RegistrarDescription> registrar = Optional.empty();
     for (Element child : children(element, "registrar")) {
-      singles.check(child, "registrar", "<registrar>", "a robot has one at most, so delete one");
+      singles.requireFirst(
+          child, "registrar", "<registrar>", "a robot has one at most, so delete one");
       registrar = registrar(child);
     }
     List<ModuleDescription> modules = new ArrayList<>();
@@ -143,7 +144,7 @@ final class RobotReader {
       ModuleReader reader = new ModuleReader(file, module, values, substitution, faults);
       String moduleName = reader.name();
       if (moduleName != null) {
-        moduleNames.check(
+        moduleNames.requireFirst(
             module, moduleName, "module " + moduleName, "rename one, in whichever group it is");
       }
       reader.module(robot).ifPresent(modules::add);
@@ -156,12 +157,12 @@ final class RobotReader {
 
   private Optional<RegistrarDescription> registrar(Element element) {
     String port =
-        values.attribute(element, "port", Integer.toString(RegistrarDescription.DISCOVERY_PORT));
-    String fault = port == null ? null : Rules.registrarPort(port);
+        values.attribute(element, "port", Integer.toString(RegistrarDescription.DEFAULT_PORT));
+    String fault = port == null ? null : DescriptionRules.registrarPort(port);
     values.check(element, fault);
     Integer classes = classes(element);
     boolean restart = values.restart(element);
-    List<String> from = from(element, Rules::moduleHost);
+    List<String> from = from(element, DescriptionRules::moduleHost);
     return port == null || fault != null || classes == null
         ? Optional.empty()
         : Optional.of(
@@ -172,11 +173,12 @@ final class RobotReader {
   /** The class server's port; null, a fault, if it is none. */
   private @Nullable Integer classes(Element element) {
     String written =
-        values.attribute(element, "classes", Integer.toString(RegistrarDescription.CLASS_PORT));
+        values.attribute(
+            element, "classes", Integer.toString(RegistrarDescription.DEFAULT_CLASS_SERVER_PORT));
     if (written == null || written.equals(RegistrarDescription.OFF)) {
-      return written == null ? null : RegistrarDescription.NO_CLASSES;
+      return written == null ? null : RegistrarDescription.NO_CLASS_SERVER;
     }
-    String fault = Rules.classPort(written);
+    String fault = DescriptionRules.classServerPort(written);
     values.check(element, fault);
     return fault == null ? Integer.valueOf(written) : null;
   }
@@ -194,6 +196,6 @@ final class RobotReader {
   }
 
   private static List<Element> children(Element element, String name) {
-    return element.getChildren(name, RobotSchema.NAMESPACE);
+    return element.getChildren(name, RobotXmlSchema.NAMESPACE);
   }
 }

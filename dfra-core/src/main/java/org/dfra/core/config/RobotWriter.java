@@ -14,7 +14,7 @@ final class RobotWriter {
 
   private RobotWriter() {}
 
-  static String text(RobotDescription robot) {
+  static String toXml(RobotDescription robot) {
     Element root = element("robot");
     set(root, "name", robot.name());
     set(root, "host", robot.host());
@@ -22,9 +22,9 @@ final class RobotWriter {
     set(lookup, "groups", String.join(",", robot.lookupGroups()));
     set(lookup, "locators", String.join(",", robot.locators()));
     root.addContent(lookup);
-    if (!robot.administration().from().isEmpty()) {
+    if (!robot.administration().administratorHosts().isEmpty()) {
       Element administration = element("administration");
-      set(administration, "from", String.join(",", robot.administration().from()));
+      set(administration, "from", String.join(",", robot.administration().administratorHosts()));
       root.addContent(administration);
     }
     robot.persona().ifPresent(persona -> root.addContent(persona(persona)));
@@ -62,7 +62,7 @@ final class RobotWriter {
     set(
         element,
         "classes",
-        registrar.servesClasses()
+        registrar.hasClassServer()
             ? Integer.toString(registrar.classes())
             : RegistrarDescription.OFF);
     set(element, "restart", Boolean.toString(registrar.restart()));
@@ -77,10 +77,10 @@ final class RobotWriter {
     set(element, "name", module.name());
     set(element, ModuleProperties.SERVER, module.serverClass());
     set(element, ModuleProperties.PROXY, module.proxyClass());
-    set(element, ModuleProperties.DRIVER, module.driverClass());
+    set(element, ModuleProperties.IMPLEMENTATION, module.driverClass());
     set(element, ModuleProperties.CONFIGURATION, module.configuration());
     if (!module.download().isEmpty()) {
-      set(element, ModuleProperties.DOWNLOAD, String.join(",", module.download()));
+      set(element, ModuleProperties.CODEBASE, String.join(",", module.download()));
     }
     set(element, "restart", Boolean.toString(module.restart()));
     module
@@ -109,7 +109,7 @@ final class RobotWriter {
   }
 
   private static Element element(String name) {
-    return new Element(name, RobotSchema.NAMESPACE);
+    return new Element(name, RobotXmlSchema.NAMESPACE);
   }
 
   private static void set(Element element, String name, @Nullable String value) {

@@ -33,9 +33,9 @@ public final class RobotXml {
    * @throws ConfigurationException naming everything that is wrong with them, a line each
    */
   public static RobotDescription read(Path file, Function<String, @Nullable String> lookup) {
-    Faults faults = new Faults();
-    byte[] text = SourceFile.bytes(file, "the XML file of a robot");
-    Element root = RobotSchema.ROBOT.read(text, new Place(file.toString(), 0), faults);
+    ConfigurationFaults faults = new ConfigurationFaults();
+    byte[] text = SourceFile.readBytes(file, "the XML file of a robot");
+    Element root = RobotXmlSchema.ROBOT.read(text, new Place(file.toString(), 0), faults);
     Optional<RobotDescription> robot =
         new RobotReader(file, new Substitution(lookup, faults), faults).robot(root);
     faults.throwIfAny();
@@ -48,16 +48,16 @@ public final class RobotXml {
    *
    * @throws ConfigurationException if a text holds a character that XML has no way to write
    */
-  public static String text(RobotDescription robot) {
-    return RobotWriter.text(robot);
+  public static String toXml(RobotDescription robot) {
+    return RobotWriter.toXml(robot);
   }
 
   /**
-   * Writes {@link #text} to a file, in place of what it held.
+   * Writes {@link #toXml} to a file, in place of what it held.
    *
    * @throws IOException if it cannot be written
    */
   public static void write(RobotDescription robot, Path file) throws IOException {
-    Files.writeString(file, text(robot));
+    Files.writeString(file, toXml(robot));
   }
 }

@@ -16,7 +16,7 @@ public final class SourceFile {
    * @param what it should be, for the complaint, such as {@code the XML file of a robot}
    * @throws ConfigurationException if it is not there or cannot be read
    */
-  public static byte[] bytes(Path file, String what) {
+  public static byte[] readBytes(Path file, String what) {
     try {
       return Files.readAllBytes(file);
     } catch (NoSuchFileException e) {

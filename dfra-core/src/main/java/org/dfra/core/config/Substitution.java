@@ -19,12 +19,12 @@ public final class Substitution {
   private static final Pattern NAME = Pattern.compile("[A-Za-z_][A-Za-z0-9_.]*");
 
   private final Function<String, @Nullable String> lookup;
-  private final Faults faults;
+  private final ConfigurationFaults faults;
 
   /**
    * @param lookup gives the value of a variable, or null where it is not set
    */
-  public Substitution(Function<String, @Nullable String> lookup, Faults faults) {
+  public Substitution(Function<String, @Nullable String> lookup, ConfigurationFaults faults) {
     this.lookup = lookup;
     this.faults = faults;
   }

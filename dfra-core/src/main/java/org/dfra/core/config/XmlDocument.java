@@ -33,7 +33,7 @@ final class XmlDocument {
    * @throws ConfigurationException if the text is not well-formed, is larger than 16 MiB or nested
    *     deeper than 64 elements, or its root is another one
    */
-  static Element root(byte[] text, Place whole, XmlSchema schema) {
+  static Element parseRoot(byte[] text, Place whole, XmlSchema schema) {
     if (text.length > MAX_BYTES) {
       throw new ConfigurationException(
           whole + ": the file has " + text.length + " bytes, at most " + MAX_BYTES + " are read");

@@ -81,8 +81,8 @@ public final class XmlSchema {
    * @param whole the file
    * @throws ConfigurationException if the text is not well-formed or its root is another one
    */
-  public Element read(byte[] text, Place whole, Faults faults) {
-    Element element = XmlDocument.root(text, whole, this);
+  public Element read(byte[] text, Place whole, ConfigurationFaults faults) {
+    Element element = XmlDocument.parseRoot(text, whole, this);
     validate(text, whole, faults);
     return element;
   }
@@ -91,12 +91,12 @@ public final class XmlSchema {
    * Notes where a well-formed document departs from the schema, in plain sentences. Of several
    * unknown elements in one element the JDK's validator reports the first.
    */
-  private void validate(byte[] document, Place whole, Faults faults) {
+  private void validate(byte[] document, Place whole, ConfigurationFaults faults) {
     Validator validator = schema.newValidator();
     try {
       validator.setProperty(XMLConstants.ACCESS_EXTERNAL_DTD, "");
       validator.setProperty(XMLConstants.ACCESS_EXTERNAL_SCHEMA, "");
-      validator.setProperty(LOCALE, Locale.ROOT); // SchemaSentence understands English
+      validator.setProperty(LOCALE, Locale.ROOT); // SchemaErrorMessage understands English
       validator.setErrorHandler(new Collector(this, whole, faults));
       validator.validate(new StreamSource(new ByteArrayInputStream(document)));
     } catch (SAXException | IOException e) {
@@ -132,7 +132,8 @@ public final class XmlSchema {
             .toList();
   }
 
-  private record Collector(XmlSchema schema, Place whole, Faults faults) implements ErrorHandler {
+  private record Collector(XmlSchema schema, Place whole, ConfigurationFaults faults)
+      implements ErrorHandler {
     @Override
     public void warning(SAXParseException warning) {
       error(warning);
@@ -141,7 +142,7 @@ public final class XmlSchema {
     @Override
     public void error(SAXParseException error) {
       String sentence =
-          SchemaSentence.of(
+          SchemaErrorMessage.of(
               String.valueOf(error.getMessage()), schema.attributes, schema.namespace);
       faults.add(new Place(whole.file(), Math.max(0, error.getLineNumber())), sentence);
     }

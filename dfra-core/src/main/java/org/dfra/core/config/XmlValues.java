@@ -11,12 +11,12 @@ public final class XmlValues {
 
   private final String file;
   private final Substitution substitution;
-  private final Faults faults;
+  private final ConfigurationFaults faults;
 
   /**
    * @param file the elements' file, as it was named to the reader
    */
-  public XmlValues(String file, Substitution substitution, Faults faults) {
+  public XmlValues(String file, Substitution substitution, ConfigurationFaults faults) {
     this.file = file;
     this.substitution = substitution;
     this.faults = faults;
@@ -58,7 +58,7 @@ public final class XmlValues {
   /** The attribute {@code name} in lower_snake_case. */
   public @Nullable String name(Element element) {
     String name = attribute(element, "name");
-    check(element, name == null ? null : Rules.name(element.getName(), name));
+    check(element, name == null ? null : DescriptionRules.name(element.getName(), name));
     return name;
   }
 
@@ -72,20 +72,20 @@ public final class XmlValues {
   }
 
   /** Names of one kind, each of which may be given once. */
-  public Once once() {
-    return new Once();
+  public UniqueNames uniqueNames() {
+    return new UniqueNames();
   }
 
   /** Remembers where each name was first written. */
-  public final class Once {
+  public final class UniqueNames {
     private final Map<String, Place> first = new HashMap<>();
 
-    private Once() {}
+    private UniqueNames() {}
 
     /**
      * @param what the thing named, with its name, for the complaint about a second one
      */
-    public void check(Element element, String name, String what, String remedy) {
+    public void requireFirst(Element element, String name, String what, String remedy) {
       Place earlier = first.putIfAbsent(name, place(element));
       if (earlier != null) {
         faults.add(

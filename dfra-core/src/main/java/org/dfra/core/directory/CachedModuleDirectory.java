@@ -17,11 +17,11 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Supplier;
 import org.dfra.directory.DirectoryListener;
+import org.dfra.directory.DirectoryRegistration;
 import org.dfra.directory.ModuleDirectory;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.directory.Persona;
-import org.dfra.directory.Watch;
 import org.dfra.module.Module;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.time.Scheduler;
@@ -38,8 +38,8 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
   private static final AtomicInteger THREADS = new AtomicInteger();
 
   /** The best first; see {@link ModuleDirectory#find}. */
-  static final Comparator<ModuleListing<?>> BEST =
-      Comparator.<ModuleListing<?>, Boolean>comparing(CachedModuleDirectory::isHopeless)
+  static final Comparator<ModuleListing<?>> BEST_FIRST =
+      Comparator.<ModuleListing<?>, Boolean>comparing(CachedModuleDirectory::isFailedOrStopped)
           .thenComparing(ModuleListing::locality)
           .thenComparing(ModuleListing::stale)
           .thenComparing(ModuleListing::robot)
@@ -56,9 +56,9 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
           });
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed;
-  private final Executor tellers;
+  private final Executor notifiers;
   private final Scheduler scheduler;
-  private final List<ListenerFeed<?>> feeds = new ArrayList<>(); // guarded by lock
+  private final List<ListenerNotifier<?>> feeds = new ArrayList<>(); // guarded by lock
   private boolean closed; // guarded by lock
 
   /**
@@ -76,8 +76,8 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
     this.table = new ModuleTable(clock);
     this.scheduler = scheduler;
     this.changed = scheduler.newCondition(lock);
-    this.tellers = scheduler.isLockStep() ? task -> scheduler.after(0, task) : threads;
-    table.observe(id -> signal());
+    this.notifiers = scheduler.isLockStep() ? task -> scheduler.after(0, task) : threads;
+    table.addObserver(id -> signal());
   }
 
   /** What this directory knows, to be filled by the subclass. */
@@ -85,10 +85,10 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
     return table;
   }
 
-  static boolean isHopeless(ModuleListing<?> listing) {
+  static boolean isFailedOrStopped(ModuleListing<?> listing) {
     return listing
         .attributes(ModuleAttributes.class)
-        .filter(module -> module.state().isHopeless())
+        .filter(module -> module.state().isFailedOrStopped())
         .isPresent();
   }
 
@@ -96,7 +96,7 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
   public final <M extends Module> List<ModuleListing<M>> find(ModuleQuery<M> query) {
     List<ModuleListing<M>> found = new ArrayList<>();
     for (ModuleListing<Module> each : table.all()) {
-      if (query.matches(each, table::place)) {
+      if (query.matches(each, table::robotPosition)) {
         found.add(as(each));
       }
     }
@@ -105,7 +105,7 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
 
   private <M extends Module> Optional<ModuleListing<M>> best(ModuleQuery<M> query) {
     for (ModuleListing<Module> each : table.all()) {
-      if (query.matches(each, table::place)) {
+      if (query.matches(each, table::robotPosition)) {
         return Optional.of(as(each));
       }
     }
@@ -145,10 +145,11 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
   }
 
   @Override
-  public final <M extends Module> Watch listen(
+  public final <M extends Module> DirectoryRegistration listen(
       ModuleQuery<M> query, DirectoryListener<M> listener) {
-    ListenerFeed<M> feed =
-        new ListenerFeed<>(id -> look(id, query), listener, tellers, scheduler, this::dismiss);
+    ListenerNotifier<M> feed =
+        new ListenerNotifier<>(
+            id -> look(id, query), listener, notifiers, scheduler, this::dismiss);
     lock.lock();
     try {
       if (closed) {
@@ -158,18 +159,18 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
     } finally {
       lock.unlock();
     }
-    table.observe(feed);
+    table.addObserver(feed);
     table.all().forEach(each -> feed.accept(each.id()));
     return feed;
   }
 
   private <M extends Module> @Nullable ModuleListing<M> look(UUID id, ModuleQuery<M> query) {
     @Nullable ModuleListing<Module> now = table.get(id);
-    return now != null && query.matches(now, table::place) ? as(now) : null;
+    return now != null && query.matches(now, table::robotPosition) ? as(now) : null;
   }
 
-  private void dismiss(ListenerFeed<?> feed) {
-    table.forget(feed);
+  private void dismiss(ListenerNotifier<?> feed) {
+    table.removeObserver(feed);
     lock.lock();
     try {
       feeds.remove(feed);
@@ -180,7 +181,7 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
 
   @Override
   public final List<Persona> personas() {
-    return Personas.of(table.robots(), table.all());
+    return PersonaBuilder.of(table.robots(), table.all());
   }
 
   @Override
@@ -214,7 +215,7 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
   /** {@inheritDoc} A subclass that has more to end does it first. */
   @Override
   public void close() {
-    List<ListenerFeed<?>> ending;
+    List<ListenerNotifier<?>> ending;
     lock.lock();
     try {
       closed = true;
@@ -223,7 +224,7 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
     } finally {
       lock.unlock();
     }
-    ending.forEach(ListenerFeed::close);
+    ending.forEach(ListenerNotifier::close);
     threads.shutdown();
     table.clear();
   }

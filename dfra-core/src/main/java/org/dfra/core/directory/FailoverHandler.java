@@ -20,7 +20,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.dfra.directory.CallFailedException;
-import org.dfra.directory.KnownOutcome;
+import org.dfra.directory.ExecutionCertainty;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.directory.NoModuleFoundException;
@@ -116,7 +116,7 @@ final class FailoverHandler<M extends Module> implements InvocationHandler {
         .filter(each -> !each.id().equals(not))
         .min( // of equals the first, which is the best
             Comparator.comparing((ModuleListing<M> each) -> failed.containsKey(each.id()))
-                .thenComparing(each -> CachedModuleDirectory.isHopeless(each))
+                .thenComparing(each -> CachedModuleDirectory.isFailedOrStopped(each))
                 .thenComparing(each -> !each.id().equals(favourite)));
   }
 
@@ -129,7 +129,7 @@ final class FailoverHandler<M extends Module> implements InvocationHandler {
   }
 
   private static boolean mayHaveRun(RemoteException failure) {
-    if (failure instanceof KnownOutcome known) {
+    if (failure instanceof ExecutionCertainty known) {
       return known.mayHaveRun();
     }
     return !(failure instanceof ConnectException

@@ -4,8 +4,8 @@ import java.time.InstantSource;
 import java.util.List;
 import java.util.UUID;
 import org.dfra.core.module.ModuleImpl;
+import org.dfra.directory.DirectoryRegistration;
 import org.dfra.directory.Locality;
-import org.dfra.directory.Watch;
 import org.dfra.module.Module;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ModuleAttributes;
@@ -43,15 +43,15 @@ public final class InMemoryModuleDirectory extends CachedModuleDirectory {
    * @return takes it out again
    * @throws IllegalArgumentException if another module of that robot has its name
    */
-  public Watch add(ModuleImpl module) {
+  public DirectoryRegistration add(ModuleImpl module) {
     SelfDescription self =
         new SelfDescription(module, "localhost", clock.instant(), clock.instant(), () -> 0);
     UUID id = UUID.randomUUID();
-    List<Attributes> now = self.now();
+    List<Attributes> now = self.attributes();
     put(id, module, now, Locality.SAME_VM);
-    AttributeFollower follower =
-        new AttributeFollower(
-            now, self::now, news -> put(id, module, news, Locality.SAME_VM), scheduler);
+    AttributeMonitor follower =
+        new AttributeMonitor(
+            now, self::attributes, news -> put(id, module, news, Locality.SAME_VM), scheduler);
     return () -> {
       follower.close();
       remove(id);
@@ -100,8 +100,8 @@ public final class InMemoryModuleDirectory extends CachedModuleDirectory {
   }
 
   /** Nobody vouches for it any more, since now. */
-  public void loseSightOf(UUID id) {
-    table().stale(id, clock.instant());
+  public void markStale(UUID id) {
+    table().markStale(id, clock.instant());
   }
 
   /** Takes it out. */

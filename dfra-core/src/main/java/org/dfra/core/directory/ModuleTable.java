@@ -31,7 +31,7 @@ public final class ModuleTable {
 
   private final InstantSource clock;
   private final Map<UUID, ModuleListing<Module>> modules = new ConcurrentHashMap<>();
-  private final Map<UUID, RobotSign> robots = new ConcurrentHashMap<>();
+  private final Map<UUID, RobotEntry> robots = new ConcurrentHashMap<>();
   private final List<Consumer<UUID>> observers = new CopyOnWriteArrayList<>();
   private final Set<UUID> unsorted = new HashSet<>(); // guarded by this
   private volatile @Nullable List<ModuleListing<Module>> sorted = List.of(); // null: to be sorted
@@ -44,7 +44,7 @@ public final class ModuleTable {
    *
    * @param host address or name of the computer it runs on; empty where that is not known
    */
-  record RobotSign(PersonaAttributes attributes, String host, boolean stale, Instant confirmed) {}
+  record RobotEntry(PersonaAttributes attributes, String host, boolean stale, Instant confirmed) {}
 
   /** A robot among others of its name. */
   private record RobotAt(String name, String host) {}
@@ -62,11 +62,11 @@ public final class ModuleTable {
   }
 
   /** Tells of each change, on the changer's thread: which identity it is about. */
-  void observe(Consumer<UUID> observer) {
+  void addObserver(Consumer<UUID> observer) {
     observers.add(observer);
   }
 
-  void forget(Consumer<UUID> observer) {
+  void removeObserver(Consumer<UUID> observer) {
     observers.remove(observer);
   }
 
@@ -108,7 +108,7 @@ public final class ModuleTable {
       changed(id);
     }
     if (news) {
-      tell(id);
+      notifyObservers(id);
     }
   }
 
@@ -119,17 +119,17 @@ public final class ModuleTable {
    */
   public void put(UUID id, PersonaAttributes robot, String host) {
     synchronized (this) {
-      @Nullable RobotSign old = robots.get(id);
+      @Nullable RobotEntry old = robots.get(id);
       if (old != null
           && !old.stale()
           && old.attributes().equals(robot)
           && old.host().equals(host)) {
         return;
       }
-      robots.put(id, new RobotSign(robot, host, false, clock.instant()));
+      robots.put(id, new RobotEntry(robot, host, false, clock.instant()));
       changed(id);
     }
-    tell(id);
+    notifyObservers(id);
   }
 
   /**
@@ -137,16 +137,16 @@ public final class ModuleTable {
    *
    * @param host address or name of the computer
    */
-  public void place(UUID id, String host) {
+  public void setHost(UUID id, String host) {
     synchronized (this) {
-      @Nullable RobotSign old = robots.get(id);
+      @Nullable RobotEntry old = robots.get(id);
       if (old == null || old.host().equals(host)) {
         return;
       }
-      robots.put(id, new RobotSign(old.attributes(), host, old.stale(), old.confirmed()));
+      robots.put(id, new RobotEntry(old.attributes(), host, old.stale(), old.confirmed()));
       changed(id);
     }
-    tell(id);
+    notifyObservers(id);
   }
 
   /**
@@ -154,10 +154,10 @@ public final class ModuleTable {
    *
    * @param vouched when somebody last did
    */
-  public void stale(UUID id, Instant vouched) {
+  public void markStale(UUID id, Instant vouched) {
     synchronized (this) {
       @Nullable ModuleListing<Module> old = modules.get(id);
-      @Nullable RobotSign sign = robots.get(id);
+      @Nullable RobotEntry sign = robots.get(id);
       if ((old == null || old.stale()) && (sign == null || sign.stale())) {
         return;
       }
@@ -175,11 +175,11 @@ public final class ModuleTable {
                 vouched));
       }
       if (sign != null) {
-        robots.put(id, new RobotSign(sign.attributes(), sign.host(), true, vouched));
+        robots.put(id, new RobotEntry(sign.attributes(), sign.host(), true, vouched));
       }
       changed(id);
     }
-    tell(id);
+    notifyObservers(id);
   }
 
   /** It is gone. */
@@ -192,7 +192,7 @@ public final class ModuleTable {
       }
       changed(id);
     }
-    tell(id);
+    notifyObservers(id);
   }
 
   void clear() {
@@ -240,7 +240,7 @@ public final class ModuleTable {
       }
     }
     unsorted.clear();
-    next.sort(CachedModuleDirectory.BEST); // nearly sorted, which it notices
+    next.sort(CachedModuleDirectory.BEST_FIRST); // nearly sorted, which it notices
     lastSorted = next;
     sorted = next;
     return next;
@@ -253,12 +253,12 @@ public final class ModuleTable {
     version++;
   }
 
-  List<RobotSign> robots() {
+  List<RobotEntry> robots() {
     return new ArrayList<>(robots.values());
   }
 
   /** Where a module's robot is, by the newest of the locations of the robot's modules. */
-  Optional<GeoPosition> place(ModuleListing<?> module) {
+  Optional<GeoPosition> robotPosition(ModuleListing<?> module) {
     Places known = places;
     long now = version;
     if (known.version() != now) {
@@ -279,7 +279,7 @@ public final class ModuleTable {
         .map(LocationAttributes::position);
   }
 
-  private void tell(UUID id) {
+  private void notifyObservers(UUID id) {
     observers.forEach(observer -> observer.accept(id));
   }
 }

@@ -6,11 +6,11 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import org.dfra.directory.Condition;
 import org.dfra.directory.DirectoryListener;
+import org.dfra.directory.DirectoryRegistration;
 import org.dfra.directory.ModuleDirectory;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.directory.Persona;
-import org.dfra.directory.Watch;
 import org.dfra.module.Module;
 import org.dfra.persona.ModuleAttributes;
 
@@ -60,7 +60,8 @@ public final class OwnRobotDirectory implements ModuleDirectory {
   }
 
   @Override
-  public <M extends Module> Watch listen(ModuleQuery<M> query, DirectoryListener<M> listener) {
+  public <M extends Module> DirectoryRegistration listen(
+      ModuleQuery<M> query, DirectoryListener<M> listener) {
     return all.listen(own(query), listener);
   }
 

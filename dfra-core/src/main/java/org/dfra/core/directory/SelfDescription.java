@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.function.IntSupplier;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.module.Identification;
+import org.dfra.persona.AttributeProvider;
 import org.dfra.persona.Attributes;
-import org.dfra.persona.Described;
 import org.dfra.persona.ModuleAttributes;
 
 /**
@@ -23,7 +23,7 @@ public record SelfDescription(
     ModuleImpl driver, String host, Instant created, Instant activated, IntSupplier clients) {
 
   /** The attributes as they are now. */
-  public List<Attributes> now() {
+  public List<Attributes> attributes() {
     Identification who = driver.identification();
     List<Attributes> attributes = new ArrayList<>();
     attributes.add(
@@ -38,7 +38,7 @@ public record SelfDescription(
             created,
             activated,
             clients.getAsInt()));
-    if (driver instanceof Described described) {
+    if (driver instanceof AttributeProvider described) {
       attributes.addAll(described.attributes());
     }
     return attributes;

@@ -3,7 +3,7 @@
  *
  * <pre>
  *   register / a lookup service --&gt; ModuleTable --&gt; find, findFirst, personas
- *                                        |---------&gt; ListenerFeed --&gt; a listener
+ *                                        |---------&gt; ListenerNotifier --&gt; a listener
  *                                        +---------&gt; FailoverHandler (proxyFor)
  * </pre>
  *

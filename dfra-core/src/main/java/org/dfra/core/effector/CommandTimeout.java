@@ -4,7 +4,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongConsumer;
 import org.dfra.core.time.SerialExecutor;
 import org.dfra.time.Scheduler;
-import org.dfra.time.Scheduler.Task;
+import org.dfra.time.Scheduler.ScheduledTask;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -31,14 +31,15 @@ final class CommandTimeout {
   private volatile long lastNanos; // when the last command came
 
   /** Written under this. A watch that has not this number does nothing. */
-  private final AtomicLong watches = new AtomicLong();
+  private final AtomicLong timerNumber = new AtomicLong();
 
-  private @Nullable Task watch; // guarded by this; the first of those with the same number
+  private @Nullable ScheduledTask
+      timerTask; // guarded by this; the first of those with the same number
 
   /**
    * @param thread runs {@code whenOver}
    * @param seconds the longest silence
-   * @param whenOver is given the number of the watch; see {@link #isWatching}
+   * @param whenOver is given the number of the watch; see {@link #isCurrent}
    */
   CommandTimeout(
       Scheduler scheduler, SerialExecutor thread, double seconds, LongConsumer whenOver) {
@@ -62,8 +63,8 @@ final class CommandTimeout {
   /** Sets the longest silence; it counts for the command that came last, too. */
   synchronized void setSeconds(double longest) {
     seconds = longest;
-    if (watch != null) {
-      watchFor(leftNanos());
+    if (timerTask != null) {
+      restart(leftNanos());
     }
   }
 
@@ -72,60 +73,60 @@ final class CommandTimeout {
    *
    * @throws OutOfMemoryError if it could not be watched, since there cannot be one more thread
    */
-  synchronized void began() {
+  synchronized void commandReceived() {
     thread.prepare();
     lastNanos = scheduler.nanos();
-    if (watch == null) {
-      watchFor(leftNanos());
+    if (timerTask == null) {
+      restart(leftNanos());
     }
   }
 
   /** None need follow any more. */
-  synchronized void ended() {
-    watches.incrementAndGet();
-    if (watch != null) {
-      watch.cancel();
-      watch = null;
+  synchronized void cancel() {
+    timerNumber.incrementAndGet();
+    if (timerTask != null) {
+      timerTask.cancel();
+      timerTask = null;
     }
   }
 
   /** Whether the watch of this number is still kept. */
-  boolean isWatching(long number) {
-    return number == watches.get();
+  boolean isCurrent(long number) {
+    return number == timerNumber.get();
   }
 
   /** Whether the last command is too old. */
-  boolean isOver() {
+  boolean isExpired() {
     return leftNanos() <= 0;
   }
 
   /** Looks again when it may be over; for one whose command has been followed by another. */
-  void lookAgain(long number) {
-    Task unused = lookAfter(leftNanos(), number);
+  void recheckLater(long number) {
+    ScheduledTask unused = lookAfter(leftNanos(), number);
   }
 
   private long leftNanos() {
     return nanos() - (scheduler.nanos() - lastNanos);
   }
 
-  private void watchFor(long nanos) {
-    ended();
-    watch = lookAfter(nanos, watches.get());
+  private void restart(long nanos) {
+    cancel();
+    timerTask = lookAfter(nanos, timerNumber.get());
   }
 
-  private Task lookAfter(long nanos, long number) {
+  private ScheduledTask lookAfter(long nanos, long number) {
     return timer.after(nanos, () -> thread.execute(() -> look(number)));
   }
 
   /** On the thread for it, without a lock, which a driver may have. */
   private void look(long number) {
-    if (!isWatching(number)) {
+    if (!isCurrent(number)) {
       return;
     }
-    if (isOver()) {
+    if (isExpired()) {
       whenOver.accept(number);
     } else {
-      lookAgain(number);
+      recheckLater(number);
     }
   }
 }

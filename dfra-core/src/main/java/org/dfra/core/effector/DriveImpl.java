@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.core.module.ParameterTable.Range;
+import org.dfra.core.module.ParameterTable.NumberRange;
 import org.dfra.flow.effector.BrakeEngagedException;
 import org.dfra.flow.effector.DriveCommand;
 import org.dfra.flow.effector.DriveCommand.Brake;
@@ -33,17 +33,17 @@ import org.dfra.persona.EffectorAttributes;
  *       can
  *   <li>{@code max_turn_rate}: radians per second; likewise
  *   <li>{@code longest_silence}: seconds without a new velocity after which the wheels are halted;
- *       at least {@value #LEAST_SILENCE}, at most what the time for braking leaves of {@value
- *       DriveEffector#LONGEST_SILENCE} s; default {@value #USUAL_SILENCE}, or less where that is
- *       too long; can be set while it runs
+ *       at least {@value #MIN_COMMAND_TIMEOUT}, at most what the time for braking leaves of {@value
+ *       DriveEffector#MAX_COMMAND_TIMEOUT} s; default {@value #DEFAULT_COMMAND_TIMEOUT}, or less
+ *       where that is too long; can be set while it runs
  *   <li>{@code mount_frame} and so on: where the drive's frame stands, see {@link
  *       org.dfra.core.module.DeviceImpl}
  * </ul>
  */
 public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements DriveEffector {
 
-  static final double USUAL_SILENCE = 0.3;
-  static final double LEAST_SILENCE = 0.05;
+  static final double DEFAULT_COMMAND_TIMEOUT = 0.3;
+  static final double MIN_COMMAND_TIMEOUT = 0.05;
 
   private static final double SLOWEST = 0.01;
 
@@ -51,20 +51,20 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
    * What the drive was told last. Who asks gets this, so that nobody waits for a driver that is
    * held up.
    */
-  private record Motion(Velocity velocity, boolean brake, long silences) {
+  private record Motion(Velocity velocity, boolean brake, long commandTimeouts) {
 
     static final Motion NONE = new Motion(Velocity.ZERO, false, 0);
 
     Motion at(Velocity now) {
-      return new Motion(now, brake, silences);
+      return new Motion(now, brake, commandTimeouts);
     }
 
     Motion braked(boolean set) {
-      return new Motion(velocity, set, silences);
+      return new Motion(velocity, set, commandTimeouts);
     }
 
     Motion silenced() {
-      return new Motion(velocity, brake, silences + 1);
+      return new Motion(velocity, brake, commandTimeouts + 1);
     }
   }
 
@@ -82,25 +82,25 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
   private final Object changing = new Object();
 
   /** Held while the state is told, so that the last one that is told is the newest. */
-  private final Object telling = new Object();
+  private final Object publishLock = new Object();
 
   private volatile double maxSpeed;
-  private volatile double maxTurnRate;
+  private volatile double maxYawRate;
 
   /**
    * See {@link EffectorImpl#EffectorImpl}.
    *
-   * @param most what the drive can do, and how large the robot is
-   * @param braking seconds that the fastest wheels need to stand once they are to be halted, the
-   *     way of the command included; 0 to 0.45
+   * @param limits what the drive can do, and how large the robot is
+   * @param brakingTime seconds that the fastest wheels need to stand once they are to be halted,
+   *     the way of the command included; 0 to 0.45
    */
   protected DriveImpl(
       ModuleContext context,
       String description,
       String author,
       String version,
-      DriveAttributes most,
-      double braking,
+      DriveAttributes limits,
+      double brakingTime,
       List<Precondition> preconditions) {
     super(
         context,
@@ -110,81 +110,81 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
         List.of("Velocity", "Brake"),
         List.of("DriveState"),
         preconditions);
-    this.most = most;
-    this.mostSilence = Math.floor((LONGEST_SILENCE - braking) * 1e3 + 1e-6) / 1e3; // whole ms
-    if (!(braking >= 0 && mostSilence >= LEAST_SILENCE)) {
+    this.most = limits;
+    this.mostSilence =
+        Math.floor((MAX_COMMAND_TIMEOUT - brakingTime) * 1e3 + 1e-6) / 1e3; // whole ms
+    if (!(brakingTime >= 0 && mostSilence >= MIN_COMMAND_TIMEOUT)) {
       throw new IllegalArgumentException(
           path()
               + " needs "
-              + braking
+              + brakingTime
               + " s to stand, more than "
-              + (LONGEST_SILENCE - LEAST_SILENCE)
+              + (MAX_COMMAND_TIMEOUT - MIN_COMMAND_TIMEOUT)
               + " s; brake harder or drive slower");
     }
     double silence =
         settings()
             .number(
                 "longest_silence",
-                Math.min(USUAL_SILENCE, mostSilence),
-                LEAST_SILENCE,
+                Math.min(DEFAULT_COMMAND_TIMEOUT, mostSilence),
+                MIN_COMMAND_TIMEOUT,
                 mostSilence);
-    this.timeout = new CommandTimeout(context.robotTime(), halts(), silence, this::silent);
+    this.timeout = new CommandTimeout(context.robotTime(), haltExecutor(), silence, this::silent);
     declareLimits();
   }
 
   private void declareLimits() {
     maxSpeed = settings().number("max_speed", most.maxSpeed(), SLOWEST, most.maxSpeed());
-    maxTurnRate =
-        settings().number("max_turn_rate", most.maxTurnRate(), SLOWEST, most.maxTurnRate());
-    declared()
-        .number(
+    maxYawRate = settings().number("max_turn_rate", most.maxYawRate(), SLOWEST, most.maxYawRate());
+    parameterTable()
+        .declareNumber(
             "max_speed",
             "faster velocities are made slower",
-            Range.of(SLOWEST, most.maxSpeed(), "m/s"),
+            NumberRange.of(SLOWEST, most.maxSpeed(), "m/s"),
             () -> maxSpeed,
             value -> maxSpeed = value);
-    declared()
-        .number(
+    parameterTable()
+        .declareNumber(
             "max_turn_rate",
             "faster velocities are made slower",
-            Range.of(SLOWEST, most.maxTurnRate(), "rad/s"),
-            () -> maxTurnRate,
-            value -> maxTurnRate = value);
-    declared()
-        .number(
+            NumberRange.of(SLOWEST, most.maxYawRate(), "rad/s"),
+            () -> maxYawRate,
+            value -> maxYawRate = value);
+    parameterTable()
+        .declareNumber(
             "longest_silence",
             "without a new velocity for so long, the wheels are halted",
-            Range.of(LEAST_SILENCE, mostSilence, "s"),
+            NumberRange.of(MIN_COMMAND_TIMEOUT, mostSilence, "s"),
             () -> timeout.seconds(),
             value -> timeout.setSeconds(value));
   }
 
   /** Has the wheels turn so, not again by itself. Called one at a time; must not block. */
-  protected abstract void turn(Velocity wanted);
+  protected abstract void setVelocity(Velocity wanted);
 
   /**
    * Has the wheels stand, by the shortest way the drive knows; also while there is no device. As
-   * {@link #turn}; must not throw. An emergency stop calls it even while another thread is held up
-   * in {@link #turn}.
+   * {@link #setVelocity}; must not throw. An emergency stop calls it even while another thread is
+   * held up in {@link #setVelocity}.
    */
   protected abstract void halt();
 
-  /** Sets or releases the parking brake. As {@link #turn}. */
+  /** Sets or releases the parking brake. As {@link #setVelocity}. */
   protected abstract void brake(boolean set);
 
   @Override
-  protected final void obey(DriveCommand command) {
+  protected final void execute(DriveCommand command) {
     haltIfLate(); // before anything else is executed, however busy the timer's threads are
     if (command instanceof Velocity wanted) {
       move(wanted);
     } else if (command instanceof Brake wanted) {
-      park(wanted.set());
+      park(wanted.engaged());
     }
-    tellState();
+    publishState();
   }
 
   private void move(Velocity wanted) {
-    Velocity velocity = wanted.within(maxSpeed, maxTurnRate);
+    Velocity velocity = wanted.limitedTo(maxSpeed, maxYawRate);
     Motion before = change(last -> last.brake() ? last : last.at(velocity));
     if (before.brake() && !wanted.isZero()) {
       throw new BrakeEngagedException(
@@ -192,11 +192,11 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
     }
     try {
       if (velocity.isZero()) {
-        timeout.ended();
+        timeout.cancel();
       } else {
-        timeout.began();
+        timeout.commandReceived();
       }
-      turn(velocity);
+      setVelocity(velocity);
     } catch (RuntimeException | Error e) { // half of it may have been done
       stand();
       throw e;
@@ -209,7 +209,7 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
 
   /** {@inheritDoc} A velocity that has waited for longer than it holds moves nothing any more. */
   @Override
-  protected final long longestWait(DriveCommand command) {
+  protected final long maxCommandAge(DriveCommand command) {
     return command instanceof Velocity wanted && !wanted.isZero()
         ? timeout.nanos()
         : Long.MAX_VALUE;
@@ -228,37 +228,37 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
    * halted past that, and once more when that is over.
    */
   private void silent(long number) {
-    helm().betweenCommands(() -> haltLate(number), () -> haltPastCommand(number));
+    commandArbiter().runBetweenCommands(() -> haltLate(number), () -> haltPastCommand(number));
   }
 
   private void haltLate(long number) {
-    if (!timeout.isWatching(number)) {
+    if (!timeout.isCurrent(number)) {
       return;
     }
     if (motion.velocity().isZero()) { // the device's thread had them stand
-      timeout.ended();
-    } else if (timeout.isOver()) {
+      timeout.cancel();
+    } else if (timeout.isExpired()) {
       haltIfLate();
     } else { // a velocity came meanwhile
-      timeout.lookAgain(number);
+      timeout.recheckLater(number);
     }
   }
 
   /** Without the lock, which whoever is held up has. Where commands flow, nobody is. */
   private void haltPastCommand(long number) {
-    if (timeout.isWatching(number) && timeout.isOver()) {
-      haltMeanwhile();
+    if (timeout.isCurrent(number) && timeout.isExpired()) {
+      haltDuringCommand();
     }
   }
 
   /** Halts the wheels where the last velocity is too old. Between commands. */
   private void haltIfLate() {
-    if (motion.velocity().isZero() || !timeout.isOver()) {
+    if (motion.velocity().isZero() || !timeout.isExpired()) {
       return;
     }
     Motion unused = change(Motion::silenced);
     stand();
-    tellState();
+    publishState();
     log.warn("{}: no velocity came for too long; the wheels are halted", path());
   }
 
@@ -273,19 +273,19 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
 
   private void stand() {
     Motion unused = change(last -> last.at(Velocity.ZERO));
-    timeout.ended();
+    timeout.cancel();
     halt();
   }
 
   @Override
-  protected final void rest() {
+  protected final void stopSafely() {
     stand();
-    tellState();
+    publishState();
   }
 
   /** {@inheritDoc} Without the lock: whoever is held up holds it. */
   @Override
-  protected final void restMeanwhile() {
+  protected final void stopDuringCommand() {
     halt();
   }
 
@@ -296,9 +296,9 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
    *
    * @param brakeSet whether its brake is set now
    */
-  protected final void forgotten(boolean brakeSet) {
+  protected final void deviceReset(boolean brakeSet) {
     Motion unused = change(last -> last.at(Velocity.ZERO).braked(brakeSet));
-    tellState();
+    publishState();
   }
 
   /**
@@ -306,50 +306,51 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
    * switch on the robot, say. Wheels that are braked are halted, and not driven on when the brake
    * is released. Waits for the driver for a moment at the most.
    */
-  protected final void brakeFound(boolean set) {
+  protected final void brakeReported(boolean set) {
     Motion last = change(was -> (set && !was.brake() ? was.at(Velocity.ZERO) : was).braked(set));
     if (last.brake() == set) {
       return;
     }
-    tellState();
+    publishState();
     if (set && !last.velocity().isZero()) {
       boolean unused =
-          halts()
+          haltExecutor()
               .executeWithin(
-                  () -> helm().betweenCommands(this::stand, this::haltMeanwhile), DRIVER_PATIENCE);
+                  () -> commandArbiter().runBetweenCommands(this::stand, this::haltDuringCommand),
+                  DRIVER_TIMEOUT);
     }
   }
 
-  private void tellState() {
-    synchronized (telling) {
-      tell(drive());
+  private void publishState() {
+    synchronized (publishLock) {
+      publish(driveState());
     }
   }
 
   /** {@inheritDoc} It answers from memory, also while the driver is held up. */
   @Override
-  public final DriveState drive() {
+  public final DriveState driveState() {
     Motion now = motion;
     return new DriveState(
-        clock().instant(), now.velocity(), now.brake(), commander(), now.silences());
+        clock().instant(), now.velocity(), now.brake(), commander(), now.commandTimeouts());
   }
 
-  /** What it says of itself besides what every drive does; see {@link #traits}. */
-  protected List<? extends Attributes> driveTraits() {
+  /** What it says of itself besides what every drive does; see {@link #deviceAttributes}. */
+  protected List<? extends Attributes> driveAttributes() {
     return List.of();
   }
 
   @Override
-  protected final List<? extends Attributes> traits() {
+  protected final List<? extends Attributes> deviceAttributes() {
     List<Attributes> all = new ArrayList<>();
-    all.add(new EffectorAttributes(inputTypes(), null, conditions()));
-    all.add(new DriveAttributes(maxSpeed, maxTurnRate, most.length(), most.width()));
-    all.addAll(driveTraits());
+    all.add(new EffectorAttributes(inputTypes(), null, surroundings()));
+    all.add(new DriveAttributes(maxSpeed, maxYawRate, most.length(), most.width()));
+    all.addAll(driveAttributes());
     return all;
   }
 
   /** What the surroundings must be like, a sentence each. */
-  protected List<String> conditions() {
+  protected List<String> surroundings() {
     return List.of("The ground is firm and level.");
   }
 }

@@ -12,15 +12,15 @@ import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.Effector;
-import org.dfra.flow.effector.StopState;
-import org.dfra.lease.Holder;
+import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.lease.LeaseRole;
 import org.dfra.module.Incident;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Precondition;
 import org.dfra.module.Readiness;
 import org.dfra.persona.Attributes;
-import org.dfra.persona.StopAttributes;
+import org.dfra.persona.EmergencyStopAttributes;
 import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
@@ -34,20 +34,20 @@ import org.jspecify.annotations.Nullable;
 public abstract class EffectorImpl<C extends Command> extends DeviceImpl implements Effector<C> {
 
   /** How long somebody waits for the driver who must not wait for it. */
-  static final Duration DRIVER_PATIENCE = Duration.ofMillis(100);
+  static final Duration DRIVER_TIMEOUT = Duration.ofMillis(100);
 
   /** How long whoever gives the command up waits until the driver rests, as an emergency stop. */
-  private static final Duration REST_PATIENCE = Duration.ofMillis(500);
+  private static final Duration STOP_TIMEOUT = Duration.ofMillis(500);
 
   private final Scheduler time;
-  private final Helm helm;
+  private final CommandArbiter helm;
   private final EmergencyStop stop;
 
   /**
    * See {@link org.dfra.core.module.ModuleImpl}.
    *
-   * @param takes the commands it takes, by the simple names of their classes
-   * @param puts the types of what it tells, by the simple names of their classes
+   * @param commandTypes the commands it takes, by the simple names of their classes
+   * @param outputTypes the types of what it tells, by the simple names of their classes
    * @param preconditions what its environment must be like
    */
   protected EffectorImpl(
@@ -55,13 +55,13 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
       String description,
       String author,
       String version,
-      List<String> takes,
-      List<String> puts,
+      List<String> commandTypes,
+      List<String> outputTypes,
       List<Precondition> preconditions) {
-    super(context, description, author, version, takes, puts, preconditions);
+    super(context, description, author, version, commandTypes, outputTypes, preconditions);
     this.time = context.robotTime();
-    StopLatch latch =
-        new StopLatch(
+    EmergencyStopLatch latch =
+        new EmergencyStopLatch(
             context.path(),
             context.state(),
             context.clock(),
@@ -69,7 +69,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
             BootId.system(),
             log);
     this.helm =
-        new Helm(
+        new CommandArbiter(
             context.path(),
             context.clock(),
             this::commanderLost,
@@ -87,13 +87,13 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
    * @throws IllegalArgumentException if the device cannot do this at all; the message says what it
    *     can
    */
-  protected abstract void obey(C command);
+  protected abstract void execute(C command);
 
   /**
    * For how long a command may have waited behind others that the driver was held up with,
    * nanoseconds of the robot's time; one that has waited longer is refused.
    */
-  protected long longestWait(C command) {
+  protected long maxCommandAge(C command) {
     return Long.MAX_VALUE;
   }
 
@@ -101,43 +101,43 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
    * There is no commander any more: comes to rest, as safely as the device can. Called between
    * commands, also while the module does not serve and while it is being closed; must not block.
    */
-  protected abstract void rest();
+  protected abstract void stopSafely();
 
   /**
    * It is stopped for an emergency, and a command is still under way in the driver, on another
-   * thread, and seems to be held up. Does what can be done nevertheless; {@link #rest} follows when
-   * the command is over. Nothing, unless a driver can do something safely.
+   * thread, and seems to be held up. Does what can be done nevertheless; {@link #stopSafely}
+   * follows when the command is over. Nothing, unless a driver can do something safely.
    */
-  protected void restMeanwhile() {}
+  protected void stopDuringCommand() {}
 
   /**
    * Whether nobody commands it, or the next commander's first command has not begun; for {@link
-   * #restMeanwhile}, which may be late.
+   * #stopDuringCommand}, which may be late.
    */
-  protected final boolean isRestDue() {
-    return helm.isRestDue();
+  protected final boolean isStopDue() {
+    return helm.isStopDue();
   }
 
   /**
    * Why it does not serve while it does not, as a clause, for those whose command is not obeyed;
    * null where there is nothing to be said.
    */
-  protected @Nullable String awaits() {
+  protected @Nullable String unavailableReason() {
     return null;
   }
 
   private void commanderLost() {
     log.info("{}: it has no commander any more and comes to rest", path());
     try {
-      rest();
+      stopSafely();
     } catch (RuntimeException e) { // a driver's fault must not keep others from ending their part
       log.error("{}: it could not be told to come to rest", path(), e);
-      survived(e);
+      recordException(e);
     }
   }
 
   private void haltSoon(Runnable task) {
-    boolean unused = haltWithin(task, REST_PATIENCE);
+    boolean unused = haltWithin(task, STOP_TIMEOUT);
   }
 
   /**
@@ -147,22 +147,22 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
    * @return whether it has ended
    */
   private boolean haltWithin(Runnable task, Duration patience) {
-    if (halts().isPrepared()) {
-      return halts().executeWithin(task, patience);
+    if (haltExecutor().isPrepared()) {
+      return haltExecutor().executeWithin(task, patience);
     }
-    if (helm.isFreeSoon()) {
+    if (helm.awaitFree()) {
       task.run();
       return true;
     }
     heldUp();
-    halts().execute(task); // which tries again to start the thread
+    haltExecutor().execute(task); // which tries again to start the thread
     return false;
   }
 
   /** A command that is under way when the commander is lost seems to be held up. */
   private void heldUp() {
     if (readiness() != Readiness.STOPPED) { // whoever ends it has done so
-      haltMeanwhile();
+      haltDuringCommand();
     }
   }
 
@@ -173,28 +173,28 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
    */
   @Override
   protected final void endLeases() {
-    helm.end();
-    if (helm.isFreeSoon()) { // and stays so: who commands from now on is refused
-      if (!haltWithin(this::endLeasesAndSettle, DRIVER_PATIENCE)) {
+    helm.close();
+    if (helm.awaitFree()) { // and stays so: who commands from now on is refused
+      if (!haltWithin(this::endLeasesAndSettle, DRIVER_TIMEOUT)) {
         log.warn("{}: its driver does not come to rest, and is closed nevertheless", path());
       }
       return;
     }
     log.warn("{}: a command is held up in its driver, which is closed nevertheless", path());
-    boolean unused = halts().executeWithin(this::haltMeanwhile, DRIVER_PATIENCE);
-    halts().execute(this::endLeasesAndSettle);
+    boolean unused = haltExecutor().executeWithin(this::haltDuringCommand, DRIVER_TIMEOUT);
+    haltExecutor().execute(this::endLeasesAndSettle);
   }
 
   /** Who has the command, or gives it up just now, has lost it by now; the rest is owed. */
   private void endLeasesAndSettle() {
     super.endLeases();
-    helm.settle();
+    helm.stopIfDue();
   }
 
   /** Halts it past the command that holds it up, as far as its driver can. */
-  final void haltMeanwhile() {
+  final void haltDuringCommand() {
     try {
-      restMeanwhile();
+      stopDuringCommand();
     } catch (RuntimeException e) { // a driver's fault must not keep it from the rest that follows
       log.error("{}: it could not be halted while it is held up", path(), e);
     }
@@ -204,25 +204,25 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
     boolean unused = leases().revoke(lease);
   }
 
-  private final class StopEnds implements EmergencyStop.Ends {
+  private final class StopEnds implements EmergencyStop.Actions {
 
     @Override
-    public void rest() {
-      EffectorImpl.this.rest();
+    public void stopSafely() {
+      EffectorImpl.this.stopSafely();
     }
 
     @Override
-    public void restMeanwhile() {
-      haltMeanwhile();
+    public void stopDuringCommand() {
+      haltDuringCommand();
     }
 
     /** Before its life and after it there is nothing to be noted in. */
     @Override
-    public void note(Incident.Kind kind, String what) {
+    public void recordIncident(Incident.Kind kind, String what) {
       log.warn("{}: {}", path(), what);
       Readiness readiness = readiness();
       if (readiness != Readiness.CREATED && readiness != Readiness.STOPPED) {
-        EffectorImpl.this.note(kind, what);
+        EffectorImpl.this.recordIncident(kind, what);
       }
     }
 
@@ -233,60 +233,61 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
   }
 
   @Override
-  public final StopState emergencyStop(@Nullable String by) {
+  public final EmergencyStopState emergencyStop(@Nullable String by) {
     return stop.stop(by);
   }
 
   @Override
-  public final StopState releaseStop(@Nullable String by) {
+  public final EmergencyStopState releaseEmergencyStop(@Nullable String by) {
     return stop.release(by);
   }
 
   @Override
-  public final StopState stopState() {
+  public final EmergencyStopState emergencyStopState() {
     return stop.state();
   }
 
   /** {@inheritDoc} Whether it is stopped for an emergency. */
   @Override
-  protected final List<? extends Attributes> traitsOfItsSort() {
-    StopState now = stop.state();
-    return List.of(new StopAttributes(now.latched(), now.by(), now.since()));
+  protected final List<? extends Attributes> categoryAttributes() {
+    EmergencyStopState now = stop.state();
+    return List.of(new EmergencyStopAttributes(now.latched(), now.requester(), now.since()));
   }
 
   @Override
-  public final CommandLease command(Duration duration) throws LeaseRefusedException {
+  public final CommandLease acquireCommandLease(Duration duration) throws LeaseRefusedException {
     leases().terms().check(path(), duration);
     UUID[] lease = new UUID[1];
     CommandKey key =
-        helm.take(
+        helm.acquire(
             "a module in its own virtual machine",
-            whenOver -> lease[0] = leases().hold(Holder.COMMANDER, whenOver, whenOver));
+            whenOver -> lease[0] = leases().grantLocal(LeaseRole.COMMANDER, whenOver, whenOver));
     return new LocalCommandLease(leases(), lease[0], key, duration, clock());
   }
 
   @Override
-  public final void obey(CommandKey key, C command) {
+  public final void execute(CommandKey key, C command) {
     long asked = time.nanos();
-    helm.obey(
+    helm.execute(
         key,
         () -> {
           refuseIfTooOld(command, time.nanos() - asked);
           Readiness readiness = readiness();
           if (!readiness.serves()) {
-            @Nullable String awaits = awaits();
+            @Nullable String awaits = unavailableReason();
             throw new NotReadyException(
                 path(),
                 readiness,
                 "it cannot obey " + command + " now" + (awaits == null ? "" : ": " + awaits));
           }
-          boolean unused = halts().isPrepared(); // for its end; a halt is obeyed without, too
-          obey(command);
+          boolean unused =
+              haltExecutor().isPrepared(); // for its end; a halt is obeyed without, too
+          execute(command);
         });
   }
 
   private void refuseIfTooOld(C command, long waited) {
-    if (waited > longestWait(command)) {
+    if (waited > maxCommandAge(command)) {
       throw new CommandRefusedException(
           String.format(
               Locale.ROOT,
@@ -299,7 +300,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
   }
 
   /** Who commands it, for whoever serves it to the network. */
-  public final Helm helm() {
+  public final CommandArbiter commandArbiter() {
     return helm;
   }
 

@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.UUID;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import org.dfra.flow.effector.StopState;
+import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.module.Incident;
 import org.jspecify.annotations.Nullable;
 
@@ -22,33 +22,33 @@ import org.jspecify.annotations.Nullable;
 final class EmergencyStop {
 
   /** How long a stop waits for the driver before it goes on. */
-  private static final Duration PATIENCE = Duration.ofMillis(500);
+  private static final Duration DRIVER_TIMEOUT = Duration.ofMillis(500);
 
   /** What it has to do with. */
-  interface Ends {
+  interface Actions {
 
-    /** Comes to rest, between commands; see {@link EffectorImpl#rest}. */
-    void rest();
+    /** Comes to rest, between commands; see {@link EffectorImpl#stopSafely}. */
+    void stopSafely();
 
-    /** See {@link EffectorImpl#restMeanwhile}. */
-    void restMeanwhile();
+    /** See {@link EffectorImpl#stopDuringCommand}. */
+    void stopDuringCommand();
 
     /** Something enters the history. */
-    void note(Incident.Kind kind, String what);
+    void recordIncident(Incident.Kind kind, String what);
 
     /** Ends the lease of a commander who was deposed. */
     void revoke(UUID lease);
   }
 
   private final String module;
-  private final StopLatch latch;
-  private final Helm helm;
-  private final Ends ends;
+  private final EmergencyStopLatch latch;
+  private final CommandArbiter helm;
+  private final Actions ends;
 
   private final Object halting = new Object();
   private @Nullable Halt last; // guarded by halting
 
-  EmergencyStop(String module, StopLatch latch, Helm helm, Ends ends) {
+  EmergencyStop(String module, EmergencyStopLatch latch, CommandArbiter helm, Actions ends) {
     this.module = module;
     this.latch = latch;
     this.helm = helm;
@@ -64,10 +64,10 @@ final class EmergencyStop {
     @Override
     public void run() {
       try {
-        helm.betweenCommands(this::rest, ends::restMeanwhile);
+        helm.runBetweenCommands(this::rest, ends::stopDuringCommand);
       } catch (RuntimeException | Error e) { // a driver's fault; it is told to whoever asks
         fault = "its driver could not be told to come to rest (" + e + "); switch it off by hand";
-        ends.note(Incident.Kind.EXCEPTION, "stopped for an emergency, " + fault);
+        ends.recordIncident(Incident.Kind.EXCEPTION, "stopped for an emergency, " + fault);
       } finally {
         over.countDown();
       }
@@ -77,8 +77,8 @@ final class EmergencyStop {
       synchronized (halting) {
         begun = true; // who stops it from now on wants more than this
       }
-      helm.rested(); // by what follows
-      ends.rest();
+      helm.markStopped(); // by what follows
+      ends.stopSafely();
     }
 
     @Nullable String fault() {
@@ -89,18 +89,18 @@ final class EmergencyStop {
   }
 
   /** See {@link org.dfra.flow.effector.Effector#emergencyStop}. */
-  StopState stop(@Nullable String by) {
+  EmergencyStopState stop(@Nullable String by) {
     boolean isNew = latch.engage(by);
     @Nullable UUID lease = helm.depose();
     Halt halt = halt();
     if (isNew) {
-      ends.note(
+      ends.recordIncident(
           Incident.Kind.EMERGENCY_STOP,
-          "it was stopped for an emergency, by " + latch.state().by());
+          "it was stopped for an emergency, by " + latch.state().requester());
     }
     boolean interrupted = await(halt);
     try {
-      keep();
+      persist();
       if (lease != null) {
         ends.revoke(lease);
       }
@@ -137,35 +137,35 @@ final class EmergencyStop {
   private static boolean await(Halt halt) {
     boolean interrupted = Thread.interrupted();
     try {
-      boolean unused = halt.over.await(PATIENCE.toMillis(), TimeUnit.MILLISECONDS);
+      boolean unused = halt.over.await(DRIVER_TIMEOUT.toMillis(), TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
       interrupted = true;
     }
     return interrupted;
   }
 
-  private void keep() {
-    if (!latch.keep()) {
-      ends.note(
+  private void persist() {
+    if (!latch.persist()) {
+      ends.recordIncident(
           Incident.Kind.EXCEPTION,
           "of its emergency stop: " + String.valueOf(latch.state().fault()));
     }
   }
 
-  /** See {@link org.dfra.flow.effector.Effector#releaseStop}. */
-  StopState release(@Nullable String by) {
+  /** See {@link org.dfra.flow.effector.Effector#releaseEmergencyStop}. */
+  EmergencyStopState release(@Nullable String by) {
     if (latch.release(by)) {
-      keep();
-      ends.note(
+      persist();
+      ends.recordIncident(
           Incident.Kind.RELEASE,
-          "it was released from its emergency stop, by " + latch.state().by());
+          "it was released from its emergency stop, by " + latch.state().requester());
     }
     return state();
   }
 
-  /** See {@link org.dfra.flow.effector.Effector#stopState}. */
-  StopState state() {
-    StopState stop = latch.state();
+  /** See {@link org.dfra.flow.effector.Effector#emergencyStopState}. */
+  EmergencyStopState state() {
+    EmergencyStopState stop = latch.state();
     @Nullable Halt halt;
     synchronized (halting) {
       halt = last;
@@ -173,12 +173,12 @@ final class EmergencyStop {
     @Nullable String fault = stop.latched() && halt != null ? halt.fault() : null;
     return fault == null
         ? stop
-        : new StopState(
+        : new EmergencyStopState(
             stop.latched(),
-            stop.by(),
+            stop.requester(),
             stop.since(),
             false,
-            StopLatch.join(fault, stop.fault()),
+            EmergencyStopLatch.join(fault, stop.fault()),
             stop.age());
   }
 }

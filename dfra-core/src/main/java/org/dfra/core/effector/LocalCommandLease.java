@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.UUID;
-import org.dfra.core.lease.LeaseBook;
+import org.dfra.core.lease.LeaseRegistry;
 import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandLease;
 
@@ -13,7 +13,7 @@ import org.dfra.flow.effector.CommandLease;
  * revoked, or the module ends.
  */
 record LocalCommandLease(
-    LeaseBook book, UUID id, CommandKey key, Duration duration, InstantSource clock)
+    LeaseRegistry registry, UUID id, CommandKey key, Duration duration, InstantSource clock)
     implements CommandLease {
 
   @Override
@@ -23,11 +23,11 @@ record LocalCommandLease(
 
   @Override
   public boolean isLive() {
-    return book.holds(id);
+    return registry.contains(id);
   }
 
   @Override
   public void close() {
-    boolean unused = book.cancel(id);
+    boolean unused = registry.cancel(id);
   }
 }

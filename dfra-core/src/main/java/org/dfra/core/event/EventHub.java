@@ -7,7 +7,7 @@ import java.util.concurrent.Executor;
 import org.dfra.core.state.StateStore;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
-import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.DeliveryPolicy.EventKind;
 import org.dfra.event.ModuleEvent;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.delivery.DeliveryPool;
@@ -24,8 +24,8 @@ public final class EventHub {
   private final InstantSource clock;
   private final DeliveryPool pool;
   private final Scheduler scheduler;
-  private final EventNumbers numbers; // guarded by this
-  private final List<Entry> entries = new CopyOnWriteArrayList<>();
+  private final EventSequences numbers; // guarded by this
+  private final List<ListenerEntry> entries = new CopyOnWriteArrayList<>();
 
   /**
    * @param module the module's path, {@code robot/name}
@@ -40,7 +40,7 @@ public final class EventHub {
       Scheduler scheduler) {
     this.module = module;
     this.clock = clock;
-    this.numbers = new EventNumbers(state, clock);
+    this.numbers = new EventSequences(state, clock);
     this.pool = pool;
     this.scheduler = scheduler;
   }
@@ -49,18 +49,19 @@ public final class EventHub {
    * One listener's place here.
    *
    * @param epoch the module's epoch when it began to listen
-   * @param numbers the last number of each kind of event by then, by ordinal
+   * @param lastSequences the last number of each kind of event by then, by ordinal
    */
-  public record Entry(ModuleListener listener, ListenerQueue queue, long epoch, long[] numbers) {}
+  public record ListenerEntry(
+      ModuleListener listener, ListenerQueue queue, long epoch, long[] lastSequences) {}
 
   /**
    * Adds a listener. Every event published from now on is offered to it.
    *
    * @param failuresAllowed after so many failures in a row it is removed; {@link
-   *     ListenerQueue#NEVER} for a listener in this virtual machine
+   *     ListenerQueue#NEVER_GIVE_UP} for a listener in this virtual machine
    * @param whenGivenUp run once when that happens
    */
-  public Entry add(
+  public ListenerEntry add(
       ModuleListener listener, DeliveryPolicy policy, int failuresAllowed, Runnable whenGivenUp) {
     return add(listener, policy, failuresAllowed, whenGivenUp, pool);
   }
@@ -71,7 +72,7 @@ public final class EventHub {
    * @param deliveries runs each delivery; it drops none. In lock-step the hub's pool does, since
    *     nothing else may run beside the scheduler there
    */
-  public Entry add(
+  public ListenerEntry add(
       ModuleListener listener,
       DeliveryPolicy policy,
       int failuresAllowed,
@@ -89,20 +90,20 @@ public final class EventHub {
             scheduler.isLockStep() ? pool : deliveries,
             scheduler);
     synchronized (this) {
-      Entry entry = new Entry(listener, queue, numbers.epoch(), numbers.last());
+      ListenerEntry entry = new ListenerEntry(listener, queue, numbers.epoch(), numbers.last());
       entries.add(entry);
       return entry;
     }
   }
 
   /** Removes a listener. */
-  public void remove(Entry entry) {
+  public void remove(ListenerEntry entry) {
     entries.remove(entry);
     entry.queue().close();
   }
 
   /** Those who listen. */
-  public List<Entry> entries() {
+  public List<ListenerEntry> entries() {
     return List.copyOf(entries);
   }
 
@@ -111,8 +112,13 @@ public final class EventHub {
     synchronized (this) { // held while offering too, so that everybody sees the same order
       Delivery delivery =
           new Delivery(
-              module, numbers.epoch(), numbers.next(Kind.of(event)), 0, clock.instant(), event);
-      for (Entry entry : entries) {
+              module,
+              numbers.epoch(),
+              numbers.next(EventKind.of(event)),
+              0,
+              clock.instant(),
+              event);
+      for (ListenerEntry entry : entries) {
         entry.queue().offer(delivery);
       }
     }

@@ -4,7 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.dfra.core.config.Faults;
+import org.dfra.core.config.ConfigurationFaults;
 import org.dfra.core.config.Place;
 import org.dfra.geometry.GeoPosition;
 
@@ -32,7 +32,7 @@ public record GeoJsonFeature(Place place, JsonNode properties, JsonNode geometry
    * first, so does it here. Heights are left out, and 0. Empty, and noted, where the polygon has
    * holes, or a corner is no position.
    */
-  public Optional<List<GeoPosition>> ring(Faults faults) {
+  public Optional<List<GeoPosition>> ring(ConfigurationFaults faults) {
     if (coordinates().size() != 1) {
       faults.add(
           place,
@@ -55,7 +55,7 @@ public record GeoJsonFeature(Place place, JsonNode properties, JsonNode geometry
   /**
    * The position of a pair of coordinates, its height left out, and 0; empty, and noted, if none.
    */
-  public Optional<GeoPosition> position(JsonNode pair, Faults faults) {
+  public Optional<GeoPosition> position(JsonNode pair, ConfigurationFaults faults) {
     JsonNode longitude = pair.path(0);
     JsonNode latitude = pair.path(1);
     if (!longitude.isNumber()

@@ -10,7 +10,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import org.dfra.core.config.Faults;
+import org.dfra.core.config.ConfigurationFaults;
 import org.dfra.core.config.Place;
 import org.dfra.core.config.SourceFile;
 
@@ -42,8 +42,8 @@ public record GeoJsonFile(Place place, String type, List<GeoJsonFeature> feature
    *
    * @throws org.dfra.core.config.ConfigurationException if it is not there or cannot be read
    */
-  public static GeoJsonFile read(Path file, Faults faults) {
-    return new Reading(file.toString(), faults).read(SourceFile.bytes(file, "a GeoJSON file"));
+  public static GeoJsonFile read(Path file, ConfigurationFaults faults) {
+    return new Reading(file.toString(), faults).read(SourceFile.readBytes(file, "a GeoJSON file"));
   }
 
   /** Whether its root is a FeatureCollection that has features, or at least their empty array. */
@@ -59,12 +59,12 @@ public record GeoJsonFile(Place place, String type, List<GeoJsonFeature> feature
   private static final class Reading {
 
     private final String file;
-    private final Faults faults;
+    private final ConfigurationFaults faults;
     private final List<GeoJsonFeature> features = new ArrayList<>();
     private final ObjectNode others = MAPPER.createObjectNode(); // the root's other members
     private boolean hasFeatures;
 
-    Reading(String file, Faults faults) {
+    Reading(String file, ConfigurationFaults faults) {
       this.file = file;
       this.faults = faults;
     }

@@ -79,11 +79,11 @@ public final class FrameTree {
     }
     DMatrix4x4 whole = new DMatrix4x4();
     CommonOps_DDF4.mult(fromCommon, toCommon, whole);
-    return Matrices.transform(whole);
+    return TransformMatrices.transform(whole);
   }
 
   private DMatrix4x4 matrix(String frame, String ancestor) {
-    DMatrix4x4 product = Matrices.of(Transform.IDENTITY);
+    DMatrix4x4 product = TransformMatrices.of(Transform.IDENTITY);
     String at = frame;
     while (!at.equals(ancestor)) {
       Placed placed = frames.get(at);
@@ -91,7 +91,7 @@ public final class FrameTree {
         throw new IllegalArgumentException("frame " + at + " was taken away meanwhile");
       }
       DMatrix4x4 next = new DMatrix4x4();
-      CommonOps_DDF4.mult(Matrices.of(placed.transform()), product, next);
+      CommonOps_DDF4.mult(TransformMatrices.of(placed.transform()), product, next);
       product = next;
       at = placed.parent();
     }

@@ -38,7 +38,7 @@ public final class FreePorts {
    *
    * @throws IOException when all of them are taken
    */
-  public static synchronized int next() throws IOException {
+  public static synchronized int allocate() throws IOException {
     int start = FIRST + RANDOM.nextInt(END - FIRST);
     for (int offset = 0; offset < END - FIRST; offset++) {
       int port = FIRST + (start - FIRST + offset) % (END - FIRST);

@@ -63,7 +63,7 @@ public final class PrivateFiles {
    */
   public static void requireFolder(Path folder) throws IOException {
     makeFolder(folder);
-    @Nullable String fault = fault(folder);
+    @Nullable String fault = privacyFault(folder);
     if (fault != null) {
       throw new IOException(fault);
     }
@@ -75,12 +75,12 @@ public final class PrivateFiles {
    */
   public static void requireFolderOrParent(Path folder) throws IOException {
     makeFolder(folder);
-    @Nullable String fault = fault(folder);
+    @Nullable String fault = privacyFault(folder);
     if (fault == null) {
       return;
     }
     @Nullable Path parent = folder.toAbsolutePath().normalize().getParent();
-    if (parent == null || fault(parent) != null) {
+    if (parent == null || privacyFault(parent) != null) {
       throw new IOException(fault);
     }
   }
@@ -90,7 +90,7 @@ public final class PrivateFiles {
    *
    * @throws IOException if it does not exist or its mode cannot be read
    */
-  public static @Nullable String fault(Path folder) throws IOException {
+  public static @Nullable String privacyFault(Path folder) throws IOException {
     PosixFileAttributes attributes = attributes(folder);
     UserPrincipal user = user();
     if (!attributes.owner().equals(user)) {

@@ -3,28 +3,28 @@ package org.dfra.core.lease;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.UUID;
-import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseHandle;
+import org.dfra.lease.LeaseRole;
 import org.dfra.lease.LeaseStatus;
-import org.dfra.time.Scheduler.Task;
+import org.dfra.time.Scheduler.ScheduledTask;
 import org.jspecify.annotations.Nullable;
 
-/** One lease of a {@link LeaseBook}, whose lock guards what changes here. */
+/** One lease of a {@link LeaseRegistry}, whose lock guards what changes here. */
 final class LeaseEntry {
 
   final LeaseHandle handle;
-  final Holder holder;
+  final LeaseRole holder;
   final @Nullable String host;
   final Instant since;
   final long granted; // nanoseconds of the scheduler
-  final Runnable whenOver;
-  final Runnable whenCancelled;
+  final Runnable onEnd;
+  final Runnable onCancel;
   long end; // guarded by the book; nothing where there is no expiry
-  @Nullable Task expiry; // guarded by the book; null where nobody need renew
+  @Nullable ScheduledTask expiry; // guarded by the book; null where nobody need renew
 
   LeaseEntry(
       UUID id,
-      Holder holder,
+      LeaseRole holder,
       @Nullable String host,
       Instant since,
       long granted,
@@ -35,8 +35,8 @@ final class LeaseEntry {
     this.host = host;
     this.since = since;
     this.granted = granted;
-    this.whenOver = whenOver;
-    this.whenCancelled = whenCancelled;
+    this.onEnd = whenOver;
+    this.onCancel = whenCancelled;
   }
 
   /**

@@ -7,24 +7,24 @@ import org.dfra.lease.LeaseRefusedException;
 /**
  * What leases a module grants.
  *
- * @param longest the longest, at least a millisecond
- * @param usual for those who leave it to the module, not longer
+ * @param maxDuration the longest, at least a millisecond
+ * @param defaultDuration for those who leave it to the module, not longer
  */
-public record LeaseTerms(Duration longest, Duration usual) {
+public record LeaseTerms(Duration maxDuration, Duration defaultDuration) {
 
   /** Half a minute at the longest, usually ten seconds. */
-  public static final LeaseTerms USUAL =
+  public static final LeaseTerms DEFAULT =
       new LeaseTerms(Duration.ofSeconds(30), Duration.ofSeconds(10));
 
   private static final int MILLI = 3;
 
   public LeaseTerms {
-    if (usual.toMillis() < 1 || usual.compareTo(longest) > 0) {
+    if (defaultDuration.toMillis() < 1 || defaultDuration.compareTo(maxDuration) > 0) {
       throw new IllegalArgumentException(
           "usual lease "
-              + seconds(usual)
+              + seconds(defaultDuration)
               + " is outside 0.001 s to the longest "
-              + seconds(longest));
+              + seconds(maxDuration));
     }
   }
 
@@ -36,14 +36,14 @@ public record LeaseTerms(Duration longest, Duration usual) {
    */
   public void check(String module, Duration asked) throws LeaseRefusedException {
     boolean tooShort = asked.isNegative() || asked.isZero();
-    if (tooShort || asked.compareTo(longest) > 0) {
+    if (tooShort || asked.compareTo(maxDuration) > 0) {
       throw new LeaseRefusedException(
           module
               + ": lease "
               + seconds(asked)
-              + (tooShort ? " is not above 0" : " > longest allowed " + seconds(longest))
+              + (tooShort ? " is not above 0" : " > longest allowed " + seconds(maxDuration))
               + "; ask for "
-              + seconds(longest)
+              + seconds(maxDuration)
               + " or less");
     }
   }

@@ -1,6 +1,6 @@
 /**
  * Leases inside one virtual machine: who counts as a module's client, and until when. Enter at
- * {@link org.dfra.core.lease.LeaseBook}; the distributed layer's landlord writes into the same
+ * {@link org.dfra.core.lease.LeaseRegistry}; the distributed layer's landlord writes into the same
  * book.
  */
 @NullMarked

@@ -3,24 +3,29 @@ package org.dfra.core.module;
 import java.util.ArrayList;
 import java.util.List;
 import org.dfra.flow.Chainable;
+import org.dfra.persona.AttributeProvider;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ChainAttributes;
-import org.dfra.persona.Described;
 
 /** Base of every module that is a link of a chain: devices and schemas. */
-public abstract class ChainableImpl extends ModuleImpl implements Chainable, Described {
+public abstract class ChainableImpl extends ModuleImpl implements Chainable, AttributeProvider {
 
-  private final ChainPlace chain;
+  private final ChainWiring chain;
 
   /**
    * See {@link ModuleImpl#ModuleImpl}.
    *
-   * @param puts the types it puts out, by the simple names of their classes
+   * @param outputTypes the types it puts out, by the simple names of their classes
    */
   protected ChainableImpl(
-      ModuleContext context, String description, String author, String version, List<String> puts) {
+      ModuleContext context,
+      String description,
+      String author,
+      String version,
+      List<String> outputTypes) {
     super(context, description, author, version);
-    this.chain = new ChainPlace(context.path(), this::declaredInputTypes, puts, this::onWired);
+    this.chain =
+        new ChainWiring(context.path(), this::declaredInputTypes, outputTypes, this::onWired);
   }
 
   /** The types it takes in, by the simple names of their classes; always the same. */
@@ -33,14 +38,14 @@ public abstract class ChainableImpl extends ModuleImpl implements Chainable, Des
   protected void onWired(List<String> modules) {}
 
   /** What it says of itself besides its chain; from memory. */
-  protected abstract List<? extends Attributes> furtherAttributes();
+  protected abstract List<? extends Attributes> additionalAttributes();
 
-  /** {@inheritDoc} Its chain, and its {@link #furtherAttributes}. */
+  /** {@inheritDoc} Its chain, and its {@link #additionalAttributes}. */
   @Override
   public final List<Attributes> attributes() {
     List<Attributes> all = new ArrayList<>();
     all.add(new ChainAttributes(inputTypes(), outputTypes()));
-    all.addAll(furtherAttributes());
+    all.addAll(additionalAttributes());
     return all;
   }
 

@@ -25,15 +25,15 @@ import org.dfra.persona.PoseAttributes;
 public abstract class DeviceImpl extends ChainableImpl implements Device {
 
   private final List<String> takes;
-  private final Mount mount;
-  private final Examinations examinations;
+  private final MountParameters mount;
+  private final Diagnostics examinations;
   private final List<Precondition> preconditions;
 
   /**
    * See {@link ModuleImpl#ModuleImpl}.
    *
-   * @param takes the types it takes in, by the simple names of their classes
-   * @param puts the types of its readings, by the simple names of their classes
+   * @param inputTypes the types it takes in, by the simple names of their classes
+   * @param outputTypes the types of its readings, by the simple names of their classes
    * @param preconditions what its environment must be like
    */
   protected DeviceImpl(
@@ -41,13 +41,13 @@ public abstract class DeviceImpl extends ChainableImpl implements Device {
       String description,
       String author,
       String version,
-      List<String> takes,
-      List<String> puts,
+      List<String> inputTypes,
+      List<String> outputTypes,
       List<Precondition> preconditions) {
-    super(context, description, author, version, puts);
-    this.takes = List.copyOf(takes);
-    this.mount = new Mount(context.robot(), context.parameters(), declared());
-    this.examinations = new Examinations(context.path(), context.clock(), context.scheduler(), log);
+    super(context, description, author, version, outputTypes);
+    this.takes = List.copyOf(inputTypes);
+    this.mount = new MountParameters(context.robot(), context.parameters(), parameterTable());
+    this.examinations = new Diagnostics(context.path(), context.clock(), context.scheduler(), log);
     this.preconditions = List.copyOf(preconditions);
   }
 
@@ -57,7 +57,7 @@ public abstract class DeviceImpl extends ChainableImpl implements Device {
   }
 
   /** Where tests and recovery methods are declared. */
-  protected final Examinations examinations() {
+  protected final Diagnostics diagnostics() {
     return examinations;
   }
 
@@ -65,23 +65,23 @@ public abstract class DeviceImpl extends ChainableImpl implements Device {
    * What it says of itself besides its chain and its mount; asked several times a second, so it
    * answers from memory.
    */
-  protected abstract List<? extends Attributes> traits();
+  protected abstract List<? extends Attributes> deviceAttributes();
 
-  /** What every device of its sort says of itself, besides {@link #traits}; as those. */
-  protected List<? extends Attributes> traitsOfItsSort() {
+  /** What every device of its sort says of itself, besides {@link #deviceAttributes}; as those. */
+  protected List<? extends Attributes> categoryAttributes() {
     return List.of();
   }
 
-  /** {@inheritDoc} Its mount, what its sort says, and its {@link #traits}. */
+  /** {@inheritDoc} Its mount, what its sort says, and its {@link #deviceAttributes}. */
   @Override
-  protected final List<Attributes> furtherAttributes() {
+  protected final List<Attributes> additionalAttributes() {
     List<Attributes> all = new ArrayList<>();
     Transform at = mount.transform();
     all.add(
         new PoseAttributes(
             frame(), parentFrame(), at.x(), at.y(), at.z(), at.roll(), at.pitch(), at.yaw()));
-    all.addAll(traitsOfItsSort());
-    all.addAll(traits());
+    all.addAll(categoryAttributes());
+    all.addAll(deviceAttributes());
     return all;
   }
 

@@ -46,22 +46,23 @@ public final class LatestReading<T> {
   /**
    * @param what it is, for people: {@code scan}, {@code position}
    * @param module whose reading it is
-   * @param become moves the module along an arrow of {@link Readiness}, with the reason as a clause
+   * @param transition moves the module along an arrow of {@link Readiness}, with the reason as a
+   *     clause
    * @param nanos the time by which it ages, nanoseconds
-   * @param longestAge how old a reading may be when it is served; as things are now
+   * @param maxAge how old a reading may be when it is served; as things are now
    */
   public LatestReading(
       String what,
       ModuleImpl module,
-      BiConsumer<Readiness, String> become,
+      BiConsumer<Readiness, String> transition,
       LongSupplier nanos,
-      Supplier<Duration> longestAge) {
+      Supplier<Duration> maxAge) {
     this.what = what;
     this.module = module;
-    this.become = become;
+    this.become = transition;
     this.nanos = nanos;
-    this.longestAge = longestAge;
-    module.awaits(this);
+    this.longestAge = maxAge;
+    module.addRequiredReading(this);
   }
 
   /** A new one has come; a module that is INITIALIZING becomes READY by it. */
@@ -93,8 +94,8 @@ public final class LatestReading<T> {
   }
 
   /** There is none any more, since none comes; a module that serves ceases to. */
-  public void lose(String reason) {
-    forget(reason);
+  public void markLost(String reason) {
+    clear(reason);
     if (module.readiness().serves()) {
       become.accept(Readiness.INITIALIZING, reason);
     }
@@ -105,7 +106,7 @@ public final class LatestReading<T> {
    *
    * @param reason why, as a clause
    */
-  public void forget(String reason) {
+  public void clear(String reason) {
     awaits = reason;
     last = null;
   }
@@ -115,12 +116,12 @@ public final class LatestReading<T> {
    *
    * @param clause as in {@code its link is being opened}
    */
-  public void awaits(String clause) {
+  public void setMissing(String clause) {
     awaits = clause;
   }
 
   /** What is missing, or was before the last one came, as a clause. */
-  public String awaits() {
+  public String missing() {
     return awaits;
   }
 

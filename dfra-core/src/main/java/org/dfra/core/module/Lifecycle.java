@@ -6,7 +6,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.core.event.EventHub;
-import org.dfra.core.history.HistoryBook;
+import org.dfra.core.history.IncidentLog;
 import org.dfra.event.ModuleEvent;
 import org.dfra.module.Incident;
 import org.dfra.module.Readiness;
@@ -27,7 +27,7 @@ final class Lifecycle {
   private final String module;
   private final Logger log;
   private final EventHub events;
-  private final HistoryBook history;
+  private final IncidentLog history;
 
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition readinessChanged;
@@ -43,7 +43,7 @@ final class Lifecycle {
    * @param log the module's
    * @param scheduler by its time is waited
    */
-  Lifecycle(String module, Logger log, EventHub events, HistoryBook history, Scheduler scheduler) {
+  Lifecycle(String module, Logger log, EventHub events, IncidentLog history, Scheduler scheduler) {
     this.module = module;
     this.log = log;
     this.events = events;
@@ -59,8 +59,8 @@ final class Lifecycle {
         return false;
       }
       started = true;
-      history.begin();
-      become(Readiness.INITIALIZING);
+      history.beginLife();
+      transitionTo(Readiness.INITIALIZING);
       return true;
     } finally {
       lock.unlock();
@@ -84,10 +84,10 @@ final class Lifecycle {
       if (closed) {
         return false;
       }
-      become(Readiness.STOPPED);
+      transitionTo(Readiness.STOPPED);
       closed = true;
       if (started) {
-        note(Incident.Kind.DEACTIVATION, "it was closed");
+        recordIncident(Incident.Kind.DEACTIVATION, "it was closed");
       }
       return true;
     } finally {
@@ -99,8 +99,8 @@ final class Lifecycle {
   void failIfAlive(String why) {
     lock.lock();
     try {
-      if (readiness.mayBecome(Readiness.FAILED)) {
-        become(Readiness.FAILED, why);
+      if (readiness.canTransitionTo(Readiness.FAILED)) {
+        transitionTo(Readiness.FAILED, why);
       }
     } finally {
       lock.unlock();
@@ -125,7 +125,7 @@ final class Lifecycle {
     lock.lock();
     try {
       long nanos = TimeUnit.NANOSECONDS.convert(patience); // the longest there is, if too long
-      while (!readiness.serves() && !readiness.isHopeless() && nanos > 0) {
+      while (!readiness.serves() && !readiness.isFailedOrStopped() && nanos > 0) {
         nanos = readinessChanged.awaitNanos(nanos);
       }
       return readiness;
@@ -138,7 +138,7 @@ final class Lifecycle {
   }
 
   /** Why it made its last step, as a clause; empty where nobody said so. */
-  Optional<String> why() {
+  Optional<String> reason() {
     lock.lock();
     try {
       return Optional.ofNullable(why);
@@ -147,23 +147,23 @@ final class Lifecycle {
     }
   }
 
-  /** As {@link ModuleImpl#become(Readiness)}. */
-  void become(Readiness next) {
-    become(next, "it went from serving to " + next, null);
+  /** As {@link ModuleImpl#transitionTo(Readiness)}. */
+  void transitionTo(Readiness next) {
+    transitionTo(next, "it went from serving to " + next, null);
   }
 
-  /** As {@link ModuleImpl#become(Readiness, String)}. */
-  void become(Readiness next, String reason) {
-    become(next, reason, reason);
+  /** As {@link ModuleImpl#transitionTo(Readiness, String)}. */
+  void transitionTo(Readiness next, String reason) {
+    transitionTo(next, reason, reason);
   }
 
-  private void become(Readiness next, String incident, @Nullable String reason) {
+  private void transitionTo(Readiness next, String incident, @Nullable String reason) {
     lock.lock();
     try {
       if (readiness == next || closed) {
         return;
       }
-      if (!readiness.mayBecome(next)) {
+      if (!readiness.canTransitionTo(next)) {
         throw new IllegalStateException(module + " cannot go from " + readiness + " to " + next);
       }
       Readiness last = readiness;
@@ -171,11 +171,11 @@ final class Lifecycle {
       readiness = next;
       why = reason;
       readinessChanged.signalAll();
-      history.serving(next.serves());
+      history.setServing(next.serves());
       events.publish(new ModuleEvent.ReadinessChanged(last, next));
       remember(last, next, incident);
       if (next == Readiness.READY && clients > 0) {
-        become(Readiness.ACTIVE);
+        transitionTo(Readiness.ACTIVE);
       }
     } finally {
       lock.unlock();
@@ -185,22 +185,22 @@ final class Lifecycle {
   private void remember(Readiness last, Readiness next, String incident) {
     if (next == Readiness.FAILED || (last.serves() && next == Readiness.INITIALIZING)) {
       lapsed = true;
-      note(Incident.Kind.FAILURE, incident);
+      recordIncident(Incident.Kind.FAILURE, incident);
     } else if (lapsed && next.serves()) {
       lapsed = false;
-      note(Incident.Kind.RECOVERY, "it serves again");
+      recordIncident(Incident.Kind.RECOVERY, "it serves again");
     }
   }
 
   /** Writes an incident into the history, and tells the listeners. */
-  void note(Incident.Kind kind, String what) {
-    events.publish(new ModuleEvent.IncidentNoted(history.note(kind, what)));
+  void recordIncident(Incident.Kind kind, String what) {
+    events.publish(new ModuleEvent.IncidentRecorded(history.record(kind, what)));
   }
 
   /**
    * So many clients there are now: with any it is active while it is ready, with none it is not.
    */
-  void clients(int number) {
+  void setClientCount(int number) {
     lock.lock();
     try {
       clients = number;
@@ -208,9 +208,9 @@ final class Lifecycle {
         return;
       }
       if (number > 0 && readiness == Readiness.READY) {
-        become(Readiness.ACTIVE);
+        transitionTo(Readiness.ACTIVE);
       } else if (number == 0 && readiness == Readiness.ACTIVE) {
-        become(Readiness.READY);
+        transitionTo(Readiness.READY);
       }
     } finally {
       lock.unlock();

@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.UUID;
-import org.dfra.core.lease.LeaseBook;
+import org.dfra.core.lease.LeaseRegistry;
 import org.dfra.lease.ModuleLease;
 
 /**
@@ -13,12 +13,12 @@ import org.dfra.lease.ModuleLease;
  */
 final class LocalLease implements ModuleLease {
 
-  private final LeaseBook book;
+  private final LeaseRegistry book;
   private final UUID id;
   private final Duration duration;
   private final InstantSource clock;
 
-  LocalLease(LeaseBook book, UUID id, Duration duration, InstantSource clock) {
+  LocalLease(LeaseRegistry book, UUID id, Duration duration, InstantSource clock) {
     this.book = book;
     this.id = id;
     this.duration = duration;
@@ -32,7 +32,7 @@ final class LocalLease implements ModuleLease {
 
   @Override
   public boolean isLive() {
-    return book.holds(id);
+    return book.contains(id);
   }
 
   @Override

@@ -2,12 +2,12 @@ package org.dfra.core.module;
 
 import java.util.UUID;
 import org.dfra.core.event.EventHub;
-import org.dfra.core.lease.LeaseBook;
+import org.dfra.core.lease.LeaseRegistry;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Subscription;
+import org.dfra.event.delivery.DeliveryCounter;
 import org.dfra.event.delivery.ListenerQueue;
-import org.dfra.event.delivery.Tally;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.Readiness;
 import org.jspecify.annotations.Nullable;
@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
 final class LocalListeners {
 
   private final EventHub events;
-  private final LeaseBook leases;
+  private final LeaseRegistry leases;
   private final Lifecycle lifecycle;
 
   /**
@@ -27,7 +27,7 @@ final class LocalListeners {
    * @param leases the module's
    * @param lifecycle the module's
    */
-  LocalListeners(EventHub events, LeaseBook leases, Lifecycle lifecycle) {
+  LocalListeners(EventHub events, LeaseRegistry leases, Lifecycle lifecycle) {
     this.events = events;
     this.leases = leases;
     this.lifecycle = lifecycle;
@@ -35,19 +35,19 @@ final class LocalListeners {
 
   /** Adds a listener. One that comes after the module's end is added too, and hears nothing. */
   Subscription add(ModuleListener listener, DeliveryPolicy policy) {
-    Tally tally = new Tally(listener);
-    EventHub.Entry entry = events.add(tally, policy, ListenerQueue.NEVER, () -> {});
-    tally.begin(entry.numbers());
+    DeliveryCounter tally = new DeliveryCounter(listener);
+    EventHub.ListenerEntry entry = events.add(tally, policy, ListenerQueue.NEVER_GIVE_UP, () -> {});
+    tally.startAfter(entry.lastSequences());
     @Nullable UUID lease;
     try {
-      lease = leases.hold(ModuleImpl.holder(policy), () -> revoked(entry));
+      lease = leases.grantLocal(ModuleImpl.leaseRole(policy), () -> revoked(entry));
     } catch (LeaseRefusedException e) { // it has ended, and will not tell anything any more
       lease = null;
     }
     @Nullable UUID held = lease;
     return new LocalSubscription(
         tally,
-        () -> held != null && leases.holds(held),
+        () -> held != null && leases.contains(held),
         () -> {
           events.remove(entry);
           if (held != null) {
@@ -57,7 +57,7 @@ final class LocalListeners {
   }
 
   /** A listener's lease was ended for it. Of the module's own end it still hears. */
-  private void revoked(EventHub.Entry entry) {
+  private void revoked(EventHub.ListenerEntry entry) {
     if (lifecycle.readiness() != Readiness.STOPPED) {
       events.remove(entry);
     }

@@ -5,12 +5,12 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 import org.dfra.event.Subscription;
-import org.dfra.event.delivery.Tally;
+import org.dfra.event.delivery.DeliveryCounter;
 
 /** The tie of a listener in the module's own virtual machine. */
 final class LocalSubscription implements Subscription {
 
-  private final Tally tally;
+  private final DeliveryCounter tally;
   private final BooleanSupplier held;
   private final Runnable end;
   private final AtomicBoolean closed = new AtomicBoolean();
@@ -19,7 +19,7 @@ final class LocalSubscription implements Subscription {
    * @param held whether the module still counts the listener
    * @param end run once when it is closed
    */
-  LocalSubscription(Tally tally, BooleanSupplier held, Runnable end) {
+  LocalSubscription(DeliveryCounter tally, BooleanSupplier held, Runnable end) {
     this.tally = tally;
     this.held = held;
     this.end = end;

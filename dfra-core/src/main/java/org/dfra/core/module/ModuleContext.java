@@ -22,7 +22,7 @@ import org.dfra.time.Scheduler;
  * @param leases what leases the module grants
  * @param scheduler the time of leases and deliveries; it is real even where the robot is not,
  *     unless the robot is simulated in lock-step
- * @param neighbours gives what other modules are found by; asked for only where a module needs
+ * @param directorySource gives what other modules are found by; asked for only where a module needs
  *     others
  */
 public record ModuleContext(
@@ -33,7 +33,7 @@ public record ModuleContext(
     StateStore state,
     LeaseTerms leases,
     Scheduler scheduler,
-    Supplier<ModuleDirectory> neighbours) {
+    Supplier<ModuleDirectory> directorySource) {
 
   /** Of a module that needs no others. */
   public ModuleContext(
@@ -55,23 +55,24 @@ public record ModuleContext(
   /** Of a module under the usual terms. */
   public ModuleContext(
       String robot, String name, Parameters parameters, InstantSource clock, StateStore state) {
-    this(robot, name, parameters, clock, state, LeaseTerms.USUAL, schedulerOf(clock));
+    this(robot, name, parameters, clock, state, LeaseTerms.DEFAULT, schedulerOf(clock));
   }
 
   /** The same module among others. */
-  public ModuleContext among(ModuleDirectory others) {
+  public ModuleContext withDirectory(ModuleDirectory others) {
     return new ModuleContext(
         robot, name, parameters, clock, state, leases, scheduler, () -> others);
   }
 
   /** The same module with other leases on it. */
   public ModuleContext with(LeaseTerms others) {
-    return new ModuleContext(robot, name, parameters, clock, state, others, scheduler, neighbours);
+    return new ModuleContext(
+        robot, name, parameters, clock, state, others, scheduler, directorySource);
   }
 
   /** The same module told other parameters. */
   ModuleContext with(Parameters others) {
-    return new ModuleContext(robot, name, others, clock, state, leases, scheduler, neighbours);
+    return new ModuleContext(robot, name, others, clock, state, leases, scheduler, directorySource);
   }
 
   /**
@@ -80,7 +81,7 @@ public record ModuleContext(
    * @throws ConfigurationException if it was made without
    */
   public ModuleDirectory directory() {
-    return neighbours.get();
+    return directorySource.get();
   }
 
   private static ModuleDirectory nobody(String robot, String name) {
@@ -89,7 +90,7 @@ public record ModuleContext(
             + "/"
             + name
             + " needs other modules and was made without a directory; give its context one by"
-            + " ModuleContext.among");
+            + " ModuleContext.withDirectory");
   }
 
   /** Where clock and scheduler are one, as in lock-step, nobody can take the wrong one. */

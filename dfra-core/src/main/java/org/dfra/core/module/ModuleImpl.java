@@ -8,10 +8,10 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.event.EventHub;
-import org.dfra.core.history.HistoryBook;
-import org.dfra.core.history.HistoryWriter;
-import org.dfra.core.lease.LeaseBook;
-import org.dfra.core.log.LogLevels;
+import org.dfra.core.history.HistoryExecutor;
+import org.dfra.core.history.IncidentLog;
+import org.dfra.core.lease.LeaseRegistry;
+import org.dfra.core.log.LogLevelControl;
 import org.dfra.core.time.SerialExecutor;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleEvent;
@@ -19,14 +19,14 @@ import org.dfra.event.ModuleListener;
 import org.dfra.event.Reading;
 import org.dfra.event.Subscription;
 import org.dfra.event.delivery.DeliveryPool;
-import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.lease.LeaseRole;
 import org.dfra.lease.ModuleLease;
-import org.dfra.module.History;
 import org.dfra.module.Identification;
 import org.dfra.module.Incident;
 import org.dfra.module.LogLevel;
 import org.dfra.module.Module;
+import org.dfra.module.ModuleHistory;
 import org.dfra.module.Parameter;
 import org.dfra.module.Readiness;
 import org.slf4j.Logger;
@@ -35,9 +35,10 @@ import org.slf4j.LoggerFactory;
 /**
  * Base of every driver: the last of the five classes. It talks to hardware and knows no network.
  *
- * <p>A driver says what it has to say by {@link #become}, {@link #tell} and {@link #survived};
- * events, history and the way to its listeners follow from that. It declares its parameters in
- * {@link #declared}, and learns by {@link #onClients} whether anybody wants it to work.
+ * <p>A driver says what it has to say by {@link #transitionTo}, {@link #publish} and {@link
+ * #recordException}; events, history and the way to its listeners follow from that. It declares its
+ * parameters in {@link #declared}, and learns by {@link #onClientCount} whether anybody wants it to
+ * work.
  *
  * <p>Lifecycle: the constructor assigns; {@link #start} opens the device or begins to, and returns
  * at once; {@link #close} undoes it. A device that is not there is no exception: the module stays
@@ -53,11 +54,11 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   private final InstantSource clock;
   private final ParameterTable declared;
   private final EventHub events;
-  private final HistoryBook history;
+  private final IncidentLog history;
   private final Lifecycle lifecycle;
   private final SerialExecutor expiries;
   private final SerialExecutor halts;
-  private final LeaseBook leases;
+  private final LeaseRegistry leases;
   private final LocalListeners listeners;
   private final List<LatestReading<?>> readings = new CopyOnWriteArrayList<>();
 
@@ -84,22 +85,22 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
             path(),
             clock,
             context.state(),
-            DeliveryPool.by(context.scheduler()),
+            DeliveryPool.forScheduler(context.scheduler()),
             context.scheduler());
     this.history =
-        new HistoryBook(
-            path(), context.state(), clock, context.scheduler(), HistoryWriter.shared(), log);
+        new IncidentLog(
+            path(), context.state(), clock, context.scheduler(), HistoryExecutor.shared(), log);
     this.lifecycle = new Lifecycle(path(), log, events, history, context.scheduler());
     this.expiries = new SerialExecutor("dfra-leases " + path(), context.scheduler());
     this.halts = new SerialExecutor("dfra-halts " + path(), context.scheduler());
     this.leases =
-        new LeaseBook(
+        new LeaseRegistry(
             path(),
             context.leases(),
             clock,
             context.scheduler(),
             this::countedClients,
-            holder -> holder == Holder.COMMANDER ? halts : expiries);
+            holder -> holder == LeaseRole.COMMANDER ? halts : expiries);
     this.listeners = new LocalListeners(events, leases, lifecycle);
   }
 
@@ -178,7 +179,7 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
    * rest while there are none. Called in order, by any thread, also before {@link #onStart}; must
    * not block.
    */
-  protected void onClients(int number) {}
+  protected void onClientCount(int number) {}
 
   @Override
   public final Identification identification() {
@@ -199,16 +200,16 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
    * Why the module does not serve now, as the rest of a sentence: what failed, or what it waits
    * for. Empty while it serves.
    */
-  public final Optional<String> unreadiness() {
+  public final Optional<String> notReadyReason() {
     Readiness now = readiness();
     if (now.serves()) {
       return Optional.empty();
     }
     Optional<String> awaited =
         now == Readiness.INITIALIZING
-            ? readings.stream().map(LatestReading::awaits).findFirst()
+            ? readings.stream().map(LatestReading::missing).findFirst()
             : Optional.empty();
-    return awaited.or(lifecycle::why).or(() -> Optional.of(usual(now)));
+    return awaited.or(lifecycle::reason).or(() -> Optional.of(usual(now)));
   }
 
   private static String usual(Readiness state) {
@@ -222,7 +223,7 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   }
 
   /** A reading that has to come before the module serves. */
-  final void awaits(LatestReading<?> reading) {
+  final void addRequiredReading(LatestReading<?> reading) {
     readings.add(reading);
   }
 
@@ -232,8 +233,8 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
    *
    * @throws IllegalStateException if there is no such arrow
    */
-  protected final void become(Readiness next) {
-    lifecycle.become(next);
+  protected final void transitionTo(Readiness next) {
+    lifecycle.transitionTo(next);
   }
 
   /**
@@ -241,28 +242,28 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
    * A module that becomes {@link Readiness#READY} while it has clients becomes {@link
    * Readiness#ACTIVE} right after.
    */
-  protected final void become(Readiness next, String why) {
-    lifecycle.become(next, why);
+  protected final void transitionTo(Readiness next, String why) {
+    lifecycle.transitionTo(next, why);
   }
 
   /** Something has happened that enters the history, and that listeners hear of. */
-  protected final void note(Incident.Kind kind, String what) {
-    lifecycle.note(kind, what);
+  protected final void recordIncident(Incident.Kind kind, String what) {
+    lifecycle.recordIncident(kind, what);
   }
 
   /** The driver has caught something and goes on; it enters the history. */
-  protected final void survived(Throwable thrown) {
-    note(Incident.Kind.EXCEPTION, thrown.toString());
+  protected final void recordException(Throwable thrown) {
+    recordIncident(Incident.Kind.EXCEPTION, thrown.toString());
   }
 
   /** There is a new reading. */
-  protected final void tell(Reading reading) {
+  protected final void publish(Reading reading) {
     events.publish(new ModuleEvent.NewReading(reading));
   }
 
   private void countedClients(int number) {
-    lifecycle.clients(number);
-    onClients(number);
+    lifecycle.setClientCount(number);
+    onClientCount(number);
   }
 
   @Override
@@ -271,29 +272,31 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   }
 
   /** Who listens to readings is a client; who listens to anything else only watches. */
-  public static Holder holder(DeliveryPolicy policy) {
-    return policy.kinds().contains(DeliveryPolicy.Kind.READING) ? Holder.CLIENT : Holder.WATCHER;
+  public static LeaseRole leaseRole(DeliveryPolicy policy) {
+    return policy.kinds().contains(DeliveryPolicy.EventKind.READING)
+        ? LeaseRole.CLIENT
+        : LeaseRole.OBSERVER;
   }
 
   @Override
-  public final ModuleLease use(Duration duration) throws LeaseRefusedException {
+  public final ModuleLease acquireLease(Duration duration) throws LeaseRefusedException {
     leases.terms().check(path(), duration);
-    return new LocalLease(leases, leases.hold(Holder.CLIENT, () -> {}), duration, clock);
+    return new LocalLease(leases, leases.grantLocal(LeaseRole.CLIENT, () -> {}), duration, clock);
   }
 
   @Override
-  public final History history() {
+  public final ModuleHistory history() {
     return history.history();
   }
 
   @Override
   public final LogLevel logLevel() {
-    return LogLevels.service().level(log.getName());
+    return LogLevelControl.service().level(log.getName());
   }
 
   @Override
   public final void setLogLevel(LogLevel level) {
-    LogLevels.service().set(log.getName(), level);
+    LogLevelControl.service().set(log.getName(), level);
   }
 
   @Override
@@ -312,12 +315,12 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
    * Runs what ends a motion, such as a command that was not followed by another, or a commander's
    * lease that was not renewed, on a thread of this module's own, which does nothing else.
    */
-  protected final SerialExecutor halts() {
+  protected final SerialExecutor haltExecutor() {
     return halts;
   }
 
   /** Where the driver declares its parameters. */
-  protected final ParameterTable declared() {
+  protected final ParameterTable parameterTable() {
     return declared;
   }
 
@@ -337,7 +340,7 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   }
 
   /** Its clients, for whoever serves it to the network. */
-  public final LeaseBook leases() {
+  public final LeaseRegistry leases() {
     return leases;
   }
 

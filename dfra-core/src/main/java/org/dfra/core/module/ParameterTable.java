@@ -34,7 +34,7 @@ public final class ParameterTable {
   }
 
   /** Declares a parameter that can be read only. */
-  public void show(String name, String meaning, Supplier<String> get) {
+  public void declareReadOnly(String name, String meaning, Supplier<String> get) {
     declared.put(name, new Declared(meaning, get, null));
   }
 
@@ -44,17 +44,17 @@ public final class ParameterTable {
    * @param set takes a new value, or throws an IllegalArgumentException that says, as the rest of a
    *     sentence, what it is not: {@code the name of a frame}
    */
-  public void text(String name, String meaning, Supplier<String> get, Consumer<String> set) {
+  public void declareText(String name, String meaning, Supplier<String> get, Consumer<String> set) {
     declared.put(name, new Declared(meaning, get, set));
   }
 
   /** Declares a number that can be set. */
-  public void number(
-      String name, String meaning, Range range, DoubleSupplier get, DoubleConsumer set) {
+  public void declareNumber(
+      String name, String description, NumberRange range, DoubleSupplier get, DoubleConsumer set) {
     declared.put(
         name,
         new Declared(
-            meaning + ", " + range,
+            description + ", " + range,
             () -> plain(get.getAsDouble()),
             text -> set.accept(range.parse(text))));
   }
@@ -62,27 +62,27 @@ public final class ParameterTable {
   /**
    * What numbers a parameter may be.
    *
-   * @param least the least
-   * @param most the greatest
+   * @param min the least
+   * @param max the greatest
    * @param unit the unit, such as {@code s}; may be empty
-   * @param whole whether only whole numbers are
+   * @param isInteger whether only whole numbers are
    */
-  public record Range(double least, double most, String unit, boolean whole) {
+  public record NumberRange(double min, double max, String unit, boolean isInteger) {
 
     /** Any number between two. */
-    public static Range of(double least, double most, String unit) {
-      return new Range(least, most, unit, false);
+    public static NumberRange of(double least, double most, String unit) {
+      return new NumberRange(least, most, unit, false);
     }
 
     /** Any whole number between two. */
-    public static Range whole(int least, int most, String unit) {
-      return new Range(least, most, unit, true);
+    public static NumberRange isInteger(int least, int most, String unit) {
+      return new NumberRange(least, most, unit, true);
     }
 
     double parse(String text) {
       try {
         double number = new BigDecimal(text.trim()).doubleValue();
-        if (number >= least && number <= most && (!whole || number == Math.rint(number))) {
+        if (number >= min && number <= max && (!isInteger || number == Math.rint(number))) {
           return number;
         }
       } catch (NumberFormatException e) {
@@ -94,10 +94,10 @@ public final class ParameterTable {
     /** {@code a whole number from 1 to 255 s}. */
     @Override
     public String toString() {
-      return (whole ? "a whole number from " : "a number from ")
-          + plain(least)
+      return (isInteger ? "a whole number from " : "a number from ")
+          + plain(min)
           + " to "
-          + plain(most)
+          + plain(max)
           + (unit.isEmpty() ? "" : " " + unit);
     }
   }

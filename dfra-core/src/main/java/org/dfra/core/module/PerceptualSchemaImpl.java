@@ -2,13 +2,13 @@ package org.dfra.core.module;
 
 import java.time.Duration;
 import java.util.List;
-import org.dfra.core.module.ParameterTable.Range;
+import org.dfra.core.module.ParameterTable.NumberRange;
 import org.dfra.flow.perceptual.Percept;
 import org.dfra.flow.perceptual.PerceptualSchema;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.PerceptualSchemaAttributes;
 import org.dfra.time.Scheduler;
-import org.dfra.time.Scheduler.Task;
+import org.dfra.time.Scheduler.ScheduledTask;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -31,50 +31,50 @@ public abstract class PerceptualSchemaImpl<P extends Percept> extends SchemaImpl
   private final LatestReading<P> latest; // set and lost under itself
   private volatile double longestAge;
   private volatile String lack;
-  private @Nullable Task watch; // guarded by this
+  private @Nullable ScheduledTask ageCheck; // guarded by this
   private boolean over; // guarded by this
 
   /**
    * See {@link ModuleImpl#ModuleImpl}.
    *
-   * @param kept what it keeps to answer by
-   * @param puts what it perceives, by the simple name of its class
-   * @param usualAge the default of {@code longest_age}, seconds
+   * @param perceptType what it keeps to answer by
+   * @param outputType what it perceives, by the simple name of its class
+   * @param defaultMaxAge the default of {@code longest_age}, seconds
    */
   protected PerceptualSchemaImpl(
       ModuleContext context,
       String description,
       String author,
       String version,
-      Class<P> kept,
-      String puts,
-      double usualAge) {
-    super(context, description, author, version, List.of(puts));
-    this.percept = kept.getSimpleName();
+      Class<P> perceptType,
+      String outputType,
+      double defaultMaxAge) {
+    super(context, description, author, version, List.of(outputType));
+    this.percept = perceptType.getSimpleName();
     this.lack = "it awaits its first " + percept;
     this.time = context.robotTime();
-    this.longestAge = settings().number("longest_age", usualAge, 0.05, 60);
+    this.longestAge = settings().number("longest_age", defaultMaxAge, 0.05, 60);
     this.latest =
-        new LatestReading<>(this.percept, this, this::become, time::nanos, this::longestAge);
-    declared()
-        .number(
+        new LatestReading<>(this.percept, this, this::transitionTo, time::nanos, this::longestAge);
+    parameterTable()
+        .declareNumber(
             "longest_age",
             "how long a percept counts",
-            Range.of(0.05, 60, "s"),
+            NumberRange.of(0.05, 60, "s"),
             () -> longestAge,
             value -> longestAge = value);
   }
 
   /** What doubt is expressed by, how it perceives, and its rates, where it has any. */
-  protected abstract PerceptualSchemaAttributes qualities();
+  protected abstract PerceptualSchemaAttributes schemaAttributes();
 
   @Override
-  protected List<? extends Attributes> furtherAttributes() {
-    return List.of(qualities());
+  protected List<? extends Attributes> additionalAttributes() {
+    return List.of(schemaAttributes());
   }
 
   /** This counts from now on, unless it is too old already. */
-  protected final void keep(P fresh) {
+  protected final void setPercept(P fresh) {
     Duration age = Duration.between(fresh.measured(), clock().instant());
     synchronized (latest) {
       latest.set(fresh, age.isNegative() ? Duration.ZERO : age);
@@ -82,9 +82,9 @@ public abstract class PerceptualSchemaImpl<P extends Percept> extends SchemaImpl
   }
 
   /** There is a new percept: it counts from now on, and is told. */
-  protected final void perceive(P fresh) {
-    keep(fresh);
-    tell(fresh);
+  protected final void publishPercept(P fresh) {
+    setPercept(fresh);
+    publish(fresh);
   }
 
   /**
@@ -99,7 +99,7 @@ public abstract class PerceptualSchemaImpl<P extends Percept> extends SchemaImpl
   @Override
   protected void onStart() {
     super.onStart();
-    latest.awaits(lack);
+    latest.setMissing(lack);
     lookLater();
   }
 
@@ -107,8 +107,8 @@ public abstract class PerceptualSchemaImpl<P extends Percept> extends SchemaImpl
   protected void onClose() {
     synchronized (this) {
       over = true;
-      if (watch != null) {
-        watch.cancel();
+      if (ageCheck != null) {
+        ageCheck.cancel();
       }
     }
     super.onClose();
@@ -123,9 +123,9 @@ public abstract class PerceptualSchemaImpl<P extends Percept> extends SchemaImpl
     synchronized (latest) {
       if (latest.isTooOld()) {
         lack = "no " + percept + " has come for " + LatestReading.seconds(longestAge());
-        latest.lose(lack);
+        latest.markLost(lack);
       }
-      latest.awaits(lack + missingInput().map(missing -> "; " + missing).orElse(""));
+      latest.setMissing(lack + missingInput().map(missing -> "; " + missing).orElse(""));
     }
     lookLater();
   }
@@ -133,7 +133,7 @@ public abstract class PerceptualSchemaImpl<P extends Percept> extends SchemaImpl
   private void lookLater() {
     synchronized (this) {
       if (!over) {
-        watch = time.after((long) (longestAge * LOOKS * 1e9), this::look);
+        ageCheck = time.after((long) (longestAge * LOOKS * 1e9), this::look);
       }
     }
   }

@@ -3,9 +3,9 @@ package org.dfra.core.module;
 import java.util.List;
 import java.util.Optional;
 import org.dfra.core.chain.ChainInputs;
-import org.dfra.core.chain.ChainInputs.CountingTaker;
-import org.dfra.core.chain.ChainInputs.Taker;
-import org.dfra.core.chain.Errands;
+import org.dfra.core.chain.ChainInputs.ReadingConsumer;
+import org.dfra.core.chain.ChainInputs.SequencedReadingConsumer;
+import org.dfra.core.chain.DelayedTaskExecutor;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.event.Reading;
 import org.dfra.flow.Schema;
@@ -13,8 +13,8 @@ import org.dfra.module.Module;
 
 /**
  * Base of every schema: software between sensors and effectors. It declares in its constructor what
- * it {@link #takes}; from its start on it is given what the modules of its robot tell that are of
- * that kind, or those that it is wired to.
+ * it {@link #declareInput}; from its start on it is given what the modules of its robot tell that
+ * are of that kind, or those that it is wired to.
  */
 public abstract class SchemaImpl extends ChainableImpl implements Schema {
 
@@ -24,17 +24,21 @@ public abstract class SchemaImpl extends ChainableImpl implements Schema {
   /**
    * See {@link ModuleImpl#ModuleImpl}.
    *
-   * @param puts the types it puts out, by the simple names of their classes
+   * @param outputTypes the types it puts out, by the simple names of their classes
    */
   protected SchemaImpl(
-      ModuleContext context, String description, String author, String version, List<String> puts) {
-    super(context, description, author, version, puts);
+      ModuleContext context,
+      String description,
+      String author,
+      String version,
+      List<String> outputTypes) {
+    super(context, description, author, version, outputTypes);
     this.context = context;
     this.inputs =
         new ChainInputs(
             context.path(),
             context::directory,
-            new Errands("dfra-inputs " + context.path(), context.scheduler()),
+            new DelayedTaskExecutor("dfra-inputs " + context.path(), context.scheduler()),
             log);
   }
 
@@ -49,13 +53,13 @@ public abstract class SchemaImpl extends ChainableImpl implements Schema {
    * @param kind of which kind; which one, a parameter of the schema may say
    * @param parameter that names the module; where it is not set, the first of the kind is taken
    * @param type which of its readings it takes
-   * @param taker is given each
+   * @param consumer is given each
    */
-  protected final <M extends Module, R extends Reading> void takes(
-      Class<M> kind, String parameter, Class<R> type, Taker<? super R> taker) {
+  protected final <M extends Module, R extends Reading> void declareInput(
+      Class<M> kind, String parameter, Class<R> type, ReadingConsumer<? super R> consumer) {
     ModuleQuery<M> any = ModuleQuery.of(kind).robot(context.robot());
     inputs.declare(
-        context.parameters().module(parameter, kind).map(any::name).orElse(any),
+        context.parameters().moduleName(parameter, kind).map(any::name).orElse(any),
         false,
         context
             .parameters()
@@ -63,23 +67,23 @@ public abstract class SchemaImpl extends ChainableImpl implements Schema {
             .map(place -> ", which " + place + " names")
             .orElse(""),
         type,
-        (source, sequence, reading) -> taker.take(source, reading));
+        (source, sequence, reading) -> consumer.accept(source, reading));
   }
 
   /** The same with all modules of that kind on its own robot. */
-  protected final <M extends Module, R extends Reading> void takesAll(
-      Class<M> kind, Class<R> type, Taker<? super R> taker) {
+  protected final <M extends Module, R extends Reading> void declareInputFromAll(
+      Class<M> kind, Class<R> type, ReadingConsumer<? super R> taker) {
     inputs.declare(
         ModuleQuery.of(kind).robot(context.robot()),
         true,
         "",
         type,
-        (source, sequence, reading) -> taker.take(source, reading));
+        (source, sequence, reading) -> taker.accept(source, reading));
   }
 
   /** The same with all modules that match, whichever robot they are on. */
-  protected final <M extends Module, R extends Reading> void takesAllOfTeam(
-      ModuleQuery<M> which, Class<R> type, CountingTaker<? super R> taker) {
+  protected final <M extends Module, R extends Reading> void declareInputFromTeam(
+      ModuleQuery<M> which, Class<R> type, SequencedReadingConsumer<? super R> taker) {
     inputs.declare(which, true, "", type, taker);
   }
 

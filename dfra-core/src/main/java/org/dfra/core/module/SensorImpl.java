@@ -16,7 +16,7 @@ public abstract class SensorImpl extends DeviceImpl implements Sensor {
   /**
    * See {@link ModuleImpl#ModuleImpl}.
    *
-   * @param puts the types of its readings, by the simple names of their classes
+   * @param outputTypes the types of its readings, by the simple names of their classes
    * @param preconditions what its environment must be like
    */
   protected SensorImpl(
@@ -24,9 +24,9 @@ public abstract class SensorImpl extends DeviceImpl implements Sensor {
       String description,
       String author,
       String version,
-      List<String> puts,
+      List<String> outputTypes,
       List<Precondition> preconditions) {
-    super(context, description, author, version, List.of(), puts, preconditions);
+    super(context, description, author, version, List.of(), outputTypes, preconditions);
   }
 
   /** {@inheritDoc} A local caller never sees a {@code RemoteException}. */
@@ -35,7 +35,7 @@ public abstract class SensorImpl extends DeviceImpl implements Sensor {
 
   /** {@inheritDoc} Nothing, where a driver has nothing more to say. */
   @Override
-  protected List<? extends Attributes> traits() {
+  protected List<? extends Attributes> deviceAttributes() {
     return List.of();
   }
 }

@@ -5,7 +5,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import org.dfra.core.config.NearestName;
-import org.dfra.core.query.Token.Sort;
+import org.dfra.core.query.Token.TokenType;
 import org.dfra.directory.Condition;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.geometry.GeoPosition;
@@ -55,17 +55,18 @@ public final class QueryParser {
   /** One query under way. */
   private final class Run {
 
-    private final Tokens tokens;
+    private final TokenStream tokens;
     private final Set<String> said = new HashSet<>();
 
     Run(List<Token> tokens) {
-      this.tokens = new Tokens(tokens);
+      this.tokens = new TokenStream(tokens);
     }
 
     ModuleQuery<? extends Module> query() {
       ModuleQuery<? extends Module> query =
-          ModuleQuery.of(vocabulary.kind(tokens.name("a kind of module, such as GPSSensor,")));
-      while (tokens.peek().sort() != Sort.END) {
+          ModuleQuery.of(
+              vocabulary.kind(tokens.expectText("a kind of module, such as GPSSensor,")));
+      while (tokens.peek().type() != TokenType.END) {
         query = clause(query);
       }
       return query;
@@ -79,10 +80,10 @@ public final class QueryParser {
         }
         first = tokens.next();
       }
-      if (first.sort() != Sort.WORD || !CLAUSES.contains(first.text())) {
+      if (first.type() != TokenType.WORD || !CLAUSES.contains(first.text())) {
         throw new QuerySyntaxException(
             first,
-            first.shown()
+            first.quoted()
                 + " begins no condition"
                 + NearestName.hint(
                     first.text(), CLAUSES, "; go on with named, on, with or within"));
@@ -92,20 +93,20 @@ public final class QueryParser {
             first, "\"" + first.text() + "\" stands here a second time; leave one out");
       }
       return switch (first.text()) {
-        case "named" -> query.name(tokens.name("the module's name").text());
-        case "on" -> query.robot(tokens.name("the robot's name").text());
+        case "named" -> query.name(tokens.expectText("the module's name").text());
+        case "on" -> query.robot(tokens.expectText("the robot's name").text());
         case "with" -> test(query);
         default -> circle(query);
       };
     }
 
     private ModuleQuery<? extends Module> test(ModuleQuery<? extends Module> query) {
-      Token attribute = tokens.name("an attribute, such as Sensor.maxRate");
+      Token attribute = tokens.expectText("an attribute, such as Sensor.maxRate");
       int dot = attribute.text().lastIndexOf('.');
       if (dot <= 0) {
         throw new QuerySyntaxException(
             attribute,
-            attribute.shown() + " is no attribute; write one with a dot, such as Sensor.maxRate");
+            attribute.quoted() + " is no attribute; write one with a dot, such as Sensor.maxRate");
       }
       Class<? extends Attributes> type =
           vocabulary.attributes(attribute, attribute.text().substring(0, dot));
@@ -126,8 +127,8 @@ public final class QueryParser {
       return switch (sign.text()) {
         case ">=", "≥" -> Condition.atLeast(tokens.number());
         case "<=", "≤" -> Condition.atMost(tokens.number());
-        case "=", "==" -> Condition.equalTo(new QueryValues(tokens).read(component));
-        case "contains" -> Condition.contains(tokens.name("a text").text());
+        case "=", "==" -> Condition.equalTo(new QueryValueParser(tokens).read(component));
+        case "contains" -> Condition.contains(tokens.expectText("a text").text());
         case "from" -> {
           double least = tokens.number();
           tokens.expect("to");
@@ -136,7 +137,7 @@ public final class QueryParser {
         default ->
             throw new QuerySyntaxException(
                 sign,
-                sign.shown()
+                sign.quoted()
                     + " compares nothing; write >=, <=, =, from … to or contains after "
                     + component.getDeclaringRecord().getSimpleName()
                     + "."
@@ -149,7 +150,7 @@ public final class QueryParser {
       double metres = distance();
       tokens.expect("of");
       double latitude = tokens.degrees("N", "S");
-      boolean unused = tokens.skip(",");
+      boolean unused = tokens.accept(",");
       double longitude = tokens.degrees("E", "W");
       try {
         return query.within(metres, new GeoPosition(latitude, longitude, 0));
@@ -162,18 +163,18 @@ public final class QueryParser {
     private double distance() {
       Token token = tokens.peek();
       String text = token.text();
-      if (token.sort() == Sort.WORD && text.matches("[+-]?[0-9.]+k?m")) {
+      if (token.type() == TokenType.WORD && text.matches("[+-]?[0-9.]+k?m")) {
         boolean isKilometres = text.endsWith("km");
         Token unused = tokens.next();
         return tokens.number(
                 new Token(
-                    Sort.WORD,
+                    TokenType.WORD,
                     text.substring(0, text.length() - (isKilometres ? 2 : 1)),
                     token.position()))
             * (isKilometres ? METRES_PER_KILOMETRE : 1);
       }
       double number = tokens.number();
-      if (tokens.skip("km")) {
+      if (tokens.accept("km")) {
         return number * METRES_PER_KILOMETRE;
       }
       tokens.expect("m");

@@ -8,7 +8,7 @@ public final class QuerySyntaxException extends IllegalArgumentException {
   private final int position;
 
   QuerySyntaxException(Token at, String sentence) {
-    super(at.place() + ": " + sentence);
+    super(at.positionText() + ": " + sentence);
     this.position = at.position();
   }
 

@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.dfra.agent.Recruiting;
 import org.dfra.agent.RecruitmentAgent;
+import org.dfra.agent.RecruitmentControl;
 import org.dfra.behavior.Behavior;
 import org.dfra.behavior.FollowWaypoints;
 import org.dfra.behavior.GoToWaypoint;
@@ -48,6 +48,7 @@ import org.dfra.persona.CameraAttributes;
 import org.dfra.persona.ChainAttributes;
 import org.dfra.persona.DriveAttributes;
 import org.dfra.persona.EffectorAttributes;
+import org.dfra.persona.EmergencyStopAttributes;
 import org.dfra.persona.FlightAttributes;
 import org.dfra.persona.GpsReceiverAttributes;
 import org.dfra.persona.LocationAttributes;
@@ -59,7 +60,6 @@ import org.dfra.persona.PoseAttributes;
 import org.dfra.persona.RangeAttributes;
 import org.dfra.persona.RecruitmentAttributes;
 import org.dfra.persona.SensorAttributes;
-import org.dfra.persona.StopAttributes;
 
 /**
  * The kinds of modules and of attributes that a query may name. Immutable.
@@ -108,7 +108,7 @@ public final class QueryVocabulary {
                   FollowWaypoints.class,
                   ReturnHome.class,
                   RasterSearch.class,
-                  Recruiting.class,
+                  RecruitmentControl.class,
                   RecruitmentAgent.class)),
           new LinkedHashSet<>(
               List.of(
@@ -121,7 +121,7 @@ public final class QueryVocabulary {
                   RangeAttributes.class,
                   CameraAttributes.class,
                   EffectorAttributes.class,
-                  StopAttributes.class,
+                  EmergencyStopAttributes.class,
                   DriveAttributes.class,
                   PanTiltAttributes.class,
                   FlightAttributes.class,
@@ -140,7 +140,7 @@ public final class QueryVocabulary {
   }
 
   /** What dfra-api declares. */
-  public static QueryVocabulary usual() {
+  public static QueryVocabulary standard() {
     return USUAL;
   }
 

@@ -10,9 +10,9 @@ import java.util.Set;
  * @param text what it says; without its quotation marks where it has any
  * @param position its first character in the query, from 1 on
  */
-record Token(Sort sort, String text, int position) {
+record Token(TokenType type, String text, int position) {
 
-  enum Sort {
+  enum TokenType {
     /** Letters, digits and what names and numbers consist of besides. */
     WORD,
     /** A text in quotation marks. */
@@ -27,17 +27,17 @@ record Token(Sort sort, String text, int position) {
   private static final Set<String> DOUBLE_SIGNS = Set.of(">=", "<=", "==", "!=");
 
   /** Where it stands, as the beginning of a sentence. */
-  String place() {
-    return sort == Sort.END ? "at the end" : "at character " + position;
+  String positionText() {
+    return type == TokenType.END ? "at the end" : "at character " + position;
   }
 
   boolean is(String other) {
-    return (sort == Sort.WORD || sort == Sort.SIGN) && text.equals(other);
+    return (type == TokenType.WORD || type == TokenType.SIGN) && text.equals(other);
   }
 
   /** As it is shown to people. */
-  String shown() {
-    return sort == Sort.END ? "the end" : '"' + text + '"';
+  String quoted() {
+    return type == TokenType.END ? "the end" : '"' + text + '"';
   }
 
   /**
@@ -54,21 +54,21 @@ record Token(Sort sort, String text, int position) {
       if (c == '"') {
         StringBuilder text = new StringBuilder();
         next = quoted(query, at, text);
-        tokens.add(new Token(Sort.TEXT, text.toString(), at + 1));
+        tokens.add(new Token(TokenType.TEXT, text.toString(), at + 1));
       } else if (SIGNS.indexOf(c) >= 0) {
         if (next < query.length() && DOUBLE_SIGNS.contains(query.substring(at, at + 2))) {
           next++;
         }
-        tokens.add(new Token(Sort.SIGN, query.substring(at, next), at + 1));
+        tokens.add(new Token(TokenType.SIGN, query.substring(at, next), at + 1));
       } else if (!Character.isWhitespace(c)) {
         while (next < query.length() && isOfAWord(query.charAt(next))) {
           next++;
         }
-        tokens.add(new Token(Sort.WORD, query.substring(at, next), at + 1));
+        tokens.add(new Token(TokenType.WORD, query.substring(at, next), at + 1));
       }
       at = next;
     }
-    tokens.add(new Token(Sort.END, "", query.length() + 1));
+    tokens.add(new Token(TokenType.END, "", query.length() + 1));
     return tokens;
   }
 
@@ -90,6 +90,6 @@ record Token(Sort sort, String text, int position) {
       text.append(c);
     }
     throw new QuerySyntaxException(
-        new Token(Sort.TEXT, "", from + 1), "the quotation mark is never closed; write \"…\"");
+        new Token(TokenType.TEXT, "", from + 1), "the quotation mark is never closed; write \"…\"");
   }
 }

@@ -9,11 +9,11 @@ import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.core.directory.InMemoryModuleDirectory;
 import org.dfra.core.lease.LeaseTerms;
+import org.dfra.core.module.ModuleClassFactory;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
-import org.dfra.core.module.NamedClasses;
 import org.dfra.core.state.StateStore;
-import org.dfra.directory.Watch;
+import org.dfra.directory.DirectoryRegistration;
 import org.dfra.module.Module;
 import org.dfra.time.Scheduler;
 
@@ -30,7 +30,7 @@ public final class LocalRobot implements AutoCloseable {
   private final String name;
   private final InMemoryModuleDirectory directory;
   private final List<ModuleImpl> modules = new ArrayList<>();
-  private final List<Watch> listed = new ArrayList<>(); // guarded by this
+  private final List<DirectoryRegistration> listed = new ArrayList<>(); // guarded by this
   private boolean started; // guarded by this
 
   /**
@@ -60,13 +60,14 @@ public final class LocalRobot implements AutoCloseable {
                 each.parameters(),
                 clock,
                 states.apply(each.path()),
-                LeaseTerms.USUAL,
+                LeaseTerms.DEFAULT,
                 scheduler,
                 () -> directory);
-        modules.add(new NamedClasses(each).driver(context, Module.class, ModuleImpl.class));
+        modules.add(
+            new ModuleClassFactory(each).createDriver(context, Module.class, ModuleImpl.class));
       }
     } catch (RuntimeException e) {
-      endAll().addTo(e);
+      endAll().addSuppressedTo(e);
       throw e;
     }
   }
@@ -117,15 +118,15 @@ public final class LocalRobot implements AutoCloseable {
    */
   @Override
   public synchronized void close() {
-    Ending ending = endAll();
-    listed.forEach(each -> ending.end(each::close));
+    ResourceCloser ending = endAll();
+    listed.forEach(each -> ending.close(each::close));
     listed.clear();
-    ending.orThrow(IllegalStateException::new);
+    ending.throwIfFailed(IllegalStateException::new);
   }
 
-  private Ending endAll() {
-    Ending ending = new Ending("robot " + name);
-    ShutdownOrder.of(modules).forEach(ending::end);
+  private ResourceCloser endAll() {
+    ResourceCloser ending = new ResourceCloser("robot " + name);
+    ShutdownOrder.of(modules).forEach(ending::close);
     return ending;
   }
 }

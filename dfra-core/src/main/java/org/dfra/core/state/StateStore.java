@@ -45,13 +45,13 @@ public interface StateStore {
 
     /** Numbers that are gone with this virtual machine; zero each. */
     static Counters inMemory(int count) {
-      return new MemoryState.InMemory(new AtomicLongArray(count));
+      return new InMemoryStateStore.InMemoryCounters(new AtomicLongArray(count));
     }
   }
 
   /** State that is gone with this virtual machine. */
   static StateStore inMemory() {
-    return new MemoryState();
+    return new InMemoryStateStore();
   }
 
   /**
@@ -59,7 +59,7 @@ public interface StateStore {
    *
    * @param folder the module's alone
    */
-  static StateStore in(Path folder) {
-    return new FolderState(folder);
+  static StateStore inFolder(Path folder) {
+    return new FolderStateStore(folder);
   }
 }

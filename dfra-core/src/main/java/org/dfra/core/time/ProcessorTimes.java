@@ -13,10 +13,10 @@ import java.util.concurrent.TimeUnit;
  * /proc/stat}. Where the host has too few processors for all its virtual computers, it gives them
  * to others meanwhile; that is the <em>steal</em> time.
  *
- * @param served for how long programs ran, hundredths of a second, all processors together
- * @param stolen for how long the host kept programs from running that wanted to, likewise
+ * @param busyTicks for how long programs ran, hundredths of a second, all processors together
+ * @param stealTicks for how long the host kept programs from running that wanted to, likewise
  */
-record ProcessorTimes(long served, long stolen) {
+record ProcessorTimes(long busyTicks, long stealTicks) {
 
   /** Where it is not known. */
   static final ProcessorTimes UNKNOWN = new ProcessorTimes(0, 0);
@@ -63,8 +63,8 @@ record ProcessorTimes(long served, long stolen) {
    * @param time how long it was
    */
   Duration stolenSince(ProcessorTimes before, Duration time) {
-    long lost = stolen - before.stolen;
-    long wanted = served - before.served + lost;
+    long lost = stealTicks - before.stealTicks;
+    long wanted = busyTicks - before.busyTicks + lost;
     if (lost <= 0 || wanted <= 0) {
       return Duration.ZERO;
     }

@@ -17,7 +17,7 @@ import org.dfra.time.Scheduler;
  * Time that was real until an instant and runs at another speed since: the same in every virtual
  * machine of a computer that was told of it, so that devices, drivers and behaviours of a simulated
  * robot agree. Clock and scheduler in one. It writes itself as {@code 4x since
- * 2026-11-21T16:00:00Z}, and {@link #onThisComputer} as {@code 4x since 2026-11-21T16:00:00Z (boot
+ * 2026-11-21T16:00:00Z}, and {@link #toHostText} as {@code 4x since 2026-11-21T16:00:00Z (boot
  * 1b9d6bcd-bbfd-4b2d-9b5d-ab8dfbbd4bed, 86400.123456789 s)}: at that instant the computer had been
  * running for so long.
  *
@@ -28,10 +28,10 @@ import org.dfra.time.Scheduler;
 public final class ScaledTime implements InstantSource, Scheduler {
 
   /** The slowest and the fastest there is. */
-  public static final double SLOWEST = 0.01;
+  public static final double MIN_SPEED = 0.01;
 
-  /** See {@link #SLOWEST}. */
-  public static final double FASTEST = 1000;
+  /** See {@link #MIN_SPEED}. */
+  public static final double MAX_SPEED = 1000;
 
   private static final Pattern TEXT =
       Pattern.compile(
@@ -43,7 +43,7 @@ public final class ScaledTime implements InstantSource, Scheduler {
   private final long beginNanos; // of real, at the instant since
 
   /**
-   * @param speed seconds of this time in a real second, {@value #SLOWEST} to {@value #FASTEST}
+   * @param speed seconds of this time in a real second, {@value #MIN_SPEED} to {@value #MAX_SPEED}
    * @param since when it was real
    */
   public ScaledTime(double speed, Instant since) {
@@ -56,9 +56,9 @@ public final class ScaledTime implements InstantSource, Scheduler {
   }
 
   private ScaledTime(double speed, Instant since, Scheduler real, long beginNanos) {
-    if (!(speed >= SLOWEST && speed <= FASTEST)) {
+    if (!(speed >= MIN_SPEED && speed <= MAX_SPEED)) {
       throw new IllegalArgumentException(
-          "speed " + speed + " is outside " + SLOWEST + " to " + FASTEST);
+          "speed " + speed + " is outside " + MIN_SPEED + " to " + MAX_SPEED);
     }
     this.speed = speed;
     this.since = since;
@@ -113,7 +113,7 @@ public final class ScaledTime implements InstantSource, Scheduler {
   }
 
   @Override
-  public Task after(long nanos, Runnable task) {
+  public ScheduledTask after(long nanos, Runnable task) {
     return real.after(realNanos(nanos), task);
   }
 
@@ -131,7 +131,7 @@ public final class ScaledTime implements InstantSource, Scheduler {
       }
 
       @Override
-      public Task after(long nanos, Runnable task) {
+      public ScheduledTask after(long nanos, Runnable task) {
         return timer.after(realNanos(nanos), task);
       }
     };
@@ -144,12 +144,12 @@ public final class ScaledTime implements InstantSource, Scheduler {
    *
    * @throws UncheckedIOException if the boot cannot be read now
    */
-  public String onThisComputer() {
-    return onThisComputer(BootId.system());
+  public String toHostText() {
+    return toHostText(BootId.system());
   }
 
   /** For tests: on another computer. */
-  String onThisComputer(BootId boot) {
+  String toHostText(BootId boot) {
     return id(boot)
         .map(id -> this + " (boot " + id + ", " + seconds(beginNanos) + " s)")
         .orElseGet(this::toString);

@@ -124,14 +124,14 @@ public final class SerialExecutor implements Executor, AutoCloseable {
   private void handOver() { // called with the lock held
     try {
       for (Runnable task = waiting.peek(); task != null; task = waiting.peek()) {
-        thread().execute(kept(task));
+        thread().execute(guarded(task));
         waiting.remove();
       }
     } catch (OutOfMemoryError e) {
       if (!retrying) {
         LOG.warn("{}: its thread cannot be started, which is tried again: {}", name, e.toString());
         retrying = true;
-        Scheduler.Task unused = scheduler.after(RETRY_NANOS, this::retry);
+        Scheduler.ScheduledTask unused = scheduler.after(RETRY_NANOS, this::retry);
       }
     }
   }
@@ -145,7 +145,7 @@ public final class SerialExecutor implements Executor, AutoCloseable {
   }
 
   /** A thread that ends by a task's fault might not be replaced; so it does not end. */
-  private Runnable kept(Runnable task) {
+  private Runnable guarded(Runnable task) {
     return () -> {
       running = Thread.currentThread();
       try {

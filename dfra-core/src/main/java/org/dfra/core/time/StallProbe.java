@@ -45,11 +45,11 @@ public final class StallProbe implements AutoCloseable {
   /** A timer may be late by this without anything being wrong, in nanoseconds. */
   private static final long USUAL_LATENESS_NANOS = TimeUnit.MILLISECONDS.toNanos(5);
 
-  /** So many measurements are kept for {@link #past}: {@link #MEMORY} at the usual pace. */
-  private static final int KEPT = 4096;
+  /** So many measurements are kept for {@link #past}: {@link #MAX_LOOKBACK} at the usual pace. */
+  private static final int CAPACITY = 4096;
 
   /** How far back {@link #past} sees at least. */
-  public static final Duration MEMORY = PERIOD.multipliedBy(KEPT);
+  public static final Duration MAX_LOOKBACK = PERIOD.multipliedBy(CAPACITY);
 
   private static final Path LOAD = Path.of("/proc/loadavg");
 
@@ -66,12 +66,12 @@ public final class StallProbe implements AutoCloseable {
   private double loadSum;
   private long measurements;
 
-  /** The last {@value #KEPT} of them, each at its number modulo that; guarded by this. */
-  private final long[] times = new long[KEPT];
+  /** The last {@value #CAPACITY} of them, each at its number modulo that; guarded by this. */
+  private final long[] times = new long[CAPACITY];
 
-  private final long[] stalls = new long[KEPT];
-  private final double[] loads = new double[KEPT];
-  private final ProcessorTimes[] processorTimes = new ProcessorTimes[KEPT];
+  private final long[] stalls = new long[CAPACITY];
+  private final double[] loads = new double[CAPACITY];
+  private final ProcessorTimes[] processorTimes = new ProcessorTimes[CAPACITY];
 
   /** For tests: by another time, load and processors. */
   StallProbe(LongSupplier nanos, DoubleSupplier load, Supplier<ProcessorTimes> processors) {
@@ -120,7 +120,7 @@ public final class StallProbe implements AutoCloseable {
   /** One measurement, at the end of a sleep. */
   synchronized void measure() {
     long now = nanos.getAsLong();
-    int place = (int) (measurements % KEPT);
+    int place = (int) (measurements % CAPACITY);
     times[place] = now;
     stalls[place] = stallAt(now);
     loads[place] = load.getAsDouble();
@@ -134,19 +134,19 @@ public final class StallProbe implements AutoCloseable {
   /**
    * What was measured in a span of time that is over.
    *
-   * @param ago how long before now it began; not longer than {@link #MEMORY}
+   * @param ago how long before now it began; not longer than {@link #MAX_LOOKBACK}
    * @param took how long it lasted, not below 0; a part that is still to come counts as unmeasured
    * @throws IllegalArgumentException if it began longer ago than that, or lasted less than 0
    */
   public synchronized Timing past(Duration ago, Duration took) {
-    if (ago.compareTo(MEMORY) > 0 || took.isNegative()) {
+    if (ago.compareTo(MAX_LOOKBACK) > 0 || took.isNegative()) {
       throw new IllegalArgumentException(
           "a span of "
               + took
               + " that began "
               + ago
               + " ago; ask for one of at least PT0S that began at most "
-              + MEMORY
+              + MAX_LOOKBACK
               + " ago");
     }
     long now = nanos.getAsLong();
@@ -157,8 +157,8 @@ public final class StallProbe implements AutoCloseable {
     int count = 0;
     @Nullable ProcessorTimes first = null;
     ProcessorTimes last = processors.get();
-    for (long i = Math.max(0, measurements - KEPT); i < measurements; i++) {
-      int place = (int) (i % KEPT);
+    for (long i = Math.max(0, measurements - CAPACITY); i < measurements; i++) {
+      int place = (int) (i % CAPACITY);
       stalled += overlap(begin, end, times[place], stalls[place]);
       if (first == null || times[place] - begin <= 0) {
         first = processorTimes[place]; // the last one before it, if there is one

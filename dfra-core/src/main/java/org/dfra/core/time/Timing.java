@@ -64,7 +64,7 @@ public record Timing(Duration took, Duration stalled, double load, Duration stol
    *
    * @param part how long it was
    */
-  public Timing during(Duration part) {
+  public Timing ofPart(Duration part) {
     double share = took.isZero() ? 0 : Math.min(1, (double) part.toNanos() / took.toNanos());
     return new Timing(part, stalled, load, Duration.ofNanos((long) (stolen.toNanos() * share)));
   }
@@ -84,17 +84,17 @@ public record Timing(Duration took, Duration stalled, double load, Duration stol
   }
 
   /** How it compares with a bound. */
-  public Outcome against(Duration bound) {
+  public BoundResult compareWith(Duration bound) {
     if (took.compareTo(bound) <= 0) {
-      return Outcome.MET;
+      return BoundResult.MET;
     }
     Duration own = withoutStalls(bound);
     if (own.compareTo(bound) <= 0) {
-      return Outcome.MISSED_DURING_A_STALL;
+      return BoundResult.MISSED_DURING_A_STALL;
     }
     return onAnIdleOne(own).compareTo(bound) <= 0
-        ? Outcome.MISSED_DURING_AN_OVERLOAD
-        : Outcome.MISSED;
+        ? BoundResult.MISSED_DURING_AN_OVERLOAD
+        : BoundResult.MISSED;
   }
 
   /**
@@ -116,7 +116,7 @@ public record Timing(Duration took, Duration stalled, double load, Duration stol
             what,
             took.toNanos() / 1e9,
             bound.toNanos() / 1e9);
-    require(against(bound), missed, repeats, out);
+    require(compareWith(bound), missed, repeats, out);
   }
 
   /**
@@ -125,15 +125,17 @@ public record Timing(Duration took, Duration stalled, double load, Duration stol
    * @param count how often it happened
    * @param each how long a stall is that explains it once
    */
-  public Outcome against(long count, Duration each) {
+  public BoundResult compareWith(long count, Duration each) {
     if (count == 0) {
-      return Outcome.MET;
+      return BoundResult.MET;
     }
     if (count <= stalled.dividedBy(each)) {
-      return Outcome.MISSED_DURING_A_STALL;
+      return BoundResult.MISSED_DURING_A_STALL;
     }
     Duration waited = took.minus(onAnIdleOne(took)).plus(stalled);
-    return count <= waited.dividedBy(each) ? Outcome.MISSED_DURING_AN_OVERLOAD : Outcome.MISSED;
+    return count <= waited.dividedBy(each)
+        ? BoundResult.MISSED_DURING_AN_OVERLOAD
+        : BoundResult.MISSED;
   }
 
   /**
@@ -154,10 +156,10 @@ public record Timing(Duration took, Duration stalled, double load, Duration stol
             what,
             count,
             each.toNanos() / 1e9);
-    require(against(count, each), missed, Boolean.getBoolean(REPEATS), System.out);
+    require(compareWith(count, each), missed, Boolean.getBoolean(REPEATS), System.out);
   }
 
-  private void require(Outcome outcome, String missed, boolean repeats, PrintStream out) {
+  private void require(BoundResult outcome, String missed, boolean repeats, PrintStream out) {
     String sentence =
         String.format(
             Locale.ROOT,
@@ -189,7 +191,7 @@ public record Timing(Duration took, Duration stalled, double load, Duration stol
   }
 
   /** How a time compares with its bound. */
-  public enum Outcome {
+  public enum BoundResult {
     /** It was kept. */
     MET,
     /** It was missed, and would have been kept on a computer that did not stall. */

@@ -19,16 +19,16 @@ class BehaviorImplTest extends GenieFixture {
   void reachesAGoalAndTellsHowFarItIs() throws Exception {
     assertThat(genie.status().phase()).isEqualTo(Phase.IDLE);
     UUID goal = genie.pursue(new Wish("gold"));
-    turns.add(Progress.going("it digs", 0.4));
+    turns.add(GoalProgress.inProgress("it digs", 0.4));
     awaitTold("it digs");
-    turns.add(Progress.going("it digs on", 0.3)); // never falls
+    turns.add(GoalProgress.inProgress("it digs on", 0.3)); // never falls
     awaitTold("it digs on");
-    assertThat(genie.status().done()).isEqualTo(0.4);
-    turns.add(Progress.reached("here it is"));
+    assertThat(genie.status().completion()).isEqualTo(0.4);
+    turns.add(GoalProgress.reached("here it is"));
     awaitPhase(genie, Phase.SUCCEEDED);
     awaitTold("here it is");
     assertThat(genie.status().goal()).isEqualTo(goal);
-    assertThat(genie.status().done()).isEqualTo(1);
+    assertThat(genie.status().completion()).isEqualTo(1);
     assertThat(rests.get()).as("comes to rest").isEqualTo(1);
     assertThat(told).allMatch(status -> goal.equals(status.goal()));
   }
@@ -36,21 +36,24 @@ class BehaviorImplTest extends GenieFixture {
   @Test
   void countsThePartsOfItsGoal() throws Exception {
     UUID unused = genie.pursue(new Wish("three wishes"));
-    turns.add(Progress.going("it grants", 0.4).missing(1).counting(1, 3));
+    turns.add(GoalProgress.inProgress("it grants", 0.4).withSkippedParts(1).withParts(1, 3));
     awaitTold("it grants");
-    turns.add(Progress.going("it grants", 0.4).missing(1).counting(2, 3)); // same words: news
-    await().atMost(PATIENCE).until(() -> told.get(told.size() - 1).partsDone() == 2);
+    turns.add(
+        GoalProgress.inProgress("it grants", 0.4)
+            .withSkippedParts(1)
+            .withParts(2, 3)); // same words: news
+    await().atMost(PATIENCE).until(() -> told.get(told.size() - 1).completedParts() == 2);
     genie.pause();
     BehaviorStatus paused = genie.status();
-    assertThat(paused.partsDone()).isEqualTo(2);
-    assertThat(paused.parts()).isEqualTo(3);
-    assertThat(paused.missed()).isEqualTo(1);
+    assertThat(paused.completedParts()).isEqualTo(2);
+    assertThat(paused.totalParts()).isEqualTo(3);
+    assertThat(paused.skippedParts()).isEqualTo(1);
   }
 
   @Test
   void pausesKeepsTheGoalAndGoesOn() throws Exception {
     UUID goal = genie.pursue(new Wish("gold"));
-    turns.add(Progress.going("it digs", 0.4));
+    turns.add(GoalProgress.inProgress("it digs", 0.4));
     awaitTold("it digs");
 
     genie.pause();
@@ -98,7 +101,7 @@ class BehaviorImplTest extends GenieFixture {
 
     genie.pauseUnattended();
     genie.resume();
-    turns.add(Progress.held("its brake is set", 0.5));
+    turns.add(GoalProgress.paused("its brake is set", 0.5));
     awaitPhase(genie, Phase.PAUSED);
     genie.resumeUnattended();
     assertThat(genie.status().phase()).as("a brake paused it").isEqualTo(Phase.PAUSED);

@@ -46,7 +46,7 @@ abstract class GenieFixture {
 
   final class Genie extends BehaviorImpl<Wish> {
 
-    private Object last = Progress.going("it rubs the lamp", 0);
+    private Object last = GoalProgress.inProgress("it rubs the lamp", 0);
 
     final LinkedBlockingQueue<Object> script = new LinkedBlockingQueue<>();
 
@@ -57,7 +57,7 @@ abstract class GenieFixture {
                   name,
                   Parameters.of("atrv1/" + name, Map.of("rate", "50")),
                   InstantSource.system())
-              .among(directory),
+              .withDirectory(directory),
           "grants wishes",
           "DFRA",
           "1",
@@ -66,13 +66,13 @@ abstract class GenieFixture {
     }
 
     @Override
-    protected Pursuit begin(Wish goal) {
+    protected GoalExecution startGoal(Wish goal) {
       if (goal.what().isEmpty()) {
         throw new GoalRefusedException("a wish for nothing; wish for something");
       }
-      return new Pursuit() {
+      return new GoalExecution() {
         @Override
-        public Progress step() throws RemoteException {
+        public GoalProgress step() throws RemoteException {
           steps.incrementAndGet();
           @Nullable Object next = script.poll();
           if (next instanceof Runnable waiting) {
@@ -87,11 +87,11 @@ abstract class GenieFixture {
           } else if (last instanceof Error e) {
             throw e;
           }
-          return (Progress) last;
+          return (GoalProgress) last;
         }
 
         @Override
-        public void rest() {
+        public void suspend() {
           rests.incrementAndGet();
         }
       };
@@ -124,6 +124,6 @@ abstract class GenieFixture {
   void awaitTold(String doing) {
     await()
         .atMost(PATIENCE)
-        .until(() -> told.stream().anyMatch(status -> status.doing().equals(doing)));
+        .until(() -> told.stream().anyMatch(status -> status.activity().equals(doing)));
   }
 }

@@ -14,7 +14,7 @@ import java.util.concurrent.TimeUnit;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.GoalRefusedException;
 import org.dfra.flow.effector.BrakeEngagedException;
-import org.dfra.flow.effector.StoppedCommandException;
+import org.dfra.flow.effector.CommandRefusedByEmergencyStopException;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
 import org.junit.jupiter.api.Test;
@@ -25,15 +25,15 @@ class GoalExecutorTest extends GenieFixture {
   @Test
   void numbersThatCannotBeAreAFaultThatEndsTheGoal() throws Exception {
     UUID unused = genie.pursue(new Wish("three wishes"));
-    turns.add(Progress.going("it grants", 0.4).counting(4, 3));
+    turns.add(GoalProgress.inProgress("it grants", 0.4).withParts(4, 3));
     awaitPhase(genie, Phase.FAILED);
-    assertThat(genie.status().doing()).contains("parts done 4 is outside 0 to 3");
+    assertThat(genie.status().activity()).contains("parts done 4 is outside 0 to 3");
   }
 
   @Test
   void waitsAtRestForWhatIsMissingAndGoesOn() throws Exception {
     UUID goal = genie.pursue(new Wish("gold"));
-    turns.add(Progress.going("it digs", 0.4));
+    turns.add(GoalProgress.inProgress("it digs", 0.4));
     awaitTold("it digs");
     turns.add(new NotReadyException("atrv1/laser", Readiness.INITIALIZING, "no scan has come yet"));
     awaitTold("it waits: atrv1/laser is INITIALIZING: no scan has come yet");
@@ -43,7 +43,7 @@ class GoalExecutorTest extends GenieFixture {
     turns.add(new RemoteException("the link broke", new java.io.IOException("reset")));
     awaitTold("it waits: a call failed: the link broke");
     assertThat(genie.status().phase()).isEqualTo(Phase.RUNNING);
-    turns.add(Progress.reached("here it is"));
+    turns.add(GoalProgress.reached("here it is"));
     awaitPhase(genie, Phase.SUCCEEDED);
     assertThat(genie.status().goal()).isEqualTo(goal);
   }
@@ -52,17 +52,18 @@ class GoalExecutorTest extends GenieFixture {
   void givesUpWhereAnEffectorIsStoppedForAnEmergencyAndDoesNotGoOnWhenItIsReleased()
       throws Exception {
     UUID unused = genie.pursue(new Wish("gold"));
-    turns.add(new StoppedCommandException("atrv1/drive is stopped for an emergency"));
+    turns.add(
+        new CommandRefusedByEmergencyStopException("atrv1/drive is stopped for an emergency"));
     awaitPhase(genie, Phase.CANCELLED);
-    assertThat(genie.status().doing()).isEqualTo("atrv1/drive is stopped for an emergency");
+    assertThat(genie.status().activity()).isEqualTo("atrv1/drive is stopped for an emergency");
     assertThat(rests.get()).isPositive();
-    turns.add(Progress.going("it digs", 0.4)); // it is released: a turn would take this
+    turns.add(GoalProgress.inProgress("it digs", 0.4)); // it is released: a turn would take this
     int stepped = steps.get();
     UUID again = genie.pursue(new Wish("silver"));
     awaitTold("it digs");
     assertThat(steps.get()).as("only for who asked anew").isGreaterThan(stepped);
     assertThat(told)
-        .filteredOn(each -> each.doing().equals("it digs"))
+        .filteredOn(each -> each.activity().equals("it digs"))
         .allMatch(each -> again.equals(each.goal()));
   }
 
@@ -71,11 +72,11 @@ class GoalExecutorTest extends GenieFixture {
     UUID goal = genie.pursue(new Wish("gold"));
     turns.add(new BrakeEngagedException("atrv1/drive has its brake set"));
     awaitPhase(genie, Phase.PAUSED);
-    assertThat(genie.status().doing())
+    assertThat(genie.status().activity())
         .isEqualTo("atrv1/drive has its brake set; when it may move, resume the goal");
     assertThat(rests.get()).isPositive();
     int stepped = steps.get();
-    turns.add(Progress.reached("here it is")); // it is released: a cycle would take this
+    turns.add(GoalProgress.reached("here it is")); // it is released: a cycle would take this
     genie.resume();
     awaitPhase(genie, Phase.SUCCEEDED);
     assertThat(steps.get()).as("none before it was resumed").isEqualTo(stepped + 1);
@@ -87,11 +88,11 @@ class GoalExecutorTest extends GenieFixture {
     UUID unused = genie.pursue(new Wish("gold"));
     turns.add(new IllegalStateException("the lamp is broken"));
     awaitPhase(genie, Phase.FAILED);
-    assertThat(genie.status().doing()).contains("the lamp is broken");
+    assertThat(genie.status().activity()).contains("the lamp is broken");
     assertThat(rests.get()).isEqualTo(1);
     assertThat(genie.history().recent())
         .anyMatch(incident -> incident.toString().contains("the lamp is broken"));
-    turns.add(Progress.reached("here it is"));
+    turns.add(GoalProgress.reached("here it is"));
     UUID again = genie.pursue(new Wish("gold"));
     awaitPhase(genie, Phase.SUCCEEDED);
     assertThat(genie.status().goal()).isEqualTo(again);
@@ -188,7 +189,7 @@ class GoalExecutorTest extends GenieFixture {
     awaitTold("it waits: atrv1/lamp is at another goal");
     turns.add(new GoalRefusedException("there is no gold"));
     awaitPhase(genie, Phase.FAILED);
-    assertThat(genie.status().doing()).contains("there is no gold");
+    assertThat(genie.status().activity()).contains("there is no gold");
   }
 
   @Test
@@ -202,14 +203,14 @@ class GoalExecutorTest extends GenieFixture {
   @Test
   void isHeldOrCancelledWhereWhatWorksForItWasGivenUp() throws Exception {
     UUID goal = genie.pursue(new Wish("gold"));
-    turns.add(Progress.held("its lamp was taken", 0.5));
+    turns.add(GoalProgress.paused("its lamp was taken", 0.5));
     awaitPhase(genie, Phase.PAUSED);
-    assertThat(genie.status().doing()).isEqualTo("its lamp was taken");
+    assertThat(genie.status().activity()).isEqualTo("its lamp was taken");
     assertThat(rests.get()).isEqualTo(1);
-    turns.add(Progress.cancelled("its lamp was broken", 0.6));
+    turns.add(GoalProgress.cancelled("its lamp was broken", 0.6));
     genie.resume();
     awaitPhase(genie, Phase.CANCELLED);
     assertThat(genie.status().goal()).isEqualTo(goal);
-    assertThat(genie.status().done()).isEqualTo(0.6);
+    assertThat(genie.status().completion()).isEqualTo(0.6);
   }
 }

@@ -16,7 +16,7 @@ import org.dfra.core.config.Parameters;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.state.StateStore;
 import org.dfra.flow.effector.BrakeEngagedException;
-import org.dfra.flow.effector.StoppedCommandException;
+import org.dfra.flow.effector.CommandRefusedByEmergencyStopException;
 import org.dfra.persona.BehaviorAttributes;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
@@ -52,19 +52,19 @@ class HeldGoalTest {
     }
 
     @Override
-    protected Pursuit begin(Place goal) {
-      return new Pursuit() {
+    protected GoalExecution startGoal(Place goal) {
+      return new GoalExecution() {
         @Override
-        public Progress step() {
+        public GoalProgress step() {
           @Nullable RuntimeException now = obstacle;
           if (now != null) {
             throw now;
           }
-          return Progress.going("it walks", 0);
+          return GoalProgress.inProgress("it walks", 0);
         }
 
         @Override
-        public void rest() {}
+        public void suspend() {}
       };
     }
   }
@@ -129,7 +129,7 @@ class HeldGoalTest {
     assertThat(status().heldSince()).isNotNull();
     obstacle = null;
     walker.resume();
-    obstacle = new StoppedCommandException("it is stopped");
+    obstacle = new CommandRefusedByEmergencyStopException("it is stopped");
     await().until(() -> status().phase() == Phase.CANCELLED);
     assertThat(status().heldSince()).isNotNull();
   }

@@ -21,9 +21,9 @@ import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.core.module.SchemaImpl;
 import org.dfra.core.module.SensorImpl;
+import org.dfra.directory.DirectoryRegistration;
 import org.dfra.directory.Locality;
 import org.dfra.directory.ModuleListing;
-import org.dfra.directory.Watch;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleEvent;
 import org.dfra.event.ModuleListener;
@@ -84,7 +84,7 @@ class ChainTest {
 
   @Test
   void findsItsInputsOnItsOwnRobotAsTheyComeAndGo() {
-    Watch first = directory.add(indoors);
+    DirectoryRegistration first = directory.add(indoors);
     directory.add(elsewhere);
     start();
     awaitClient(indoors);
@@ -107,8 +107,9 @@ class ChainTest {
 
   @Test
   void listensToOneUntilThatIsGone() {
-    ToKelvin single = new ToKelvin(false, ChainTest.context("atrv1", "single").among(directory));
-    Watch first = directory.add(indoors);
+    ToKelvin single =
+        new ToKelvin(false, ChainTest.context("atrv1", "single").withDirectory(directory));
+    DirectoryRegistration first = directory.add(indoors);
     List.of(indoors, outdoors, elsewhere, single).forEach(ModuleImpl::start);
     awaitClient(indoors);
     directory.add(outdoors);
@@ -133,7 +134,7 @@ class ChainTest {
             Parameters.of("atrv1/single", Map.of("sensor", "outdoors")),
             InstantSource.system());
     directory.add(indoors);
-    try (ToKelvin single = new ToKelvin(false, context.among(directory))) {
+    try (ToKelvin single = new ToKelvin(false, context.withDirectory(directory))) {
       List.of(indoors, outdoors, single).forEach(ModuleImpl::start);
       directory.add(outdoors);
       awaitClient(outdoors);
@@ -272,7 +273,7 @@ class ChainTest {
       assertThatThrownBy(alone::start)
           .hasMessage(
               "atrv1/alone needs other modules and was made without a directory; give its context"
-                  + " one by ModuleContext.among");
+                  + " one by ModuleContext.withDirectory");
       assertThat(alone.readiness()).isEqualTo(Readiness.FAILED);
     }
   }
@@ -289,7 +290,7 @@ class ChainTest {
     }
 
     void measure(double degrees) {
-      tell(new Celsius(degrees, Instant.EPOCH));
+      publish(new Celsius(degrees, Instant.EPOCH));
     }
 
     @Override
@@ -299,7 +300,7 @@ class ChainTest {
 
     @Override
     protected void onStart() {
-      become(Readiness.READY);
+      transitionTo(Readiness.READY);
     }
 
     @Override
@@ -313,15 +314,15 @@ class ChainTest {
     }
 
     ToKelvin(String name) {
-      this(true, ChainTest.context("atrv1", name).among(directory));
+      this(true, ChainTest.context("atrv1", name).withDirectory(directory));
     }
 
     ToKelvin(boolean all, ModuleContext context) {
       super(context, "tells Kelvin", "DFRA", "1", List.of("Kelvin"));
       if (all) {
-        takesAll(TemperatureSensor.class, Celsius.class, this::take);
+        declareInputFromAll(TemperatureSensor.class, Celsius.class, this::take);
       } else {
-        takes(TemperatureSensor.class, "sensor", Celsius.class, this::take);
+        declareInput(TemperatureSensor.class, "sensor", Celsius.class, this::take);
       }
     }
 
@@ -330,18 +331,18 @@ class ChainTest {
     }
 
     private void take(ModuleListing<?> source, Celsius reading) {
-      tell(new Kelvin(reading.degrees() + 273.15, reading.measured()));
+      publish(new Kelvin(reading.degrees() + 273.15, reading.measured()));
     }
 
     @Override
-    protected List<Attributes> furtherAttributes() {
+    protected List<Attributes> additionalAttributes() {
       return List.of();
     }
 
     @Override
     protected void onStart() {
       super.onStart();
-      become(Readiness.READY);
+      transitionTo(Readiness.READY);
     }
   }
 }

@@ -39,7 +39,7 @@ class ControlLoopTest {
     }
 
     @Override
-    public Task after(long nanos, Runnable task) {
+    public ScheduledTask after(long nanos, Runnable task) {
       Due due = new Due(now + Math.max(0, nanos), number++, task);
       tasks.add(due);
       return () -> tasks.remove(due);
@@ -75,8 +75,8 @@ class ControlLoopTest {
     loop.start(); // does nothing
     time.runTo(0.95);
     assertThat(turns).containsExactly(0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9);
-    assertThat(loop.turns()).isEqualTo(10);
-    assertThat(loop.missed()).isZero();
+    assertThat(loop.cycles()).isEqualTo(10);
+    assertThat(loop.missedCycles()).isZero();
     assertThat(loop.lateness(1)).isZero();
   }
 
@@ -96,7 +96,7 @@ class ControlLoopTest {
     loop.start();
     time.runTo(0.75);
     assertThat(turns).containsExactly(0.0, 0.1, 0.2, 0.55, 0.6, 0.7);
-    assertThat(loop.missed()).as("those of 0.3 and 0.4").isEqualTo(2);
+    assertThat(loop.missedCycles()).as("those of 0.3 and 0.4").isEqualTo(2);
     assertThat(loop.lateness(1)).as("that of 0.5").isCloseTo(0.05, within(1e-9));
     assertThat(loop.lateness(5 / 6.0)).as("the other five").isZero();
   }

@@ -105,7 +105,7 @@ class DescriptionsTest {
         .hasMessage(
             "robot.xml:7: the class server's port is \"70000\"; write a whole number from 1 to"
                 + " 65535, or off");
-    assertThat(new RegistrarDescription(4160, 0, true, PLACE).servesClasses()).isFalse();
+    assertThat(new RegistrarDescription(4160, 0, true, PLACE).hasClassServer()).isFalse();
   }
 
   @Test

@@ -48,7 +48,7 @@ class RobotReferenceTest {
     Map<String, List<String>> described = new TreeMap<>(tables());
     described.keySet().removeIf(heading -> !heading.startsWith("`<"));
     Map<String, List<String>> declared = new TreeMap<>();
-    RobotSchema.attributes()
+    RobotXmlSchema.attributes()
         .forEach((element, attributes) -> declared.put("`<" + element + ">`", attributes));
 
     assertThat(declared).as("robot.xsd was read").hasSizeGreaterThan(5);
@@ -69,9 +69,10 @@ class RobotReferenceTest {
   @Test
   void namesTheNamespaceAndTheDefaults() throws IOException {
     assertThat(reference())
-        .contains("`" + RobotSchema.NAMESPACE.getURI() + "`")
-        .contains("| `port` | default `" + RegistrarDescription.DISCOVERY_PORT + "` |")
-        .contains("| `classes` | default `" + RegistrarDescription.CLASS_PORT + "` |");
+        .contains("`" + RobotXmlSchema.NAMESPACE.getURI() + "`")
+        .contains("| `port` | default `" + RegistrarDescription.DEFAULT_PORT + "` |")
+        .contains(
+            "| `classes` | default `" + RegistrarDescription.DEFAULT_CLASS_SERVER_PORT + "` |");
   }
 
   @Test
@@ -94,7 +95,9 @@ class RobotReferenceTest {
             file ->
                 assertThat(ModuleProperties.read(file, name -> null).values())
                     .containsKeys(
-                        ModuleProperties.SERVER, ModuleProperties.PROXY, ModuleProperties.DRIVER));
+                        ModuleProperties.SERVER,
+                        ModuleProperties.PROXY,
+                        ModuleProperties.IMPLEMENTATION));
   }
 
   private static List<Path> files(String folder, String suffix) throws IOException {

@@ -61,7 +61,7 @@ class RobotRoundTripTest {
                 "scout $",
                 List.of("Come back.", "Map $$ {} ${A:-b} & all."),
                 List.of("no stairs")));
-    assertThat(RobotXml.text(again)).isEqualTo(RobotXml.text(robot));
+    assertThat(RobotXml.toXml(again)).isEqualTo(RobotXml.toXml(robot));
   }
 
   @Test
@@ -72,7 +72,7 @@ class RobotRoundTripTest {
             .module()
             .read();
 
-    assertThatThrownBy(() -> RobotXml.text(robot))
+    assertThatThrownBy(() -> RobotXml.toXml(robot))
         .isInstanceOf(ConfigurationException.class)
         .hasMessage(
             temp.resolve("gps.properties")

@@ -153,7 +153,7 @@ class RobotXmlTest {
   @Test
   void aRobotMayRunNoClassServer() {
     RobotFolder folder = folder().xml("<group name=\"a\"><registrar classes=\"off\"/></group>");
-    assertThat(folder.read().registrar().orElseThrow().servesClasses()).isFalse();
+    assertThat(folder.read().registrar().orElseThrow().hasClassServer()).isFalse();
 
     for (String wrong : List.of("0", "x", "")) {
       folder.xml("<group name=\"a\"><registrar classes=\"" + wrong + "\"/></group>");

@@ -12,7 +12,7 @@ class SubstitutionTest {
 
   private static final Place PLACE = new Place("robot.xml", 3);
 
-  private final Faults faults = new Faults();
+  private final ConfigurationFaults faults = new ConfigurationFaults();
   private final Substitution substitution =
       new Substitution(
           Map.of("HOST", "base", "PORT", "41", "EMPTY", "", "a.b", "dot")::get, faults);

@@ -15,9 +15,9 @@ import org.dfra.core.time.Timing;
 import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.DriveCommand.Velocity;
-import org.dfra.flow.effector.StopState;
-import org.dfra.lease.Holder;
+import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.lease.LeaseRole;
 import org.dfra.time.Scheduler;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -66,15 +66,15 @@ class CommandTimeoutTest {
 
   private CompletableFuture<Void> command(CommandKey key, Velocity velocity) {
     return CompletableFuture.runAsync(
-        () -> heldUp.obey(key, velocity), task -> new Thread(task).start());
+        () -> heldUp.execute(key, velocity), task -> new Thread(task).start());
   }
 
   @Test
   void aDriverThatIsHeldUpDoesNotDelayTheTimeoutOfAnother() throws Exception {
-    CompletableFuture<Void> writing = holdUp(heldUp.command(LEASE).key());
-    CommandKey key = other.command(LEASE).key();
+    CompletableFuture<Void> writing = holdUp(heldUp.acquireCommandLease(LEASE).key());
+    CommandKey key = other.acquireCommandLease(LEASE).key();
     try (StallProbe probe = StallProbe.start()) {
-      other.obey(key, AHEAD);
+      other.execute(key, AHEAD);
       StallProbe.Stopwatch begun = probe.stopwatch();
       await()
           .pollInterval(Duration.ofMillis(5))
@@ -82,14 +82,14 @@ class CommandTimeoutTest {
           .until(() -> other.told.contains("halt"));
       Timing halted = begun.stop();
       assertThat(writing).as("the first is held up all the while").isNotDone();
-      assertThat(other.drive().silences()).isEqualTo(1);
+      assertThat(other.driveState().commandTimeouts()).isEqualTo(1);
       halted.requireWithin("the halt after the last velocity", HALTED);
     }
   }
 
   @Test
   void aDriverThatIsHeldUpIsHaltedPastItsWriteAndBeforeItExecutesAnythingLater() throws Exception {
-    CommandKey key = heldUp.command(LEASE).key();
+    CommandKey key = heldUp.acquireCommandLease(LEASE).key();
     CompletableFuture<Void> writing = holdUp(key);
     CompletableFuture<Void> waiting = command(key, LATER);
     long asked = System.nanoTime();
@@ -109,25 +109,25 @@ class CommandTimeoutTest {
         .hasMessageContaining("is too old and was not executed");
     assertThat(heldUp.told.subList(0, 3)).containsExactly(TURNED, "halt", "halt");
     assertThat(heldUp.told).doesNotContain("turn 0.7 0.0");
-    assertThat(heldUp.drive().velocity()).isEqualTo(Velocity.ZERO);
-    heldUp.obey(key, LATER);
+    assertThat(heldUp.driveState().velocity()).isEqualTo(Velocity.ZERO);
+    heldUp.execute(key, LATER);
     assertThat(heldUp.told).as("what is fresh is executed").contains("turn 0.7 0.0");
   }
 
   @Test
   void anotherIsStoppedForAnEmergencyWhileADriverIsHeldUp() throws Exception {
-    CompletableFuture<Void> writing = holdUp(heldUp.command(LEASE).key());
+    CompletableFuture<Void> writing = holdUp(heldUp.acquireCommandLease(LEASE).key());
     await().atMost(PATIENCE).until(() -> heldUp.told.contains("halt")); // its time-out has come
-    other.obey(other.command(LEASE).key(), AHEAD);
-    StopState stopped = other.emergencyStop("a test");
-    assertThat(stopped.resting()).isTrue();
+    other.execute(other.acquireCommandLease(LEASE).key(), AHEAD);
+    EmergencyStopState stopped = other.emergencyStop("a test");
+    assertThat(stopped.haltCommanded()).isTrue();
     assertThat(other.told).contains("halt");
     assertThat(writing).isNotDone();
   }
 
   @Test
   void theEndOfALeaseOnADriverThatIsHeldUpHoldsUpNoTimer() throws Exception {
-    CommandKey key = heldUp.helm().take("a test", over -> grant(over));
+    CommandKey key = heldUp.commandArbiter().acquire("a test", over -> grant(over));
     CompletableFuture<Void> writing = holdUp(key);
     await().atMost(PATIENCE).until(() -> heldUp.told.contains("halt"));
     CountDownLatch timer = new CountDownLatch(1);
@@ -135,14 +135,16 @@ class CommandTimeoutTest {
         Scheduler.system().after(TimeUnit.SECONDS.toNanos(3), timer::countDown); // after its end
     assertThat(timer.await(20, TimeUnit.SECONDS)).as("the timer of all others runs on").isTrue();
     assertThat(writing).isNotDone();
-    assertThat(heldUp.helm().commander()).as("it is not over before it rests").isNotNull();
+    assertThat(heldUp.commandArbiter().commander())
+        .as("it is not over before it rests")
+        .isNotNull();
     write.countDown();
     writing.get(20, TimeUnit.SECONDS);
-    await().atMost(PATIENCE).until(() -> heldUp.helm().commander() == null);
+    await().atMost(PATIENCE).until(() -> heldUp.commandArbiter().commander() == null);
   }
 
   /** Long enough for the write to begin and its time-out to come first, on a busy computer too. */
   private java.util.UUID grant(Runnable over) throws LeaseRefusedException {
-    return heldUp.leases().grant(Duration.ofSeconds(2), Holder.COMMANDER, null, over).id();
+    return heldUp.leases().grant(Duration.ofSeconds(2), LeaseRole.COMMANDER, null, over).id();
   }
 }

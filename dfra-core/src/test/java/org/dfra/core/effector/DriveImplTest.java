@@ -44,18 +44,18 @@ class DriveImplTest {
   }
 
   private CommandKey key() throws LeaseRefusedException {
-    return wheels.command(LEASE).key();
+    return wheels.acquireCommandLease(LEASE).key();
   }
 
   @Test
   void haltsExactlyWhenTheSilenceIsTooLong() throws Exception {
-    wheels.obey(key(), AHEAD);
+    wheels.execute(key(), AHEAD);
     time.step(Duration.ofMillis(300).minusNanos(1));
     assertThat(wheels.told).containsExactly("turn 0.5 0.0");
     time.step(Duration.ofNanos(1));
     assertThat(wheels.told).containsExactly("turn 0.5 0.0", "halt");
-    assertThat(wheels.drive().velocity()).isEqualTo(Velocity.ZERO);
-    assertThat(wheels.drive().silences()).isEqualTo(1);
+    assertThat(wheels.driveState().velocity()).isEqualTo(Velocity.ZERO);
+    assertThat(wheels.driveState().commandTimeouts()).isEqualTo(1);
     time.step(Duration.ofSeconds(10));
     assertThat(wheels.told).as("said once").hasSize(2);
     assertThat(time.waiting()).as("only the history's own tasks").isLessThanOrEqualTo(1);
@@ -65,7 +65,7 @@ class DriveImplTest {
   void everyVelocityWindsTheWatchUpAnew() throws Exception {
     CommandKey key = key();
     for (int i = 0; i < 50; i++) {
-      wheels.obey(key, AHEAD);
+      wheels.execute(key, AHEAD);
       time.step(Duration.ofMillis(250));
     }
     assertThat(wheels.told).hasSize(50).doesNotContain("halt");
@@ -78,16 +78,16 @@ class DriveImplTest {
   @Test
   void standingWheelsAreNotWatched() throws Exception {
     CommandKey key = key();
-    wheels.obey(key, AHEAD);
-    wheels.obey(key, Velocity.ZERO);
+    wheels.execute(key, AHEAD);
+    wheels.execute(key, Velocity.ZERO);
     time.step(Duration.ofSeconds(1));
     assertThat(wheels.told).containsExactly("turn 0.5 0.0", "turn 0.0 0.0");
-    assertThat(wheels.drive().silences()).isZero();
+    assertThat(wheels.driveState().commandTimeouts()).isZero();
   }
 
   @Test
   void aShorterSilenceCountsAtOnce() throws Exception {
-    wheels.obey(key(), AHEAD);
+    wheels.execute(key(), AHEAD);
     time.step(Duration.ofMillis(100));
     wheels.setParameter("longest_silence", "0.2");
     time.step(Duration.ofMillis(100).minusNanos(1));
@@ -98,7 +98,7 @@ class DriveImplTest {
 
   @Test
   void aSilenceThatIsOverByTheNewMeasureHaltsAtOnce() throws Exception {
-    wheels.obey(key(), AHEAD);
+    wheels.execute(key(), AHEAD);
     time.step(Duration.ofMillis(200));
     wheels.setParameter("longest_silence", "0.1");
     time.step(Duration.ZERO);
@@ -117,20 +117,20 @@ class DriveImplTest {
   })
   void limitsKeepTheCurve(double speed, double turnRate, double most, double mostTurn)
       throws Exception {
-    wheels.obey(key(), new Velocity(speed, turnRate));
-    Velocity got = wheels.drive().velocity();
+    wheels.execute(key(), new Velocity(speed, turnRate));
+    Velocity got = wheels.driveState().velocity();
     assertThat(got.speed()).isCloseTo(most, within(1e-12));
-    assertThat(got.turnRate()).isCloseTo(mostTurn, within(1e-12));
-    assertThat(got.turnRate() * speed).as("radius").isCloseTo(got.speed() * turnRate, within(1e-9));
-    assertThat(wheels.told).containsExactly("turn " + got.speed() + " " + got.turnRate());
+    assertThat(got.yawRate()).isCloseTo(mostTurn, within(1e-12));
+    assertThat(got.yawRate() * speed).as("radius").isCloseTo(got.speed() * turnRate, within(1e-9));
+    assertThat(wheels.told).containsExactly("turn " + got.speed() + " " + got.yawRate());
   }
 
   @Test
   void limitsCanBeSetWhileItRunsButNotAboveWhatItCan() throws Exception {
     CommandKey key = key();
     wheels.setParameter("max_speed", "0.2");
-    wheels.obey(key, new Velocity(1, 1));
-    assertThat(wheels.drive().velocity()).isEqualTo(new Velocity(0.2, 0.2));
+    wheels.execute(key, new Velocity(1, 1));
+    assertThat(wheels.driveState().velocity()).isEqualTo(new Velocity(0.2, 0.2));
     assertThat(wheels.attributes()).contains(new DriveAttributes(0.2, 2, 0.78, 0.64));
     assertThatThrownBy(() -> wheels.setParameter("max_speed", "1.5"))
         .hasMessageContaining("which is not a number from 0.01 to 1 m/s");
@@ -149,23 +149,23 @@ class DriveImplTest {
                 + " slower");
     try (ScriptedWheels heavy = new ScriptedWheels(time, Map.of(), 0.4)) {
       assertThat(heavy.parameters())
-          .anyMatch(each -> each.name().equals("longest_silence") && each.text().equals("0.1"));
+          .anyMatch(each -> each.name().equals("longest_silence") && each.value().equals("0.1"));
     }
   }
 
   @Test
   void refusesToMoveWithItsBrakeSet() throws Exception {
     CommandKey key = key();
-    wheels.obey(key, AHEAD);
-    wheels.obey(key, new Brake(true));
-    assertThat(wheels.drive().brake()).isTrue();
-    assertThat(wheels.drive().velocity()).isEqualTo(Velocity.ZERO);
-    assertThatThrownBy(() -> wheels.obey(key, AHEAD))
+    wheels.execute(key, AHEAD);
+    wheels.execute(key, new Brake(true));
+    assertThat(wheels.driveState().parkingBrakeEngaged()).isTrue();
+    assertThat(wheels.driveState().velocity()).isEqualTo(Velocity.ZERO);
+    assertThatThrownBy(() -> wheels.execute(key, AHEAD))
         .isInstanceOf(BrakeEngagedException.class)
         .hasMessage("atrv1/wheels has its brake set, and does not move until that is released");
-    wheels.obey(key, Velocity.ZERO);
-    wheels.obey(key, new Brake(false));
-    wheels.obey(key, AHEAD);
+    wheels.execute(key, Velocity.ZERO);
+    wheels.execute(key, new Brake(false));
+    wheels.execute(key, AHEAD);
     assertThat(wheels.told)
         .containsExactly(
             "turn 0.5 0.0", "halt", "brake true", "turn 0.0 0.0", "brake false", "turn 0.5 0.0");
@@ -174,87 +174,89 @@ class DriveImplTest {
   @Test
   void aBrakeThatSomebodySetHaltsItAndOneThatIsReleasedDoesNotDriveIt() throws Exception {
     CommandKey key = key();
-    wheels.obey(key, AHEAD);
+    wheels.execute(key, AHEAD);
     wheels.switched(true);
     assertThat(wheels.told).endsWith("halt");
-    assertThatThrownBy(() -> wheels.obey(key, AHEAD)).hasMessageContaining("brake set");
+    assertThatThrownBy(() -> wheels.execute(key, AHEAD)).hasMessageContaining("brake set");
     wheels.switched(false);
     assertThat(wheels.told).containsExactly("turn 0.5 0.0", "halt");
     time.step(Duration.ofSeconds(1));
-    assertThat(wheels.drive().silences()).isZero();
+    assertThat(wheels.driveState().commandTimeouts()).isZero();
   }
 
   @Test
   void restsWhenItsCommanderLetsGo() throws Exception {
-    try (CommandLease lease = wheels.command(LEASE)) {
-      wheels.obey(lease.key(), AHEAD);
-      assertThat(wheels.drive().commander()).isEqualTo("a module in its own virtual machine");
+    try (CommandLease lease = wheels.acquireCommandLease(LEASE)) {
+      wheels.execute(lease.key(), AHEAD);
+      assertThat(wheels.driveState().commander()).isEqualTo("a module in its own virtual machine");
       lease.close();
       lease.close();
       assertThat(lease.isLive()).isFalse();
       assertThat(wheels.told).containsExactly("turn 0.5 0.0", "halt");
-      assertThat(wheels.drive().commander()).isNull();
-      assertThatThrownBy(() -> wheels.obey(lease.key(), AHEAD))
+      assertThat(wheels.driveState().commander()).isNull();
+      assertThatThrownBy(() -> wheels.execute(lease.key(), AHEAD))
           .isInstanceOf(CommandRefusedException.class);
     }
   }
 
   @Test
   void restsWhenItsCommanderIsRevoked() throws Exception {
-    CommandLease lease = wheels.command(LEASE);
-    wheels.obey(lease.key(), AHEAD);
+    CommandLease lease = wheels.acquireCommandLease(LEASE);
+    wheels.execute(lease.key(), AHEAD);
     assertThat(wheels.leases().revoke(wheels.leases().leases().get(0).handle())).isTrue();
     assertThat(wheels.told).endsWith("halt");
     assertThat(lease.isLive()).isFalse();
-    try (CommandLease next = wheels.command(LEASE)) {
+    try (CommandLease next = wheels.acquireCommandLease(LEASE)) {
       lease.close();
       assertThat(next.isLive()).as("the old one's close does not concern it").isTrue();
-      wheels.obey(next.key(), AHEAD);
+      wheels.execute(next.key(), AHEAD);
     }
   }
 
   @Test
   void restsBeforeItsDeviceIsClosed() throws Exception {
-    wheels.obey(key(), AHEAD);
+    wheels.execute(key(), AHEAD);
     wheels.close();
     assertThat(wheels.told).containsExactly("turn 0.5 0.0", "halt", "closed");
   }
 
   @Test
   void aDriverThatCannotHaltIsClosedAllTheSameAndItIsRemembered() throws Exception {
-    wheels.obey(key(), AHEAD);
+    wheels.execute(key(), AHEAD);
     wheels.haltFails = new IllegalStateException("no such wire");
     wheels.close();
     assertThat(wheels.told).containsExactly("turn 0.5 0.0", "halt", "closed");
     assertThat(wheels.history().recent())
         .anyMatch(
-            each -> each.kind() == Incident.Kind.EXCEPTION && each.what().contains("no such wire"));
+            each ->
+                each.kind() == Incident.Kind.EXCEPTION
+                    && each.description().contains("no such wire"));
   }
 
   @Test
   void aVelocityThatFailsHalfwayHaltsTheWheels() throws Exception {
     CommandKey key = key();
     wheels.turnFails = new IllegalStateException("the line is full");
-    assertThatThrownBy(() -> wheels.obey(key, AHEAD)).hasMessage("the line is full");
+    assertThatThrownBy(() -> wheels.execute(key, AHEAD)).hasMessage("the line is full");
     assertThat(wheels.told).containsExactly("turn 0.5 0.0", "halt");
-    assertThat(wheels.drive().velocity()).isEqualTo(Velocity.ZERO);
+    assertThat(wheels.driveState().velocity()).isEqualTo(Velocity.ZERO);
   }
 
   @Test
   void doesNotObeyWhileItDoesNotServe() throws Exception {
     CommandKey key = key();
-    wheels.obey(key, AHEAD);
+    wheels.execute(key, AHEAD);
     wheels.restart(true);
-    assertThatThrownBy(() -> wheels.obey(key, AHEAD))
+    assertThatThrownBy(() -> wheels.execute(key, AHEAD))
         .isInstanceOf(NotReadyException.class)
         .hasMessageStartingWith("atrv1/wheels is INITIALIZING: it cannot obey Velocity[");
-    assertThat(wheels.drive().velocity()).isEqualTo(Velocity.ZERO);
+    assertThat(wheels.driveState().velocity()).isEqualTo(Velocity.ZERO);
     time.step(Duration.ofSeconds(1));
     assertThat(wheels.told).as("there is nobody to tell").containsExactly("turn 0.5 0.0");
     wheels.serveAgain();
-    assertThatThrownBy(() -> wheels.obey(key, AHEAD)).hasMessageContaining("brake set");
-    wheels.obey(key, new Brake(false));
-    wheels.obey(key, AHEAD);
+    assertThatThrownBy(() -> wheels.execute(key, AHEAD)).hasMessageContaining("brake set");
+    wheels.execute(key, new Brake(false));
+    wheels.execute(key, AHEAD);
     assertThat(wheels.told).containsExactly("turn 0.5 0.0", "brake false", "turn 0.5 0.0");
   }
 
@@ -262,17 +264,19 @@ class DriveImplTest {
   void aKeyFromBeforeItsEndIsWorthNothing() throws Exception {
     CommandKey key = key();
     wheels.close();
-    assertThatThrownBy(() -> wheels.obey(key, AHEAD)).isInstanceOf(CommandRefusedException.class);
-    assertThatThrownBy(() -> wheels.command(LEASE)).isInstanceOf(LeaseRefusedException.class);
+    assertThatThrownBy(() -> wheels.execute(key, AHEAD))
+        .isInstanceOf(CommandRefusedException.class);
+    assertThatThrownBy(() -> wheels.acquireCommandLease(LEASE))
+        .isInstanceOf(LeaseRefusedException.class);
     assertThat(wheels.told).containsExactly("halt", "closed");
   }
 
   @Test
   void grantsNoLongerLeaseThanItsModule() {
-    assertThatThrownBy(() -> wheels.command(Duration.ofMinutes(5)))
+    assertThatThrownBy(() -> wheels.acquireCommandLease(Duration.ofMinutes(5)))
         .isInstanceOf(LeaseRefusedException.class)
         .hasMessage("atrv1/wheels: lease 300 s > longest allowed 30 s; ask for 30 s or less");
-    assertThatThrownBy(() -> wheels.obey(new CommandKey(UUID.randomUUID()), Velocity.ZERO))
+    assertThatThrownBy(() -> wheels.execute(new CommandKey(UUID.randomUUID()), Velocity.ZERO))
         .as("not even to stand")
         .isInstanceOf(CommandRefusedException.class);
   }

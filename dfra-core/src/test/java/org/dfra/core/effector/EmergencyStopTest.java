@@ -11,15 +11,15 @@ import java.util.Random;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import org.dfra.core.effector.StopLatchTest.FullDisk;
+import org.dfra.core.effector.EmergencyStopLatchTest.FullDisk;
 import org.dfra.core.state.StateStore;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.DriveCommand.Velocity;
-import org.dfra.flow.effector.StopState;
+import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.Incident;
-import org.dfra.persona.StopAttributes;
+import org.dfra.persona.EmergencyStopAttributes;
 import org.dfra.time.Scheduler;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -60,87 +60,88 @@ class EmergencyStopTest {
   }
 
   /** Stops them, and waits for what a busy machine may not get done in half a second. */
-  private static StopState stop(ScriptedWheels wheels, String by) {
-    StopState now = wheels.emergencyStop(by);
-    if (now.resting()) { // as it is thousands of times here, and looking again takes a while
+  private static EmergencyStopState stop(ScriptedWheels wheels, String by) {
+    EmergencyStopState now = wheels.emergencyStop(by);
+    if (now.haltCommanded()) { // as it is thousands of times here, and looking again takes a while
       return now;
     }
-    await().atMost(PATIENCE).until(() -> wheels.stopState().resting());
-    return wheels.stopState();
+    await().atMost(PATIENCE).until(() -> wheels.emergencyStopState().haltCommanded());
+    return wheels.emergencyStopState();
   }
 
   @Test
   void haltsTheWheelsAlsoWhereNobodyCommands() {
-    StopState stopped = stop(wheels, "ops");
+    EmergencyStopState stopped = stop(wheels, "ops");
     assertThat(stopped.latched()).isTrue();
     assertThat(stopped.fault()).isNull();
     assertThat(wheels.told).containsExactly("halt");
     stop(wheels, "another");
     assertThat(wheels.told).as("once more does no harm").containsExactly("halt", "halt");
-    assertThat(wheels.stopState()).isEqualTo(stopped);
+    assertThat(wheels.emergencyStopState()).isEqualTo(stopped);
     assertThat(noted()).containsExactly(Incident.Kind.ACTIVATION, Incident.Kind.EMERGENCY_STOP);
   }
 
   @Test
   void haltsTheWheelsAlsoWhereNobodyIsNamed() {
     assertThat(wheels.emergencyStop(null).latched()).isTrue();
-    await().atMost(PATIENCE).until(() -> wheels.stopState().resting());
+    await().atMost(PATIENCE).until(() -> wheels.emergencyStopState().haltCommanded());
     assertThat(wheels.told).containsExactly("halt");
-    assertThat(wheels.stopState().by()).isEqualTo("somebody");
-    assertThat(StopLatch.kept(state).latched()).as("of the next life").isTrue();
+    assertThat(wheels.emergencyStopState().requester()).isEqualTo("somebody");
+    assertThat(EmergencyStopLatch.loadState(state).latched()).as("of the next life").isTrue();
   }
 
   @Test
   void getsThroughWhileACommandIsHeldUpInTheDriver() throws Exception {
-    CommandLease lease = wheels.command(LEASE);
+    CommandLease lease = wheels.acquireCommandLease(LEASE);
     CountDownLatch holder = new CountDownLatch(1);
     wheels.turnHeldUp = holder;
     CompletableFuture<Void> heldUp =
-        CompletableFuture.runAsync(() -> wheels.obey(lease.key(), AHEAD));
+        CompletableFuture.runAsync(() -> wheels.execute(lease.key(), AHEAD));
     await().atMost(PATIENCE).until(() -> wheels.told.contains(TURNED));
 
-    StopState stopped = wheels.emergencyStop("ops");
+    EmergencyStopState stopped = wheels.emergencyStop("ops");
     assertThat(stopped.latched()).isTrue();
-    assertThat(stopped.resting()).isFalse();
+    assertThat(stopped.haltCommanded()).isFalse();
     assertThat(stopped.fault())
         .isEqualTo("its driver is held up, and comes to rest as soon as it goes on");
     assertThat(wheels.told)
         .as("the wheels are halted all the same")
         .containsExactly(TURNED, "halt");
-    assertThat(StopLatch.kept(state).latched()).as("of the next life").isTrue();
+    assertThat(EmergencyStopLatch.loadState(state).latched()).as("of the next life").isTrue();
     assertThat(lease.isLive()).isFalse();
-    assertThatThrownBy(() -> wheels.obey(lease.key(), AHEAD))
+    assertThatThrownBy(() -> wheels.execute(lease.key(), AHEAD))
         .isInstanceOf(CommandRefusedException.class)
         .hasMessageContaining("is stopped for an emergency since");
-    assertThatThrownBy(() -> wheels.command(LEASE)).isInstanceOf(LeaseRefusedException.class);
-    assertThat(wheels.emergencyStop("another").resting()).isFalse();
+    assertThatThrownBy(() -> wheels.acquireCommandLease(LEASE))
+        .isInstanceOf(LeaseRefusedException.class);
+    assertThat(wheels.emergencyStop("another").haltCommanded()).isFalse();
 
     holder.countDown();
     heldUp.get(20, TimeUnit.SECONDS);
-    await().atMost(PATIENCE).until(() -> wheels.stopState().resting());
+    await().atMost(PATIENCE).until(() -> wheels.emergencyStopState().haltCommanded());
     assertThat(wheels.told).as("and once more").containsExactly(TURNED, "halt", "halt");
-    assertThat(wheels.drive().velocity()).isEqualTo(Velocity.ZERO);
+    assertThat(wheels.driveState().velocity()).isEqualTo(Velocity.ZERO);
   }
 
   @Test
   void aDriverThatCannotBeToldIsLatchedAndSaysSo() {
     wheels.haltFails = new IllegalStateException("no such wire");
-    StopState unused = wheels.emergencyStop("ops");
+    EmergencyStopState unused = wheels.emergencyStop("ops");
     await().atMost(PATIENCE).until(() -> fault().contains("no such wire"));
-    StopState stopped = wheels.stopState();
+    EmergencyStopState stopped = wheels.emergencyStopState();
     assertThat(stopped.latched()).isTrue();
-    assertThat(stopped.resting()).isFalse();
+    assertThat(stopped.haltCommanded()).isFalse();
     assertThat(stopped.fault())
         .isEqualTo(
             "its driver could not be told to come to rest (java.lang.IllegalStateException: no such"
                 + " wire); switch it off by hand");
-    assertThat(StopLatch.kept(state).latched()).isTrue();
+    assertThat(EmergencyStopLatch.loadState(state).latched()).isTrue();
     wheels.haltFails = null;
     assertThat(stop(wheels, "ops").fault()).as("tried once more").isNull();
   }
 
   private String fault() {
-    return String.valueOf(wheels.stopState().fault());
+    return String.valueOf(wheels.emergencyStopState().fault());
   }
 
   @Test
@@ -148,16 +149,18 @@ class EmergencyStopTest {
     FullDisk disk = new FullDisk();
     ScriptedWheels others = wheels(disk);
     try {
-      StopState stopped = stop(others, "ops");
+      EmergencyStopState stopped = stop(others, "ops");
       assertThat(stopped.latched()).isTrue();
       assertThat(stopped.fault()).contains("No space left on device");
       assertThat(others.told).containsExactly("halt");
-      assertThatThrownBy(() -> others.command(LEASE)).isInstanceOf(LeaseRefusedException.class);
+      assertThatThrownBy(() -> others.acquireCommandLease(LEASE))
+          .isInstanceOf(LeaseRefusedException.class);
       assertThat(others.history().recent())
           .anyMatch(
               each ->
                   each.kind() == Incident.Kind.EXCEPTION
-                      && each.what().contains("the next life of this module would not know"));
+                      && each.description()
+                          .contains("the next life of this module would not know"));
       disk.full = false;
       assertThat(others.emergencyStop("ops").fault()).as("written at last").isNull();
     } finally {
@@ -170,22 +173,25 @@ class EmergencyStopTest {
     wheels.emergencyStop("ops");
     wheels.close();
     wheels = wheels(state);
-    assertThat(wheels.stopState().by()).isEqualTo("ops");
-    assertThat(wheels.attributes()).contains(new StopAttributes(true, "ops", stoppedAt()));
-    assertThatThrownBy(() -> wheels.command(LEASE)).isInstanceOf(LeaseRefusedException.class);
-    assertThat(wheels.releaseStop("the chief").latched()).isFalse();
+    assertThat(wheels.emergencyStopState().requester()).isEqualTo("ops");
+    assertThat(wheels.attributes()).contains(new EmergencyStopAttributes(true, "ops", stoppedAt()));
+    assertThatThrownBy(() -> wheels.acquireCommandLease(LEASE))
+        .isInstanceOf(LeaseRefusedException.class);
+    assertThat(wheels.releaseEmergencyStop("the chief").latched()).isFalse();
     assertThat(wheels.told).as("releasing moves nothing").isEmpty();
     assertThat(noted()).endsWith(Incident.Kind.RELEASE);
-    try (CommandLease lease = wheels.command(LEASE)) {
-      wheels.obey(lease.key(), AHEAD);
+    try (CommandLease lease = wheels.acquireCommandLease(LEASE)) {
+      wheels.execute(lease.key(), AHEAD);
       assertThat(wheels.told).containsExactly(TURNED);
     }
-    wheels.releaseStop("another");
-    assertThat(wheels.stopState().by()).as("there was nothing to release").isEqualTo("the chief");
+    wheels.releaseEmergencyStop("another");
+    assertThat(wheels.emergencyStopState().requester())
+        .as("there was nothing to release")
+        .isEqualTo("the chief");
   }
 
   private java.time.Instant stoppedAt() {
-    return java.util.Objects.requireNonNull(wheels.stopState().since());
+    return java.util.Objects.requireNonNull(wheels.emergencyStopState().since());
   }
 
   @Test
@@ -193,7 +199,8 @@ class EmergencyStopTest {
     wheels.restart(false);
     assertThat(stop(wheels, "ops").fault()).isNull();
     wheels.serveAgain();
-    assertThatThrownBy(() -> wheels.command(LEASE)).isInstanceOf(LeaseRefusedException.class);
+    assertThatThrownBy(() -> wheels.acquireCommandLease(LEASE))
+        .isInstanceOf(LeaseRefusedException.class);
   }
 
   @Test
@@ -202,17 +209,17 @@ class EmergencyStopTest {
     wheels.emergencyStop("ops");
     assertThat(noted()).endsWith(Incident.Kind.DEACTIVATION);
     wheels = wheels(state);
-    assertThat(wheels.stopState().latched()).isTrue();
+    assertThat(wheels.emergencyStopState().latched()).isTrue();
     assertThat(wheels.history().failures()).isZero();
   }
 
   @Test
   void whoeverIsInterruptedStopsItAllTheSame() {
     Thread.currentThread().interrupt();
-    StopState unused = wheels.emergencyStop("ops");
+    EmergencyStopState unused = wheels.emergencyStop("ops");
     assertThat(Thread.interrupted()).as("it is still to be interrupted").isTrue();
-    await().atMost(PATIENCE).until(() -> wheels.stopState().resting());
-    assertThat(StopLatch.kept(state).latched()).isTrue();
+    await().atMost(PATIENCE).until(() -> wheels.emergencyStopState().haltCommanded());
+    assertThat(EmergencyStopLatch.loadState(state).latched()).isTrue();
   }
 
   @Test
@@ -235,7 +242,7 @@ class EmergencyStopTest {
         commanding.get(20, TimeUnit.SECONDS);
         assertThat(busy.told).as(which).hasSize(size);
         assertThat(busy.leases().leases()).as(which).isEmpty();
-        busy.releaseStop("ops");
+        busy.releaseEmergencyStop("ops");
       }
     } finally {
       busy.close();
@@ -245,9 +252,9 @@ class EmergencyStopTest {
   /** Takes command and drives, until it is refused. */
   private static void commandOn(ScriptedWheels wheels) {
     try {
-      CommandLease lease = wheels.command(LEASE);
+      CommandLease lease = wheels.acquireCommandLease(LEASE);
       while (true) {
-        wheels.obey(lease.key(), AHEAD);
+        wheels.execute(lease.key(), AHEAD);
       }
     } catch (LeaseRefusedException | CommandRefusedException e) {
       // it is stopped

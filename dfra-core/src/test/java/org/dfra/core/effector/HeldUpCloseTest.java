@@ -51,7 +51,7 @@ class HeldUpCloseTest {
 
     @Override
     protected void onStart() {
-      become(Readiness.READY);
+      transitionTo(Readiness.READY);
     }
 
     @Override
@@ -60,7 +60,7 @@ class HeldUpCloseTest {
     }
 
     @Override
-    protected void turn(Velocity wanted) {
+    protected void setVelocity(Velocity wanted) {
       heldUp.countDown();
       try {
         release.await();
@@ -87,8 +87,9 @@ class HeldUpCloseTest {
   @Test
   void aDriverThatIsHeldUpByACommandIsHaltedAndClosed() throws Exception {
     drive.start();
-    CommandLease lease = drive.command(Duration.ofSeconds(10));
-    Thread commander = new Thread(() -> drive.obey(lease.key(), new Velocity(0.5, 0)), "commander");
+    CommandLease lease = drive.acquireCommandLease(Duration.ofSeconds(10));
+    Thread commander =
+        new Thread(() -> drive.execute(lease.key(), new Velocity(0.5, 0)), "commander");
     commander.start();
     heldUp.await();
 

@@ -20,8 +20,8 @@ import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.DriveCommand.Brake;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.effector.DriveState;
-import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.lease.LeaseRole;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.DriveAttributes;
 import org.dfra.time.Scheduler;
@@ -58,12 +58,12 @@ class HeldUpDriverTest {
   }
 
   private CommandKey key() throws LeaseRefusedException {
-    return wheels.command(LEASE).key();
+    return wheels.acquireCommandLease(LEASE).key();
   }
 
   private CompletableFuture<Void> holdUpAWrite(CommandKey key) {
     wheels.turnHeldUp = release;
-    CompletableFuture<Void> writing = beside(() -> wheels.obey(key, AHEAD));
+    CompletableFuture<Void> writing = beside(() -> wheels.execute(key, AHEAD));
     await().atMost(PATIENCE).until(() -> wheels.told.contains(TURNED));
     return writing;
   }
@@ -80,7 +80,7 @@ class HeldUpDriverTest {
   @Test
   void whoeverCommandsHasAThreadThatCanHaltTheDeviceLater() throws Exception {
     Set<Thread> before = Thread.getAllStackTraces().keySet();
-    wheels.obey(key(), new Brake(true)); // which no time-out follows
+    wheels.execute(key(), new Brake(true)); // which no time-out follows
     Set<Thread> begun = new HashSet<>(Thread.getAllStackTraces().keySet());
     begun.removeAll(before);
     assertThat(begun).extracting(Thread::getName).contains("dfra-halts " + ScriptedWheels.PATH);
@@ -88,7 +88,7 @@ class HeldUpDriverTest {
 
   @Test
   void aDeviceWhoseDriverBlocksInAHaltIsClosed() throws Exception {
-    wheels.obey(key(), AHEAD);
+    wheels.execute(key(), AHEAD);
     wheels.haltHeldUp = release;
     beside(wheels::close).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
     assertThat(wheels.told).containsSubsequence(TURNED, "halt", "closed");
@@ -106,12 +106,12 @@ class HeldUpDriverTest {
   @Test
   void whoFindsABrakeSetDoesNotWaitForAHaltThatBlocks() throws Exception {
     CommandKey key = key();
-    wheels.obey(key, AHEAD);
+    wheels.execute(key, AHEAD);
     wheels.haltHeldUp = release;
     beside(() -> wheels.switched(true)).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
     assertThat(wheels.told).contains("halt");
-    DriveState now = answer(wheels::drive);
-    assertThat(now.brake()).isTrue();
+    DriveState now = answer(wheels::driveState);
+    assertThat(now.parkingBrakeEngaged()).isTrue();
     assertThat(now.velocity()).isEqualTo(Velocity.ZERO);
   }
 
@@ -123,22 +123,22 @@ class HeldUpDriverTest {
     beside(() -> wheels.switched(true)).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
     await().atMost(PATIENCE).until(() -> wheels.told.contains("halt"));
     assertThat(writing).isNotDone();
-    assertThat(wheels.drive().brake()).isTrue();
+    assertThat(wheels.driveState().parkingBrakeEngaged()).isTrue();
     release.countDown();
     writing.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
     await().atMost(PATIENCE).until(() -> wheels.told.stream().filter("halt"::equals).count() >= 2);
-    assertThatThrownBy(() -> wheels.obey(key, AHEAD)).isInstanceOf(BrakeEngagedException.class);
-    assertThat(wheels.drive().silences()).as("the brake was first").isZero();
+    assertThatThrownBy(() -> wheels.execute(key, AHEAD)).isInstanceOf(BrakeEngagedException.class);
+    assertThat(wheels.driveState().commandTimeouts()).as("the brake was first").isZero();
   }
 
   @Test
   void askingNeverWaitsForAWrite() throws Exception {
     CompletableFuture<Void> writing = holdUpAWrite(key());
-    assertThat(answer(wheels::drive).velocity()).isEqualTo(AHEAD);
+    assertThat(answer(wheels::driveState).velocity()).isEqualTo(AHEAD);
     List<Attributes> attributes = answer(wheels::attributes);
     assertThat(attributes).contains(new DriveAttributes(1, 2, 0.78, 0.64));
     assertThat(answer(wheels::parameters)).anyMatch(each -> each.name().equals("max_speed"));
-    assertThat(answer(wheels::stopState).latched()).isFalse();
+    assertThat(answer(wheels::emergencyStopState).latched()).isFalse();
     assertThat(writing).isNotDone();
   }
 
@@ -157,7 +157,7 @@ class HeldUpDriverTest {
     CommandKey key = key();
     CompletableFuture<Void> writing = holdUpAWrite(key);
     beside(() -> wheels.restart(false)).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
-    assertThat(answer(wheels::drive).velocity()).isEqualTo(Velocity.ZERO);
+    assertThat(answer(wheels::driveState).velocity()).isEqualTo(Velocity.ZERO);
     assertThat(writing).isNotDone();
     wheels.turnHeldUp = null;
     release.countDown();
@@ -165,7 +165,7 @@ class HeldUpDriverTest {
     assertThat(wheels.told).as("it may have reached the new link").endsWith("halt");
     wheels.serveAgain();
     wheels.told.clear();
-    wheels.obey(key, AHEAD);
+    wheels.execute(key, AHEAD);
     await("and the next velocity is watched")
         .atMost(PATIENCE)
         .until(() -> wheels.told.equals(List.of(TURNED, "halt")));
@@ -173,11 +173,11 @@ class HeldUpDriverTest {
 
   @Test
   void whoGivesTheCommandUpDoesNotWaitForAWriteThatHangs() throws Exception {
-    CommandLease lease = wheels.command(LEASE);
+    CommandLease lease = wheels.acquireCommandLease(LEASE);
     CompletableFuture<Void> writing = holdUpAWrite(lease.key());
     beside(lease::close).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
     assertThat(writing).isNotDone();
-    assertThat(wheels.helm().commander()).isNull();
+    assertThat(wheels.commandArbiter().commander()).isNull();
     await("it is halted past the write").atMost(PATIENCE).until(() -> wheels.told.contains("halt"));
     assertThat(writing).isNotDone();
   }
@@ -185,7 +185,7 @@ class HeldUpDriverTest {
   @Test
   void whoTakesTheCommandDoesNotWaitForAWriteThatHangsAndTheWheelsStandBeforeTheFirstCommand()
       throws Exception {
-    CommandLease first = wheels.command(LEASE);
+    CommandLease first = wheels.acquireCommandLease(LEASE);
     CompletableFuture<Void> writing = holdUpAWrite(first.key());
     beside(first::close).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
     await().atMost(PATIENCE).until(() -> wheels.told.contains("halt"));
@@ -200,7 +200,7 @@ class HeldUpDriverTest {
         });
     CommandKey key = second.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
     assertThat(writing).isNotDone();
-    CompletableFuture<Void> released = beside(() -> wheels.obey(key, new Brake(false)));
+    CompletableFuture<Void> released = beside(() -> wheels.execute(key, new Brake(false)));
     wheels.turnHeldUp = null;
     release.countDown();
     released.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
@@ -208,7 +208,7 @@ class HeldUpDriverTest {
     List<String> told = List.copyOf(wheels.told);
     assertThat(told.subList(0, 3)).containsExactly(TURNED, "halt", "halt");
     assertThat(told).endsWith("brake false");
-    assertThat(wheels.drive().velocity()).isEqualTo(Velocity.ZERO);
+    assertThat(wheels.driveState().velocity()).isEqualTo(Velocity.ZERO);
   }
 
   /** A client's lease ends, and whoever is to note that does not return before the release. */
@@ -223,7 +223,7 @@ class HeldUpDriverTest {
             Thread.currentThread().interrupt();
           }
         };
-    wheels.leases().grant(Duration.ofMillis(10), Holder.CLIENT, null, slow);
+    wheels.leases().grant(Duration.ofMillis(10), LeaseRole.CLIENT, null, slow);
     assertThat(noted.await(PATIENCE.toSeconds(), TimeUnit.SECONDS)).isTrue();
   }
 
@@ -231,7 +231,7 @@ class HeldUpDriverTest {
   void aListenerThatIsSlowToNoteTheEndOfALeaseDelaysNoHalt() throws Exception {
     holdUpTheEndOfALease();
     try (StallProbe probe = StallProbe.start()) {
-      wheels.obey(key(), AHEAD);
+      wheels.execute(key(), AHEAD);
       StallProbe.Stopwatch begun = probe.stopwatch();
       await()
           .pollInterval(Duration.ofMillis(5))
@@ -239,7 +239,7 @@ class HeldUpDriverTest {
           .until(() -> wheels.told.contains("halt"));
       begun.stop().requireWithin("the halt after the last velocity", HALTED);
     }
-    assertThat(wheels.drive().silences()).isEqualTo(1);
+    assertThat(wheels.driveState().commandTimeouts()).isEqualTo(1);
   }
 
   @Test
@@ -247,15 +247,15 @@ class HeldUpDriverTest {
     holdUpTheEndOfALease();
     CommandKey unused =
         wheels
-            .helm()
-            .take(
+            .commandArbiter()
+            .acquire(
                 "a test",
                 over ->
                     wheels
                         .leases()
-                        .grant(Duration.ofMillis(100), Holder.COMMANDER, null, over)
+                        .grant(Duration.ofMillis(100), LeaseRole.COMMANDER, null, over)
                         .id());
-    await().atMost(PATIENCE).until(() -> wheels.helm().commander() == null);
+    await().atMost(PATIENCE).until(() -> wheels.commandArbiter().commander() == null);
     assertThat(wheels.told).contains("halt");
   }
 }

@@ -74,7 +74,7 @@ class LostCommanderStressTest {
     while (!over) {
       Command now = current;
       try {
-        wheels.obey(now.key(), new Velocity(now.speed(), 0));
+        wheels.execute(now.key(), new Velocity(now.speed(), 0));
       } catch (CommandRefusedException e) {
         refused.incrementAndGet(thread);
         Thread.yield(); // until there is a new key it has nothing to race with
@@ -84,7 +84,7 @@ class LostCommanderStressTest {
 
   private void command(double speed, Random random, String which) throws Exception {
     wheels.told.clear();
-    CommandLease lease = wheels.command(Duration.ofSeconds(30));
+    CommandLease lease = wheels.acquireCommandLease(Duration.ofSeconds(30));
     current = new Command(lease.key(), speed);
     String mine = "turn " + speed + " 0.0";
     long begun = System.nanoTime();
@@ -98,7 +98,7 @@ class LostCommanderStressTest {
     awaitRest(which);
     int size = wheels.told.size(); // whatever comes now would be obeyed after the end
     assertThat(wheels.told.get(size - 1)).as(which).isEqualTo("halt");
-    assertThat(wheels.drive().velocity()).as(which).isEqualTo(Velocity.ZERO);
+    assertThat(wheels.driveState().velocity()).as(which).isEqualTo(Velocity.ZERO);
     for (int i = 0; i < 50; i++) {
       Thread.onSpinWait();
     }
@@ -120,7 +120,7 @@ class LostCommanderStressTest {
   private void awaitRest(String which) {
     long begun = System.nanoTime();
     while (!wheels.told.get(wheels.told.size() - 1).equals("halt")
-        || !wheels.drive().velocity().isZero()) {
+        || !wheels.driveState().velocity().isZero()) {
       assertThat(System.nanoTime() - begun).as(which).isLessThan(TimeUnit.SECONDS.toNanos(20));
       Thread.yield();
     }

@@ -50,7 +50,7 @@ final class ScriptedWheels extends DriveImpl {
             Parameters.of(PATH, parameters),
             InstantSource.fixed(Instant.EPOCH),
             state,
-            LeaseTerms.USUAL,
+            LeaseTerms.DEFAULT,
             scheduler),
         "scripted wheels",
         "DFRA",
@@ -62,7 +62,7 @@ final class ScriptedWheels extends DriveImpl {
 
   @Override
   protected void onStart() {
-    become(Readiness.READY);
+    transitionTo(Readiness.READY);
   }
 
   @Override
@@ -71,8 +71,8 @@ final class ScriptedWheels extends DriveImpl {
   }
 
   @Override
-  protected void turn(Velocity wanted) {
-    told.add("turn " + wanted.speed() + " " + wanted.turnRate());
+  protected void setVelocity(Velocity wanted) {
+    told.add("turn " + wanted.speed() + " " + wanted.yawRate());
     await(turnHeldUp);
     fail(turnFails);
   }
@@ -107,15 +107,15 @@ final class ScriptedWheels extends DriveImpl {
 
   /** Its controller was switched off and on. */
   void restart(boolean brakeSet) {
-    become(Readiness.INITIALIZING, "its controller was switched off");
-    forgotten(brakeSet);
+    transitionTo(Readiness.INITIALIZING, "its controller was switched off");
+    deviceReset(brakeSet);
   }
 
   void serveAgain() {
-    become(Readiness.READY);
+    transitionTo(Readiness.READY);
   }
 
   void switched(boolean brakeSet) {
-    brakeFound(brakeSet);
+    brakeReported(brakeSet);
   }
 }

@@ -18,13 +18,13 @@ import java.util.concurrent.locks.LockSupport;
 import org.dfra.core.state.StateStore;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
-import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.DeliveryPolicy.EventKind;
 import org.dfra.event.ModuleEvent;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Reading;
+import org.dfra.event.delivery.DeliveryCounter;
 import org.dfra.event.delivery.DeliveryPool;
 import org.dfra.event.delivery.ListenerQueue;
-import org.dfra.event.delivery.Tally;
 import org.dfra.time.Scheduler;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -47,8 +47,8 @@ class EventHubTest {
     return new EventHub("atrv1/lamp", InstantSource.system(), state, pool, Scheduler.system());
   }
 
-  private EventHub.Entry add(ModuleListener listener, DeliveryPolicy policy) {
-    return hub.add(listener, policy, ListenerQueue.NEVER, () -> {});
+  private EventHub.ListenerEntry add(ModuleListener listener, DeliveryPolicy policy) {
+    return hub.add(listener, policy, ListenerQueue.NEVER_GIVE_UP, () -> {});
   }
 
   /**
@@ -60,7 +60,7 @@ class EventHubTest {
   void aStoppedListenerHoldsUpNoneOfNineteenHealthyOnes() {
     long[] without = latencies();
     CountDownLatch stopped = new CountDownLatch(1);
-    EventHub.Entry blocked =
+    EventHub.ListenerEntry blocked =
         add(
             delivery -> {
               try {
@@ -71,7 +71,7 @@ class EventHubTest {
             },
             DeliveryPolicy.keepLast(8));
     long[] with = latencies();
-    int threads = pool.threads();
+    int threads = pool.threadCount();
     // One that the computer held up counted as blocked too; it goes while events come.
     for (int i = 0; i < HEALTHY; i++) {
       add(delivery -> {}, DeliveryPolicy.latestReading());
@@ -81,7 +81,7 @@ class EventHubTest {
         .until(
             () -> {
               hub.publish(TICK);
-              return pool.threads() <= 3;
+              return pool.threadCount() <= 3;
             });
     stopped.countDown();
     hub.remove(blocked);
@@ -101,7 +101,7 @@ class EventHubTest {
     AtomicLongArray published = new AtomicLongArray(EVENTS);
     AtomicLongArray took = new AtomicLongArray(EVENTS * HEALTHY);
     AtomicInteger done = new AtomicInteger();
-    List<EventHub.Entry> entries = new ArrayList<>();
+    List<EventHub.ListenerEntry> entries = new ArrayList<>();
     for (int i = 0; i < HEALTHY; i++) {
       int listener = i;
       int[] next = {0};
@@ -168,10 +168,10 @@ class EventHubTest {
     for (int i = 0; i < 10_000; i++) {
       hub.publish(TICK); // would not return if it waited
     }
-    await().atMost(PATIENCE).until(() -> pool.threads() >= 10);
-    assertThat(pool.threads()).as("two, and one for each blocked").isLessThanOrEqualTo(12);
+    await().atMost(PATIENCE).until(() -> pool.threadCount() >= 10);
+    assertThat(pool.threadCount()).as("two, and one for each blocked").isLessThanOrEqualTo(12);
     stopped.countDown();
-    await().atMost(PATIENCE).until(() -> pool.threads() <= 2);
+    await().atMost(PATIENCE).until(() -> pool.threadCount() <= 2);
   }
 
   @Test
@@ -180,19 +180,20 @@ class EventHubTest {
     hub(state).publish(TICK);
     hub(state).publish(new ModuleEvent.ParameterChanged("rate", "1"));
     EventHub third = hub(state);
-    EventHub.Entry entry =
-        third.add(delivery -> {}, DeliveryPolicy.keepLast(1), ListenerQueue.NEVER, () -> {});
+    EventHub.ListenerEntry entry =
+        third.add(
+            delivery -> {}, DeliveryPolicy.keepLast(1), ListenerQueue.NEVER_GIVE_UP, () -> {});
     assertThat(entry.epoch()).isEqualTo(3);
-    assertThat(entry.numbers()[Kind.READING.ordinal()]).isEqualTo(1);
-    assertThat(entry.numbers()[Kind.PARAMETER.ordinal()]).isEqualTo(1);
-    assertThat(entry.numbers()[Kind.INCIDENT.ordinal()]).isZero();
+    assertThat(entry.lastSequences()[EventKind.READING.ordinal()]).isEqualTo(1);
+    assertThat(entry.lastSequences()[EventKind.PARAMETER.ordinal()]).isEqualTo(1);
+    assertThat(entry.lastSequences()[EventKind.INCIDENT.ordinal()]).isZero();
   }
 
   @Test
   void aTallyCountsGapsLeavesOutWhatCameBeforeAndForgivesALossOfPower() throws Exception {
     List<Long> passed = new ArrayList<>();
-    Tally tally = new Tally(delivery -> passed.add(delivery.sequence()));
-    tally.begin(new long[] {0, 10, 0, 0});
+    DeliveryCounter tally = new DeliveryCounter(delivery -> passed.add(delivery.sequence()));
+    tally.startAfter(new long[] {0, 10, 0, 0});
     for (long sequence : new long[] {12, 12, 11, 15}) {
       tally.notify(reading(1, sequence));
     }
@@ -211,7 +212,7 @@ class EventHubTest {
   @Test
   void refusesPoliciesThatCannotBeKept() {
     assertThatThrownBy(() -> DeliveryPolicy.keepLast(0)).hasMessage("depth 0 is outside 1 to 1024");
-    assertThatThrownBy(() -> DeliveryPolicy.latestReading().atMost(0))
+    assertThatThrownBy(() -> DeliveryPolicy.latestReading().withMaxRate(0))
         .hasMessage("rate 0.0 Hz is not above 0");
     assertThatThrownBy(() -> new DeliveryPolicy(Set.of(), 1, 1))
         .hasMessage("a listener that wants no kind of event needs none");

@@ -7,7 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.dfra.core.config.ConfigurationException;
-import org.dfra.core.config.Faults;
+import org.dfra.core.config.ConfigurationFaults;
 import org.dfra.geometry.GeoPosition;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -18,7 +18,7 @@ class GeoJsonFileTest {
   private static final String POLYGON = "{\"type\": \"Polygon\",\n \"coordinates\": " + RING + "}";
 
   @TempDir Path folder;
-  private final Faults faults = new Faults();
+  private final ConfigurationFaults faults = new ConfigurationFaults();
 
   @Test
   void givesTheFeaturesOfACollectionWithTheirLines() throws IOException {

@@ -36,8 +36,8 @@ class FrameTreeTest {
   @Test
   void goesDownAgainAndAcross() {
     tree.put("base_link", "odom", Transform.of(10, 5, 0, 0, 0, Math.PI / 2));
-    tree.put("laser", "base_link", Transform.shift(0.3, 0, 0.5));
-    tree.put("gps", "base_link", Transform.shift(-0.2, 0.1, 1));
+    tree.put("laser", "base_link", Transform.translation(0.3, 0, 0.5));
+    tree.put("gps", "base_link", Transform.translation(-0.2, 0.1, 1));
     assertPlace(tree.transform("odom", "base_link"), -5, 10, 0);
     assertPlace(tree.transform("laser", "gps"), 0.5, -0.1, -0.5);
     assertPlace(tree.transform("laser", "laser"), 0, 0, 0);
@@ -45,8 +45,8 @@ class FrameTreeTest {
 
   @Test
   void followsAFrameThatMoves() {
-    tree.put("camera", "base_link", Transform.shift(1, 0, 0));
-    tree.put("camera", "base_link", Transform.shift(2, 0, 0));
+    tree.put("camera", "base_link", Transform.translation(1, 0, 0));
+    tree.put("camera", "base_link", Transform.translation(2, 0, 0));
     assertPlace(tree.transform("camera", "base_link"), 2, 0, 0);
   }
 

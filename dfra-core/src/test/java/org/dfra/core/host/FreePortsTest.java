@@ -17,7 +17,7 @@ class FreePortsTest {
   void givesEachPortOnceAndOneThatCanBeOpened() throws Exception {
     Set<Integer> given = new HashSet<>();
     for (int count = 0; count < 50; count++) {
-      int port = FreePorts.next();
+      int port = FreePorts.allocate();
       assertThat(given.add(port)).as("port %d is new", port).isTrue();
       try (ServerSocket socket = new ServerSocket(port, 1, InetAddress.getLoopbackAddress())) {
         assertThat(socket.getLocalPort()).isEqualTo(port);
@@ -33,6 +33,8 @@ class FreePortsTest {
     int least = Integer.parseInt(Files.readAllLines(range).get(0).strip().split("\\s+")[0]);
     Assumptions.assumeTrue(
         least >= FreePorts.END, "this host takes its outgoing ports from " + least + " on");
-    assertThat(FreePorts.next()).isBetween(FreePorts.FIRST, FreePorts.END - 1).isLessThan(least);
+    assertThat(FreePorts.allocate())
+        .isBetween(FreePorts.FIRST, FreePorts.END - 1)
+        .isLessThan(least);
   }
 }

@@ -20,7 +20,7 @@ public final class SteppedScheduler implements Scheduler {
   }
 
   @Override
-  public synchronized Task after(long nanos, Runnable task) {
+  public synchronized ScheduledTask after(long nanos, Runnable task) {
     Due due = new Due(now + nanos, task);
     tasks.add(due);
     return () -> cancel(due);

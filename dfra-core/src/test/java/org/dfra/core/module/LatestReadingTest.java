@@ -45,11 +45,11 @@ class LatestReadingTest {
 
   @Test
   void isWhyItsModuleDoesNotServe() {
-    assertThat(module.unreadiness()).contains("its link is being opened");
+    assertThat(module.notReadyReason()).contains("its link is being opened");
     module.latest.set("20 °C");
-    assertThat(module.unreadiness()).isEmpty();
-    module.latest.lose("its cable was pulled");
-    assertThat(module.unreadiness()).contains("its cable was pulled");
+    assertThat(module.notReadyReason()).isEmpty();
+    module.latest.markLost("its cable was pulled");
+    assertThat(module.notReadyReason()).contains("its cable was pulled");
   }
 
   @Test
@@ -84,12 +84,12 @@ class LatestReadingTest {
 
   @Test
   void ceasesToServeWhenItIsLostAndServesAgain() {
-    module.latest.lose("the cable is cut");
+    module.latest.markLost("the cable is cut");
     assertThat(module.history().failures()).as("it did not serve before").isZero();
     module.latest.set("20 °C");
-    module.latest.lose("the cable is cut again");
+    module.latest.markLost("the cable is cut again");
     assertRefused("INITIALIZING: the cable is cut again");
-    assertThat(module.latest.awaits()).isEqualTo("the cable is cut again");
+    assertThat(module.latest.missing()).isEqualTo("the cable is cut again");
     assertThat(module.history().failures()).isEqualTo(1);
     module.latest.set("21 °C");
     assertThat(module.readiness()).isEqualTo(Readiness.READY);
@@ -99,7 +99,7 @@ class LatestReadingTest {
   @Test
   void leavesTheReadinessAloneWhereItIsForgotten() {
     module.latest.set("20 °C");
-    module.latest.forget("the mercury has leaked");
+    module.latest.clear("the mercury has leaked");
     assertThat(module.readiness()).isEqualTo(Readiness.READY);
     assertRefused("READY: the mercury has leaked");
   }
@@ -135,17 +135,18 @@ class LatestReadingTest {
           "DFRA",
           "1.0");
       this.latest =
-          new LatestReading<>("temperature", this, this::become, ticker::nanos, () -> longestAge);
+          new LatestReading<>(
+              "temperature", this, this::transitionTo, ticker::nanos, () -> longestAge);
     }
 
     @Override
     protected void onStart() {
-      latest.awaits("its link is being opened");
+      latest.setMissing("its link is being opened");
     }
 
     @Override
     protected void onClose() {
-      latest.forget("it has ended");
+      latest.clear("it has ended");
     }
   }
 }

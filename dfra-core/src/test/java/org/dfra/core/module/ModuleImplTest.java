@@ -59,7 +59,7 @@ class ModuleImplTest {
     }
 
     void move(Readiness next) {
-      become(next);
+      transitionTo(next);
     }
   }
 
@@ -278,15 +278,15 @@ class ModuleImplTest {
 
   @Test
   void saysWhyItDoesNotServe() {
-    assertThat(lamp.unreadiness()).contains("it has not been started");
+    assertThat(lamp.notReadyReason()).contains("it has not been started");
     lamp.start();
-    assertThat(lamp.unreadiness()).contains("its first data have not come yet");
-    lamp.become(Readiness.FAILED, "its bulb is broken");
-    assertThat(lamp.unreadiness()).contains("its bulb is broken");
+    assertThat(lamp.notReadyReason()).contains("its first data have not come yet");
+    lamp.transitionTo(Readiness.FAILED, "its bulb is broken");
+    assertThat(lamp.notReadyReason()).contains("its bulb is broken");
     lamp.move(Readiness.INITIALIZING);
     lamp.move(Readiness.READY);
-    assertThat(lamp.unreadiness()).isEmpty();
+    assertThat(lamp.notReadyReason()).isEmpty();
     lamp.close();
-    assertThat(lamp.unreadiness()).contains("it has ended");
+    assertThat(lamp.notReadyReason()).contains("it has ended");
   }
 }

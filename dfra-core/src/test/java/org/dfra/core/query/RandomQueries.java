@@ -30,7 +30,7 @@ final class RandomQueries {
       implements Attributes {}
 
   static final QueryVocabulary VOCABULARY =
-      QueryVocabulary.usual().with(List.of(EverythingAttributes.class));
+      QueryVocabulary.standard().with(List.of(EverythingAttributes.class));
 
   private static final String LETTERS =
       "abcXYZ019_-./ \"\\'=<>≥≤,[]°!\t\näßé−and within to of m 3D";

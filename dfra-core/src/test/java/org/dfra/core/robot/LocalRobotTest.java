@@ -90,7 +90,7 @@ class LocalRobotTest {
     }
 
     @Override
-    protected void turn(Velocity wanted) {}
+    protected void setVelocity(Velocity wanted) {}
 
     @Override
     protected void halt() {}
@@ -157,7 +157,7 @@ class LocalRobotTest {
     @Override
     protected void onStart() {
       isOn = true;
-      become(Readiness.READY);
+      transitionTo(Readiness.READY);
     }
 
     @Override

@@ -31,7 +31,7 @@ class ScaledTimeTest {
     }
 
     @Override
-    public Task after(long wait, Runnable task) {
+    public ScheduledTask after(long wait, Runnable task) {
       waits.add(wait);
       return () -> {};
     }
@@ -58,7 +58,7 @@ class ScaledTimeTest {
   void waitsShorterWhereItRunsFaster() {
     ScaledTime time = new ScaledTime(4, BEGIN, () -> BEGIN, real);
 
-    Scheduler.Task unused = time.after(1_000, () -> {});
+    Scheduler.ScheduledTask unused = time.after(1_000, () -> {});
 
     assertThat(real.waits).containsExactly(250L);
   }
@@ -88,16 +88,16 @@ class ScaledTimeTest {
     ScaledTime early = new ScaledTime(4, BEGIN, () -> BEGIN.plusSeconds(10), real);
     real.nanos += 2_000_000_000;
     Instant setBack = BEGIN.minusSeconds(100);
-    ScaledTime late = ScaledTime.parse(early.onThisComputer(boot), boot, () -> setBack, real);
+    ScaledTime late = ScaledTime.parse(early.toHostText(boot), boot, () -> setBack, real);
 
     assertThat(late.instant()).isEqualTo(early.instant()).isEqualTo(BEGIN.plusSeconds(48));
-    assertThat(late.onThisComputer(boot)).isEqualTo(early.onThisComputer(boot));
+    assertThat(late.toHostText(boot)).isEqualTo(early.toHostText(boot));
   }
 
   @Test
   void goesByTheClockOnAnotherComputerAndAfterAnotherBoot() throws Exception {
     ScaledTime here = new ScaledTime(4, BEGIN, () -> BEGIN, real);
-    String text = here.onThisComputer(boot("1b9d6bcd"));
+    String text = here.toHostText(boot("1b9d6bcd"));
     assertThat(text).isEqualTo("4x since 2026-11-21T16:00:00Z (boot 1b9d6bcd, 0.000007000 s)");
     real.nanos += 500_000_000_000L;
     BootId unnamed = new BootId(folder.resolve("nowhere"));
@@ -105,32 +105,32 @@ class ScaledTimeTest {
       ScaledTime there = ScaledTime.parse(text, other, () -> BEGIN.plusSeconds(3), real);
       assertThat(there.instant()).isEqualTo(BEGIN.plusSeconds(12));
     }
-    assertThat(here.onThisComputer(unnamed)).isEqualTo(here.toString());
+    assertThat(here.toHostText(unnamed)).isEqualTo(here.toString());
   }
 
   /** As in a shortage of file descriptors. Its wall clock may be an hour off by now. */
   @Test
   void doesNotGoByTheClockWhileItCannotReadWhichBootItIs() throws Exception {
     ScaledTime here = new ScaledTime(4, BEGIN, () -> BEGIN, real);
-    String text = here.onThisComputer(boot("1b9d6bcd"));
+    String text = here.toHostText(boot("1b9d6bcd"));
     Path unreadable = Files.createDirectory(folder.resolve("boot_id"));
     BootId unknown = new BootId(unreadable);
     assertThatThrownBy(() -> ScaledTime.parse(text, unknown, () -> BEGIN, real))
         .isInstanceOf(UncheckedIOException.class)
         .hasMessageContaining("which boot of this computer it is cannot be read")
         .hasMessageContaining("ulimit -n");
-    assertThatThrownBy(() -> here.onThisComputer(unknown)).isInstanceOf(UncheckedIOException.class);
+    assertThatThrownBy(() -> here.toHostText(unknown)).isInstanceOf(UncheckedIOException.class);
     Files.delete(unreadable);
     Files.writeString(unreadable, "1b9d6bcd\n");
-    assertThat(here.onThisComputer(unknown)).isEqualTo(text);
+    assertThat(here.toHostText(unknown)).isEqualTo(text);
     assertThat(ScaledTime.parse(text, unknown, () -> BEGIN.minusSeconds(3600), real).instant())
         .isEqualTo(here.instant());
   }
 
   @Test
   void readsWhatItWritesForThisComputer() {
-    String text = ScaledTime.parse("4x since 2026-11-21T16:00:00Z").onThisComputer();
-    assertThat(ScaledTime.parse(text).onThisComputer()).isEqualTo(text);
+    String text = ScaledTime.parse("4x since 2026-11-21T16:00:00Z").toHostText();
+    assertThat(ScaledTime.parse(text).toHostText()).isEqualTo(text);
   }
 
   @ParameterizedTest

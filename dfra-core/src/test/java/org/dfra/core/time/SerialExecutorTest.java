@@ -11,9 +11,9 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
-import org.dfra.core.lease.LeaseBook;
+import org.dfra.core.lease.LeaseRegistry;
 import org.dfra.core.lease.LeaseTerms;
-import org.dfra.lease.Holder;
+import org.dfra.lease.LeaseRole;
 import org.dfra.time.Scheduler;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -89,16 +89,16 @@ class SerialExecutorTest {
     missing.set(1);
     CountDownLatch over = new CountDownLatch(1);
     try (StallProbe probe = StallProbe.start();
-        LeaseBook book =
-            new LeaseBook(
+        LeaseRegistry book =
+            new LeaseRegistry(
                 "atrv1/gps",
-                LeaseTerms.USUAL,
+                LeaseTerms.DEFAULT,
                 InstantSource.fixed(Instant.EPOCH),
                 Scheduler.system(),
                 clients -> {},
                 holder -> executor)) {
       StallProbe.Stopwatch begun = probe.stopwatch();
-      book.grant(Duration.ofMillis(10), Holder.CLIENT, null, over::countDown);
+      book.grant(Duration.ofMillis(10), LeaseRole.CLIENT, null, over::countDown);
       assertThat(over.await(PATIENCE_SECONDS, TimeUnit.SECONDS)).isTrue();
       begun.stop().requireWithin("the end of the lease", Duration.ofMillis(1010));
       assertThat(book.leases()).isEmpty();

@@ -8,7 +8,7 @@ import java.io.PrintStream;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
-import org.dfra.core.time.Timing.Outcome;
+import org.dfra.core.time.Timing.BoundResult;
 import org.junit.jupiter.api.Test;
 
 class StallProbeTest {
@@ -38,8 +38,8 @@ class StallProbeTest {
     measureFor(Duration.ofSeconds(6));
     Timing timing = watch.stop();
     assertThat(timing).isEqualTo(new Timing(Duration.ofSeconds(6), Duration.ZERO, 0.5));
-    assertThat(timing.against(BOUND)).isEqualTo(Outcome.MISSED);
-    assertThat(timing.against(Duration.ofSeconds(6))).isEqualTo(Outcome.MET);
+    assertThat(timing.compareWith(BOUND)).isEqualTo(BoundResult.MISSED);
+    assertThat(timing.compareWith(Duration.ofSeconds(6))).isEqualTo(BoundResult.MET);
     assertThatThrownBy(() -> timing.requireWithin("listening again", BOUND))
         .isInstanceOf(AssertionError.class)
         .hasMessage(
@@ -56,8 +56,8 @@ class StallProbeTest {
     Timing timing = watch.stop();
     assertThat(timing.took()).isEqualTo(Duration.ofSeconds(6));
     assertThat(timing.stalled()).isEqualTo(Duration.ofMillis(1980));
-    assertThat(timing.against(BOUND)).isEqualTo(Outcome.MISSED_DURING_A_STALL);
-    assertThat(timing.against(Duration.ofSeconds(3))).isEqualTo(Outcome.MISSED);
+    assertThat(timing.compareWith(BOUND)).isEqualTo(BoundResult.MISSED_DURING_A_STALL);
+    assertThat(timing.compareWith(Duration.ofSeconds(3))).isEqualTo(BoundResult.MISSED);
   }
 
   @Test
@@ -77,8 +77,9 @@ class StallProbeTest {
     StallProbe.Stopwatch watch = probe.stopwatch();
     measureFor(Duration.ofSeconds(12));
     Timing timing = watch.stop();
-    assertThat(timing.against(Duration.ofSeconds(4))).isEqualTo(Outcome.MISSED_DURING_AN_OVERLOAD);
-    assertThat(timing.against(Duration.ofSeconds(3))).isEqualTo(Outcome.MISSED);
+    assertThat(timing.compareWith(Duration.ofSeconds(4)))
+        .isEqualTo(BoundResult.MISSED_DURING_AN_OVERLOAD);
+    assertThat(timing.compareWith(Duration.ofSeconds(3))).isEqualTo(BoundResult.MISSED);
   }
 
   /** The tests beside it may be the load; a stall is never theirs. */
@@ -93,7 +94,7 @@ class StallProbeTest {
     Timing stalled = new Timing(Duration.ofSeconds(6), Duration.ofSeconds(2), 3);
     assertThat(said(stalled, false)).startsWith("MISSED DURING A STALL: listening again took");
     Timing both = new Timing(Duration.ofSeconds(9), Duration.ofSeconds(2), 3);
-    assertThat(both.against(BOUND)).isEqualTo(Outcome.MISSED_DURING_AN_OVERLOAD);
+    assertThat(both.compareWith(BOUND)).isEqualTo(BoundResult.MISSED_DURING_AN_OVERLOAD);
     assertThatThrownBy(() -> said(both, false)).isInstanceOf(AssertionError.class);
   }
 
@@ -101,18 +102,20 @@ class StallProbeTest {
   void whatIsNotToHappenMayHappenOncePerStallThatExplainsIt() {
     Duration each = Duration.ofSeconds(1);
     Timing idle = new Timing(Duration.ofSeconds(60), Duration.ZERO, 0.5);
-    assertThat(idle.against(0, each)).isEqualTo(Outcome.MET);
-    assertThat(idle.against(1, each)).isEqualTo(Outcome.MISSED);
+    assertThat(idle.compareWith(0, each)).isEqualTo(BoundResult.MET);
+    assertThat(idle.compareWith(1, each)).isEqualTo(BoundResult.MISSED);
     assertThatThrownBy(() -> idle.requireNone("lost links", 1, each))
         .isInstanceOf(AssertionError.class)
         .hasMessageStartingWith("lost links: 1, where only each stall of 1.000 s explains one;");
     Timing stalled = new Timing(Duration.ofSeconds(60), Duration.ofMillis(2900), 0.5);
-    assertThat(stalled.against(2, each)).isEqualTo(Outcome.MISSED_DURING_A_STALL);
-    assertThat(stalled.against(3, each)).isEqualTo(Outcome.MISSED);
+    assertThat(stalled.compareWith(2, each)).isEqualTo(BoundResult.MISSED_DURING_A_STALL);
+    assertThat(stalled.compareWith(3, each)).isEqualTo(BoundResult.MISSED);
     Timing overloaded = new Timing(Duration.ofSeconds(60), Duration.ofMillis(2900), 2.5);
-    assertThat(overloaded.against(3, each)).isEqualTo(Outcome.MISSED_DURING_AN_OVERLOAD);
-    assertThat(overloaded.against(38, each)).isEqualTo(Outcome.MISSED_DURING_AN_OVERLOAD);
-    assertThat(overloaded.against(39, each)).as("36 s of waiting").isEqualTo(Outcome.MISSED);
+    assertThat(overloaded.compareWith(3, each)).isEqualTo(BoundResult.MISSED_DURING_AN_OVERLOAD);
+    assertThat(overloaded.compareWith(38, each)).isEqualTo(BoundResult.MISSED_DURING_AN_OVERLOAD);
+    assertThat(overloaded.compareWith(39, each))
+        .as("36 s of waiting")
+        .isEqualTo(BoundResult.MISSED);
   }
 
   /** What it prints; not to the console, or ./dfra test would repeat this test. */
@@ -129,11 +132,11 @@ class StallProbeTest {
   void aStallOfATenthOfTheBoundCounts() {
     Duration bound = Duration.ofMillis(350);
     Timing timing = new Timing(Duration.ofMillis(370), Duration.ofMillis(36), 0.5);
-    assertThat(timing.against(bound)).isEqualTo(Outcome.MISSED_DURING_A_STALL);
+    assertThat(timing.compareWith(bound)).isEqualTo(BoundResult.MISSED_DURING_A_STALL);
     Timing quick = new Timing(Duration.ofMillis(370), Duration.ofMillis(30), 0.5);
-    assertThat(quick.against(bound)).isEqualTo(Outcome.MISSED);
+    assertThat(quick.compareWith(bound)).isEqualTo(BoundResult.MISSED);
     Timing patient = new Timing(Duration.ofMillis(5050), Duration.ofMillis(90), 0.5);
-    assertThat(patient.against(BOUND)).as("less than 0.1 s").isEqualTo(Outcome.MISSED);
+    assertThat(patient.compareWith(BOUND)).as("less than 0.1 s").isEqualTo(BoundResult.MISSED);
   }
 
   @Test
@@ -148,7 +151,7 @@ class StallProbeTest {
 
   private void run(long served, long stolen) {
     processors.updateAndGet(
-        all -> new ProcessorTimes(all.served() + served, all.stolen() + stolen));
+        all -> new ProcessorTimes(all.busyTicks() + served, all.stealTicks() + stolen));
   }
 
   @Test
@@ -161,15 +164,16 @@ class StallProbeTest {
     Timing timing = watch.stop();
     Duration stolen = Duration.ofMillis(1500); // a quarter of what was wanted
     assertThat(timing).isEqualTo(new Timing(Duration.ofSeconds(6), Duration.ZERO, 0.5, stolen));
-    assertThat(timing.against(BOUND)).as("4.5 s").isEqualTo(Outcome.MISSED_DURING_A_STALL);
-    assertThat(timing.against(Duration.ofSeconds(4))).isEqualTo(Outcome.MISSED);
+    assertThat(timing.compareWith(BOUND)).as("4.5 s").isEqualTo(BoundResult.MISSED_DURING_A_STALL);
+    assertThat(timing.compareWith(Duration.ofSeconds(4))).isEqualTo(BoundResult.MISSED);
     assertThatThrownBy(() -> timing.requireWithin("listening again", Duration.ofSeconds(4)))
         .hasMessageEndingWith(
             " 0.5 runnable threads per processor; its host gave 1.500 s of it to others");
-    Timing part = timing.during(Duration.ofSeconds(2));
+    Timing part = timing.ofPart(Duration.ofSeconds(2));
     assertThat(part.stolen()).isEqualTo(Duration.ofMillis(500));
-    assertThat(part.against(Duration.ofMillis(1600))).isEqualTo(Outcome.MISSED_DURING_A_STALL);
-    assertThat(part.against(Duration.ofMillis(1400))).isEqualTo(Outcome.MISSED);
+    assertThat(part.compareWith(Duration.ofMillis(1600)))
+        .isEqualTo(BoundResult.MISSED_DURING_A_STALL);
+    assertThat(part.compareWith(Duration.ofMillis(1400))).isEqualTo(BoundResult.MISSED);
     measureFor(Duration.ofSeconds(4)); // it wants no processor
     run(300, 20);
     measureFor(Duration.ofSeconds(2));
@@ -187,7 +191,7 @@ class StallProbeTest {
     run(3, 1);
     Timing timing = watch.stop();
     assertThat(timing.stolen()).isEqualTo(Duration.ofMillis(10));
-    assertThat(timing.against(Duration.ofMillis(500))).isEqualTo(Outcome.MISSED);
+    assertThat(timing.compareWith(Duration.ofMillis(500))).isEqualTo(BoundResult.MISSED);
     assertThat(timing.steal()).isEmpty();
   }
 
@@ -195,8 +199,9 @@ class StallProbeTest {
   void aStallInWhichTheHostWasAwayIsCountedOnce() {
     Duration second = Duration.ofSeconds(1);
     Timing timing = new Timing(Duration.ofSeconds(7), second, 0.5, second);
-    assertThat(timing.against(Duration.ofSeconds(6))).isEqualTo(Outcome.MISSED_DURING_A_STALL);
-    assertThat(timing.against(Duration.ofMillis(5900))).isEqualTo(Outcome.MISSED);
+    assertThat(timing.compareWith(Duration.ofSeconds(6)))
+        .isEqualTo(BoundResult.MISSED_DURING_A_STALL);
+    assertThat(timing.compareWith(Duration.ofMillis(5900))).isEqualTo(BoundResult.MISSED);
   }
 
   @Test

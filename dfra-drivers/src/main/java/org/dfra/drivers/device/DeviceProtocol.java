@@ -26,21 +26,21 @@ public interface DeviceProtocol {
    *
    * @throws IOException if the link is lost
    */
-  default void tend(SerialLink link) throws IOException {}
+  default void periodic(SerialLink link) throws IOException {}
 
   /**
-   * The longest wait for bytes before {@link #tend} is called all the same, 0.1 s by default: less
-   * where something has to be sent in time. Serial ports round it up to 0.1 s.
+   * The longest wait for bytes before {@link #periodic} is called all the same, 0.1 s by default:
+   * less where something has to be sent in time. Serial ports round it up to 0.1 s.
    */
-  default Duration attention() {
+  default Duration pollInterval() {
     return Duration.ofMillis(100);
   }
 
   /**
-   * For how long the device may give no {@linkplain DeviceLine#alive sign of life} before its link
-   * is opened anew; as things are now, since a device that rests may be silent for longer.
+   * For how long the device may give no {@linkplain DeviceLink#reportAlive sign of life} before its
+   * link is opened anew; as things are now, since a device that rests may be silent for longer.
    */
-  Duration longestSilence();
+  Duration livenessTimeout();
 
   /** What it is silent about when it is, for people: {@code scan}, {@code report}. */
   String expected();

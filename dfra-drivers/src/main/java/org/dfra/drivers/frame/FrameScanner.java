@@ -27,10 +27,10 @@ public abstract class FrameScanner {
     void frame(byte[] buffer, int offset, int length);
   }
 
-  /** Answer of {@link #frameAt}: what is there may be the beginning of a frame. */
+  /** Answer of {@link #frameLengthAt}: what is there may be the beginning of a frame. */
   protected static final int NEEDS_MORE = -1;
 
-  /** Answer of {@link #frameAt}: no frame begins here. */
+  /** Answer of {@link #frameLengthAt}: no frame begins here. */
   protected static final int NONE = 0;
 
   private final byte[] pending;
@@ -54,7 +54,7 @@ public abstract class FrameScanner {
    * @param end index after the last byte that has come
    * @return the frame's length in bytes, {@link #NONE} or {@link #NEEDS_MORE}
    */
-  protected abstract int frameAt(byte[] bytes, int at, int end);
+  protected abstract int frameLengthAt(byte[] bytes, int at, int end);
 
   /**
    * Takes the next bytes of the stream, cut anywhere.
@@ -106,7 +106,7 @@ public abstract class FrameScanner {
   private void scan(Sink sink, boolean last) {
     int at = 0;
     while (at < end) {
-      int length = frameAt(pending, at, end);
+      int length = frameLengthAt(pending, at, end);
       if (length > 0) {
         frames++;
         sink.frame(pending, at, length);

@@ -3,14 +3,14 @@
  * of its own below.
  *
  * <pre>
- *   bytes --&gt; ReceiverProtocol --solutions, satellites--&gt; ReceiverImpl --&gt; GPSSensor
+ *   bytes --&gt; GpsReceiverProtocol --solutions, satellites--&gt; GpsReceiverImpl --&gt; GPSSensor
  *             m12, nmea, ubx, gpsd                         the module
  *                    ^                                        |
- *                    +------ ReceiverDialogue &lt;-- LinkKeeper --+
+ *                    +------ GpsLinkHandler &lt;-- LinkKeeper --+
  *                            is it alive?         opens, reads, opens again
  * </pre>
  *
- * <p>Enter at {@link org.dfra.drivers.gps.ReceiverImpl}. A further receiver is one class that
+ * <p>Enter at {@link org.dfra.drivers.gps.GpsReceiverImpl}. A further receiver is one class that
  * extends it, with a parser of its own; nothing else in DFRA needs to know of it but a file of
  * module properties.
  */

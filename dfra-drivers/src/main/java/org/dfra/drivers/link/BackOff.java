@@ -6,17 +6,17 @@ import java.time.Duration;
  * How long to wait before the next try: the first wait, then twice as long each time, up to the
  * longest.
  *
- * @param first the first wait, longer than 0
- * @param longest the longest wait, at least {@code first}
+ * @param initial the first wait, longer than 0
+ * @param max the longest wait, at least {@code first}
  */
-public record BackOff(Duration first, Duration longest) {
+public record BackOff(Duration initial, Duration max) {
 
   public BackOff {
-    if (first.isNegative() || first.isZero()) {
-      throw new IllegalArgumentException("first wait " + first + " is not longer than 0");
+    if (initial.isNegative() || initial.isZero()) {
+      throw new IllegalArgumentException("first wait " + initial + " is not longer than 0");
     }
-    if (longest.compareTo(first) < 0) {
-      throw new IllegalArgumentException("longest wait " + longest + " < first wait " + first);
+    if (max.compareTo(initial) < 0) {
+      throw new IllegalArgumentException("longest wait " + max + " < first wait " + initial);
     }
   }
 
@@ -27,7 +27,7 @@ public record BackOff(Duration first, Duration longest) {
    */
   public Duration after(int failures) {
     int doublings = Math.min(Math.max(0, failures - 1), 30);
-    long nanos = first.toNanos();
-    return nanos > longest.toNanos() >> doublings ? longest : Duration.ofNanos(nanos << doublings);
+    long nanos = initial.toNanos();
+    return nanos > max.toNanos() >> doublings ? max : Duration.ofNanos(nanos << doublings);
   }
 }

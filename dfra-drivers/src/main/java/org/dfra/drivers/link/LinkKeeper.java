@@ -12,7 +12,7 @@ import org.slf4j.Logger;
  * longer while that is in vain.
  *
  * <p>Owns one thread, the reader. {@link #start} starts it; it owns the link and calls the {@link
- * LinkUser}; {@link #close} stops it and returns when it has ended. Both do nothing the second
+ * LinkHandler}; {@link #close} stops it and returns when it has ended. Both do nothing the second
  * time, and a keeper closed before it was started never starts.
  *
  * <p>Logs changes, not tries: once when the device answers, once for each new reason why it does
@@ -37,7 +37,7 @@ public final class LinkKeeper implements AutoCloseable {
   private static final int BUFFER_BYTES = 4096;
 
   private final Source source;
-  private final LinkUser user;
+  private final LinkHandler user;
   private final BackOff backOff;
   private final Ticker ticker;
   private final Logger log;
@@ -49,7 +49,7 @@ public final class LinkKeeper implements AutoCloseable {
   private @Nullable SerialLink link; // guarded by lock
   private boolean hurried; // guarded by lock
   private volatile boolean closed;
-  private volatile String trouble = "it has not been opened yet";
+  private volatile String fault = "it has not been opened yet";
 
   // confined to the reader
   private int failures;
@@ -64,7 +64,7 @@ public final class LinkKeeper implements AutoCloseable {
    * @param log where changes are told
    */
   public LinkKeeper(
-      String name, Source source, LinkUser user, BackOff backOff, Ticker ticker, Logger log) {
+      String name, Source source, LinkHandler user, BackOff backOff, Ticker ticker, Logger log) {
     this.source = source;
     this.user = user;
     this.backOff = backOff;
@@ -98,8 +98,8 @@ public final class LinkKeeper implements AutoCloseable {
   }
 
   /** Why the link was not open when it was not, as a clause. */
-  public String trouble() {
-    return trouble;
+  public String fault() {
+    return fault;
   }
 
   /** Closes the link, if it is open, and opens it again at once. Returns before that is done. */
@@ -181,14 +181,14 @@ public final class LinkKeeper implements AutoCloseable {
     user.opened(opened);
     byte[] buffer = new byte[BUFFER_BYTES];
     while (!closed) {
-      int count = opened.read(buffer, 0, buffer.length, user.attention());
+      int count = opened.read(buffer, 0, buffer.length, user.pollInterval());
       if (count < 0) {
         return opened + ": the device is lost";
       }
       if (count > 0 && user.received(buffer, count)) {
         answered(opened);
       }
-      String complaint = user.tend(opened);
+      String complaint = user.periodic(opened);
       if (complaint != null) {
         return opened + ": " + complaint;
       }
@@ -210,12 +210,12 @@ public final class LinkKeeper implements AutoCloseable {
       log.warn("{}; trying again until it answers", reason);
     }
     failures++;
-    trouble = reason;
+    fault = reason;
     try {
       user.lost(reason);
     } catch (RuntimeException | Error e) { // whatever it is, the link must be opened again
       log.error("the driver failed when its link was lost: {}", e.toString(), e);
-      trouble = reason + "; and the driver failed: " + e;
+      fault = reason + "; and the driver failed: " + e;
     }
     pause(backOff.after(failures).toNanos());
   }

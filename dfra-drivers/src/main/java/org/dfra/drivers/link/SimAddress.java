@@ -8,7 +8,7 @@ import java.util.Set;
  * same time, in lock-step, so that a run can be repeated bit by bit.
  *
  * @param url the address as written
- * @param name the device's name among the {@link SimLinks} of the driver's time
+ * @param name the device's name among the {@link SimLinkRegistry} of the driver's time
  */
 public record SimAddress(String url, String name) implements LinkAddress {
 

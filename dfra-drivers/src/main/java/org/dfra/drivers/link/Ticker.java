@@ -60,8 +60,8 @@ public interface Ticker {
   }
 
   /** The {@code sim:} links of the robot that lives by this time; none where that is real. */
-  default SimLinks simLinks() {
-    return SimLinks.NONE;
+  default SimLinkRegistry simLinks() {
+    return SimLinkRegistry.NONE;
   }
 
   /** The computer's monotonic time: nobody sets it, so it never jumps. */

@@ -10,8 +10,8 @@
  *
  * <p>Enter at {@link org.dfra.drivers.link.LinkAddress}, which reads a URL and opens it as a {@link
  * org.dfra.drivers.link.SerialLink}. A driver does not open links itself: it gives a {@link
- * org.dfra.drivers.link.LinkUser} to a {@link org.dfra.drivers.link.LinkKeeper}, whose one thread
- * opens the link, reads it, and opens it again when it is lost.
+ * org.dfra.drivers.link.LinkHandler} to a {@link org.dfra.drivers.link.LinkKeeper}, whose one
+ * thread opens the link, reads it, and opens it again when it is lost.
  */
 @NullMarked
 package org.dfra.drivers.link;

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 /** Who shares a line, and what they are told; no line of these is ever open. */
 class SharedLinesTest {
 
-  private final SharedLines<Member, Line> lines = new SharedLines<>();
+  private final SharedLinkRegistry<Member, Line> lines = new SharedLinkRegistry<>();
   private final Ticker ticker = new StepTicker(false);
   private final Member first = new Member("first");
   private final Member second = new Member("second");
@@ -34,7 +34,7 @@ class SharedLinesTest {
     StepTicker otherTime = new StepTicker(false);
     assertThat(lines.join(first, "port", otherTime, Line::new, found -> {})).isNotSameAs(line);
     assertThat(line.starts).as("once for each who joined").isEqualTo(2);
-    assertThat(line.first()).isEqualTo("atrv1/first");
+    assertThat(line.firstClientPath()).isEqualTo("atrv1/first");
   }
 
   @Test
@@ -69,16 +69,16 @@ class SharedLinesTest {
   @Test
   void tellsThoseWhoWereGreetedUntilTheyLeave() {
     Line line = join(first, "port");
-    line.members().tell(member -> member.told.add("too early"));
-    line.members().greet(member -> member.told.add("hello"));
+    line.clients().dispatch(member -> member.told.add("too early"));
+    line.clients().notifyConnected(member -> member.told.add("hello"));
     assertThat(join(second, "port")).isSameAs(line);
-    line.members().greet(member -> member.told.add("hello"));
-    line.members().tell(member -> member.told.add("news"));
-    line.members().lose("gone");
-    line.members().tell(member -> member.told.add("too late"));
-    line.members().greet(member -> member.told.add("hello again"));
+    line.clients().notifyConnected(member -> member.told.add("hello"));
+    line.clients().dispatch(member -> member.told.add("news"));
+    line.clients().notifyLost("gone");
+    line.clients().dispatch(member -> member.told.add("too late"));
+    line.clients().notifyConnected(member -> member.told.add("hello again"));
     line.leave(second);
-    line.members().lose("gone again");
+    line.clients().notifyLost("gone again");
     assertThat(first.told).containsExactly("hello", "news", "gone", "hello again", "gone again");
     assertThat(second.told).containsExactly("hello", "news", "gone", "hello again");
   }
@@ -87,7 +87,7 @@ class SharedLinesTest {
   void asksAllWhetherGreetedOrNot() {
     Line line = join(first, "port");
     assertThat(join(second, "port")).isSameAs(line);
-    List<String> all = line.members().ask(asked -> asked.stream().map(Member::path).toList());
+    List<String> all = line.clients().query(asked -> asked.stream().map(Member::path).toList());
     assertThat(all).containsExactly("atrv1/first", "atrv1/second");
   }
 
@@ -95,7 +95,7 @@ class SharedLinesTest {
     return lines.join(member, place, ticker, Line::new, found -> {});
   }
 
-  private static final class Member implements LineMember {
+  private static final class Member implements SharedLinkClient {
 
     private final String name;
     private final List<String> told = new ArrayList<>();
@@ -115,10 +115,10 @@ class SharedLinesTest {
     }
   }
 
-  private final class Line extends SharedLine<Member> {
+  private final class Line extends SharedDeviceLink<Member> {
 
-    private final DeviceLine line =
-        lineFor(
+    private final DeviceLink line =
+        newDeviceLink(
             new Mute(),
             ticker,
             () -> {
@@ -139,7 +139,7 @@ class SharedLinesTest {
     }
 
     @Override
-    public DeviceLine line() {
+    public DeviceLink deviceLink() {
       return line;
     }
 
@@ -166,7 +166,7 @@ class SharedLinesTest {
     }
 
     @Override
-    public Duration longestSilence() {
+    public Duration livenessTimeout() {
       return Duration.ofSeconds(1);
     }
 

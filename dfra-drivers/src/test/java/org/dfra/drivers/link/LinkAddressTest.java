@@ -83,14 +83,14 @@ class LinkAddressTest {
 
   @Test
   void opensASimulatedDeviceOfTheTimeItIsGiven() throws IOException {
-    SimLinks links = new SimLinks("none has been started");
+    SimLinkRegistry links = new SimLinkRegistry("none has been started");
     Ticker time = timeWith(links);
     LinkAddress address = LinkAddress.parse("sim:atrv1/gps");
     assertThat(address).hasToString("sim:atrv1/gps");
     assertThatThrownBy(() -> address.open(time))
         .isInstanceOf(IOException.class)
         .hasMessage("sim:atrv1/gps: there is no simulated device atrv1/gps; none has been started");
-    SimLinks.Port port = asked -> new ScriptedLink(asked.url());
+    SimLinkRegistry.LinkFactory port = asked -> new ScriptedLink(asked.url());
     links.add("atrv1/gps", port);
     links.add("atrv1/laser", port);
     assertThat(address.open(time)).hasToString("sim:atrv1/gps");
@@ -108,7 +108,7 @@ class LinkAddressTest {
 
   @Test
   void refusesNamesThatNoUrlCanHave() {
-    SimLinks links = new SimLinks("none has been started");
+    SimLinkRegistry links = new SimLinkRegistry("none has been started");
     for (String name : new String[] {"", " ", "gps?baud=9600"}) {
       assertThatThrownBy(() -> links.add(name, asked -> new ScriptedLink(asked.url())))
           .isInstanceOf(IllegalArgumentException.class)
@@ -126,7 +126,7 @@ class LinkAddressTest {
                 + " or give the module the simulation's clock");
   }
 
-  private static Ticker timeWith(SimLinks links) {
+  private static Ticker timeWith(SimLinkRegistry links) {
     return new Ticker() {
       @Override
       public long nanos() {
@@ -139,7 +139,7 @@ class LinkAddressTest {
       }
 
       @Override
-      public SimLinks simLinks() {
+      public SimLinkRegistry simLinks() {
         return links;
       }
     };

@@ -110,7 +110,7 @@ class LinkKeeperTest {
     keeper.start();
     awaitTries(1);
     ticker.awaitWaiting();
-    assertThat(keeper.trouble())
+    assertThat(keeper.fault())
         .isEqualTo(
             "tcp://here:1: refused; and the driver failed: java.lang.StackOverflowError: in lost");
     ticker.step(FIRST);
@@ -200,7 +200,7 @@ class LinkKeeperTest {
     return found;
   }
 
-  private static final class Talk implements LinkUser {
+  private static final class Talk implements LinkHandler {
 
     final List<SerialLink> opened = new CopyOnWriteArrayList<>();
     final List<String> heard = new CopyOnWriteArrayList<>();
@@ -230,7 +230,7 @@ class LinkKeeperTest {
     }
 
     @Override
-    public @Nullable String tend(SerialLink link) {
+    public @Nullable String periodic(SerialLink link) {
       return complaint;
     }
 

@@ -10,7 +10,7 @@ public interface Affect {
   double level();
 
   /** It was asked, capable and free. */
-  void heard(Stimulus stimulus);
+  void stimulate(Stimulus stimulus);
 
   /** It was chosen to help. */
   void atone();
@@ -26,7 +26,7 @@ public interface Affect {
   void restore(double level);
 
   /** Whether it moves the robot to help. */
-  default boolean isMoved() {
+  default boolean isTriggered() {
     return level() >= 1;
   }
 }

@@ -29,20 +29,27 @@ public final class Impatience implements Affect {
   private Instant heard = Instant.MIN;
 
   /**
-   * @param fastest seconds until an idle robot that is there already is moved, above 0
-   * @param slowest seconds until one at {@code etaReference} or beyond is, not less
+   * @param minWaitSeconds seconds until an idle robot that is there already is moved, above 0
+   * @param maxWaitSeconds seconds until one at {@code etaReference} or beyond is, not less
    * @param etaReference seconds, above 0
-   * @param first for how long the first call of a conversation counts
+   * @param callInterval for how long the first call of a conversation counts
    */
-  public Impatience(double fastest, double slowest, double etaReference, Duration first) {
-    if (!(fastest > 0 && slowest >= fastest && etaReference > 0)) {
+  public Impatience(
+      double minWaitSeconds, double maxWaitSeconds, double etaReference, Duration callInterval) {
+    if (!(minWaitSeconds > 0 && maxWaitSeconds >= minWaitSeconds && etaReference > 0)) {
       throw new ConfigurationException(
-          "impatience of " + fastest + " to " + slowest + " s at " + etaReference + " s is none");
+          "impatience of "
+              + minWaitSeconds
+              + " to "
+              + maxWaitSeconds
+              + " s at "
+              + etaReference
+              + " s is none");
     }
-    this.fastest = fastest;
-    this.slowest = slowest;
+    this.fastest = minWaitSeconds;
+    this.slowest = maxWaitSeconds;
     this.etaReference = etaReference;
-    this.first = first;
+    this.first = callInterval;
   }
 
   @Override
@@ -51,7 +58,7 @@ public final class Impatience implements Affect {
   }
 
   @Override
-  public void heard(Stimulus stimulus) {
+  public void stimulate(Stimulus stimulus) {
     boolean isFirst = !stimulus.conversation().equals(last);
     Duration waited = isFirst ? first : Duration.between(heard, stimulus.time());
     double share = Math.min(1, stimulus.etaSeconds() / etaReference);

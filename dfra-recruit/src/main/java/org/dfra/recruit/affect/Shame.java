@@ -30,15 +30,15 @@ public final class Shame implements Affect {
   }
 
   @Override
-  public void heard(Stimulus stimulus) {
+  public void stimulate(Stimulus stimulus) {
     double nearness = 1 - Math.min(1, stimulus.etaSeconds() / settings.etaReference());
     double want = Math.max(settings.floor(), Math.pow(nearness, settings.exponent()));
-    double work = stimulus.busy() ? settings.busy() : settings.idle();
+    double work = stimulus.busy() ? settings.busyFactor() : settings.idleFactor();
     level = Math.min(1, level + settings.gain() * work * batteryFactor(stimulus.battery()) * want);
   }
 
   private double batteryFactor(double battery) {
-    double usable = (battery - settings.reserve()) / (1 - settings.reserve());
+    double usable = (battery - settings.batteryReserve()) / (1 - settings.batteryReserve());
     return Math.max(LEAST_BATTERY_FACTOR, Math.min(1, 2 * usable));
   }
 

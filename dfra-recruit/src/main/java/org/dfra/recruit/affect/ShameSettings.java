@@ -9,20 +9,20 @@ import org.dfra.core.config.ConfigurationException;
  * @param gain g, above 0
  * @param exponent p, above 0: how much more the near ones are ashamed
  * @param floor ε, above 0 and at most 1: also the farthest helps in the end
- * @param idle b of a robot without work of its own, above 0
- * @param busy b of one that has
+ * @param idleFactor b of a robot without work of its own, above 0
+ * @param busyFactor b of one that has
  * @param etaReference beyond it a place is as far as can be, seconds, above 0
- * @param reserve charge from which down a robot counts least, 0 to 1; not that below which it helps
- *     nobody
+ * @param batteryReserve charge from which down a robot counts least, 0 to 1; not that below which
+ *     it helps nobody
  */
 public record ShameSettings(
     double gain,
     double exponent,
     double floor,
-    double idle,
-    double busy,
+    double idleFactor,
+    double busyFactor,
     double etaReference,
-    double reserve) {
+    double batteryReserve) {
 
   /**
    * The usual, for a field.
@@ -30,7 +30,7 @@ public record ShameSettings(
    * @param diagonal of the field, metres
    * @param speed of the robot, metres per second
    */
-  public static ShameSettings usual(double diagonal, double speed) {
+  public static ShameSettings forField(double diagonal, double speed) {
     return new ShameSettings(1.5, 2, 0.1, 1, 0.5, diagonal / speed, 0.2);
   }
 
@@ -38,12 +38,16 @@ public record ShameSettings(
     above("gain", gain);
     above("exponent", exponent);
     above("floor", floor);
-    above("idle", idle);
-    above("busy", busy);
+    above("idle", idleFactor);
+    above("busy", busyFactor);
     above("etaReference", etaReference);
-    if (floor > 1 || !(reserve >= 0 && reserve < 1)) {
+    if (floor > 1 || !(batteryReserve >= 0 && batteryReserve < 1)) {
       throw new ConfigurationException(
-          "floor " + floor + " is not at most 1, or reserve " + reserve + " is outside 0 to 1");
+          "floor "
+              + floor
+              + " is not at most 1, or reserve "
+              + batteryReserve
+              + " is outside 0 to 1");
     }
   }
 

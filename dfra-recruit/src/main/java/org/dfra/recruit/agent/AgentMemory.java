@@ -74,7 +74,7 @@ final class AgentMemory {
     this.clock = new SteadyClock(context.clock().instant(), context.robotTime());
   }
 
-  /** What every span of the agent goes by: after {@link #recall}, as its last process had it. */
+  /** What every span of the agent goes by: after {@link #load}, as its last process had it. */
   InstantSource clock() {
     return clock;
   }
@@ -98,7 +98,7 @@ final class AgentMemory {
   /**
    * @throws IOException if it cannot be written; then what was kept before is kept
    */
-  void keep(AgentSnapshot snapshot) throws IOException {
+  void save(AgentSnapshot snapshot) throws IOException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
       out.writeObject(new Kept(origin(), sinceBoot(), clock.instant(), snapshot));
@@ -110,9 +110,9 @@ final class AgentMemory {
    * What was kept. The agent's clock goes on from there.
    *
    * @throws IOException if it cannot be read, or is something else, or if it is not known in which
-   *     boot this is; then {@link #recallWithoutSpans} may know some of it
+   *     boot this is; then {@link #loadWithoutTimers} may know some of it
    */
-  Optional<AgentSnapshot> recall() throws IOException {
+  Optional<AgentSnapshot> load() throws IOException {
     Optional<Kept> kept = read();
     return kept.isEmpty() ? Optional.empty() : Optional.of(goOn(kept.get()));
   }
@@ -124,7 +124,7 @@ final class AgentMemory {
    * @throws DamagedException if it is something else; the message names the file
    * @throws IOException if it cannot be read; likewise
    */
-  Optional<AgentSnapshot> recallWithoutSpans() throws IOException {
+  Optional<AgentSnapshot> loadWithoutTimers() throws IOException {
     return read().map(this::withoutSpans);
   }
 

@@ -32,7 +32,7 @@ final class ArrivalLease implements ModuleLease {
   }
 
   /** The helper has left, or is told to by somebody else. */
-  void end() {
+  void invalidate() {
     isOver = true;
   }
 

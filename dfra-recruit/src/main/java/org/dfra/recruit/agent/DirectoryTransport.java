@@ -12,14 +12,14 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
 import org.dfra.agent.RecruitmentAgent;
-import org.dfra.core.chain.Errands;
+import org.dfra.core.chain.DelayedTaskExecutor;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.directory.Condition;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.module.NotReadyException;
 import org.dfra.persona.RecruitmentAttributes;
-import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.message.MessageEnvelope;
 import org.dfra.recruit.transport.Transport;
 import org.slf4j.Logger;
 
@@ -37,18 +37,18 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
   private static final int WAITING = 32;
 
   /** What goes to one robot, while there is anything. */
-  private static final class Route {
-    final Errands errands;
+  private static final class Outbox {
+    final DelayedTaskExecutor errands;
     int waiting; // changed within routes.compute only
 
-    Route(Errands errands) {
+    Outbox(DelayedTaskExecutor errands) {
       this.errands = errands;
     }
   }
 
   private final ModuleContext context;
   private final Logger log;
-  private final Map<String, Route> routes = new ConcurrentHashMap<>();
+  private final Map<String, Outbox> routes = new ConcurrentHashMap<>();
   private final Map<String, String> warned = new ConcurrentHashMap<>(); // by robot
   private volatile boolean isClosed;
 
@@ -67,7 +67,7 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
   }
 
   @Override
-  public List<String> capable(String percept) {
+  public List<String> capableRobots(String percept) {
     Map<String, List<ModuleListing<RecruitmentAgent>>> agents = byRobot();
     return observing(percept).stream()
         .filter(robot -> hosts(agents.getOrDefault(robot, List.of())).size() <= 1)
@@ -75,7 +75,7 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
   }
 
   @Override
-  public List<String> ambiguous(String percept) {
+  public List<String> ambiguousNames(String percept) {
     Map<String, List<ModuleListing<RecruitmentAgent>>> agents = byRobot();
     return observing(percept).stream()
         .flatMap(robot -> ambiguity(robot, agents.getOrDefault(robot, List.of())).stream())
@@ -135,16 +135,16 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
   }
 
   @Override
-  public void send(String robot, Letter letter) {
+  public void send(String robot, MessageEnvelope letter) {
     if (isClosed) {
       return;
     }
     AtomicInteger place = new AtomicInteger();
-    Route route =
+    Outbox route =
         routes.compute(
             robot,
             (name, known) -> {
-              Route to = known != null ? known : route(name);
+              Outbox to = known != null ? known : route(name);
               to.waiting++;
               place.set(to.waiting);
               return to;
@@ -155,16 +155,17 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
       return;
     }
     try {
-      route.errands.now(() -> deliverAndCount(robot, letter));
+      route.errands.execute(() -> deliverAndCount(robot, letter));
     } catch (OutOfMemoryError e) { // no room for one more thread; the next letter may find one
       brought(robot);
       log.warn("{}: a letter to {} is lost: {}", context.path(), robot, e.toString());
     }
   }
 
-  private Route route(String robot) {
-    return new Route(
-        new Errands("dfra-letters " + context.path() + " to " + robot, context.robotTime()));
+  private Outbox route(String robot) {
+    return new Outbox(
+        new DelayedTaskExecutor(
+            "dfra-letters " + context.path() + " to " + robot, context.robotTime()));
   }
 
   /** One letter waits no more. With the last one, the robot's thread ends. */
@@ -181,7 +182,7 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
         });
   }
 
-  private void deliverAndCount(String robot, Letter letter) {
+  private void deliverAndCount(String robot, MessageEnvelope letter) {
     try {
       deliver(robot, letter);
     } finally {
@@ -189,7 +190,7 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
     }
   }
 
-  private void deliver(String robot, Letter letter) {
+  private void deliver(String robot, MessageEnvelope letter) {
     List<ModuleListing<RecruitmentAgent>> found =
         context.directory().find(ModuleQuery.of(RecruitmentAgent.class).robot(robot));
     Optional<String> ambiguity = ambiguity(robot, found);
@@ -218,8 +219,8 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
   }
 
   @Override
-  public void broadcast(String percept, Letter letter) {
-    capable(percept).forEach(robot -> send(robot, letter));
+  public void broadcast(String percept, MessageEnvelope letter) {
+    capableRobots(percept).forEach(robot -> send(robot, letter));
   }
 
   @Override

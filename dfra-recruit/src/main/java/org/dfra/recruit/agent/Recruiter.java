@@ -5,14 +5,14 @@ import java.time.Instant;
 import java.util.Objects;
 import java.util.Optional;
 import org.dfra.agent.HelpCall;
-import org.dfra.agent.HelpRefusedException;
+import org.dfra.agent.HelpCallRejectedException;
 import org.dfra.agent.RecruitmentStatus;
 import org.dfra.agent.RequesterPhase;
 import org.dfra.agent.ResponderPhase;
 import org.dfra.lease.ModuleLease;
 import org.dfra.recruit.RecruitmentSettings;
 import org.dfra.recruit.message.Conversation;
-import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.message.MessageEnvelope;
 import org.dfra.recruit.message.RecruitmentMessage;
 import org.dfra.recruit.requester.RequesterMachine;
 import org.dfra.recruit.requester.RequesterState;
@@ -35,11 +35,11 @@ public final class Recruiter implements AutoCloseable {
   private final RecruiterPorts ports;
   private final RecruitmentStrategy strategy;
   private final RecruiterListener listener;
-  private final Caller caller;
-  private final Helper helper;
-  private final Alarm alarm;
+  private final RequesterRole caller;
+  private final ResponderRole helper;
+  private final WakeTimer alarm;
 
-  private final Turns turns = new Turns();
+  private final RunToCompletionQueue turns = new RunToCompletionQueue();
   private boolean isOver; // changed in turns only
   private String doing; // likewise; what was news last
   private String callersNews; // likewise
@@ -63,31 +63,31 @@ public final class Recruiter implements AutoCloseable {
     this.ports = ports;
     this.strategy = strategy;
     this.listener = listener;
-    this.alarm = new Alarm(ports, this::wake);
-    Mail mail = new Mail(robot, mode, ports, listener);
-    Runnable keep = () -> listener.keep(kept());
+    this.alarm = new WakeTimer(ports, this::wake);
+    MessageSender mail = new MessageSender(robot, mode, ports, listener);
+    Runnable keep = () -> listener.snapshotChanged(kept());
     this.caller =
-        new Caller(
+        new RequesterRole(
             robot,
             new RequesterMachine(settings, strategy),
             kept.map(AgentSnapshot::requester)
                 .orElseGet(
                     () -> // greater than any number of an earlier life that nobody remembers
-                    RequesterState.idle(new Conversation(robot, ports.steady().millis()))),
+                    RequesterState.idle(new Conversation(robot, ports.monotonicClock().millis()))),
             ports,
             listener,
             mail,
             this::release,
             keep);
     this.helper =
-        new Helper(
+        new ResponderRole(
             robot,
             settings,
             strategy,
             ports,
             listener,
             this::post,
-            mail::toOne,
+            mail::send,
             caller::isUnderWay,
             keep);
     kept.ifPresent(
@@ -103,7 +103,7 @@ public final class Recruiter implements AutoCloseable {
 
   /** Goes on with what it was at when its process died. */
   public void start() {
-    turns.take(
+    turns.run(
         () -> {
           caller.start();
           helper.start();
@@ -114,7 +114,7 @@ public final class Recruiter implements AutoCloseable {
   /** Says nothing any more. Who helps, or is helped, learns by leases and time-outs. */
   @Override
   public void close() {
-    turns.take(
+    turns.run(
         () -> {
           isOver = true;
           alarm.set(Instant.MAX);
@@ -124,13 +124,13 @@ public final class Recruiter implements AutoCloseable {
   /**
    * Calls for help.
    *
-   * @throws HelpRefusedException as told there
+   * @throws HelpCallRejectedException as told there
    */
   public void help(HelpCall call) {
-    turns.take(
+    turns.run(
         () -> {
           if (isOver) {
-            throw new HelpRefusedException(robot + "'s agent has ended; ask the next one");
+            throw new HelpCallRejectedException(robot + "'s agent has ended; ask the next one");
           }
           happen(() -> caller.call(call));
         });
@@ -142,27 +142,27 @@ public final class Recruiter implements AutoCloseable {
   }
 
   /** Takes what another agent has sent. */
-  public void receive(Letter letter) {
+  public void receive(MessageEnvelope letter) {
     post(
         () -> {
-          listener.heard(letter);
+          listener.received(letter);
           RecruitmentMessage message = letter.message();
           if (message.conversation().requester().equals(robot)) {
-            caller.hear(letter.sender(), message);
+            caller.receive(letter.sender(), message);
           } else if (message.conversation().requester().equals(letter.sender())) {
-            helper.hear(message);
+            helper.receive(message);
           } // else somebody speaks in another's name
         });
   }
 
   /** Looks at its robot, and tells where that is held, or not any more. */
-  public void look() {
+  public void refresh() {
     post(() -> {});
   }
 
   /** The lease on the helper; nothing where there is none. */
   public Optional<ModuleLease> lease() {
-    return turns.give(caller::lease);
+    return turns.query(caller::lease);
   }
 
   /** What it is at. */
@@ -172,7 +172,7 @@ public final class Recruiter implements AutoCloseable {
 
   /** What of it is to outlive its process. */
   public AgentSnapshot snapshot() {
-    return turns.give(this::kept);
+    return turns.query(this::kept);
   }
 
   private AgentSnapshot kept() {
@@ -180,7 +180,7 @@ public final class Recruiter implements AutoCloseable {
   }
 
   private void post(Runnable event) {
-    turns.take(
+    turns.run(
         () -> {
           if (!isOver) {
             happen(event);
@@ -189,11 +189,11 @@ public final class Recruiter implements AutoCloseable {
   }
 
   private void happen(Runnable event) {
-    Instant notBefore = ports.steady().instant().plus(RECOVERY);
+    Instant notBefore = ports.monotonicClock().instant().plus(RECOVERY);
     try {
       event.run();
       notBefore = Instant.MIN;
-    } catch (HelpRefusedException e) { // nothing has happened
+    } catch (HelpCallRejectedException e) { // nothing has happened
       notBefore = Instant.MIN;
       throw e;
     } finally { // also where a strategy of somebody's own has failed
@@ -203,8 +203,8 @@ public final class Recruiter implements AutoCloseable {
 
   /** After each turn: wakes when it must, and says what it is at. */
   private void afterwards(Instant notBefore) {
-    Instant wanted = caller.state().wake();
-    Instant helping = helper.state().wake();
+    Instant wanted = caller.state().nextWake();
+    Instant helping = helper.state().nextWake();
     Instant due = wanted.isBefore(helping) ? wanted : helping;
     alarm.set(isOver ? Instant.MAX : due.isBefore(notBefore) ? notBefore : due);
     if (!caller.doing().equals(callersNews)) {
@@ -219,20 +219,20 @@ public final class Recruiter implements AutoCloseable {
     RecruitmentStatus last = status;
     status = fresh;
     if (fresh.urge() != last.urge()) {
-      listener.keep(kept()); // it may have changed after the state was kept
+      listener.snapshotChanged(kept()); // it may have changed after the state was kept
     }
-    if (fresh.requester() != last.requester()
-        || fresh.responder() != last.responder()
+    if (fresh.requesterPhase() != last.requesterPhase()
+        || fresh.responderPhase() != last.responderPhase()
         || fresh.urge() != last.urge()
-        || !Objects.equals(fresh.held(), last.held())) {
-      listener.changed(fresh);
+        || !Objects.equals(fresh.holdReason(), last.holdReason())) {
+      listener.statusChanged(fresh);
     }
   }
 
   private void wake() {
     post(
         () -> {
-          alarm.rang();
+          alarm.fired();
           try {
             caller.tick();
           } finally { // whoever helps is freed by time, whatever becomes of its own call
@@ -247,12 +247,12 @@ public final class Recruiter implements AutoCloseable {
         caller.state().phase(),
         caller.helper(),
         helper.state().phase(),
-        helper.helped(),
+        helper.requester(),
         strategy.urge(),
         helper.state().phase() != ResponderPhase.FREE
             ? helper.doing()
             : caller.state().phase() != RequesterPhase.IDLE ? caller.doing() : doing,
-        ports.body().hold().orElse(null));
+        ports.robot().holdReason().orElse(null));
   }
 
   @Override

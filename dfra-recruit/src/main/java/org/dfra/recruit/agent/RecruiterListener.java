@@ -1,7 +1,7 @@
 package org.dfra.recruit.agent;
 
 import org.dfra.agent.RecruitmentStatus;
-import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.message.MessageEnvelope;
 import org.dfra.recruit.requester.RequesterAction;
 import org.dfra.recruit.responder.ResponderAction;
 
@@ -9,20 +9,20 @@ import org.dfra.recruit.responder.ResponderAction;
 public interface RecruiterListener {
 
   /** It sent something, to one robot or, where {@code to} is empty, to all that can. */
-  default void sent(String to, Letter letter) {}
+  default void sent(String to, MessageEnvelope letter) {}
 
   /** Something has come. */
-  default void heard(Letter letter) {}
+  default void received(MessageEnvelope letter) {}
 
   /** It does this as one that needs help. */
-  default void did(RequesterAction action) {}
+  default void performed(RequesterAction action) {}
 
   /** It does this as one that helps. */
-  default void did(ResponderAction action) {}
+  default void performed(ResponderAction action) {}
 
   /** This is to be kept; whatever follows from it is done afterwards. */
-  default void keep(AgentSnapshot snapshot) {}
+  default void snapshotChanged(AgentSnapshot snapshot) {}
 
   /** It is at something else. */
-  default void changed(RecruitmentStatus status) {}
+  default void statusChanged(RecruitmentStatus status) {}
 }

@@ -18,17 +18,17 @@ import org.dfra.core.module.ModuleImpl;
 import org.dfra.core.time.BootId;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
+import org.dfra.persona.AttributeProvider;
 import org.dfra.persona.Attributes;
-import org.dfra.persona.Described;
 import org.dfra.persona.RecruitmentAttributes;
 import org.dfra.recruit.RecruitmentSettings;
 import org.dfra.recruit.affect.ShameSettings;
-import org.dfra.recruit.message.Letter;
-import org.dfra.recruit.message.SentLetter;
+import org.dfra.recruit.message.MessageEnvelope;
+import org.dfra.recruit.message.SentMessage;
 import org.dfra.recruit.requester.RequesterAction;
 import org.dfra.recruit.responder.ResponderAction;
 import org.dfra.recruit.strategy.RecruitmentStrategy;
-import org.dfra.recruit.strategy.Strategies;
+import org.dfra.recruit.strategy.StrategyRegistry;
 import org.dfra.recruit.transport.MessageMode;
 import org.jspecify.annotations.Nullable;
 
@@ -41,8 +41,8 @@ import org.jspecify.annotations.Nullable;
  * <ul>
  *   <li>{@code percepts}: what its robot can observe, separated by commas; none where it is not set
  *   <li>{@code strategy}: {@code affective}, {@code greedy}, {@code random}, {@code contract-net},
- *       or the name of a class ({@link Strategies}); default {@code affective}. {@code affect}:
- *       {@code shame} or {@code impatience}; default {@code shame}
+ *       or the name of a class ({@link StrategyRegistry}); default {@code affective}. {@code
+ *       affect}: {@code shame} or {@code impatience}; default {@code shame}
  *   <li>{@code shame_gain}, {@code shame_exponent}, {@code shame_floor}, {@code shame_idle}, {@code
  *       shame_busy}: the constants of {@link ShameSettings}, 0.01 to 100, 0.01 to 10, 0.001 to 1,
  *       and 0.01 to 10 twice. {@code eta_reference}: beyond it a place is as far as can be,
@@ -73,20 +73,21 @@ import org.jspecify.annotations.Nullable;
  *       warn of each other
  * </ul>
  */
-public final class RecruitmentAgentImpl extends ModuleImpl implements RecruitmentAgent, Described {
+public final class RecruitmentAgentImpl extends ModuleImpl
+    implements RecruitmentAgent, AttributeProvider {
 
   private static final Duration SHORTEST_STAY = Duration.ofSeconds(1);
 
   private final ModuleContext context;
   private final RobotTraits traits;
-  private final RecruitmentSettings timeOuts;
+  private final RecruitmentSettings recruitmentSettings;
   private final RecruitmentStrategy strategy;
   private final MessageMode mode;
-  private final RobotBody body;
+  private final ModuleRobotPort body;
   private final DirectoryTransport transport;
   private final AgentMemory memory;
-  private final TeamAgreement agreement;
-  private final RecruiterListener extra;
+  private final TimeoutConsistencyMonitor agreement;
+  private final RecruiterListener observer;
   private volatile @Nullable Recruiter recruiter;
 
   /** See {@link ModuleImpl}. */
@@ -107,26 +108,26 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
   RecruitmentAgentImpl(ModuleContext context, RecruiterListener extra, BootId boot) {
     super(lasting(context), "asks other robots for help, and helps", "DFRA", "1");
     this.context = context;
-    this.extra = extra;
+    this.observer = extra;
     this.traits = RobotTraits.of(settings());
-    this.timeOuts = TimeOuts.of(settings());
+    this.recruitmentSettings = RecruitmentSettingsParser.of(settings());
     this.strategy =
-        Motives.of(
+        StrategyParser.of(
             settings(),
             traits,
-            timeOuts.helpEvery(),
+            recruitmentSettings.helpEvery(),
             new SplittableRandom(context.path().hashCode() ^ clock().millis()));
     String messages = settings().find("messages").orElse("broadcast").strip();
     if (!messages.equals("broadcast") && !messages.equals("unicast")) {
       throw settings().fault("messages", "broadcast or unicast", null);
     }
     this.mode = messages.equals("unicast") ? MessageMode.UNICAST : MessageMode.BROADCAST;
-    this.body = new RobotBody(context, traits, log);
+    this.body = new ModuleRobotPort(context, traits, log);
     this.transport = new DirectoryTransport(context, log);
     this.memory = new AgentMemory(context, boot);
-    this.agreement = new TeamAgreement(context, said(null), log);
-    declared()
-        .show(
+    this.agreement = new TimeoutConsistencyMonitor(context, said(null), log);
+    parameterTable()
+        .declareReadOnly(
             "disagreements",
             "robots of the team that wait for another time before they replace a helper",
             () -> String.join("; ", new TreeMap<>(agreement.disagreements()).values()));
@@ -139,7 +140,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
             .parameters()
             .seconds("longest_stay", Duration.ofMinutes(10), SHORTEST_STAY, Duration.ofDays(1));
     LeaseTerms terms = context.leases();
-    Duration usual = terms.usual().compareTo(stay) < 0 ? terms.usual() : stay;
+    Duration usual = terms.defaultDuration().compareTo(stay) < 0 ? terms.defaultDuration() : stay;
     return context.with(new LeaseTerms(stay, usual));
   }
 
@@ -156,16 +157,16 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
     Recruiter made =
         new Recruiter(
             context.robot(),
-            timeOuts,
+            recruitmentSettings,
             strategy,
             mode,
             new RecruiterPorts(
                 transport, body, leases(), clock(), memory.clock(), context.robotTime()),
-            new Teller(),
+            new StatusPublisher(),
             kept);
     recruiter = made;
-    body.onHold(made::look);
-    become(Readiness.READY);
+    body.onHoldChange(made::refresh);
+    transitionTo(Readiness.READY);
     made.start();
     agreement.start();
   }
@@ -177,12 +178,12 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
    */
   private Optional<AgentSnapshot> recalled() throws IOException {
     try {
-      return memory.recall();
+      return memory.load();
     } catch (IOException e) {
       log.warn("{}: it does not go on with what it was at: {}", path(), e.toString());
-      survived(e);
+      recordException(e);
     }
-    return memory.recallWithoutSpans();
+    return memory.loadWithoutTimers();
   }
 
   /**
@@ -196,7 +197,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
         why instanceof AgentMemory.DamagedException
             ? "move that file away, by which it forgets its call and its promises, and restart it"
             : "restart it when it can be read";
-    become(
+    transitionTo(
         Readiness.FAILED,
         why.getMessage()
             + ", so it neither calls nor helps anybody; "
@@ -227,7 +228,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
   }
 
   @Override
-  public void help(HelpCall call) {
+  public void callForHelp(HelpCall call) {
     serving().help(call);
   }
 
@@ -240,7 +241,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
   public void resume() {
     Recruiter made = serving();
     body.endHold();
-    made.look();
+    made.refresh();
   }
 
   @Override
@@ -254,13 +255,13 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
             ResponderPhase.FREE,
             null,
             0,
-            unreadiness().orElse("it has not begun yet"))
+            notReadyReason().orElse("it has not begun yet"))
         : made.status();
   }
 
   @Override
   public void receive(AgentMessage message) {
-    if (!(message instanceof Letter letter)) {
+    if (!(message instanceof MessageEnvelope letter)) {
       throw new IllegalArgumentException(
           path() + " takes letters of recruitment, not " + message.getClass().getName());
     }
@@ -269,7 +270,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
 
   @Override
   public List<Attributes> attributes() {
-    return List.of(said(body.hold().orElse(null)));
+    return List.of(said(body.holdReason().orElse(null)));
   }
 
   private RecruitmentAttributes said(@Nullable String held) {
@@ -277,51 +278,56 @@ public final class RecruitmentAgentImpl extends ModuleImpl implements Recruitmen
         traits.percepts(),
         traits.speed(),
         strategy.name(),
-        timeOuts.replaceAfter().toMillis() / 1000.0,
-        timeOuts.margin().toMillis() / 1000.0,
+        recruitmentSettings.replaceAfter().toMillis() / 1000.0,
+        recruitmentSettings.margin().toMillis() / 1000.0,
         held);
   }
 
   /** Tells listeners, and keeps what is to be kept. */
-  private final class Teller implements RecruiterListener {
+  private final class StatusPublisher implements RecruiterListener {
 
     @Override
-    public void keep(AgentSnapshot snapshot) {
+    public void snapshotChanged(AgentSnapshot snapshot) {
       try {
-        memory.keep(snapshot);
+        memory.save(snapshot);
       } catch (IOException e) {
         log.warn("{}: the next process would not know what it is at: {}", path(), e.toString());
-        survived(e);
+        recordException(e);
       }
-      extra.keep(snapshot);
+      observer.snapshotChanged(snapshot);
     }
 
     @Override
-    public void changed(RecruitmentStatus status) {
-      log.info("{}: {} / {}: {}", path(), status.requester(), status.responder(), status.doing());
-      tell(status);
-      extra.changed(status);
+    public void statusChanged(RecruitmentStatus status) {
+      log.info(
+          "{}: {} / {}: {}",
+          path(),
+          status.requesterPhase(),
+          status.responderPhase(),
+          status.lastChange());
+      publish(status);
+      observer.statusChanged(status);
     }
 
     @Override
-    public void sent(String to, Letter letter) {
-      tell(new SentLetter(letter.time(), to, letter));
-      extra.sent(to, letter);
+    public void sent(String to, MessageEnvelope letter) {
+      publish(new SentMessage(letter.time(), to, letter));
+      observer.sent(to, letter);
     }
 
     @Override
-    public void heard(Letter letter) {
-      extra.heard(letter);
+    public void received(MessageEnvelope letter) {
+      observer.received(letter);
     }
 
     @Override
-    public void did(RequesterAction action) {
-      extra.did(action);
+    public void performed(RequesterAction action) {
+      observer.performed(action);
     }
 
     @Override
-    public void did(ResponderAction action) {
-      extra.did(action);
+    public void performed(ResponderAction action) {
+      observer.performed(action);
     }
   }
 }

@@ -13,20 +13,20 @@ import org.jspecify.annotations.Nullable;
  *
  * @param percepts what it can observe; empty for one that only asks
  * @param speed metres per second
- * @param detour how much longer its way is than the straight line, at least 1
+ * @param detourFactor how much longer its way is than the straight line, at least 1
  * @param tolerance how near a place is near enough, metres
- * @param reserve charge below which it helps nobody, 0 to below 1
- * @param corner of the field, south-west; null where the field has no edge
- * @param opposite corner, north-east; likewise
+ * @param batteryReserve charge below which it helps nobody, 0 to below 1
+ * @param southWest of the field, south-west; null where the field has no edge
+ * @param northEast corner, north-east; likewise
  */
 record RobotTraits(
     List<String> percepts,
     double speed,
-    double detour,
+    double detourFactor,
     double tolerance,
-    double reserve,
-    @Nullable GeoPosition corner,
-    @Nullable GeoPosition opposite) {
+    double batteryReserve,
+    @Nullable GeoPosition southWest,
+    @Nullable GeoPosition northEast) {
 
   static RobotTraits of(Parameters settings) {
     List<String> percepts =
@@ -68,12 +68,12 @@ record RobotTraits(
   }
 
   boolean isInField(GeoPosition place) {
-    if (corner == null || opposite == null) {
+    if (southWest == null || northEast == null) {
       return true;
     }
-    LocalFrame frame = new LocalFrame(corner);
+    LocalFrame frame = new LocalFrame(southWest);
     LocalPosition at = frame.toLocal(place);
-    LocalPosition far = frame.toLocal(opposite);
+    LocalPosition far = frame.toLocal(northEast);
     return at.east() >= 0
         && at.north() >= 0
         && at.east() <= far.east()
@@ -82,8 +82,8 @@ record RobotTraits(
 
   /** From corner to corner, metres; 141 m, as a field of 100 m has, where it has no edge. */
   double diagonal() {
-    return corner == null || opposite == null
+    return southWest == null || northEast == null
         ? 100 * Math.sqrt(2)
-        : corner.groundDistance(opposite);
+        : southWest.groundDistance(northEast);
   }
 }

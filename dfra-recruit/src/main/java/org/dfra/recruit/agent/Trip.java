@@ -11,14 +11,14 @@ import org.dfra.behavior.GoToWaypoint;
 import org.dfra.behavior.GoalRefusedException;
 import org.dfra.behavior.LegGoal;
 import org.dfra.core.behavior.DelegateHeldException;
-import org.dfra.core.behavior.Delegation;
-import org.dfra.core.chain.Errands;
+import org.dfra.core.behavior.GoalDelegation;
+import org.dfra.core.chain.DelayedTaskExecutor;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.core.module.Needed;
+import org.dfra.core.module.ModuleDependency;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.NotReadyException;
-import org.dfra.recruit.agent.Body.Journey;
-import org.dfra.recruit.agent.TripMemory.Begun;
+import org.dfra.recruit.agent.RobotPort.TravelListener;
+import org.dfra.recruit.agent.TripStore.StartedLeg;
 import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -36,24 +36,25 @@ import org.slf4j.Logger;
 final class Trip {
 
   /** How long it waits before it looks again. */
-  static final long LOOK_NANOS = 500_000_000;
+  static final long POLL_INTERVAL_NANOS = 500_000_000;
 
   private final String path;
   private final ModuleContext context;
-  private final TripMemory memory;
-  private final Errands errands;
-  private final Delegation<LegGoal, GoToWaypoint> travel;
-  private final LeftWork work;
-  private final Hold hold;
+  private final TripStore memory;
+  private final DelayedTaskExecutor errands;
+  private final GoalDelegation<LegGoal, GoToWaypoint> travel;
+  private final InterruptedSearches work;
+  private final OperatorHold hold;
   private final Logger log;
   private final Scheduler time;
   private volatile @Nullable UUID last; // what it began last
-  private @Nullable Journey journey;
+  private @Nullable TravelListener journey;
   private long leaseEnd; // of the journey, nanoseconds
   private boolean isExtended; // and what drives does not know that yet
   private @Nullable LegGoal aim; // of the last journey
-  private @Nullable EmergencyStops stops; // when that was asked for; null until wheels answer
-  private @Nullable Begun inherited; // until it is known whether that is still under way
+  private @Nullable EmergencyStopSnapshot
+      stops; // when that was asked for; null until wheels answer
+  private @Nullable StartedLeg inherited; // until it is known whether that is still under way
   private boolean isResting; // as soon as it can
   private volatile boolean isOver;
 
@@ -63,24 +64,29 @@ final class Trip {
    * @param hold says whether anything may begin, and learns of a trip of which nobody knows whether
    *     somebody stopped it
    */
-  Trip(ModuleContext context, Errands errands, LeftWork work, Hold hold, Logger log) {
+  Trip(
+      ModuleContext context,
+      DelayedTaskExecutor errands,
+      InterruptedSearches work,
+      OperatorHold hold,
+      Logger log) {
     this.path = context.path();
     this.context = context;
-    this.memory = new TripMemory(context, log);
+    this.memory = new TripStore(context, log);
     this.errands = errands;
     this.time = context.robotTime();
     this.work = work;
     this.hold = hold;
     this.log = log;
     this.travel =
-        new Delegation<>(
-            path, Needed.of(context, GoToWaypoint.class, "go_to_waypoint"), errands, log);
+        new GoalDelegation<>(
+            path, ModuleDependency.of(context, GoToWaypoint.class, "go_to_waypoint"), errands, log);
   }
 
   /** Knows again what was begun in an earlier process. */
   void recall() {
     memory
-        .recall()
+        .load()
         .ifPresent(
             begun -> {
               inherited = begun;
@@ -95,7 +101,7 @@ final class Trip {
    * @return why it may not be begun anew, as a clause
    */
   private Optional<String> inherit(@Nullable GeoPosition place) throws RemoteException {
-    Begun last = inherited;
+    StartedLeg last = inherited;
     if (last == null) {
       return Optional.empty();
     }
@@ -110,7 +116,7 @@ final class Trip {
     }
     inherited = null;
     if (isKnown && !isThere) {
-      travel.end();
+      travel.cancel();
     }
     return isThere ? obstacle : Optional.empty();
   }
@@ -122,21 +128,21 @@ final class Trip {
    *     Long#MAX_VALUE} for never. What drives it learns that, and stops it then whatever has
    *     become of this process
    */
-  void begin(LegGoal goal, long end, Journey told) {
+  void begin(LegGoal goal, long end, TravelListener listener) {
     if (!goal.equals(aim)) {
-      travel.end();
+      travel.cancel();
     }
-    Begun last = inherited;
+    StartedLeg last = inherited;
     stops = last != null && last.place().equals(goal.to().toString()) ? last.stops() : null;
     aim = goal;
     leaseEnd = end;
     isExtended = false;
-    journey = told;
-    look(goal, told);
+    journey = listener;
+    look(goal, listener);
   }
 
   /** Begins the journey where it has not begun, and looks how far it is, until it has ended. */
-  private void look(LegGoal goal, Journey of) {
+  private void look(LegGoal goal, TravelListener of) {
     if (journey != of || isOver) {
       return; // it was told to do something else
     }
@@ -162,7 +168,7 @@ final class Trip {
       log.info("{}: it waits: {}", path, e.toString());
       waitUntilSettled();
     }
-    errands.later(LOOK_NANOS, () -> look(goal, of));
+    errands.schedule(POLL_INTERVAL_NANOS, () -> look(goal, of));
   }
 
   /**
@@ -172,8 +178,8 @@ final class Trip {
   private void waitUntilSettled() {
     if (!hold.isSettled() && travel.goal().isPresent()) {
       log.info("{}: it stops until it has asked all behaviours of the robot", path);
-      travel.end();
-      if (!travel.isLoose()) {
+      travel.cancel();
+      if (!travel.isUnresolved()) {
         memory.forget(); // the next process is not to take this for a stop of somebody else
       }
     }
@@ -185,14 +191,14 @@ final class Trip {
    *
    * @return why it may not, as a clause
    */
-  private Optional<String> lost(Delegation.Loss how) throws RemoteException {
+  private Optional<String> lost(GoalDelegation.GoalLoss how) throws RemoteException {
     switch (how) {
       case REPLACED:
         return Optional.of("what drives it was given another goal");
       case FORGOTTEN:
         String why = "what drives it forgot its leg, so nobody knows whether somebody stopped it";
-        hold.unknown(why);
-        work.leaveToPeople();
+        hold.setUnknown(why);
+        work.handOverToOperator();
         return Optional.of(why);
       default:
         return standing();
@@ -208,20 +214,20 @@ final class Trip {
     if (isStoppedSince()) {
       return Optional.of("it was stopped for an emergency after it was asked to come");
     }
-    return hold.ask();
+    return hold.queryBehaviors();
   }
 
   /** It goes no farther, and what it left waits for a person. */
-  private void stand(Journey of, String why) {
+  private void stand(TravelListener of, String why) {
     journey = null;
-    travel.end();
+    travel.cancel();
     memory.forget();
-    work.leaveToPeople();
+    work.handOverToOperator();
     of.failed(why);
   }
 
   /** What it began last, so that others' goals can be told from its own; by any thread. */
-  @Nullable UUID last() {
+  @Nullable UUID lastGoal() {
     return last;
   }
 
@@ -230,19 +236,19 @@ final class Trip {
    * not. What drives may have died meanwhile, so that its goal does not say so.
    */
   private boolean isStoppedSince() throws RemoteException {
-    Optional<EmergencyStops> now = EmergencyStops.ask(context);
+    Optional<EmergencyStopSnapshot> now = EmergencyStopSnapshot.query(context);
     if (now.isEmpty()) {
       return true;
     }
-    @Nullable EmergencyStops first = stops;
+    @Nullable EmergencyStopSnapshot first = stops;
     if (first == null) {
       stops = now.get();
       return false;
     }
-    return first.isOtherThan(now.get(), hold::lastStop);
+    return first.differsFrom(now.get(), hold::lastStop);
   }
 
-  private void begun(LegGoal goal, Journey of) throws RemoteException {
+  private void begun(LegGoal goal, TravelListener of) throws RemoteException {
     boolean isLimited = leaseEnd != Long.MAX_VALUE;
     long left = isLimited ? leaseEnd - time.nanos() : Long.MAX_VALUE;
     if (left <= 0) { // this process was suspended, or waited for what drives
@@ -251,7 +257,7 @@ final class Trip {
       return;
     }
     try {
-      travel.begin(isLimited ? goal.within(Duration.ofNanos(left)) : goal);
+      travel.start(isLimited ? goal.withTimeLimit(Duration.ofNanos(left)) : goal);
       isExtended = false;
       travel.goal().ifPresent(this::noted);
       travel.goal().ifPresent(name -> keep(name, goal));
@@ -259,7 +265,7 @@ final class Trip {
       stand(of, String.valueOf(e.getMessage()));
     } catch (GoalRefusedException e) {
       if (e.isBusy()) {
-        work.leave(); // again: it may not have answered, or not been found
+        work.pauseSearches(); // again: it may not have answered, or not been found
       } else {
         journey = null;
         of.failed(String.valueOf(e.getMessage()));
@@ -272,12 +278,12 @@ final class Trip {
   }
 
   private void keep(UUID name, LegGoal goal) {
-    EmergencyStops known = stops == null ? new EmergencyStops(Map.of()) : stops;
-    memory.keep(new Begun(name, goal.to().toString(), known));
+    EmergencyStopSnapshot known = stops == null ? new EmergencyStopSnapshot(Map.of()) : stops;
+    memory.save(new StartedLeg(name, goal.to().toString(), known));
   }
 
   /** Its lease of the task ends at another time; what drives goes on without a stop. */
-  void extend(long end) {
+  void extendLease(long end) {
     if (journey == null) {
       return;
     }
@@ -292,19 +298,19 @@ final class Trip {
 
   private void limit() throws RemoteException {
     Duration left = Duration.ofNanos(Math.max(0, leaseEnd - time.nanos()));
-    if (leaseEnd != Long.MAX_VALUE && travel.adjust((by, goal) -> by.limit(goal, left))) {
+    if (leaseEnd != Long.MAX_VALUE && travel.adjust((by, goal) -> by.setTimeLimit(goal, left))) {
       isExtended = false;
     }
   }
 
   /** Where it has, the agent is told. */
-  private boolean hasEnded(BehaviorStatus status, Journey of) {
+  private boolean hasEnded(BehaviorStatus status, TravelListener of) {
     if (status.phase() == Phase.RUNNING) {
       return false;
     }
     heed(status);
     if (status.phase() == Phase.PAUSED) { // as by a brake: nobody knows when it goes on
-      travel.end();
+      travel.cancel();
     } else {
       travel.forget();
     }
@@ -313,7 +319,7 @@ final class Trip {
     if (status.phase() == Phase.SUCCEEDED) {
       of.arrived();
     } else {
-      of.failed(status.doing());
+      of.failed(status.activity());
     }
     return true;
   }
@@ -324,16 +330,16 @@ final class Trip {
    */
   private void heed(BehaviorStatus status) {
     if (status.phase() == Phase.PAUSED || status.phase() == Phase.CANCELLED) {
-      work.leaveToPeople();
+      work.handOverToOperator();
       if (status.heldSince() == null) { // a program did it, on whose behalf nobody knows
-        hold.unknown("a program stopped its trip: " + status.doing());
+        hold.setUnknown("a program stopped its trip: " + status.activity());
       }
     }
   }
 
   /** A journey that has not begun yet, or not anew, does not begin any more. */
   void giveUp(String why) {
-    Journey waiting = journey;
+    TravelListener waiting = journey;
     if (waiting != null) {
       end();
       waiting.failed(why);
@@ -356,18 +362,18 @@ final class Trip {
     if (journey != null) {
       return;
     }
-    travel.end();
+    travel.cancel();
     try {
       Optional<String> unused = inherit(null);
-      if (!travel.isLoose()) {
+      if (!travel.isUnresolved()) {
         memory.forget();
       }
     } catch (RemoteException | NotReadyException e) {
       log.debug("{}: it does not know yet whether it still drives: {}", path, e.toString());
       if (!isResting) {
         isResting = true;
-        errands.later(
-            LOOK_NANOS,
+        errands.schedule(
+            POLL_INTERVAL_NANOS,
             () -> {
               isResting = false;
               rest();
@@ -378,7 +384,7 @@ final class Trip {
 
   /** Whether it is known what became of its trips, those of an earlier process included. */
   boolean isSettled() {
-    return inherited == null && !travel.isLoose();
+    return inherited == null && !travel.isUnresolved();
   }
 
   /** Begins nothing any more; by any thread. */

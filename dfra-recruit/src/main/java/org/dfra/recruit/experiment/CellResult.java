@@ -9,7 +9,7 @@ import java.util.function.ToIntFunction;
  *
  * @param runs one for each seed, in the order of the seeds
  */
-public record CellResult(Cell cell, List<RunResult> runs) {
+public record CellResult(ExperimentCell cell, List<RunResult> runs) {
 
   public CellResult {
     runs = List.copyOf(runs);
@@ -36,7 +36,7 @@ public record CellResult(Cell cell, List<RunResult> runs) {
   }
 
   /** How much more of it there is here than there; the runs of a seed are pairs. */
-  public Estimate more(CellResult other, ToDoubleFunction<RunResult> metric) {
+  public Estimate difference(CellResult other, ToDoubleFunction<RunResult> metric) {
     return Estimate.paired(each(metric), other.each(metric));
   }
 }

@@ -21,17 +21,17 @@ public final class Experiment {
     void done(int runs, int ofThem);
   }
 
-  private final Plan plan;
+  private final ExperimentPlan plan;
   private final int threads;
-  private final Venue.Opener venues;
+  private final ExperimentEnvironment.Factory venues;
 
   /**
    * Over the simulated network.
    *
    * @param threads how many run at once; at least 1. They end with {@link #run}.
    */
-  public Experiment(Plan plan, int threads) {
-    this(plan, threads, SimulatedVenue::new);
+  public Experiment(ExperimentPlan plan, int threads) {
+    this(plan, threads, SimulatedEnvironment::new);
   }
 
   /**
@@ -39,7 +39,7 @@ public final class Experiment {
    *
    * @param venues where runs take place; several at once
    */
-  public Experiment(Plan plan, int threads, Venue.Opener venues) {
+  public Experiment(ExperimentPlan plan, int threads, ExperimentEnvironment.Factory venues) {
     this.plan = plan;
     this.threads = threads;
     this.venues = venues;
@@ -51,7 +51,7 @@ public final class Experiment {
    * @return a result for each cell, in their order
    * @throws InterruptedException if the calling thread was interrupted; so are the runs then
    */
-  public List<CellResult> run(List<Cell> cells, long[] seeds, Progress progress)
+  public List<CellResult> run(List<ExperimentCell> cells, long[] seeds, Progress progress)
       throws InterruptedException {
     int all = cells.size() * seeds.length;
     AtomicInteger done = new AtomicInteger();
@@ -65,7 +65,7 @@ public final class Experiment {
             });
     try {
       List<List<Future<RunResult>>> under = new ArrayList<>();
-      for (Cell cell : cells) {
+      for (ExperimentCell cell : cells) {
         under.add(
             LongStream.of(seeds)
                 .mapToObj(
@@ -84,14 +84,14 @@ public final class Experiment {
     }
   }
 
-  private RunResult run(Cell cell, long seed) throws Exception {
-    try (Venue venue = venues.open(cell, plan, seed)) {
+  private RunResult run(ExperimentCell cell, long seed) throws Exception {
+    try (ExperimentEnvironment venue = venues.create(cell, plan, seed)) {
       return new FieldRun(cell, plan, seed, venue).run();
     }
   }
 
-  private static List<CellResult> results(List<Cell> cells, List<List<Future<RunResult>>> under)
-      throws InterruptedException {
+  private static List<CellResult> results(
+      List<ExperimentCell> cells, List<List<Future<RunResult>>> under) throws InterruptedException {
     List<CellResult> results = new ArrayList<>();
     for (int i = 0; i < cells.size(); i++) {
       List<RunResult> runs = new ArrayList<>();

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.random.RandomGenerator;
 import org.dfra.agent.HelpCall;
-import org.dfra.agent.HelpRefusedException;
+import org.dfra.agent.HelpCallRejectedException;
 import org.dfra.agent.ResponderPhase;
 import org.dfra.recruit.agent.AgentSnapshot;
 import org.dfra.recruit.agent.RecruiterListener;
@@ -26,81 +26,84 @@ final class FieldRun {
   private static final double SWATH = 5; // metres
   private static final double EDGE = 5; // metres: no call is nearer to the edge
 
-  private final Cell cell;
-  private final Plan plan;
+  private final ExperimentCell cell;
+  private final ExperimentPlan plan;
   private final long seed;
-  private final Venue venue;
-  private final Referee referee;
-  private final List<FieldRobot> vehicles = new ArrayList<>();
-  private final List<Venue.Agent> helpers = new ArrayList<>();
-  private final Venue.Agent aircraft;
-  private final Diary diary = new Diary(); // guarded by itself
+  private final ExperimentEnvironment venue;
+  private final InvariantChecker referee;
+  private final List<ExperimentRobot> vehicles = new ArrayList<>();
+  private final List<ExperimentEnvironment.AgentHandle> helpers = new ArrayList<>();
+  private final ExperimentEnvironment.AgentHandle aircraft;
+  private final CallStatistics diary = new CallStatistics(); // guarded by itself
 
   /**
    * Has robots and agents take their places.
    *
    * @throws Exception what the venue throws
    */
-  FieldRun(Cell cell, Plan plan, long seed, Venue venue) throws Exception {
+  FieldRun(ExperimentCell cell, ExperimentPlan plan, long seed, ExperimentEnvironment venue)
+      throws Exception {
     this.cell = cell;
     this.plan = plan;
     this.seed = seed;
     this.venue = venue;
-    this.referee = new Referee(venue.time());
+    this.referee = new InvariantChecker(venue.time());
     RandomGenerator places = stream(3);
-    RasterRoute whole = new RasterRoute(0, 0, Field.SIDE, Field.SIDE, SWATH);
-    FieldRobot uav = new FieldRobot(venue.time(), Set.of(), 5, places, whole, start(whole, places));
-    this.aircraft = agent(AIRCRAFT, uav, 4, new Caller());
+    RasterRoute whole = new RasterRoute(0, 0, ExperimentField.SIDE, ExperimentField.SIDE, SWATH);
+    ExperimentRobot uav =
+        new ExperimentRobot(venue.time(), Set.of(), 5, places, whole, start(whole, places));
+    this.aircraft = agent(AIRCRAFT, uav, 4, new RequesterObserver());
     for (int i = 0; i < cell.vehicles(); i++) {
       vehicles.add(vehicle(i, places));
-      helpers.add(agent("ugv" + (i + 1), vehicles.get(i), 100 + i, new Committed()));
+      helpers.add(agent("ugv" + (i + 1), vehicles.get(i), 100 + i, new ResponderObserver()));
     }
   }
 
   /** A run over the simulated network. */
-  static RunResult simulated(Cell cell, Plan plan, long seed) throws Exception {
-    return new FieldRun(cell, plan, seed, new SimulatedVenue(cell, plan, seed)).run();
+  static RunResult simulated(ExperimentCell cell, ExperimentPlan plan, long seed) throws Exception {
+    return new FieldRun(cell, plan, seed, new SimulatedEnvironment(cell, plan, seed)).run();
   }
 
   private RandomGenerator stream(int purpose) {
-    return Seeds.stream(seed, purpose);
+    return Seeds.random(seed, purpose);
   }
 
-  private static Point start(RasterRoute route, RandomGenerator lot) {
-    return new Point(lot.nextDouble() * 2 * route.length(), 0);
+  private static FieldPoint start(RasterRoute route, RandomGenerator lot) {
+    return new FieldPoint(lot.nextDouble() * 2 * route.length(), 0);
   }
 
-  private FieldRobot vehicle(int number, RandomGenerator places) {
+  private ExperimentRobot vehicle(int number, RandomGenerator places) {
     if (number >= SCANNERS) {
-      return new FieldRobot(
+      return new ExperimentRobot(
           venue.time(),
           Set.of(PERCEPT),
-          FieldRobot.SPEED,
+          ExperimentRobot.SPEED,
           stream(200 + number),
           null,
           somewhere(places));
     }
-    double half = Field.SIDE / SCANNERS;
-    RasterRoute route = new RasterRoute(number * half, 0, half - SWATH, Field.SIDE, SWATH);
-    return new FieldRobot(
+    double half = ExperimentField.SIDE / SCANNERS;
+    RasterRoute route =
+        new RasterRoute(number * half, 0, half - SWATH, ExperimentField.SIDE, SWATH);
+    return new ExperimentRobot(
         venue.time(),
         Set.of(PERCEPT),
-        FieldRobot.SPEED,
+        ExperimentRobot.SPEED,
         stream(200 + number),
         route,
         start(route, places));
   }
 
-  private static Point somewhere(RandomGenerator lot) {
-    double inner = Field.SIDE - 2 * EDGE;
-    return new Point(EDGE + lot.nextDouble() * inner, EDGE + lot.nextDouble() * inner);
+  private static FieldPoint somewhere(RandomGenerator lot) {
+    double inner = ExperimentField.SIDE - 2 * EDGE;
+    return new FieldPoint(EDGE + lot.nextDouble() * inner, EDGE + lot.nextDouble() * inner);
   }
 
-  private Venue.Agent agent(String name, FieldRobot body, int purpose, Named listener)
-      throws Exception {
+  private ExperimentEnvironment.AgentHandle agent(
+      String name, ExperimentRobot body, int purpose, SnapshotObserver listener) throws Exception {
     listener.name = name;
-    return venue.join(
-        new Venue.Member(
+    return venue.addAgent(
+        new ExperimentEnvironment.AgentSpec(
             name,
             body.canObserve(PERCEPT) ? Set.of(PERCEPT) : Set.of(),
             body,
@@ -120,10 +123,10 @@ final class FieldRun {
    * @throws Exception what the venue throws
    */
   RunResult run() throws Exception {
-    venue.open();
+    venue.awaitConnected();
     RandomGenerator places = stream(5);
     for (int i = 0; i < plan.calls(); i++) {
-      Point place = somewhere(places);
+      FieldPoint place = somewhere(places);
       aircraft.release(); // what is still under way has failed
       synchronized (diary) {
         diary.call(now(), place);
@@ -132,18 +135,19 @@ final class FieldRun {
       venue.advance(plan.period());
     }
     aircraft.release();
-    double lost = vehicles.stream().mapToDouble(FieldRobot::rasterTimeLost).sum();
-    venue.advance(plan.rest());
+    double lost = vehicles.stream().mapToDouble(ExperimentRobot::rasterTimeLost).sum();
+    venue.advance(plan.settlingTime());
     referee.end();
     synchronized (diary) {
       return result(lost);
     }
   }
 
-  private void call(Point place) {
+  private void call(FieldPoint place) {
     try {
-      aircraft.help(new HelpCall(PERCEPT, Field.toEarth(place), plan.stay(), plan.patience()));
-    } catch (HelpRefusedException e) {
+      aircraft.callForHelp(
+          new HelpCall(PERCEPT, ExperimentField.toEarth(place), plan.stay(), plan.patience()));
+    } catch (HelpCallRejectedException e) {
       // Over a real network it may see nobody just now. That is a call without help, and counts.
     }
   }
@@ -162,33 +166,33 @@ final class FieldRun {
         referee.doubles(),
         referee.orphans(),
         lost,
-        vehicles.stream().mapToDouble(FieldRobot::travelled).average().orElse(0));
+        vehicles.stream().mapToDouble(ExperimentRobot::travelled).average().orElse(0));
   }
 
   /** Shows its states to the referee. */
-  private class Named implements RecruiterListener {
+  private class SnapshotObserver implements RecruiterListener {
     String name = "";
 
     @Override
-    public void keep(AgentSnapshot snapshot) {
-      referee.sees(name, snapshot);
+    public void snapshotChanged(AgentSnapshot snapshot) {
+      referee.update(name, snapshot);
     }
   }
 
   /** A vehicle's. */
-  private final class Committed extends Named {
+  private final class ResponderObserver extends SnapshotObserver {
     @Override
-    public void did(ResponderAction action) {
-      if (action instanceof ResponderAction.Go) {
+    public void performed(ResponderAction action) {
+      if (action instanceof ResponderAction.TravelTo) {
         referee.committed(AIRCRAFT);
       }
     }
   }
 
   /** The aircraft's. */
-  private final class Caller extends Named {
+  private final class RequesterObserver extends SnapshotObserver {
     @Override
-    public void did(RequesterAction action) {
+    public void performed(RequesterAction action) {
       synchronized (diary) {
         note(action);
       }
@@ -197,12 +201,12 @@ final class FieldRun {
     private void note(RequesterAction action) {
       if (action instanceof RequesterAction.Complete) {
         diary.complete(now() <= diary.called + plan.deadline().toNanos() / 1e9);
-      } else if (action instanceof RequesterAction.Hold) {
+      } else if (action instanceof RequesterAction.AcceptLease) {
         diary.arrive(now());
-      } else if (action instanceof RequesterAction.ToTeam team
+      } else if (action instanceof RequesterAction.SendToTeam team
           && team.message() instanceof ResponderId id) {
         awarded(id.winner());
-      } else if (action instanceof RequesterAction.ToOne one
+      } else if (action instanceof RequesterAction.SendToRobot one
           && one.message() instanceof ResponderId id
           && one.robot().equals(id.winner())) {
         awarded(id.winner());
@@ -217,7 +221,7 @@ final class FieldRun {
       double chosen = 0;
       for (int i = 0; i < vehicles.size(); i++) {
         double eta = vehicles.get(i).seconds(diary.place);
-        ResponderPhase phase = helpers.get(i).status().responder();
+        ResponderPhase phase = helpers.get(i).status().responderPhase();
         best = phase.isCommitted() ? best : Math.min(best, eta);
         chosen = winner.equals("ugv" + (i + 1)) ? eta : chosen;
       }

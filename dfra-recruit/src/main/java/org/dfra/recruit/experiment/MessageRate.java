@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
 import org.dfra.agent.HelpCall;
-import org.dfra.core.lease.LeaseBook;
+import org.dfra.core.lease.LeaseRegistry;
 import org.dfra.core.lease.LeaseTerms;
 import org.dfra.recruit.RecruitmentSettings;
 import org.dfra.recruit.agent.Recruiter;
@@ -16,9 +16,9 @@ import org.dfra.recruit.agent.RecruiterListener;
 import org.dfra.recruit.agent.RecruiterPorts;
 import org.dfra.recruit.loss.LossModel;
 import org.dfra.recruit.strategy.Greedy;
+import org.dfra.recruit.transport.DeliveryModel;
 import org.dfra.recruit.transport.MeasuredDelays;
 import org.dfra.recruit.transport.MessageMode;
-import org.dfra.recruit.transport.Passage;
 import org.dfra.recruit.transport.SimulatedNetwork;
 import org.dfra.recruit.transport.VirtualTime;
 
@@ -47,7 +47,8 @@ public final class MessageRate {
   private final VirtualTime time = new VirtualTime(Instant.parse("2026-11-21T00:00:00Z"));
   private final SplittableRandom lot = new SplittableRandom(1);
   private final SimulatedNetwork network =
-      new SimulatedNetwork(time, Passage.of(LossModel.none(), MeasuredDelays.ofLetters(), lot));
+      new SimulatedNetwork(
+          time, DeliveryModel.of(LossModel.none(), MeasuredDelays.ofMessages(), lot));
   private final List<Recruiter> callers = new ArrayList<>();
   private final int agents;
 
@@ -63,18 +64,18 @@ public final class MessageRate {
 
   private Recruiter agent(String name, boolean calls) {
     Set<String> percepts = calls ? Set.of() : Set.of("mine");
-    Point begin = new Point(100 * lot.nextDouble(), 100 * lot.nextDouble());
-    FieldRobot body = new FieldRobot(time, percepts, 1, lot.split(), null, begin);
+    FieldPoint begin = new FieldPoint(100 * lot.nextDouble(), 100 * lot.nextDouble());
+    ExperimentRobot body = new ExperimentRobot(time, percepts, 1, lot.split(), null, begin);
     Recruiter agent =
         new Recruiter(
             name,
-            RecruitmentSettings.USUAL,
+            RecruitmentSettings.DEFAULT,
             new Greedy(),
             MessageMode.BROADCAST,
             new RecruiterPorts(
-                network.port(name),
+                network.transport(name),
                 body,
-                new LeaseBook(name, LeaseTerms.USUAL, time, time, clients -> {}),
+                new LeaseRegistry(name, LeaseTerms.DEFAULT, time, time, clients -> {}),
                 time,
                 time),
             new RecruiterListener() {},
@@ -98,7 +99,7 @@ public final class MessageRate {
         caller.help(
             new HelpCall(
                 "mine",
-                Field.toEarth(new Point(50, 50)),
+                ExperimentField.toEarth(new FieldPoint(50, 50)),
                 Duration.ofSeconds(5),
                 Duration.ofSeconds(50)));
       }

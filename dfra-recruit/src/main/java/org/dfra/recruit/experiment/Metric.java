@@ -16,10 +16,10 @@ public enum Metric {
           100 * (1 - success.value()), 100 * (1 - success.high()), 100 * (1 - success.low()));
     }
   },
-  DOUBLES("second helpers", "in a run", RunResult::doubles),
-  ORPHANS("orphaned helpers", "in a run", RunResult::orphans),
+  DUPLICATE_HELPERS("second helpers", "in a run", RunResult::duplicateHelpers),
+  ORPHANED_HELPERS("orphaned helpers", "in a run", RunResult::orphanedHelpers),
   REGRET("ETA regret", "s", RunResult::regret),
-  RASTER_LOST("raster time lost", "s", RunResult::rasterTimeLost),
+  RASTER_TIME_LOST("raster time lost", "s", RunResult::rasterTimeLost),
   TRAVEL("travel of a vehicle", "m", RunResult::travel);
 
   private final String title;
@@ -53,8 +53,8 @@ public enum Metric {
   }
 
   /** How much more there is here than there; the runs of a seed are pairs. */
-  public Estimate more(CellResult here, CellResult there) {
-    return here.more(there, value);
+  public Estimate difference(CellResult here, CellResult there) {
+    return here.difference(there, value);
   }
 
   private static double failures(RunResult run) {

@@ -31,13 +31,13 @@ final class RasterRoute {
   }
 
   /** Where one is after that way, metres, not negative. */
-  Point at(double way) {
+  FieldPoint at(double way) {
     double there = way % (2 * length());
     double along = there <= length() ? there : 2 * length() - there;
     int lane = Math.min(lanes - 1, (int) (along / (height + spacing)));
     double inLane = along - lane * (height + spacing);
     double up = Math.min(inLane, height);
     double over = Math.max(0, inLane - height);
-    return new Point(west + lane * spacing + over, south + (lane % 2 == 0 ? up : height - up));
+    return new FieldPoint(west + lane * spacing + over, south + (lane % 2 == 0 ? up : height - up));
   }
 }

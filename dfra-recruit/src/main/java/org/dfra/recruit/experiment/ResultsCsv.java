@@ -26,7 +26,7 @@ public final class ResultsCsv {
     return lines.toString();
   }
 
-  private static String line(Cell cell, RunResult run) {
+  private static String line(ExperimentCell cell, RunResult run) {
     return String.format(
         Locale.ROOT,
         "%s,%s,%d,%.2f,%d,%d,%d,%d,%d,%d,%s,%s,%s,%d,%d,%s,%s",
@@ -43,8 +43,8 @@ public final class ResultsCsv {
         number(run.allocation()),
         number(run.arrival()),
         number(run.regret()),
-        run.doubles(),
-        run.orphans(),
+        run.duplicateHelpers(),
+        run.orphanedHelpers(),
         number(run.rasterTimeLost()),
         number(run.travel()));
   }

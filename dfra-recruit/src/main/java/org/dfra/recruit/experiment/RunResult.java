@@ -13,9 +13,9 @@ package org.dfra.recruit.experiment;
  * @param arrival mean time from a call to the helper's arrival, seconds; NaN where nobody came
  * @param regret mean of how much longer the chosen robot needed than the nearest free one, seconds;
  *     NaN where nobody was chosen
- * @param doubles how often a second robot was on its way to a call or there
- * @param orphans how often a robot was on its way or there for longer than 2 s though its requester
- *     did not count on it; robots that were not free in the end are among them
+ * @param duplicateHelpers how often a second robot was on its way to a call or there
+ * @param orphanedHelpers how often a robot was on its way or there for longer than 2 s though its
+ *     requester did not count on it; robots that were not free in the end are among them
  * @param rasterTimeLost by scanners that were called away, seconds
  * @param travel of each ground vehicle for others and back, metres, mean
  */
@@ -29,8 +29,8 @@ public record RunResult(
     double allocation,
     double arrival,
     double regret,
-    int doubles,
-    int orphans,
+    int duplicateHelpers,
+    int orphanedHelpers,
     double rasterTimeLost,
     double travel) {
 

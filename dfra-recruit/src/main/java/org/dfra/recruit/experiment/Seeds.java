@@ -7,7 +7,7 @@ import java.util.stream.LongStream;
 /** Seeds. Those that constants are chosen on judge nothing: the two sets have none in common. */
 public final class Seeds {
 
-  /** Lots of {@link #stream} for delays of messages. */
+  /** Lots of {@link #random} for delays of messages. */
   public static final int DELAYS = 1;
 
   /** Lots for which messages are lost. */
@@ -34,13 +34,13 @@ public final class Seeds {
   }
 
   /** To judge by as well, and none of {@link #evaluation}'s first hundred thousand. */
-  public static long[] others(int count) {
+  public static long[] replication(int count) {
     check(count);
     return LongStream.range(0, count).map(each -> EVALUATION + OTHERS + each).toArray();
   }
 
   /** The lots of a run for one purpose, so that one more drawn for it changes nothing else. */
-  public static RandomGenerator stream(long seed, int purpose) {
+  public static RandomGenerator random(long seed, int purpose) {
     return new SplittableRandom(seed * 1_000_003L + purpose);
   }
 

@@ -10,27 +10,27 @@ import java.util.Optional;
  * How a metric of one strategy changes from a cell to another that differs in one thing. Both have
  * the same seeds, and the places to be helped at are those of the seed: the runs are pairs.
  *
- * @param more how much more there is in the second
+ * @param difference how much more there is in the second
  */
-public record Trend(Metric metric, Cell from, Cell to, Estimate more) {
+public record Trend(Metric metric, ExperimentCell from, ExperimentCell to, Estimate difference) {
 
   /** Whether the interval has a sign: 1 it grows, -1 it falls, 0 no change was seen. */
   public int sign() {
-    if (more.low() > 0) {
+    if (difference.low() > 0) {
       return 1;
     }
-    return more.high() < 0 ? -1 : 0;
+    return difference.high() < 0 ? -1 : 0;
   }
 
   /** From the smallest team to the largest, without loss and at a quarter. */
   public static List<Trend> byTeam(List<CellResult> results, Metric metric) {
-    int small = Grid.VEHICLES.get(0);
-    int large = Grid.VEHICLES.get(Grid.VEHICLES.size() - 1);
+    int small = ExperimentGrid.VEHICLES.get(0);
+    int large = ExperimentGrid.VEHICLES.get(ExperimentGrid.VEHICLES.size() - 1);
     List<Trend> trends = new ArrayList<>();
     for (CellResult each : results) {
-      Cell cell = each.cell();
+      ExperimentCell cell = each.cell();
       if (cell.vehicles() == small && (cell.loss() == 0 || cell.loss() == 0.25)) {
-        Cell to = new Cell(cell.strategy(), cell.mode(), large, cell.loss());
+        ExperimentCell to = new ExperimentCell(cell.strategy(), cell.mode(), large, cell.loss());
         of(results, metric, cell, to).ifPresent(trends::add);
       }
     }
@@ -41,22 +41,23 @@ public record Trend(Metric metric, Cell from, Cell to, Estimate more) {
   public static List<Trend> byLoss(List<CellResult> results, Metric metric) {
     List<Trend> trends = new ArrayList<>();
     for (CellResult each : results) {
-      Cell cell = each.cell();
+      ExperimentCell cell = each.cell();
       if (cell.loss() == 0) {
-        Cell to = new Cell(cell.strategy(), cell.mode(), cell.vehicles(), 0.25);
+        ExperimentCell to = new ExperimentCell(cell.strategy(), cell.mode(), cell.vehicles(), 0.25);
         of(results, metric, cell, to).ifPresent(trends::add);
       }
     }
     return trends;
   }
 
-  private static Optional<Trend> of(List<CellResult> results, Metric metric, Cell from, Cell to) {
-    Map<Cell, CellResult> byCell = new HashMap<>();
+  private static Optional<Trend> of(
+      List<CellResult> results, Metric metric, ExperimentCell from, ExperimentCell to) {
+    Map<ExperimentCell, CellResult> byCell = new HashMap<>();
     results.forEach(result -> byCell.put(result.cell(), result));
     CellResult first = byCell.get(from);
     CellResult second = byCell.get(to);
     return first == null || second == null
         ? Optional.empty()
-        : Optional.of(new Trend(metric, from, to, metric.more(second, first)));
+        : Optional.of(new Trend(metric, from, to, metric.difference(second, first)));
   }
 }

@@ -1,7 +1,7 @@
 /**
  * The experiment that judges recruitment: agents in a field of 100 m by 100 m, by events in virtual
  * time, on the same agent code as a robot's. Where a run takes place is its {@link
- * org.dfra.recruit.experiment.Venue}: this package has the simulated one.
+ * org.dfra.recruit.experiment.ExperimentEnvironment}: this package has the simulated one.
  *
  * <pre>
  *   Grid --cells--&gt; Experiment --a seed and a cell--&gt; FieldRun --RunResult--&gt; CellResult --&gt; CSV

@@ -27,7 +27,7 @@ public final class GilbertElliottLoss implements LossModel {
    * @param lossInBad likewise on a bad one
    */
   public GilbertElliottLoss(
-      double toBad, double toGood, double lossInGood, double lossInBad, RandomGenerator lot) {
+      double toBad, double toGood, double lossInGood, double lossInBad, RandomGenerator random) {
     for (double each : new double[] {toBad, toGood, lossInGood, lossInBad}) {
       if (!(each >= 0 && each <= 1)) {
         throw new IllegalArgumentException("probability " + each + " is outside 0 to 1");
@@ -41,7 +41,7 @@ public final class GilbertElliottLoss implements LossModel {
     this.toGood = toGood;
     this.lossInGood = lossInGood;
     this.lossInBad = lossInBad;
-    this.lot = lot;
+    this.lot = random;
   }
 
   /**
@@ -50,12 +50,12 @@ public final class GilbertElliottLoss implements LossModel {
    * @param share of all messages, 0 to below 1
    * @param burst mean length of a burst, messages, at least 1
    */
-  public static GilbertElliottLoss bursts(double share, double burst, RandomGenerator lot) {
+  public static GilbertElliottLoss bursts(double share, double burst, RandomGenerator random) {
     if (!(share >= 0 && share < 1 && burst >= 1)) {
       throw new IllegalArgumentException("a share of " + share + " in bursts of " + burst);
     }
     double toGood = 1 / burst;
-    return new GilbertElliottLoss(Math.min(1, toGood * share / (1 - share)), toGood, 0, 1, lot);
+    return new GilbertElliottLoss(Math.min(1, toGood * share / (1 - share)), toGood, 0, 1, random);
   }
 
   /** The share of messages that is lost in the long run. */

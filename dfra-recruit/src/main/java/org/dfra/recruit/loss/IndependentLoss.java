@@ -11,12 +11,12 @@ public final class IndependentLoss implements LossModel {
   /**
    * @param probability 0 to 1
    */
-  public IndependentLoss(double probability, RandomGenerator lot) {
+  public IndependentLoss(double probability, RandomGenerator random) {
     if (!(probability >= 0 && probability <= 1)) {
       throw new IllegalArgumentException("loss " + probability + " is outside 0 to 1");
     }
     this.probability = probability;
-    this.lot = lot;
+    this.lot = random;
   }
 
   @Override

@@ -32,7 +32,8 @@ public sealed interface RecruitmentMessage extends Serializable {
    * Responder to requester: I can.
    *
    * @param bid counts the offers of this robot in the conversation from 0
-   * @param eta how long it would take to be there, not negative, at most {@link HelpCall#LONGEST}
+   * @param eta how long it would take to be there, not negative, at most {@link
+   *     HelpCall#MAX_DURATION}
    * @param battery charge left, 0 is empty, 1 is full
    */
   record Accept(Conversation conversation, int bid, Duration eta, double battery)
@@ -40,7 +41,7 @@ public sealed interface RecruitmentMessage extends Serializable {
 
     public Accept {
       Objects.requireNonNull(conversation, "conversation");
-      boolean isEta = !eta.isNegative() && eta.compareTo(HelpCall.LONGEST) <= 0;
+      boolean isEta = !eta.isNegative() && eta.compareTo(HelpCall.MAX_DURATION) <= 0;
       if (bid < 0 || !isEta || !(battery >= 0 && battery <= 1)) {
         throw new IllegalArgumentException(
             "bid " + bid + ", " + eta.toSeconds() + " s, battery " + battery + " is no offer");
@@ -84,7 +85,7 @@ public sealed interface RecruitmentMessage extends Serializable {
    * Responder to requester: I am there.
    *
    * @param lease names the lease that the responder grants on itself
-   * @param stay for how long yet, at most {@link HelpCall#LONGEST}
+   * @param stay for how long yet, at most {@link HelpCall#MAX_DURATION}
    */
   record Arrival(Conversation conversation, UUID lease, Duration stay)
       implements RecruitmentMessage {
@@ -92,7 +93,7 @@ public sealed interface RecruitmentMessage extends Serializable {
     public Arrival {
       Objects.requireNonNull(conversation, "conversation");
       Objects.requireNonNull(lease, "lease");
-      if (stay.isNegative() || stay.compareTo(HelpCall.LONGEST) > 0) {
+      if (stay.isNegative() || stay.compareTo(HelpCall.MAX_DURATION) > 0) {
         throw new IllegalArgumentException(
             "a lease of " + stay.toSeconds() + " s has ended, or never does");
       }

@@ -1,6 +1,6 @@
 /**
  * What recruitment agents tell each other: {@link org.dfra.recruit.message.RecruitmentMessage}, in
- * a {@link org.dfra.recruit.message.Letter}.
+ * a {@link org.dfra.recruit.message.MessageEnvelope}.
  */
 @NullMarked
 package org.dfra.recruit.message;

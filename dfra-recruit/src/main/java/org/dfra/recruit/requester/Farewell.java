@@ -18,12 +18,12 @@ record Farewell(Conversation conversation, String robot, Instant again, Instant 
     implements Serializable {
 
   /** The same, told again at another time, or at its end. */
-  Farewell toldAgain(Instant then) {
+  Farewell repeatedAt(Instant then) {
     return new Farewell(conversation, robot, then.isBefore(until) ? then : until, until);
   }
 
   /** Whether that message proves that it is free: it says so, or has a part in a later one. */
-  boolean isHeardBy(String from, RecruitmentMessage message) {
+  boolean isAcknowledgedBy(String from, RecruitmentMessage message) {
     boolean saysSo =
         message instanceof Refuse refuse
             && refuse.isFinal()

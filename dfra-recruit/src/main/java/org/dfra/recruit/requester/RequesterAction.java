@@ -8,20 +8,20 @@ import org.dfra.recruit.message.RecruitmentMessage;
 public sealed interface RequesterAction {
 
   /** Tells one robot. */
-  record ToOne(String robot, RecruitmentMessage message) implements RequesterAction {}
+  record SendToRobot(String robot, RecruitmentMessage message) implements RequesterAction {}
 
   /** Tells all that can observe the percept. */
-  record ToTeam(String percept, RecruitmentMessage message) implements RequesterAction {}
+  record SendToTeam(String percept, RecruitmentMessage message) implements RequesterAction {}
 
   /** Takes the lease of a robot that is there. */
-  record Hold(String robot, UUID lease, Duration stay) implements RequesterAction {}
+  record AcceptLease(String robot, UUID lease, Duration stay) implements RequesterAction {}
 
   /** The recruitment is complete: the robot observes. */
   record Complete(String robot) implements RequesterAction {}
 
   /** A chosen robot was given up; another is looked for. */
-  record Replace(String robot, String why) implements RequesterAction {}
+  record ReplaceHelper(String robot, String why) implements RequesterAction {}
 
   /** The call has ended; {@code success} where it was complete. */
-  record End(boolean success, String why) implements RequesterAction {}
+  record EndCall(boolean success, String why) implements RequesterAction {}
 }

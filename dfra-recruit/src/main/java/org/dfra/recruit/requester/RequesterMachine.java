@@ -7,7 +7,7 @@ import java.util.List;
 import org.dfra.agent.HelpCall;
 import org.dfra.agent.RequesterPhase;
 import org.dfra.recruit.RecruitmentSettings;
-import org.dfra.recruit.Step;
+import org.dfra.recruit.TransitionResult;
 import org.dfra.recruit.message.Conversation;
 import org.dfra.recruit.message.RecruitmentMessage;
 import org.dfra.recruit.message.RecruitmentMessage.Accept;
@@ -18,12 +18,12 @@ import org.dfra.recruit.message.RecruitmentMessage.Help;
 import org.dfra.recruit.message.RecruitmentMessage.Refuse;
 import org.dfra.recruit.message.RecruitmentMessage.Release;
 import org.dfra.recruit.message.RecruitmentMessage.ResponderId;
+import org.dfra.recruit.requester.RequesterAction.AcceptLease;
 import org.dfra.recruit.requester.RequesterAction.Complete;
-import org.dfra.recruit.requester.RequesterAction.End;
-import org.dfra.recruit.requester.RequesterAction.Hold;
-import org.dfra.recruit.requester.RequesterAction.Replace;
-import org.dfra.recruit.requester.RequesterAction.ToOne;
-import org.dfra.recruit.requester.RequesterAction.ToTeam;
+import org.dfra.recruit.requester.RequesterAction.EndCall;
+import org.dfra.recruit.requester.RequesterAction.ReplaceHelper;
+import org.dfra.recruit.requester.RequesterAction.SendToRobot;
+import org.dfra.recruit.requester.RequesterAction.SendToTeam;
 
 /**
  * Moves who needs help along the arrows of {@link RequesterPhase}. Pure: each method gives the next
@@ -48,13 +48,13 @@ public final class RequesterMachine {
   private static final String LATE = "did not come in time";
 
   private final RecruitmentSettings settings;
-  private final Chooser chooser;
-  private final Parting parting;
+  private final BidSelector chooser;
+  private final ReleaseRepeater parting;
 
-  public RequesterMachine(RecruitmentSettings settings, Chooser chooser) {
+  public RequesterMachine(RecruitmentSettings settings, BidSelector chooser) {
     this.settings = settings;
     this.chooser = chooser;
-    this.parting = new Parting(settings.releaseEvery());
+    this.parting = new ReleaseRepeater(settings.releaseEvery());
   }
 
   /**
@@ -62,7 +62,7 @@ public final class RequesterMachine {
    *
    * @throws IllegalStateException if a call is under way
    */
-  public Step<RequesterState, RequesterAction> call(
+  public TransitionResult<RequesterState, RequesterAction> call(
       RequesterState state, HelpCall call, Instant now) {
     if (state.phase().isUnderWay()) {
       throw new IllegalStateException(
@@ -70,14 +70,15 @@ public final class RequesterMachine {
     }
     List<RequesterAction> actions = new ArrayList<>();
     RequesterState before = state;
-    if (state.phase() == RequesterPhase.DONE) {
-      before = taken(parting.letGo(state, "another call", now), actions);
-      actions.add(new End(true, state.chosen().robot() + " was let go for another call"));
+    if (state.phase() == RequesterPhase.BEING_HELPED) {
+      before = taken(parting.release(state, "another call", now), actions);
+      actions.add(
+          new EndCall(true, state.requireWinner().robot() + " was let go for another call"));
     }
-    return open(before, call, now.plus(call.patience()), now, actions);
+    return open(before, call, now.plus(call.searchTimeout()), now, actions);
   }
 
-  private Step<RequesterState, RequesterAction> open(
+  private TransitionResult<RequesterState, RequesterAction> open(
       RequesterState state,
       HelpCall call,
       Instant patience,
@@ -87,10 +88,10 @@ public final class RequesterMachine {
     Farewell farewell = state.farewell();
     if (farewell != null) {
       Instant free = farewell.until().isBefore(patience) ? farewell.until() : patience;
-      return new Step<>(state.open(next, call, patience, free).waiting(free), actions);
+      return new TransitionResult<>(state.open(next, call, patience, free).waiting(free), actions);
     }
-    actions.add(new ToTeam(call.percept(), new Help(next, call, 1)));
-    return new Step<>(state.open(next, call, patience, again(now, patience)), actions);
+    actions.add(new SendToTeam(call.percept(), new Help(next, call, 1)));
+    return new TransitionResult<>(state.open(next, call, patience, again(now, patience)), actions);
   }
 
   /** When it calls again, or has lost its patience. */
@@ -100,96 +101,106 @@ public final class RequesterMachine {
   }
 
   /** Nobody wants the help any more. */
-  public Step<RequesterState, RequesterAction> release(RequesterState state, Instant now) {
+  public TransitionResult<RequesterState, RequesterAction> release(
+      RequesterState state, Instant now) {
     return switch (state.phase()) {
-      case IDLE -> Step.none(state);
+      case IDLE -> TransitionResult.none(state);
       case CALLING, COLLECTING -> giveUp(state, "it is not wanted any more");
       case AWARDED, ON_SITE ->
           ended(
-              parting.letGo(state, "not wanted any more", now), false, "it is not wanted any more");
-      case DONE ->
+              parting.release(state, "not wanted any more", now),
+              false,
+              "it is not wanted any more");
+      case BEING_HELPED ->
           ended(
-              parting.letGo(state, "that was all", now),
+              parting.release(state, "that was all", now),
               true,
-              state.chosen().robot() + " was let go");
+              state.requireWinner().robot() + " was let go");
     };
   }
 
-  private static Step<RequesterState, RequesterAction> ended(
-      Step<RequesterState, RequesterAction> step, boolean success, String why) {
+  private static TransitionResult<RequesterState, RequesterAction> ended(
+      TransitionResult<RequesterState, RequesterAction> step, boolean success, String why) {
     List<RequesterAction> actions = new ArrayList<>(step.actions());
-    actions.add(new End(success, why));
-    return new Step<>(step.state().ended(), actions);
+    actions.add(new EndCall(success, why));
+    return new TransitionResult<>(step.state().ended(), actions);
   }
 
   private static RequesterState taken(
-      Step<RequesterState, RequesterAction> step, List<RequesterAction> actions) {
+      TransitionResult<RequesterState, RequesterAction> step, List<RequesterAction> actions) {
     actions.addAll(step.actions());
     return step.state();
   }
 
   /** Time has passed. */
-  public Step<RequesterState, RequesterAction> tick(RequesterState before, Instant now) {
+  public TransitionResult<RequesterState, RequesterAction> tick(
+      RequesterState before, Instant now) {
     List<RequesterAction> actions = new ArrayList<>();
     RequesterState state = taken(parting.tick(before, now), actions);
-    return new Step<>(taken(goOn(state, now), actions), actions);
+    return new TransitionResult<>(taken(goOn(state, now), actions), actions);
   }
 
-  private Step<RequesterState, RequesterAction> goOn(RequesterState state, Instant now) {
+  private TransitionResult<RequesterState, RequesterAction> goOn(
+      RequesterState state, Instant now) {
     boolean isFreeToAsk = state.isWaiting() && state.farewell() == null;
     if (now.isBefore(state.due()) && !isFreeToAsk) {
-      return Step.none(state);
+      return TransitionResult.none(state);
     }
     return switch (state.phase()) {
-      case IDLE -> Step.none(state);
+      case IDLE -> TransitionResult.none(state);
       case CALLING -> callAgain(state, now);
       case COLLECTING -> award(state, now);
       case AWARDED -> giveUpWinner(state, now);
       case ON_SITE -> agreeAgain(state, now);
-      case DONE ->
-          new Step<>(
+      case BEING_HELPED ->
+          new TransitionResult<>(
               state.ended(),
-              List.of(new End(true, "the lease of " + state.chosen().robot() + " is over")));
+              List.of(
+                  new EndCall(true, "the lease of " + state.requireWinner().robot() + " is over")));
     };
   }
 
-  private Step<RequesterState, RequesterAction> callAgain(RequesterState state, Instant now) {
+  private TransitionResult<RequesterState, RequesterAction> callAgain(
+      RequesterState state, Instant now) {
     if (!now.isBefore(state.patience())) {
       return giveUp(state, "nobody offered to come in time");
     }
-    HelpCall call = state.wanted();
+    HelpCall call = state.requireCall();
     if (state.round() >= settings.roundsPerConversation()) {
       return open(state, call, state.patience(), now, new ArrayList<>());
     }
     int round = state.round() + 1;
-    return new Step<>(
+    return new TransitionResult<>(
         state.calling(round, again(now, state.patience())),
-        List.of(new ToTeam(call.percept(), new Help(state.conversation(), call, round))));
+        List.of(new SendToTeam(call.percept(), new Help(state.conversation(), call, round))));
   }
 
-  private static Step<RequesterState, RequesterAction> giveUp(RequesterState state, String why) {
-    return new Step<>(
+  private static TransitionResult<RequesterState, RequesterAction> giveUp(
+      RequesterState state, String why) {
+    return new TransitionResult<>(
         state.ended(),
         List.of(
-            new ToTeam(state.wanted().percept(), new Release(state.conversation(), why, false)),
-            new End(false, why)));
+            new SendToTeam(
+                state.requireCall().percept(), new Release(state.conversation(), why, false)),
+            new EndCall(false, why)));
   }
 
-  private Step<RequesterState, RequesterAction> award(RequesterState state, Instant now) {
+  private TransitionResult<RequesterState, RequesterAction> award(
+      RequesterState state, Instant now) {
     Bid winner = chooser.choose(state.bids());
     ResponderId news = new ResponderId(state.conversation(), winner.robot(), winner.number());
     List<RequesterAction> actions = new ArrayList<>();
-    if (chooser.answersOneByOne()) {
-      actions.add(new ToOne(winner.robot(), news));
+    if (chooser.notifiesIndividually()) {
+      actions.add(new SendToRobot(winner.robot(), news));
       for (Bid bid : state.bids()) {
         if (!bid.robot().equals(winner.robot())) {
           actions.add(release(state, bid.robot(), winner.robot() + " was chosen"));
         }
       }
     } else {
-      actions.add(new ToTeam(state.wanted().percept(), news));
+      actions.add(new SendToTeam(state.requireCall().percept(), news));
     }
-    return new Step<>(awarded(state, winner, patienceWith(winner.eta(), now)), actions);
+    return new TransitionResult<>(awarded(state, winner, patienceWith(winner.eta(), now)), actions);
   }
 
   private RequesterState awarded(RequesterState state, Bid winner, Instant until) {
@@ -197,62 +208,65 @@ public final class RequesterMachine {
   }
 
   /** Its lease of the task has ended by its own clock. It is asked to confirm that for a while. */
-  private Step<RequesterState, RequesterAction> giveUpWinner(RequesterState state, Instant now) {
+  private TransitionResult<RequesterState, RequesterAction> giveUpWinner(
+      RequesterState state, Instant now) {
     if (!now.isBefore(state.until())) {
       return replace(state, LATE, now);
     }
-    Bid winner = state.chosen();
-    return new Step<>(
+    Bid winner = state.requireWinner();
+    return new TransitionResult<>(
         state.awarded(winner, now.plus(settings.releaseEvery()), state.until()),
-        List.of(new ToOne(winner.robot(), new Release(state.conversation(), LATE, true))));
+        List.of(new SendToRobot(winner.robot(), new Release(state.conversation(), LATE, true))));
   }
 
   private Instant patienceWith(Duration eta, Instant now) {
     return now.plus(eta).plus(settings.replaceAfter());
   }
 
-  private Step<RequesterState, RequesterAction> agreeAgain(RequesterState state, Instant now) {
+  private TransitionResult<RequesterState, RequesterAction> agreeAgain(
+      RequesterState state, Instant now) {
     if (!now.isBefore(state.until())) {
       return replace(state, "did not confirm that it stays", now);
     }
-    return new Step<>(
+    return new TransitionResult<>(
         state.onSite(now.plus(settings.agreeEvery()), state.until()),
-        List.of(new ToOne(state.chosen().robot(), new Agree(state.conversation()))));
+        List.of(new SendToRobot(state.requireWinner().robot(), new Agree(state.conversation()))));
   }
 
   /** Whoever was chosen has turned back, or never will be heard of. */
-  private Step<RequesterState, RequesterAction> replace(
+  private TransitionResult<RequesterState, RequesterAction> replace(
       RequesterState state, String why, Instant now) {
-    String robot = state.chosen().robot();
-    List<RequesterAction> actions = new ArrayList<>(List.of(new Replace(robot, why)));
+    String robot = state.requireWinner().robot();
+    List<RequesterAction> actions = new ArrayList<>(List.of(new ReplaceHelper(robot, why)));
     if (!now.isBefore(state.patience())) {
-      actions.add(new End(false, robot + " " + why + ", and it is too late to call another"));
-      return new Step<>(state.ended(), actions);
+      actions.add(new EndCall(false, robot + " " + why + ", and it is too late to call another"));
+      return new TransitionResult<>(state.ended(), actions);
     }
-    return open(state, state.wanted(), state.patience(), now, actions);
+    return open(state, state.requireCall(), state.patience(), now, actions);
   }
 
   /** A responder has sent a message. One that is not to a requester is left alone. */
-  public Step<RequesterState, RequesterAction> hear(
+  public TransitionResult<RequesterState, RequesterAction> receive(
       RequesterState before, String from, RecruitmentMessage message, Instant now) {
     List<RequesterAction> actions = new ArrayList<>();
-    RequesterState state = taken(tick(Parting.hear(before, from, message), now), actions);
-    Step<RequesterState, RequesterAction> step =
+    RequesterState state =
+        taken(tick(ReleaseRepeater.receive(before, from, message), now), actions);
+    TransitionResult<RequesterState, RequesterAction> step =
         message.conversation().equals(state.conversation())
             ? hearNow(state, from, message, now)
             : hearOfThePast(state, from, message);
-    return new Step<>(taken(step, actions), actions);
+    return new TransitionResult<>(taken(step, actions), actions);
   }
 
-  private static Step<RequesterState, RequesterAction> hearOfThePast(
+  private static TransitionResult<RequesterState, RequesterAction> hearOfThePast(
       RequesterState state, String from, RecruitmentMessage message) {
     boolean wantsAnswer = message instanceof Accept || message instanceof Arrival;
     return wantsAnswer && state.conversation().supersedes(message.conversation())
         ? released(state, from, message.conversation())
-        : Step.none(state);
+        : TransitionResult.none(state);
   }
 
-  private Step<RequesterState, RequesterAction> hearNow(
+  private TransitionResult<RequesterState, RequesterAction> hearNow(
       RequesterState state, String from, RecruitmentMessage message, Instant now) {
     if (message instanceof Accept accept) {
       return accept(state, from, accept, now);
@@ -267,99 +281,107 @@ public final class RequesterMachine {
         message instanceof AckAck
             && state.phase() == RequesterPhase.ON_SITE
             && state.isWinner(from);
-    return isConfirmed ? new Step<>(state.done(), List.of(new Complete(from))) : Step.none(state);
+    return isConfirmed
+        ? new TransitionResult<>(state.done(), List.of(new Complete(from)))
+        : TransitionResult.none(state);
   }
 
-  private Step<RequesterState, RequesterAction> accept(
+  private TransitionResult<RequesterState, RequesterAction> accept(
       RequesterState state, String from, Accept accept, Instant now) {
     Bid bid = new Bid(from, accept.bid(), accept.eta(), accept.battery());
     return switch (state.phase()) {
       case CALLING ->
-          new Step<>(
-              state.collecting(List.of(bid), now.plus(settings.windowOr(chooser.window()))),
+          new TransitionResult<>(
+              state.collecting(
+                  List.of(bid), now.plus(settings.offerWindowOr(chooser.offerWindow()))),
               List.of());
       case COLLECTING ->
-          new Step<>(state.collecting(Bids.with(state.bids(), bid), state.due()), List.of());
+          new TransitionResult<>(
+              state.collecting(BidList.with(state.bids(), bid), state.due()), List.of());
       case AWARDED -> state.isWinner(from) ? remind(state, bid, now) : inform(state, from);
-      case ON_SITE, DONE -> state.isWinner(from) ? Step.none(state) : inform(state, from);
+      case ON_SITE, BEING_HELPED ->
+          state.isWinner(from) ? TransitionResult.none(state) : inform(state, from);
       case IDLE -> released(state, from, state.conversation());
     };
   }
 
   /** It does not know yet that it was chosen. */
-  private Step<RequesterState, RequesterAction> remind(RequesterState state, Bid bid, Instant now) {
-    Bid chosen = state.chosen();
+  private TransitionResult<RequesterState, RequesterAction> remind(
+      RequesterState state, Bid bid, Instant now) {
+    Bid chosen = state.requireWinner();
     Instant patience = patienceWith(bid.eta(), now);
     boolean isNews = bid.number() > chosen.number() && patience.isAfter(state.until());
     RequesterState next = isNews ? awarded(state, bid, patience) : state;
     return inform(next, bid.robot());
   }
 
-  private static Step<RequesterState, RequesterAction> inform(RequesterState state, String robot) {
-    Bid winner = state.chosen();
-    return new Step<>(
+  private static TransitionResult<RequesterState, RequesterAction> inform(
+      RequesterState state, String robot) {
+    Bid winner = state.requireWinner();
+    return new TransitionResult<>(
         state,
         List.of(
-            new ToOne(
+            new SendToRobot(
                 robot, new ResponderId(state.conversation(), winner.robot(), winner.number()))));
   }
 
-  private Step<RequesterState, RequesterAction> refuse(
+  private TransitionResult<RequesterState, RequesterAction> refuse(
       RequesterState state, String from, Refuse refuse, Instant now) {
     if (!refuse.isFinal()) {
-      return Step.none(state); // of an offer that it made since it says nothing
+      return TransitionResult.none(state); // of an offer that it made since it says nothing
     }
     return switch (state.phase()) {
-      case IDLE, CALLING -> Step.none(state);
+      case IDLE, CALLING -> TransitionResult.none(state);
       case COLLECTING -> withdraw(state, from, now);
       case AWARDED, ON_SITE ->
           state.isWinner(from)
               ? replace(state, "turned back: " + refuse.why(), now)
-              : Step.none(state);
-      case DONE ->
+              : TransitionResult.none(state);
+      case BEING_HELPED ->
           state.isWinner(from)
-              ? new Step<>(
-                  state.ended(), List.of(new End(true, from + " has left: " + refuse.why())))
-              : Step.none(state);
+              ? new TransitionResult<>(
+                  state.ended(), List.of(new EndCall(true, from + " has left: " + refuse.why())))
+              : TransitionResult.none(state);
     };
   }
 
-  private Step<RequesterState, RequesterAction> withdraw(
+  private TransitionResult<RequesterState, RequesterAction> withdraw(
       RequesterState state, String from, Instant now) {
-    List<Bid> left = Bids.without(state.bids(), from);
-    return new Step<>(
+    List<Bid> left = BidList.without(state.bids(), from);
+    return new TransitionResult<>(
         left.isEmpty()
             ? state.calling(state.round(), again(now, state.patience()))
             : state.collecting(left, state.due()),
         List.of());
   }
 
-  private Step<RequesterState, RequesterAction> arrival(
+  private TransitionResult<RequesterState, RequesterAction> arrival(
       RequesterState state, String from, Arrival arrival, Instant now) {
     boolean isAwaited = state.isWinner(from);
     if (isAwaited && state.phase() == RequesterPhase.AWARDED) {
       Instant end = now.plus(arrival.stay());
-      return new Step<>(
+      return new TransitionResult<>(
           state.onSite(now.plus(settings.agreeEvery()), end),
           List.of(
-              new Hold(from, arrival.lease(), arrival.stay()),
-              new ToOne(from, new Agree(state.conversation()))));
+              new AcceptLease(from, arrival.lease(), arrival.stay()),
+              new SendToRobot(from, new Agree(state.conversation()))));
     }
     if (isAwaited && state.phase() == RequesterPhase.ON_SITE) {
-      return new Step<>(state, List.of(new ToOne(from, new Agree(state.conversation()))));
+      return new TransitionResult<>(
+          state, List.of(new SendToRobot(from, new Agree(state.conversation()))));
     }
-    return isAwaited && state.phase() == RequesterPhase.DONE
-        ? Step.none(state)
+    return isAwaited && state.phase() == RequesterPhase.BEING_HELPED
+        ? TransitionResult.none(state)
         : released(state, from, arrival.conversation());
   }
 
-  private static Step<RequesterState, RequesterAction> released(
+  private static TransitionResult<RequesterState, RequesterAction> released(
       RequesterState state, String robot, Conversation which) {
-    return new Step<>(
-        state, List.of(new ToOne(robot, new Release(which, "that call is over", false))));
+    return new TransitionResult<>(
+        state, List.of(new SendToRobot(robot, new Release(which, "that call is over", false))));
   }
 
-  private static ToOne release(RequesterState state, String robot, String why) {
-    return new ToOne(robot, new Release(state.conversation(), why, false));
+  private static SendToRobot release(RequesterState state, String robot, String why) {
+    return new SendToRobot(robot, new Release(state.conversation(), why, false));
   }
 }

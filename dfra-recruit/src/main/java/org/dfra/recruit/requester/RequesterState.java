@@ -57,19 +57,19 @@ public record RequesterState(
   }
 
   /** When something is to be done though nothing happens; the far future where nothing is. */
-  public Instant wake() {
+  public Instant nextWake() {
     Instant told = farewell == null ? Instant.MAX : farewell.again();
     return told.isBefore(due) ? told : due;
   }
 
-  HelpCall wanted() {
+  HelpCall requireCall() {
     if (call == null) {
       throw new IllegalStateException(conversation + " is " + phase + " and has no call");
     }
     return call;
   }
 
-  Bid chosen() {
+  Bid requireWinner() {
     if (winner == null) {
       throw new IllegalStateException(conversation + " is " + phase + " and chose nobody");
     }
@@ -140,11 +140,11 @@ public record RequesterState(
   }
 
   RequesterState onSite(Instant again, Instant end) {
-    return helped(RequesterPhase.ON_SITE, chosen(), again.isBefore(end) ? again : end, end);
+    return helped(RequesterPhase.ON_SITE, requireWinner(), again.isBefore(end) ? again : end, end);
   }
 
   RequesterState done() {
-    return helped(RequesterPhase.DONE, chosen(), until, until);
+    return helped(RequesterPhase.BEING_HELPED, requireWinner(), until, until);
   }
 
   private RequesterState helped(RequesterPhase at, Bid by, Instant next, Instant end) {
@@ -166,7 +166,7 @@ public record RequesterState(
         farewell);
   }
 
-  RequesterState parting(@Nullable Farewell from) {
+  RequesterState withPendingRelease(@Nullable Farewell from) {
     return new RequesterState(
         phase, conversation, call, round, bids, winner, due, until, patience, from);
   }

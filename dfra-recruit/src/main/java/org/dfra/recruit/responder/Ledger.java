@@ -22,12 +22,12 @@ record Ledger(long closed, long completed, long heard, int round) implements Ser
     return new Ledger(closed, Math.max(completed, number), heard, round);
   }
 
-  Ledger hear(long number, int call) {
+  Ledger recordCall(long number, int call) {
     return new Ledger(closed, completed, number, call);
   }
 
   /** Whether that call was heard before, or one after it. */
-  boolean hasHeard(long number, int call) {
+  boolean hasReceived(long number, int call) {
     return heard > number || (heard == number && round >= call);
   }
 }

@@ -9,27 +9,27 @@ import org.dfra.recruit.message.RecruitmentMessage;
 public sealed interface ResponderAction {
 
   /** Tells one robot. */
-  record ToOne(String robot, RecruitmentMessage message) implements ResponderAction {}
+  record SendToRobot(String robot, RecruitmentMessage message) implements ResponderAction {}
 
   /**
    * Leaves what it does, and goes to the place of the call.
    *
    * @param until when its lease of the task ends: it does not move for the call from then on
    */
-  record Go(HelpCall call, Instant until) implements ResponderAction {}
+  record TravelTo(HelpCall call, Instant until) implements ResponderAction {}
 
   /**
    * Goes on to the place of the call, and has longer to get there.
    *
    * @param until when its lease of the task ends now
    */
-  record Extend(Instant until) implements ResponderAction {}
+  record ExtendLease(Instant until) implements ResponderAction {}
 
   /** Is there and observes. */
   record Observe(HelpCall call) implements ResponderAction {}
 
   /** Goes on with what it left. */
-  record Resume(String why) implements ResponderAction {}
+  record ResumeOwnWork(String why) implements ResponderAction {}
 
   /** Ends the lease on itself, where that has not ended yet. */
   record EndLease(UUID lease) implements ResponderAction {}

@@ -9,7 +9,7 @@ import java.util.UUID;
 import org.dfra.agent.HelpCall;
 import org.dfra.agent.ResponderPhase;
 import org.dfra.recruit.RecruitmentSettings;
-import org.dfra.recruit.Step;
+import org.dfra.recruit.TransitionResult;
 import org.dfra.recruit.message.Conversation;
 import org.dfra.recruit.message.RecruitmentMessage;
 import org.dfra.recruit.message.RecruitmentMessage.Accept;
@@ -20,20 +20,20 @@ import org.dfra.recruit.message.RecruitmentMessage.Help;
 import org.dfra.recruit.message.RecruitmentMessage.Refuse;
 import org.dfra.recruit.message.RecruitmentMessage.Release;
 import org.dfra.recruit.message.RecruitmentMessage.ResponderId;
-import org.dfra.recruit.responder.Judge.Offer;
 import org.dfra.recruit.responder.ResponderAction.Atone;
 import org.dfra.recruit.responder.ResponderAction.EndLease;
-import org.dfra.recruit.responder.ResponderAction.Extend;
-import org.dfra.recruit.responder.ResponderAction.Go;
+import org.dfra.recruit.responder.ResponderAction.ExtendLease;
 import org.dfra.recruit.responder.ResponderAction.Observe;
 import org.dfra.recruit.responder.ResponderAction.Relieve;
-import org.dfra.recruit.responder.ResponderAction.Resume;
-import org.dfra.recruit.responder.ResponderAction.ToOne;
+import org.dfra.recruit.responder.ResponderAction.ResumeOwnWork;
+import org.dfra.recruit.responder.ResponderAction.SendToRobot;
+import org.dfra.recruit.responder.ResponderAction.TravelTo;
+import org.dfra.recruit.responder.ResponderPolicy.Offer;
 
 /**
  * Moves who may help along the arrows of {@link ResponderPhase}. Pure but for what it asks its
- * {@link Judge}: each method gives the next state and what is to be done, and changes nothing.
- * Whatever is lost, comes late, twice or in another order:
+ * {@link ResponderPolicy}: each method gives the next state and what is to be done, and changes
+ * nothing. Whatever is lost, comes late, twice or in another order:
  *
  * <ul>
  *   <li>It is free again in the end: every state but {@code FREE} has a time at which it is left.
@@ -46,19 +46,19 @@ public final class ResponderMachine {
 
   private final String robot;
   private final RecruitmentSettings settings;
-  private final Judge judge;
+  private final ResponderPolicy judge;
 
   /**
    * @param robot its own name
    */
-  public ResponderMachine(String robot, RecruitmentSettings settings, Judge judge) {
+  public ResponderMachine(String robot, RecruitmentSettings settings, ResponderPolicy judge) {
     this.robot = robot;
     this.settings = settings;
     this.judge = judge;
   }
 
   /** A requester has sent a message. One that is not to a responder is left alone. */
-  public Step<ResponderState, ResponderAction> hear(
+  public TransitionResult<ResponderState, ResponderAction> receive(
       ResponderState before, RecruitmentMessage message, Instant now) {
     List<ResponderAction> actions = new ArrayList<>();
     ResponderState state = taken(tick(before, now), actions);
@@ -69,7 +69,7 @@ public final class ResponderMachine {
       }
       state = taken(hearNow(state, message, now), actions);
     }
-    return new Step<>(state, actions);
+    return new TransitionResult<>(state, actions);
   }
 
   private static boolean isToResponders(RecruitmentMessage message) {
@@ -80,12 +80,12 @@ public final class ResponderMachine {
   }
 
   private static ResponderState taken(
-      Step<ResponderState, ResponderAction> step, List<ResponderAction> actions) {
+      TransitionResult<ResponderState, ResponderAction> step, List<ResponderAction> actions) {
     actions.addAll(step.actions());
     return step.state();
   }
 
-  private Step<ResponderState, ResponderAction> hearNow(
+  private TransitionResult<ResponderState, ResponderAction> hearNow(
       ResponderState state, RecruitmentMessage message, Instant now) {
     if (message instanceof Help help) {
       return help(state, help, now);
@@ -99,17 +99,19 @@ public final class ResponderMachine {
     return released(state, (Release) message);
   }
 
-  private Step<ResponderState, ResponderAction> help(
+  private TransitionResult<ResponderState, ResponderAction> help(
       ResponderState before, Help help, Instant now) {
     Conversation asked = help.conversation();
     Ledger ledger = before.ledger(asked);
-    if (ledger.hasHeard(asked.number(), help.round())) {
-      return Step.none(before);
+    if (ledger.hasReceived(asked.number(), help.round())) {
+      return TransitionResult.none(before);
     }
     ResponderState state =
-        before.remember(asked.requester(), ledger.hear(asked.number(), help.round()));
+        before.remember(asked.requester(), ledger.recordCall(asked.number(), help.round()));
     if (state.isIn(asked)) { // the offer was lost, or is still on its way
-      return state.phase() == ResponderPhase.OFFERED ? offerAgain(state, 1, now) : Step.none(state);
+      return state.phase() == ResponderPhase.OFFERED
+          ? offerAgain(state, 1, now)
+          : TransitionResult.none(state);
     }
     boolean isOver = asked.number() <= ledger.closed();
     if (isOver || state.phase() != ResponderPhase.FREE) {
@@ -117,30 +119,34 @@ public final class ResponderMachine {
       return declined(state, new Refuse(asked, why, isOver));
     }
     Optional<Offer> offer = judge.offer(help.call());
-    return offer.isPresent() && judge.accepts(help, offer.get())
+    return offer.isPresent() && judge.shouldOffer(help, offer.get())
         ? offer(state, asked, help.call(), offer.get(), 1, now)
         : declined(state, new Refuse(asked, "it cannot or does not want to", false));
   }
 
-  private Step<ResponderState, ResponderAction> declined(ResponderState state, Refuse aloud) {
-    return judge.refusesAloud() ? told(state, aloud) : Step.none(state);
+  private TransitionResult<ResponderState, ResponderAction> declined(
+      ResponderState state, Refuse aloud) {
+    return judge.sendsRefusal() ? told(state, aloud) : TransitionResult.none(state);
   }
 
-  private static Step<ResponderState, ResponderAction> told(ResponderState state, Refuse refuse) {
-    return new Step<>(state, List.of(new ToOne(refuse.conversation().requester(), refuse)));
+  private static TransitionResult<ResponderState, ResponderAction> told(
+      ResponderState state, Refuse refuse) {
+    return new TransitionResult<>(
+        state, List.of(new SendToRobot(refuse.conversation().requester(), refuse)));
   }
 
-  private static Step<ResponderState, ResponderAction> refused(
+  private static TransitionResult<ResponderState, ResponderAction> refused(
       ResponderState state, Conversation which, String why) {
     return told(state, new Refuse(which, why, true));
   }
 
-  private Step<ResponderState, ResponderAction> offer(
+  private TransitionResult<ResponderState, ResponderAction> offer(
       ResponderState state, Conversation in, HelpCall call, Offer offer, int sends, Instant now) {
     int bid = state.isIn(in) ? state.offers().size() : 0;
-    return new Step<>(
+    return new TransitionResult<>(
         state.offered(in, call, sends, promise(offer, now), now.plus(settings.repeatEvery())),
-        List.of(new ToOne(in.requester(), new Accept(in, bid, offer.eta(), offer.battery()))));
+        List.of(
+            new SendToRobot(in.requester(), new Accept(in, bid, offer.eta(), offer.battery()))));
   }
 
   /** When it turns back, which is before the requester gives it up. */
@@ -148,7 +154,8 @@ public final class ResponderMachine {
     return now.plus(offer.eta()).plus(settings.replaceAfter()).minus(settings.margin());
   }
 
-  private Step<ResponderState, ResponderAction> repeatOffer(ResponderState state, Instant now) {
+  private TransitionResult<ResponderState, ResponderAction> repeatOffer(
+      ResponderState state, Instant now) {
     return state.sends() >= settings.acceptSends()
         ? turnBack(state, "it heard no answer")
         : offerAgain(state, state.sends() + 1, now);
@@ -157,127 +164,138 @@ public final class ResponderMachine {
   /**
    * @param sends that count since the requester was last heard
    */
-  private Step<ResponderState, ResponderAction> offerAgain(
+  private TransitionResult<ResponderState, ResponderAction> offerAgain(
       ResponderState state, int sends, Instant now) {
     return judge
-        .offer(state.wanted())
-        .map(offer -> offer(state, state.partIn(), state.wanted(), offer, sends, now))
+        .offer(state.requireCall())
+        .map(
+            offer ->
+                offer(state, state.requireConversation(), state.requireCall(), offer, sends, now))
         .orElseGet(() -> turnBack(state, "it cannot come any more"));
   }
 
-  private Step<ResponderState, ResponderAction> chosen(
+  private TransitionResult<ResponderState, ResponderAction> chosen(
       ResponderState state, ResponderId id, Instant now) {
     Conversation in = id.conversation();
     if (!state.isIn(in)) {
       return state.ledger(in).completed() >= in.number()
-          ? Step.none(state)
+          ? TransitionResult.none(state)
           : refused(state.close(in), in, "it is out of this");
     }
     if (id.bid() < 0 || id.bid() >= state.offers().size()) {
-      return Step.none(state); // no offer that it has made
+      return TransitionResult.none(state); // no offer that it has made
     }
     Instant promise = state.offers().get(id.bid());
     return switch (state.phase()) {
       case OFFERED -> setOut(state, promise, now);
       case TRAVELLING ->
           promise.isAfter(state.until())
-              ? new Step<>(state.prolonged(promise), List.of(new Extend(promise)))
-              : Step.none(state);
-      default -> Step.none(state);
+              ? new TransitionResult<>(state.extended(promise), List.of(new ExtendLease(promise)))
+              : TransitionResult.none(state);
+      default -> TransitionResult.none(state);
     };
   }
 
-  private Step<ResponderState, ResponderAction> setOut(
+  private TransitionResult<ResponderState, ResponderAction> setOut(
       ResponderState state, Instant promise, Instant now) {
-    Optional<Duration> eta = judge.offer(state.wanted()).map(Offer::eta);
+    Optional<Duration> eta = judge.offer(state.requireCall()).map(Offer::eta);
     if (eta.isEmpty() || !now.plus(eta.get()).isBefore(promise)) {
       return turnBack(state, "it could not be there in time any more");
     }
-    return new Step<>(
-        state.travelling(promise), List.of(new Atone(), new Go(state.wanted(), promise)));
+    return new TransitionResult<>(
+        state.travelling(promise),
+        List.of(new Atone(), new TravelTo(state.requireCall(), promise)));
   }
 
-  private Step<ResponderState, ResponderAction> passedOver(
+  private TransitionResult<ResponderState, ResponderAction> passedOver(
       ResponderState state, RecruitmentMessage message) {
     Conversation which = message.conversation();
     if (state.isIn(which)) {
-      Step<ResponderState, ResponderAction> freed = free(state, "it is not wanted any more");
+      TransitionResult<ResponderState, ResponderAction> freed =
+          free(state, "it is not wanted any more");
       return state.phase().isCommitted() ? freed : relieved(freed.state());
     }
     boolean isNews = which.number() > state.ledger(which).closed();
     ResponderState closed = state.close(which);
-    return isNews && state.phase() == ResponderPhase.FREE ? relieved(closed) : Step.none(closed);
+    return isNews && state.phase() == ResponderPhase.FREE
+        ? relieved(closed)
+        : TransitionResult.none(closed);
   }
 
-  private Step<ResponderState, ResponderAction> released(ResponderState state, Release release) {
+  private TransitionResult<ResponderState, ResponderAction> released(
+      ResponderState state, Release release) {
     Conversation which = release.conversation();
-    Step<ResponderState, ResponderAction> step = passedOver(state, release);
+    TransitionResult<ResponderState, ResponderAction> step = passedOver(state, release);
     if (!release.wantsAnswer()) {
       return step;
     }
     List<ResponderAction> actions = new ArrayList<>(step.actions());
-    actions.add(new ToOne(which.requester(), new Refuse(which, "it was let go", true)));
-    return new Step<>(step.state(), actions);
+    actions.add(new SendToRobot(which.requester(), new Refuse(which, "it was let go", true)));
+    return new TransitionResult<>(step.state(), actions);
   }
 
-  private static Step<ResponderState, ResponderAction> relieved(ResponderState state) {
-    return new Step<>(state, List.of(new Relieve()));
+  private static TransitionResult<ResponderState, ResponderAction> relieved(ResponderState state) {
+    return new TransitionResult<>(state, List.of(new Relieve()));
   }
 
-  private static Step<ResponderState, ResponderAction> agreed(
+  private static TransitionResult<ResponderState, ResponderAction> agreed(
       ResponderState state, Conversation which) {
-    ToOne ackAck = new ToOne(which.requester(), new AckAck(which));
+    SendToRobot ackAck = new SendToRobot(which.requester(), new AckAck(which));
     if (state.isIn(which) && state.phase() == ResponderPhase.ARRIVED) {
       ResponderState known =
           state.remember(which.requester(), state.ledger(which).complete(which.number()));
-      return new Step<>(known.leased(), List.of(ackAck, new Observe(state.wanted())));
+      return new TransitionResult<>(
+          known.leased(), List.of(ackAck, new Observe(state.requireCall())));
     }
     boolean isKnown = state.ledger(which).completed() == which.number();
     return isKnown
-        ? new Step<>(state, List.of(ackAck))
+        ? new TransitionResult<>(state, List.of(ackAck))
         : refused(state.close(which), which, "it has left");
   }
 
   /** It is there. Nothing where it does not travel any more. */
-  public Step<ResponderState, ResponderAction> arrived(
+  public TransitionResult<ResponderState, ResponderAction> arrived(
       ResponderState before, UUID lease, Duration stay, Instant now) {
     List<ResponderAction> actions = new ArrayList<>();
     ResponderState state = taken(tick(before, now), actions);
     if (state.phase() != ResponderPhase.TRAVELLING) {
       actions.add(new EndLease(lease));
-      return new Step<>(state, actions);
+      return new TransitionResult<>(state, actions);
     }
-    Conversation in = state.partIn();
-    actions.add(new ToOne(in.requester(), new Arrival(in, lease, stay)));
-    return new Step<>(
+    Conversation in = state.requireConversation();
+    actions.add(new SendToRobot(in.requester(), new Arrival(in, lease, stay)));
+    return new TransitionResult<>(
         state.arrived(lease, now.plus(stay), now.plus(settings.repeatEvery())), actions);
   }
 
   /** It cannot go on with it. Nothing where it has no part in anything. */
-  public Step<ResponderState, ResponderAction> unable(ResponderState state, String why) {
-    return state.phase() == ResponderPhase.FREE ? Step.none(state) : turnBack(state, why);
+  public TransitionResult<ResponderState, ResponderAction> abort(ResponderState state, String why) {
+    return state.phase() == ResponderPhase.FREE
+        ? TransitionResult.none(state)
+        : turnBack(state, why);
   }
 
   /** The lease has ended, or somebody has ended it. Nothing where it is another. */
-  public Step<ResponderState, ResponderAction> leaseOver(
+  public TransitionResult<ResponderState, ResponderAction> leaseEnded(
       ResponderState state, UUID lease, Instant now) {
     if (!lease.equals(state.lease())) {
-      return Step.none(state);
+      return TransitionResult.none(state);
     }
     boolean isAsAgreed =
-        state.phase() == ResponderPhase.LEASED && state.stay(now).compareTo(settings.margin()) <= 0;
+        state.phase() == ResponderPhase.LEASED
+            && state.remainingStay(now).compareTo(settings.margin()) <= 0;
     return isAsAgreed
         ? free(state, "its lease is over")
         : turnBack(state, "its lease was ended early");
   }
 
   /** Time has passed. */
-  public Step<ResponderState, ResponderAction> tick(ResponderState state, Instant now) {
-    if (now.isBefore(state.wake())) {
-      return Step.none(state);
+  public TransitionResult<ResponderState, ResponderAction> tick(ResponderState state, Instant now) {
+    if (now.isBefore(state.nextWake())) {
+      return TransitionResult.none(state);
     }
     return switch (state.phase()) {
-      case FREE -> Step.none(state);
+      case FREE -> TransitionResult.none(state);
       case OFFERED -> repeatOffer(state, now);
       case TRAVELLING -> turnBack(state, "it could not be there in time");
       case ARRIVED -> arriveAgain(state, now);
@@ -285,35 +303,38 @@ public final class ResponderMachine {
     };
   }
 
-  private Step<ResponderState, ResponderAction> arriveAgain(ResponderState state, Instant now) {
+  private TransitionResult<ResponderState, ResponderAction> arriveAgain(
+      ResponderState state, Instant now) {
     UUID lease = state.lease();
     boolean isLate = !now.isBefore(state.until()) || state.sends() >= settings.arrivalSends();
     if (isLate || lease == null) {
       return turnBack(state, "it heard no answer");
     }
-    Conversation in = state.partIn();
-    return new Step<>(
-        state.saidAgain(now.plus(settings.repeatEvery())),
-        List.of(new ToOne(in.requester(), new Arrival(in, lease, state.stay(now)))));
+    Conversation in = state.requireConversation();
+    return new TransitionResult<>(
+        state.repeated(now.plus(settings.repeatEvery())),
+        List.of(new SendToRobot(in.requester(), new Arrival(in, lease, state.remainingStay(now)))));
   }
 
   /** Is free, and says so to whom it had offered to help. */
-  private static Step<ResponderState, ResponderAction> turnBack(ResponderState state, String why) {
-    Conversation left = state.partIn();
+  private static TransitionResult<ResponderState, ResponderAction> turnBack(
+      ResponderState state, String why) {
+    Conversation left = state.requireConversation();
     List<ResponderAction> actions = new ArrayList<>(free(state, why).actions());
-    actions.add(0, new ToOne(left.requester(), new Refuse(left, why, true)));
-    return new Step<>(state.freed(), actions);
+    actions.add(0, new SendToRobot(left.requester(), new Refuse(left, why, true)));
+    return new TransitionResult<>(state.freed(), actions);
   }
 
-  private static Step<ResponderState, ResponderAction> free(ResponderState state, String why) {
+  private static TransitionResult<ResponderState, ResponderAction> free(
+      ResponderState state, String why) {
     List<ResponderAction> actions = new ArrayList<>();
     UUID lease = state.lease();
     if (lease != null) {
       actions.add(new EndLease(lease));
     }
     if (state.phase().isCommitted()) {
-      actions.add(new Resume(why));
+      actions.add(new ResumeOwnWork(why));
     }
-    return new Step<>(state.freed(), actions);
+    return new TransitionResult<>(state.freed(), actions);
   }
 }

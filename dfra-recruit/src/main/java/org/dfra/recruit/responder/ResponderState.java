@@ -64,23 +64,23 @@ public record ResponderState(
   }
 
   /** When something is to be done though nothing happens; the far future where nothing is. */
-  public Instant wake() {
+  public Instant nextWake() {
     return again.isBefore(until) ? again : until;
   }
 
   /** For how long yet it can stay, by its lease; not negative. */
-  public Duration stay(Instant now) {
+  public Duration remainingStay(Instant now) {
     return now.isBefore(leaseEnd) ? Duration.between(now, leaseEnd) : Duration.ZERO;
   }
 
-  HelpCall wanted() {
+  HelpCall requireCall() {
     if (call == null) {
       throw new IllegalStateException("a responder that is " + phase + " has no call");
     }
     return call;
   }
 
-  Conversation partIn() {
+  Conversation requireConversation() {
     if (conversation == null) {
       throw new IllegalStateException("a responder that is " + phase + " has no conversation");
     }
@@ -119,7 +119,7 @@ public record ResponderState(
   }
 
   ResponderState freed() {
-    return free(close(partIn()).ledgers);
+    return free(close(requireConversation()).ledgers);
   }
 
   ResponderState offered(
@@ -154,7 +154,7 @@ public record ResponderState(
   }
 
   /** The requester waits longer than it did. */
-  ResponderState prolonged(Instant end) {
+  ResponderState extended(Instant end) {
     return new ResponderState(
         phase, conversation, call, sends, offers, again, end, lease, leaseEnd, ledgers);
   }
@@ -173,7 +173,7 @@ public record ResponderState(
         ledgers);
   }
 
-  ResponderState saidAgain(Instant repeat) {
+  ResponderState repeated(Instant repeat) {
     return new ResponderState(
         phase, conversation, call, sends + 1, offers, repeat, until, lease, leaseEnd, ledgers);
   }
@@ -193,7 +193,7 @@ public record ResponderState(
   }
 
   /** The same lease under another name, as it is granted anew after its process died. */
-  public ResponderState leasedAs(UUID granted) {
+  public ResponderState withLease(UUID granted) {
     return new ResponderState(
         phase, conversation, call, sends, offers, again, until, granted, leaseEnd, ledgers);
   }

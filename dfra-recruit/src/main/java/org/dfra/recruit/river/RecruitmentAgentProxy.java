@@ -5,27 +5,27 @@ import java.util.UUID;
 import net.jini.core.event.UnknownEventException;
 import org.dfra.agent.AgentMessage;
 import org.dfra.agent.HelpCall;
-import org.dfra.agent.Recruiting;
 import org.dfra.agent.RecruitmentAgent;
+import org.dfra.agent.RecruitmentControl;
 import org.dfra.agent.RecruitmentStatus;
 import org.dfra.module.Identification;
 import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.remote.RemoteModule;
 
 /** Smart proxy of a recruitment agent. It sends letters as remote events. */
-public final class RecruitmentAgentProxy extends ModuleProxy<Recruiting>
+public final class RecruitmentAgentProxy extends ModuleProxy<RecruitmentControl>
     implements RecruitmentAgent {
 
   private static final long serialVersionUID = 1L;
 
   /** See {@link ModuleProxy#ModuleProxy}. */
   public RecruitmentAgentProxy(RemoteModule server, UUID id, Identification identification) {
-    super(Recruiting.class, server, id, identification);
+    super(RecruitmentControl.class, server, id, identification);
   }
 
   @Override
-  public void help(HelpCall call) throws RemoteException {
-    target().help(call);
+  public void callForHelp(HelpCall call) throws RemoteException {
+    target().callForHelp(call);
   }
 
   @Override
@@ -45,13 +45,13 @@ public final class RecruitmentAgentProxy extends ModuleProxy<Recruiting>
 
   @Override
   public void receive(AgentMessage message) throws RemoteException {
-    Recruiting target = target();
+    RecruitmentControl target = target();
     if (target instanceof RecruitmentAgent here) {
       here.receive(message);
       return;
     }
     try {
-      ((RemoteRecruitmentAgent) target).notify(new LetterEvent(message));
+      ((RemoteRecruitmentAgent) target).notify(new AgentMessageEvent(message));
     } catch (UnknownEventException e) {
       throw new IllegalArgumentException(identification().path() + " takes no such letters", e);
     }

@@ -23,8 +23,8 @@ public final class RecruitmentAgentServer extends ModuleServer<RecruitmentAgent>
   }
 
   @Override
-  public void help(HelpCall call) throws RemoteException {
-    module().help(call);
+  public void callForHelp(HelpCall call) throws RemoteException {
+    module().callForHelp(call);
   }
 
   @Override
@@ -44,10 +44,10 @@ public final class RecruitmentAgentServer extends ModuleServer<RecruitmentAgent>
 
   @Override
   public void notify(RemoteEvent event) throws UnknownEventException, RemoteException {
-    if (!(event instanceof LetterEvent known)) {
+    if (!(event instanceof AgentMessageEvent known)) {
       throw new UnknownEventException(
           path() + " takes letters of agents, not " + event.getClass().getName());
     }
-    module().receive(known.letter());
+    module().receive(known.message());
   }
 }

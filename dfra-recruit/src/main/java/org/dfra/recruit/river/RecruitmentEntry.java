@@ -35,7 +35,7 @@ public class RecruitmentEntry extends AbstractEntry implements ServiceControlled
   public @Nullable Double margin;
 
   /** Why it answers no call, since somebody stopped it. */
-  public @Nullable String held;
+  public @Nullable String holdReason;
 
   /** With every field null. */
   public RecruitmentEntry() {}

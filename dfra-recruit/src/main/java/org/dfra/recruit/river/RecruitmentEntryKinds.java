@@ -2,16 +2,16 @@ package org.dfra.recruit.river;
 
 import java.util.List;
 import net.jini.core.entry.Entry;
-import org.dfra.river.entry.EntryKinds;
+import org.dfra.river.entry.EntryClassProvider;
 
 /** Makes the entry of this package known where modules are described. */
-public final class RecruitmentEntryKinds implements EntryKinds {
+public final class RecruitmentEntryKinds implements EntryClassProvider {
 
   /** Called by the service loader. */
   public RecruitmentEntryKinds() {}
 
   @Override
-  public List<Class<? extends Entry>> kinds() {
+  public List<Class<? extends Entry>> entryClasses() {
     return List.of(RecruitmentEntry.class);
   }
 }

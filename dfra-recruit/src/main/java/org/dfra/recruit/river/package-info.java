@@ -3,7 +3,7 @@
  *
  * <pre>
  *   requester's robot                                     helper's robot
- *   RecruitmentAgentImpl --letter--&gt; RecruitmentAgentProxy --LetterEvent--&gt; RecruitmentAgentServer
+ *   RecruitmentAgentImpl --letter--&gt; RecruitmentAgentProxy --AgentMessageEvent--&gt; RecruitmentAgentServer
  *                                     a RemoteRecruitmentAgent                 |
  *                                     found by its RecruitmentEntry            letter
  *                                                                              v

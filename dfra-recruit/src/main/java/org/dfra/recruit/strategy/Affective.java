@@ -26,13 +26,13 @@ public final class Affective implements RecruitmentStrategy {
   }
 
   @Override
-  public boolean answers(Stimulus stimulus) {
-    affect.heard(stimulus);
-    return affect.isMoved();
+  public boolean shouldOffer(Stimulus stimulus) {
+    affect.stimulate(stimulus);
+    return affect.isTriggered();
   }
 
   @Override
-  public boolean refusesAloud() {
+  public boolean sendsRefusal() {
     return false;
   }
 
@@ -42,12 +42,12 @@ public final class Affective implements RecruitmentStrategy {
   }
 
   @Override
-  public void chosen() {
+  public void onChosen() {
     affect.atone();
   }
 
   @Override
-  public void spared() {
+  public void onNotChosen() {
     affect.relieve();
   }
 
@@ -57,7 +57,7 @@ public final class Affective implements RecruitmentStrategy {
   }
 
   @Override
-  public Duration window() {
+  public Duration offerWindow() {
     return Duration.ofSeconds(1);
   }
 
@@ -67,7 +67,7 @@ public final class Affective implements RecruitmentStrategy {
   }
 
   @Override
-  public boolean answersOneByOne() {
+  public boolean notifiesIndividually() {
     return false;
   }
 }

@@ -31,12 +31,12 @@ public final class ContractNet implements RecruitmentStrategy {
   }
 
   @Override
-  public boolean answers(Stimulus stimulus) {
+  public boolean shouldOffer(Stimulus stimulus) {
     return true;
   }
 
   @Override
-  public boolean refusesAloud() {
+  public boolean sendsRefusal() {
     return true;
   }
 
@@ -46,7 +46,7 @@ public final class ContractNet implements RecruitmentStrategy {
   }
 
   @Override
-  public boolean answersOneByOne() {
+  public boolean notifiesIndividually() {
     return true;
   }
 }

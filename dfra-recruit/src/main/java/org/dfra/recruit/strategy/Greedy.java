@@ -15,7 +15,7 @@ public final class Greedy implements RecruitmentStrategy {
   }
 
   @Override
-  public boolean answers(Stimulus stimulus) {
+  public boolean shouldOffer(Stimulus stimulus) {
     return true;
   }
 

@@ -12,21 +12,22 @@ public final class RandomPick implements RecruitmentStrategy {
   static final String NAME = "random";
 
   /** That a robot offers, usually. */
-  public static final double CHANCE = 0.5;
+  public static final double DEFAULT_OFFER_PROBABILITY = 0.5;
 
   private final RandomGenerator lot;
   private final double chance;
 
   /**
-   * @param lot seeded where runs are to be repeated
-   * @param chance that a robot offers, above 0 and at most 1
+   * @param random seeded where runs are to be repeated
+   * @param offerProbability that a robot offers, above 0 and at most 1
    */
-  public RandomPick(RandomGenerator lot, double chance) {
-    if (!(chance > 0 && chance <= 1)) {
-      throw new ConfigurationException("a chance of " + chance + " is not above 0 and at most 1");
+  public RandomPick(RandomGenerator random, double offerProbability) {
+    if (!(offerProbability > 0 && offerProbability <= 1)) {
+      throw new ConfigurationException(
+          "a chance of " + offerProbability + " is not above 0 and at most 1");
     }
-    this.lot = lot;
-    this.chance = chance;
+    this.lot = random;
+    this.chance = offerProbability;
   }
 
   @Override
@@ -35,7 +36,7 @@ public final class RandomPick implements RecruitmentStrategy {
   }
 
   @Override
-  public boolean answers(Stimulus stimulus) {
+  public boolean shouldOffer(Stimulus stimulus) {
     // one int of 2^32 ones, so a chance of one half draws as nextBoolean does: runs stay the same
     return lot.nextInt() < Math.scalb(chance, Integer.SIZE) + Integer.MIN_VALUE;
   }

@@ -4,24 +4,24 @@ import java.time.Duration;
 import java.util.List;
 import org.dfra.recruit.affect.Stimulus;
 import org.dfra.recruit.requester.Bid;
-import org.dfra.recruit.requester.Chooser;
+import org.dfra.recruit.requester.BidSelector;
 
 /**
  * Who answers a call and who is chosen. Confined to its agent, which has one of its own.
  *
  * <p>One of your own says its name, who answers and who is chosen; what it does not say is as in a
- * strategy that nothing moves. {@link Strategies} tells how it is named in configuration.
+ * strategy that nothing moves. {@link StrategyRegistry} tells how it is named in configuration.
  */
-public interface RecruitmentStrategy extends Chooser {
+public interface RecruitmentStrategy extends BidSelector {
 
   /** As reports and logs call it. */
   String name();
 
   /** Whether the robot offers to help; asked once for each call, while it is capable and free. */
-  boolean answers(Stimulus stimulus);
+  boolean shouldOffer(Stimulus stimulus);
 
   /** Whether a robot that does not offer says so. */
-  default boolean refusesAloud() {
+  default boolean sendsRefusal() {
     return false;
   }
 
@@ -31,12 +31,12 @@ public interface RecruitmentStrategy extends Chooser {
   }
 
   /** It was chosen. */
-  default void chosen() {
+  default void onChosen() {
     // nothing moves it
   }
 
   /** Another was chosen, or nobody is needed any more. */
-  default void spared() {
+  default void onNotChosen() {
     // nothing moves it
   }
 
@@ -47,13 +47,13 @@ public interface RecruitmentStrategy extends Chooser {
 
   /** 2 s. */
   @Override
-  default Duration window() {
+  default Duration offerWindow() {
     return Duration.ofSeconds(2);
   }
 
   /** All at once. */
   @Override
-  default boolean answersOneByOne() {
+  default boolean notifiesIndividually() {
     return false;
   }
 

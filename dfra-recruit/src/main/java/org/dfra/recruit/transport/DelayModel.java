@@ -9,9 +9,9 @@ public interface DelayModel {
   /**
    * That of the next one, seconds, not negative.
    *
-   * @param lot what it is drawn by
+   * @param random what it is drawn by
    */
-  double next(RandomGenerator lot);
+  double next(RandomGenerator random);
 
   /** Always the same. */
   static DelayModel constant(double seconds) {

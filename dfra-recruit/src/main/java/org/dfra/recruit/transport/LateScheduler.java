@@ -13,13 +13,13 @@ public final class LateScheduler implements Scheduler {
   private final RandomGenerator lot;
 
   /**
-   * @param late by how much each task is
-   * @param lot what that is drawn by
+   * @param delay by how much each task is
+   * @param random what that is drawn by
    */
-  public LateScheduler(Scheduler exact, DelayModel late, RandomGenerator lot) {
+  public LateScheduler(Scheduler exact, DelayModel delay, RandomGenerator random) {
     this.exact = exact;
-    this.late = late;
-    this.lot = lot;
+    this.late = delay;
+    this.lot = random;
   }
 
   @Override
@@ -28,7 +28,7 @@ public final class LateScheduler implements Scheduler {
   }
 
   @Override
-  public Task after(long nanos, Runnable task) {
+  public ScheduledTask after(long nanos, Runnable task) {
     return exact.after(Math.max(0, nanos) + Math.round(late.next(lot) * 1e9), task);
   }
 

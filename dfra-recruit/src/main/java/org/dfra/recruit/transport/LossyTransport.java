@@ -3,13 +3,13 @@ package org.dfra.recruit.transport;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import org.dfra.recruit.loss.LossModel;
-import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.message.MessageEnvelope;
 
 /** Another transport that loses letters at their sender, and counts what is sent. */
 public final class LossyTransport implements Transport {
 
   /** What was sent, by all transports that share it. */
-  public static final class Count {
+  public static final class MessageCounter {
 
     private final AtomicLong transmissions = new AtomicLong();
     private final AtomicLong receptions = new AtomicLong();
@@ -27,26 +27,26 @@ public final class LossyTransport implements Transport {
 
   private final Transport real;
   private final LossModel loss;
-  private final Count count;
+  private final MessageCounter count;
 
   /**
-   * @param real brings what is not lost
+   * @param delegate brings what is not lost
    * @param loss is asked by one thread at a time among all transports that share it
    */
-  public LossyTransport(Transport real, LossModel loss, Count count) {
-    this.real = real;
+  public LossyTransport(Transport delegate, LossModel loss, MessageCounter count) {
+    this.real = delegate;
     this.loss = loss;
     this.count = count;
   }
 
   @Override
-  public List<String> capable(String percept) {
-    return real.capable(percept);
+  public List<String> capableRobots(String percept) {
+    return real.capableRobots(percept);
   }
 
   @Override
-  public List<String> ambiguous(String percept) {
-    return real.ambiguous(percept);
+  public List<String> ambiguousNames(String percept) {
+    return real.ambiguousNames(percept);
   }
 
   @Override
@@ -55,18 +55,18 @@ public final class LossyTransport implements Transport {
   }
 
   @Override
-  public void send(String robot, Letter letter) {
+  public void send(String robot, MessageEnvelope letter) {
     count.transmissions.incrementAndGet();
     carry(robot, letter);
   }
 
   @Override
-  public void broadcast(String percept, Letter letter) {
+  public void broadcast(String percept, MessageEnvelope letter) {
     count.transmissions.incrementAndGet();
-    capable(percept).forEach(robot -> carry(robot, letter));
+    capableRobots(percept).forEach(robot -> carry(robot, letter));
   }
 
-  private void carry(String robot, Letter letter) {
+  private void carry(String robot, MessageEnvelope letter) {
     count.receptions.incrementAndGet();
     boolean isLost;
     synchronized (loss) {

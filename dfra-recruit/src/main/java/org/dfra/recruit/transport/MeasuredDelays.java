@@ -47,7 +47,7 @@ public final class MeasuredDelays implements DelayModel {
    * Those of letters, from the thread of one process that sends to the thread of another that gets:
    * what {@code ./dfra bench recruit --report benchmarks} measured before this was built.
    */
-  public static MeasuredDelays ofLetters() {
+  public static MeasuredDelays ofMessages() {
     try (InputStream in = MeasuredDelays.class.getResourceAsStream(LETTERS)) {
       if (in == null) {
         throw new IllegalStateException(LETTERS + " is not in this jar; build it anew");

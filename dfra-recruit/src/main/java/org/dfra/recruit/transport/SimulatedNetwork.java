@@ -8,18 +8,18 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
-import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.message.MessageEnvelope;
 import org.dfra.time.Scheduler;
 
 /** A network of agents in one virtual machine. Confined to the thread that moves its time on. */
 public final class SimulatedNetwork {
 
   /** An agent that is there. */
-  private record Member(Set<String> percepts, Consumer<Letter> inbox) {}
+  private record Node(Set<String> percepts, Consumer<MessageEnvelope> inbox) {}
 
   private final Scheduler time;
-  private final Passage passage;
-  private final Map<String, Member> members = new LinkedHashMap<>();
+  private final DeliveryModel passage;
+  private final Map<String, Node> members = new LinkedHashMap<>();
   private final Map<String, List<String>> capable = new HashMap<>(); // by percept
   private long transmissions;
   private long receptions;
@@ -29,7 +29,7 @@ public final class SimulatedNetwork {
    * @param time letters arrive by it
    * @param passage what becomes of each
    */
-  public SimulatedNetwork(Scheduler time, Passage passage) {
+  public SimulatedNetwork(Scheduler time, DeliveryModel passage) {
     this.time = time;
     this.passage = passage;
   }
@@ -40,19 +40,19 @@ public final class SimulatedNetwork {
    * @param percepts what it can observe
    * @param inbox is given what comes for it
    */
-  public void join(String robot, Set<String> percepts, Consumer<Letter> inbox) {
-    members.put(robot, new Member(Set.copyOf(percepts), inbox));
+  public void join(String robot, Set<String> percepts, Consumer<MessageEnvelope> inbox) {
+    members.put(robot, new Node(Set.copyOf(percepts), inbox));
     capable.clear();
   }
 
   /** It is gone: what is on its way to it gets lost. */
   public void leave(String robot) {
-    Member unused = members.remove(robot);
+    Node unused = members.remove(robot);
     capable.clear();
   }
 
   /** What that robot sees of it; also before it is there. */
-  public Transport port(String robot) {
+  public Transport transport(String robot) {
     return new Port(robot);
   }
 
@@ -71,15 +71,16 @@ public final class SimulatedNetwork {
     return delivered;
   }
 
-  private void carry(String to, Letter letter) {
+  private void carry(String to, MessageEnvelope letter) {
     receptions++;
-    for (double after : passage.copies(to, letter)) {
-      Scheduler.Task unused = time.after(Math.round(after * 1e9), () -> deliver(to, letter));
+    for (double after : passage.copyDelays(to, letter)) {
+      Scheduler.ScheduledTask unused =
+          time.after(Math.round(after * 1e9), () -> deliver(to, letter));
     }
   }
 
-  private void deliver(String to, Letter letter) {
-    Member member = members.get(to);
+  private void deliver(String to, MessageEnvelope letter) {
+    Node member = members.get(to);
     if (member != null) {
       delivered++;
       member.inbox().accept(letter);
@@ -105,7 +106,7 @@ public final class SimulatedNetwork {
     }
 
     @Override
-    public List<String> capable(String percept) {
+    public List<String> capableRobots(String percept) {
       List<String> others = new ArrayList<>(whoCan(percept));
       others.remove(self);
       return others;
@@ -124,15 +125,15 @@ public final class SimulatedNetwork {
     }
 
     @Override
-    public void send(String robot, Letter letter) {
+    public void send(String robot, MessageEnvelope letter) {
       transmissions++;
       carry(robot, letter);
     }
 
     @Override
-    public void broadcast(String percept, Letter letter) {
+    public void broadcast(String percept, MessageEnvelope letter) {
       transmissions++;
-      for (String robot : capable(percept)) {
+      for (String robot : capableRobots(percept)) {
         carry(robot, letter);
       }
     }

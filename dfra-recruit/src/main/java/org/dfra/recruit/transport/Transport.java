@@ -1,7 +1,7 @@
 package org.dfra.recruit.transport;
 
 import java.util.List;
-import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.message.MessageEnvelope;
 
 /**
  * The way to other agents. A letter may be lost, and nobody is told; it may come late, twice, or
@@ -12,15 +12,15 @@ public interface Transport {
 
   /**
    * Names of the other robots whose agents say that they can observe it, as far as is known. A name
-   * that several robots have is left out: see {@link #ambiguous}.
+   * that several robots have is left out: see {@link #ambiguousNames}.
    */
-  List<String> capable(String percept);
+  List<String> capableRobots(String percept);
 
   /**
    * Why nothing is sent to robots that say that they can observe it: each name that several robots
    * have, in a clause with their hosts. Empty where every robot has a name of its own.
    */
-  default List<String> ambiguous(String percept) {
+  default List<String> ambiguousNames(String percept) {
     return List.of();
   }
 
@@ -28,8 +28,8 @@ public interface Transport {
   List<String> percepts();
 
   /** To one robot. It is lost where several robots have that name, so no other robot gets it. */
-  void send(String robot, Letter letter);
+  void send(String robot, MessageEnvelope letter);
 
   /** To all that can observe it, with one transmission where the network can do that. */
-  void broadcast(String percept, Letter letter);
+  void broadcast(String percept, MessageEnvelope letter);
 }

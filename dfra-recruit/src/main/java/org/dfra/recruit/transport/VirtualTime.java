@@ -13,13 +13,13 @@ import org.dfra.time.Scheduler;
  */
 public final class VirtualTime implements InstantSource, Scheduler {
 
-  private static final class Due implements Task {
+  private static final class QueuedTask implements ScheduledTask {
     final long at;
     final long number;
     final Runnable task;
     boolean isCancelled;
 
-    Due(long at, long number, Runnable task) {
+    QueuedTask(long at, long number, Runnable task) {
       this.at = at;
       this.number = number;
       this.task = task;
@@ -32,9 +32,10 @@ public final class VirtualTime implements InstantSource, Scheduler {
   }
 
   private final Instant begin;
-  private final PriorityQueue<Due> agenda =
+  private final PriorityQueue<QueuedTask> agenda =
       new PriorityQueue<>(
-          Comparator.comparingLong((Due due) -> due.at).thenComparingLong(due -> due.number));
+          Comparator.comparingLong((QueuedTask due) -> due.at)
+              .thenComparingLong(due -> due.number));
   private long now;
   private long asked;
 
@@ -62,9 +63,10 @@ public final class VirtualTime implements InstantSource, Scheduler {
   }
 
   @Override
-  public Task after(long nanos, Runnable task) {
+  public ScheduledTask after(long nanos, Runnable task) {
     long wait = Math.max(0, nanos);
-    Due due = new Due(now > Long.MAX_VALUE - wait ? Long.MAX_VALUE : now + wait, asked++, task);
+    QueuedTask due =
+        new QueuedTask(now > Long.MAX_VALUE - wait ? Long.MAX_VALUE : now + wait, asked++, task);
     agenda.add(due);
     return due;
   }
@@ -85,15 +87,15 @@ public final class VirtualTime implements InstantSource, Scheduler {
 
   /** Has the next thing happen that is due by then; false where there is none. */
   private boolean next(long end) {
-    Due due = agenda.peek();
+    QueuedTask due = agenda.peek();
     while (due != null && due.isCancelled) {
-      Due unused = agenda.poll();
+      QueuedTask unused = agenda.poll();
       due = agenda.peek();
     }
     if (due == null || due.at > end) {
       return false;
     }
-    Due unused = agenda.poll();
+    QueuedTask unused = agenda.poll();
     now = due.at;
     due.task.run();
     return true;

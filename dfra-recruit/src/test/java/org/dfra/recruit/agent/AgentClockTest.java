@@ -18,9 +18,9 @@ import org.dfra.core.lease.LeaseTerms;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.state.StateStore;
 import org.dfra.core.time.BootId;
-import org.dfra.directory.Watch;
+import org.dfra.directory.DirectoryRegistration;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.message.MessageEnvelope;
 import org.dfra.recruit.transport.VirtualTime;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -38,8 +38,8 @@ class AgentClockTest {
   private final VirtualTime time = new VirtualTime(Instant.parse("2026-11-21T00:00:00Z"));
   private final InMemoryModuleDirectory directory = new InMemoryModuleDirectory(time);
   private final StateStore kept = StateStore.inMemory();
-  private final Map<RecruitmentAgentImpl, Watch> listed = new HashMap<>();
-  private final List<Letter> heard = new ArrayList<>(); // by the other robot
+  private final Map<RecruitmentAgentImpl, DirectoryRegistration> listed = new HashMap<>();
+  private final List<MessageEnvelope> heard = new ArrayList<>(); // by the other robot
   private Duration set = Duration.ZERO; // by how much somebody has set the wall clock
 
   @TempDir Path folder;
@@ -56,8 +56,8 @@ class AgentClockTest {
   private ModuleContext context(String robot, StateStore state, Map<String, String> texts) {
     Parameters parameters = Parameters.of(robot + "/recruit", texts);
     return new ModuleContext(
-            robot, "recruit", parameters, this::wall, state, LeaseTerms.USUAL, time)
-        .among(directory);
+            robot, "recruit", parameters, this::wall, state, LeaseTerms.DEFAULT, time)
+        .withDirectory(directory);
   }
 
   private Instant wall() {
@@ -75,7 +75,7 @@ class AgentClockTest {
             context(robot, state, texts),
             new RecruiterListener() {
               @Override
-              public void heard(Letter letter) {
+              public void received(MessageEnvelope letter) {
                 heard.add(letter);
               }
             },
@@ -99,18 +99,18 @@ class AgentClockTest {
   @ValueSource(ints = {-3600, 3600})
   void aClockThatIsSetWhileItLivesChangesNothing(int seconds) {
     RecruitmentAgentImpl uav = caller();
-    uav.help(CALL);
+    uav.callForHelp(CALL);
     time.advance(Duration.ofSeconds(10));
     set = Duration.ofSeconds(seconds);
     int before = heard.size();
     time.advance(Duration.ofSeconds(45));
     assertThat(heard.size()).as("it goes on calling").isGreaterThan(before);
-    assertThat(uav.status().requester()).isEqualTo(RequesterPhase.CALLING);
+    assertThat(uav.status().requesterPhase()).isEqualTo(RequesterPhase.CALLING);
     assertThat(heard.get(heard.size() - 1).time())
         .as("for people, by the clock as it is now")
         .isBetween(wall().minusSeconds(60), wall());
     time.advance(Duration.ofSeconds(10));
-    assertThat(uav.status().requester()).isEqualTo(RequesterPhase.IDLE);
+    assertThat(uav.status().requesterPhase()).isEqualTo(RequesterPhase.IDLE);
     assertThat(uav.status().measured()).isBetween(wall().minusSeconds(60), wall());
     assertThat(other.readiness().serves()).isTrue();
   }
@@ -119,7 +119,7 @@ class AgentClockTest {
   @ValueSource(ints = {-3600, 3600})
   void aClockThatIsSetBetweenItsLivesChangesNothing(int seconds) {
     RecruitmentAgentImpl uav = caller();
-    uav.help(CALL);
+    uav.callForHelp(CALL);
     time.advance(Duration.ofSeconds(10));
     end(uav);
     long last = heard.get(heard.size() - 1).number();
@@ -128,33 +128,35 @@ class AgentClockTest {
     time.advance(Duration.ofSeconds(4));
     RecruitmentAgentImpl again = caller(); // 15 s of 60
     time.advance(Duration.ofSeconds(40));
-    assertThat(again.status().requester()).isEqualTo(RequesterPhase.CALLING);
+    assertThat(again.status().requesterPhase()).isEqualTo(RequesterPhase.CALLING);
     assertThat(heard).as("it goes on calling").isNotEmpty();
     assertThat(heard.get(0).number()).as("numbers go on growing").isGreaterThan(last);
     time.advance(Duration.ofSeconds(10));
-    assertThat(again.status().requester()).as("after its patience").isEqualTo(RequesterPhase.IDLE);
-    assertThat(again.status().doing()).contains("nobody offered to come in time");
+    assertThat(again.status().requesterPhase())
+        .as("after its patience")
+        .isEqualTo(RequesterPhase.IDLE);
+    assertThat(again.status().lastChange()).contains("nobody offered to come in time");
   }
 
   @Test
   void aCallFromAnotherBootIsForgottenAndItsNumberIsNot() throws Exception {
     RecruitmentAgentImpl uav = caller();
-    uav.help(CALL);
+    uav.callForHelp(CALL);
     time.advance(Duration.ofSeconds(2));
     end(uav);
     long conversation = heard.get(0).message().conversation().number();
     BootId former = new BootId(Files.writeString(folder.resolve("boot_id"), "another"));
     AgentMemory writer = new AgentMemory(context("uav", kept, Map.of()), former);
     AgentSnapshot last =
-        new AgentMemory(context("uav", kept, Map.of()), BootId.system()).recall().orElseThrow();
-    writer.keep(last);
+        new AgentMemory(context("uav", kept, Map.of()), BootId.system()).load().orElseThrow();
+    writer.save(last);
     heard.clear();
     RecruitmentAgentImpl again = caller();
     assertThat(last.requester().phase()).isEqualTo(RequesterPhase.CALLING);
-    assertThat(again.status().requester()).isEqualTo(RequesterPhase.IDLE);
+    assertThat(again.status().requesterPhase()).isEqualTo(RequesterPhase.IDLE);
     time.advance(Duration.ofSeconds(20));
     assertThat(heard).as("it calls nobody by itself").isEmpty();
-    again.help(CALL);
+    again.callForHelp(CALL);
     time.advance(Duration.ofSeconds(1));
     assertThat(heard.get(0).message().conversation().number()).isEqualTo(conversation + 1);
   }
@@ -164,7 +166,7 @@ class AgentClockTest {
   void whereTheBootCannotBeReadTheNumberOfACallIsNotForgotten() throws Exception {
     Path file = Files.writeString(folder.resolve("boot_id"), "this one");
     RecruitmentAgentImpl uav = agent("uav", kept, Map.of(), new BootId(file));
-    uav.help(CALL);
+    uav.callForHelp(CALL);
     time.advance(Duration.ofSeconds(2));
     end(uav);
     long conversation = heard.get(0).message().conversation().number();
@@ -172,16 +174,16 @@ class AgentClockTest {
     Files.delete(file);
     Files.createDirectory(file); // it is there, but not readable
     RecruitmentAgentImpl again = agent("uav", kept, Map.of(), new BootId(file));
-    assertThat(again.status().requester()).isEqualTo(RequesterPhase.IDLE);
+    assertThat(again.status().requesterPhase()).isEqualTo(RequesterPhase.IDLE);
     Files.delete(file);
     Files.writeString(file, "this one");
-    again.help(CALL);
+    again.callForHelp(CALL);
     time.advance(Duration.ofSeconds(1));
     assertThat(heard.get(0).message().conversation().number()).isEqualTo(conversation + 1);
     end(again);
     heard.clear();
     RecruitmentAgentImpl third = agent("uav", kept, Map.of(), new BootId(file));
-    assertThat(third.status().requester()).as("it goes on").isEqualTo(RequesterPhase.CALLING);
+    assertThat(third.status().requesterPhase()).as("it goes on").isEqualTo(RequesterPhase.CALLING);
     time.advance(Duration.ofSeconds(20));
     assertThat(heard.get(0).message().conversation().number()).isEqualTo(conversation + 1);
   }

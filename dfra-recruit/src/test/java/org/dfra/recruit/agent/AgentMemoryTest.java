@@ -27,8 +27,8 @@ import org.dfra.recruit.message.RecruitmentMessage.Help;
 import org.dfra.recruit.message.RecruitmentMessage.ResponderId;
 import org.dfra.recruit.requester.RequesterMachine;
 import org.dfra.recruit.requester.RequesterState;
-import org.dfra.recruit.responder.Judge;
 import org.dfra.recruit.responder.ResponderMachine;
+import org.dfra.recruit.responder.ResponderPolicy;
 import org.dfra.recruit.responder.ResponderState;
 import org.dfra.recruit.strategy.Greedy;
 import org.dfra.recruit.transport.VirtualTime;
@@ -70,7 +70,7 @@ class AgentMemoryTest {
             Parameters.of("ugv1/recruit", Map.of()),
             clock,
             state,
-            LeaseTerms.USUAL,
+            LeaseTerms.DEFAULT,
             time),
         in);
   }
@@ -82,38 +82,39 @@ class AgentMemoryTest {
   /** It calls for help in ugv1#8, and is on its way to help in uav#5. */
   private static AgentSnapshot busy(Instant now) {
     RequesterState calling =
-        new RequesterMachine(RecruitmentSettings.USUAL, new Greedy())
+        new RequesterMachine(RecruitmentSettings.DEFAULT, new Greedy())
             .call(RequesterState.idle(new Conversation("ugv1", 7)), CALL, now)
             .state();
     return new AgentSnapshot(calling, travelling(now), 0.7);
   }
 
   private static ResponderMachine machine() {
-    Judge willing =
-        new Judge() {
+    ResponderPolicy willing =
+        new ResponderPolicy() {
           @Override
           public Optional<Offer> offer(HelpCall call) {
             return Optional.of(new Offer(Duration.ofSeconds(10), 1));
           }
 
           @Override
-          public boolean accepts(Help help, Offer offer) {
+          public boolean shouldOffer(Help help, Offer offer) {
             return true;
           }
 
           @Override
-          public boolean refusesAloud() {
+          public boolean sendsRefusal() {
             return false;
           }
         };
-    return new ResponderMachine("ugv1", RecruitmentSettings.USUAL, willing);
+    return new ResponderMachine("ugv1", RecruitmentSettings.DEFAULT, willing);
   }
 
   private static ResponderState travelling(Instant now) {
     ResponderMachine machine = machine();
     Conversation in = new Conversation("uav", 5);
-    ResponderState offered = machine.hear(ResponderState.FREE, new Help(in, CALL, 1), now).state();
-    return machine.hear(offered, new ResponderId(in, "ugv1", 0), now).state();
+    ResponderState offered =
+        machine.receive(ResponderState.FREE, new Help(in, CALL, 1), now).state();
+    return machine.receive(offered, new ResponderId(in, "ugv1", 0), now).state();
   }
 
   @ParameterizedTest
@@ -122,11 +123,11 @@ class AgentMemoryTest {
     AgentMemory before = memory(boot);
     time.advance(Duration.ofSeconds(5));
     AgentSnapshot kept = busy(before.clock().instant());
-    before.keep(kept);
+    before.save(kept);
     time.advance(Duration.ofSeconds(3));
     wall = wall.plusSeconds(8 + set);
     AgentMemory after = memory(boot);
-    assertThat(after.recall()).contains(kept);
+    assertThat(after.load()).contains(kept);
     assertThat(after.clock().instant()).isEqualTo(BEGIN.plusSeconds(8));
     time.advance(Duration.ofSeconds(2));
     assertThat(after.clock().instant()).isEqualTo(BEGIN.plusSeconds(10));
@@ -138,17 +139,17 @@ class AgentMemoryTest {
     AgentSnapshot kept = busy(before.clock().instant());
     assertThat(kept.requester().phase()).isEqualTo(RequesterPhase.CALLING);
     assertThat(kept.responder().phase()).isEqualTo(ResponderPhase.TRAVELLING);
-    before.keep(kept);
+    before.save(kept);
     time.advance(Duration.ofSeconds(1));
     for (BootId other : new BootId[] {boot("77aa"), new BootId(folder.resolve("nowhere"))}) {
-      AgentSnapshot known = memory(other).recall().orElseThrow();
+      AgentSnapshot known = memory(other).load().orElseThrow();
       assertThat(known.requester()).isEqualTo(RequesterState.idle(new Conversation("ugv1", 8)));
       assertThat(known.responder().phase()).isEqualTo(ResponderPhase.FREE);
-      assertThat(known.responder().wake()).isEqualTo(Instant.MAX);
+      assertThat(known.responder().nextWake()).isEqualTo(Instant.MAX);
       assertThat(known.urge()).isZero();
       assertThat(
               machine()
-                  .hear(
+                  .receive(
                       known.responder(),
                       new ResponderId(new Conversation("uav", 5), "ugv1", 0),
                       BEGIN)
@@ -163,35 +164,35 @@ class AgentMemoryTest {
   @Test
   void afterAnotherBootTheClockDoesNotGoBack() throws IOException {
     AgentMemory before = memory(boot);
-    before.keep(busy(BEGIN));
+    before.save(busy(BEGIN));
     wall = Instant.EPOCH; // it has no battery, and its receiver no fix yet
     AgentMemory after = memory(boot("77aa"));
-    assertThat(after.recall()).isPresent();
+    assertThat(after.load()).isPresent();
     assertThat(after.clock().instant()).isEqualTo(BEGIN);
     wall = BEGIN.plusSeconds(60);
     after = memory(boot("78aa"));
-    assertThat(after.recall()).isPresent();
+    assertThat(after.load()).isPresent();
     assertThat(after.clock().instant()).isEqualTo(wall);
   }
 
   @Test
   void aBootThatCannotBeReadIsNotTakenForAnother() throws IOException {
-    memory(boot).keep(busy(BEGIN));
+    memory(boot).save(busy(BEGIN));
     Path file = Files.createDirectory(folder.resolve("boot_id")); // it is there, but not readable
     AgentMemory after = memory(new BootId(file));
-    assertThatThrownBy(after::recall).isInstanceOf(IOException.class);
+    assertThatThrownBy(after::load).isInstanceOf(IOException.class);
     Files.delete(file);
     Files.writeString(file, "1b9d6bcd");
-    assertThat(after.recall()).contains(busy(BEGIN));
+    assertThat(after.load()).contains(busy(BEGIN));
   }
 
   @Test
   void whereTheBootCannotBeReadWhatMustNotBeRepeatedIsKnown() throws IOException {
-    memory(boot).keep(busy(BEGIN));
+    memory(boot).save(busy(BEGIN));
     Path file = Files.createDirectory(folder.resolve("boot_id"));
     wall = BEGIN.minusSeconds(60);
     AgentMemory after = memory(new BootId(file));
-    assertThat(after.recallWithoutSpans()).contains(busy(BEGIN).afterAnotherBoot());
+    assertThat(after.loadWithoutTimers()).contains(busy(BEGIN).afterAnotherBoot());
     assertThat(after.clock().instant()).as("letters are numbered by it").isEqualTo(BEGIN);
   }
 
@@ -201,13 +202,13 @@ class AgentMemoryTest {
     AgentMemory before = memory(ScaledTime.parse(four), boot);
     Instant began = before.clock().instant();
     AgentSnapshot kept = busy(began);
-    before.keep(kept);
+    before.save(kept);
     time.advance(Duration.ofHours(1)); // the processes' own four seconds in each do not matter
     AgentMemory after = memory(ScaledTime.parse(four), boot);
-    assertThat(after.recall()).contains(kept);
+    assertThat(after.load()).contains(kept);
     assertThat(after.clock().instant())
         .isBetween(began.plus(Duration.ofHours(4)), began.plus(Duration.ofHours(5)));
     AgentMemory other = memory(ScaledTime.parse("2x since 2026-11-21T00:00:00Z"), boot);
-    assertThat(other.recall()).contains(kept.afterAnotherBoot());
+    assertThat(other.load()).contains(kept.afterAnotherBoot());
   }
 }

@@ -32,8 +32,8 @@ abstract class BodyFixture {
   /** What the body told of {@link #journey}. */
   final List<String> told = new ArrayList<>();
 
-  final Body.Journey journey =
-      new Body.Journey() {
+  final RobotPort.TravelListener journey =
+      new RobotPort.TravelListener() {
         @Override
         public void arrived() {
           told.add("arrived");
@@ -45,12 +45,12 @@ abstract class BodyFixture {
         }
       };
 
-  RobotBody body = body();
+  ModuleRobotPort body = body();
 
   /** Another, which has begun. */
-  RobotBody body() {
-    RobotBody made =
-        new RobotBody(modules.context("agent"), TRAITS, LoggerFactory.getLogger("test"));
+  ModuleRobotPort body() {
+    ModuleRobotPort made =
+        new ModuleRobotPort(modules.context("agent"), TRAITS, LoggerFactory.getLogger("test"));
     made.start();
     modules.step(0.1);
     return made;

@@ -20,8 +20,8 @@ import org.dfra.behavior.RasterGoal;
 import org.dfra.behavior.RasterSearch;
 import org.dfra.behavior.ReturnHome;
 import org.dfra.core.behavior.BehaviorImpl;
-import org.dfra.core.behavior.Progress;
-import org.dfra.core.behavior.Pursuit;
+import org.dfra.core.behavior.GoalExecution;
+import org.dfra.core.behavior.GoalProgress;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.directory.InMemoryModuleDirectory;
 import org.dfra.core.lease.LeaseTerms;
@@ -30,8 +30,8 @@ import org.dfra.core.module.ModuleImpl;
 import org.dfra.core.module.PerceptualSchemaImpl;
 import org.dfra.core.module.SensorImpl;
 import org.dfra.core.state.StateStore;
+import org.dfra.directory.DirectoryRegistration;
 import org.dfra.directory.Locality;
-import org.dfra.directory.Watch;
 import org.dfra.flow.perceptual.PoseEstimate;
 import org.dfra.flow.perceptual.PositionEstimator;
 import org.dfra.flow.sensor.BatterySensor;
@@ -60,7 +60,7 @@ final class BodyModules implements AutoCloseable {
   Duration set = Duration.ZERO;
 
   private final Map<String, StateStore> kept = new HashMap<>();
-  private final Map<ModuleImpl, Watch> listed = new HashMap<>();
+  private final Map<ModuleImpl, DirectoryRegistration> listed = new HashMap<>();
 
   ModuleContext context(String name) {
     return new ModuleContext(
@@ -69,9 +69,9 @@ final class BodyModules implements AutoCloseable {
             Parameters.of(ROBOT + "/" + name, Map.of()),
             this::wall,
             kept.computeIfAbsent(name, unused -> StateStore.inMemory()),
-            LeaseTerms.USUAL,
+            LeaseTerms.DEFAULT,
             time)
-        .among(directory);
+        .withDirectory(directory);
   }
 
   /** What the wall clock says. */
@@ -182,13 +182,13 @@ final class BodyModules implements AutoCloseable {
     /** Metres from the datum. */
     void see(double east, double north) {
       Instant now = context.clock().instant();
-      perceive(
+      publishPercept(
           new PoseEstimate(
               now, ROBOT + "/map", DATUM, east, north, 0, 0, 0, 0.1, 0.02, null, null));
     }
 
     @Override
-    protected PerceptualSchemaAttributes qualities() {
+    protected PerceptualSchemaAttributes schemaAttributes() {
       return new PerceptualSchemaAttributes("PoseEstimate", null, "told", null, null);
     }
 
@@ -207,12 +207,12 @@ final class BodyModules implements AutoCloseable {
 
     /** Share of its charge, 0 to 1; null where it cannot tell. */
     void see(@Nullable Double remaining) {
-      tell(new BatteryState(clock().instant(), 25, null, remaining, false));
+      publish(new BatteryState(clock().instant(), 25, null, remaining, false));
     }
 
     @Override
     protected void onStart() {
-      become(Readiness.READY);
+      transitionTo(Readiness.READY);
     }
 
     @Override
@@ -237,7 +237,7 @@ final class BodyModules implements AutoCloseable {
     /** Whether each that asked for a goal, or to go on, was a person. */
     final List<Boolean> attended = new ArrayList<>();
 
-    Progress progress = Progress.going("it is on its way", 0.5);
+    GoalProgress progress = GoalProgress.inProgress("it is on its way", 0.5);
 
     Told(ModuleContext context, Class<G> type) {
       super(context, "a behaviour", "DFRA", "1", type, 10);
@@ -249,17 +249,17 @@ final class BodyModules implements AutoCloseable {
     }
 
     @Override
-    protected Pursuit begin(G wanted) {
+    protected GoalExecution startGoal(G wanted) {
       goal = wanted;
-      progress = Progress.going("it is on its way", 0.5);
-      return new Pursuit() {
+      progress = GoalProgress.inProgress("it is on its way", 0.5);
+      return new GoalExecution() {
         @Override
-        public Progress step() {
+        public GoalProgress step() {
           return progress;
         }
 
         @Override
-        public void rest() {}
+        public void suspend() {}
       };
     }
   }
@@ -275,7 +275,7 @@ final class BodyModules implements AutoCloseable {
     }
 
     @Override
-    public void limit(UUID wanted, Duration within) {
+    public void setTimeLimit(UUID wanted, Duration within) {
       if (wanted.equals(status().goal())) {
         limit = within;
       }

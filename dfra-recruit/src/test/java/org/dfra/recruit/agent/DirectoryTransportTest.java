@@ -27,12 +27,12 @@ import org.dfra.core.module.ModuleImpl;
 import org.dfra.core.state.StateStore;
 import org.dfra.directory.Locality;
 import org.dfra.module.Readiness;
+import org.dfra.persona.AttributeProvider;
 import org.dfra.persona.Attributes;
-import org.dfra.persona.Described;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.persona.RecruitmentAttributes;
 import org.dfra.recruit.message.Conversation;
-import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.message.MessageEnvelope;
 import org.dfra.recruit.message.RecruitmentMessage.Release;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -53,7 +53,8 @@ class DirectoryTransportTest {
   private final List<ModuleImpl> made = new ArrayList<>();
   private final DirectoryTransport transport =
       new DirectoryTransport(
-          context("uav").among(directory), LoggerFactory.getLogger(DirectoryTransportTest.class));
+          context("uav").withDirectory(directory),
+          LoggerFactory.getLogger(DirectoryTransportTest.class));
 
   @AfterEach
   void end() {
@@ -74,10 +75,11 @@ class DirectoryTransportTest {
   /** What an agent at the other end does with a letter. */
   @FunctionalInterface
   private interface Taking {
-    void take(Letter letter) throws RemoteException, InterruptedException;
+    void take(MessageEnvelope letter) throws RemoteException, InterruptedException;
   }
 
-  private static final class Other extends ModuleImpl implements RecruitmentAgent, Described {
+  private static final class Other extends ModuleImpl
+      implements RecruitmentAgent, AttributeProvider {
 
     private final Taking taking;
 
@@ -88,14 +90,14 @@ class DirectoryTransportTest {
 
     @Override
     protected void onStart() {
-      become(Readiness.READY);
+      transitionTo(Readiness.READY);
     }
 
     @Override
     protected void onClose() {}
 
     @Override
-    public void help(HelpCall call) {
+    public void callForHelp(HelpCall call) {
       throw new AssertionError("nobody asks it to call");
     }
 
@@ -118,7 +120,7 @@ class DirectoryTransportTest {
     @Override
     public void receive(AgentMessage message) throws RemoteException {
       try {
-        taking.take((Letter) message);
+        taking.take((MessageEnvelope) message);
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt();
       }
@@ -160,8 +162,8 @@ class DirectoryTransportTest {
     return id;
   }
 
-  private static Letter letter(long number) {
-    return new Letter(
+  private static MessageEnvelope letter(long number) {
+    return new MessageEnvelope(
         "uav", number, Instant.EPOCH, new Release(new Conversation("uav", 1), "enough", false));
   }
 
@@ -184,7 +186,7 @@ class DirectoryTransportTest {
           throw new RemoteException("nobody is there any more");
         });
     agent("well", letter -> well.add(letter.number()));
-    assertThat(transport.capable("mine")).containsExactlyInAnyOrder("slow", "dead", "well");
+    assertThat(transport.capableRobots("mine")).containsExactlyInAnyOrder("slow", "dead", "well");
 
     List<Long> sent = new ArrayList<>();
     for (long number = 1; number <= MANY; number++) {
@@ -235,21 +237,21 @@ class DirectoryTransportTest {
     UUID wrong = agentAt("10.0.0.5", "atrv1", letter -> first.add(letter.number()));
     UUID right = agentAt("10.0.0.6", "atrv1", letter -> second.add(letter.number()));
     agent("atrv2", letter -> other.add(letter.number()));
-    assertThat(transport.capable("mine")).containsExactly("atrv2");
-    assertThat(transport.ambiguous("mine"))
+    assertThat(transport.capableRobots("mine")).containsExactly("atrv2");
+    assertThat(transport.ambiguousNames("mine"))
         .containsExactly("2 robots are named atrv1, on 10.0.0.5 and 10.0.0.6");
-    assertThat(transport.ambiguous("gold")).isEmpty();
+    assertThat(transport.ambiguousNames("gold")).isEmpty();
     transport.send("atrv1", letter(1));
     transport.broadcast("mine", letter(2));
     await().atMost(PATIENCE).until(() -> other.contains(2L));
 
-    directory.loseSightOf(wrong);
+    directory.markStale(wrong);
     transport.send("atrv1", letter(3)); // the one that is out of reach may be meant
     await().atMost(PATIENCE).untilAsserted(() -> assertThat(couriers("atrv1")).isEmpty());
 
     directory.remove(wrong);
-    assertThat(transport.ambiguous("mine")).isEmpty();
-    assertThat(transport.capable("mine")).containsExactlyInAnyOrder("atrv1", "atrv2");
+    assertThat(transport.ambiguousNames("mine")).isEmpty();
+    assertThat(transport.capableRobots("mine")).containsExactlyInAnyOrder("atrv1", "atrv2");
     transport.send("atrv1", letter(4));
     await().atMost(PATIENCE).until(() -> second.contains(4L));
     assertThat(second).as("%s", right).containsExactly(4L);
@@ -259,7 +261,7 @@ class DirectoryTransportTest {
   @Test
   void whoeverHasLeftIsNotWrittenTo() {
     transport.send("nobody", letter(1));
-    assertThat(transport.capable("mine")).isEmpty();
+    assertThat(transport.capableRobots("mine")).isEmpty();
     assertThat(transport.percepts()).isEmpty();
   }
 }

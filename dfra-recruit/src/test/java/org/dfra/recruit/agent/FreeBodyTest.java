@@ -11,7 +11,7 @@ import org.dfra.behavior.HomeGoal;
 import org.dfra.behavior.LegGoal;
 import org.dfra.behavior.PathGoal;
 import org.dfra.flow.effector.DriveEffector;
-import org.dfra.persona.StopAttributes;
+import org.dfra.persona.EmergencyStopAttributes;
 import org.dfra.recruit.agent.BodyModules.Battery;
 import org.dfra.recruit.agent.BodyModules.Follower;
 import org.dfra.recruit.agent.BodyModules.Homing;
@@ -30,29 +30,29 @@ class FreeBodyTest extends BodyFixture {
     modules.step(0.1);
     modules.set = Duration.ofSeconds(seconds);
     modules.step(1.6);
-    assertThat(body.isFree()).as("it has just seen where it is").isTrue();
+    assertThat(body.isAvailable()).as("it has just seen where it is").isTrue();
     modules.step(0.5);
-    assertThat(body.isFree()).as("its position is too old").isFalse();
+    assertThat(body.isAvailable()).as("its position is too old").isFalse();
     position.see(0, 0);
     modules.step(0.1);
-    assertThat(body.isFree()).isTrue();
+    assertThat(body.isAvailable()).isTrue();
   }
 
   @Test
   void oneThatDoesNotKnowWhereItIsIsNotAsked() {
-    assertThat(body.isFree()).isTrue();
+    assertThat(body.isAvailable()).isTrue();
     modules.step(1.7); // seconds since it knew
-    assertThat(body.isFree()).isTrue();
+    assertThat(body.isAvailable()).isTrue();
     modules.step(0.5);
-    assertThat(body.isFree()).as("its position is too old").isFalse();
-    assertThat(body.eta(CALL.place())).isEmpty();
+    assertThat(body.isAvailable()).as("its position is too old").isFalse();
+    assertThat(body.eta(CALL.position())).isEmpty();
     modules.end(position);
     Position again = modules.add(new Position(modules.context("position")));
     modules.step(2); // until it is listened to
     again.see(3, 0);
     modules.step(0.1);
-    assertThat(body.isFree()).as("the sensor came back").isTrue();
-    assertThat(body.eta(CALL.place())).isPresent();
+    assertThat(body.isAvailable()).as("the sensor came back").isTrue();
+    assertThat(body.eta(CALL.position())).isPresent();
   }
 
   @Test
@@ -62,9 +62,9 @@ class FreeBodyTest extends BodyFixture {
     modules.step(2);
     charge(battery, 0.6);
     assertThat(body.battery()).isEqualTo(0.6);
-    assertThat(body.isFree()).isTrue();
+    assertThat(body.isAvailable()).isTrue();
     charge(battery, 0.2);
-    assertThat(body.isFree()).as("no more than its reserve").isFalse();
+    assertThat(body.isAvailable()).as("no more than its reserve").isFalse();
     charge(battery, null);
     assertThat(body.battery()).as("it does not know any more").isEqualTo(1);
     charge(battery, 0.1);
@@ -105,7 +105,7 @@ class FreeBodyTest extends BodyFixture {
     assertThat(isFreeAfterAWhile()).as("it drives home").isFalse();
     modules.end(homing);
     assertThat(isFreeAfterAWhile()).as("what drove it is gone").isTrue();
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     assertThat(isFreeAfterAWhile()).as("its own way").isTrue();
     assertThat(List.of(leg, path, raster, home)).doesNotHaveDuplicates();
   }
@@ -114,7 +114,7 @@ class FreeBodyTest extends BodyFixture {
     modules.step(0.5);
     position.see(0, 0);
     modules.step(0.1);
-    return body.isFree();
+    return body.isAvailable();
   }
 
   @Test
@@ -138,6 +138,6 @@ class FreeBodyTest extends BodyFixture {
 
   private void listDrive(UUID id, boolean isStopped) {
     DriveEffector drive = BodyModules.stub(DriveEffector.class, () -> {});
-    modules.list(id, "drive", drive, new StopAttributes(isStopped, "somebody", null));
+    modules.list(id, "drive", drive, new EmergencyStopAttributes(isStopped, "somebody", null));
   }
 }

@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.UUID;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.LegGoal;
-import org.dfra.core.behavior.Progress;
+import org.dfra.core.behavior.GoalProgress;
 import org.dfra.flow.effector.DriveEffector;
-import org.dfra.persona.StopAttributes;
+import org.dfra.persona.EmergencyStopAttributes;
 import org.dfra.recruit.agent.BodyModules.Driver;
 import org.junit.jupiter.api.Test;
 
@@ -21,7 +21,7 @@ class HeldBodyTest extends BodyFixture {
     modules.step(0.6);
     position.see(0, 0);
     modules.step(0.1);
-    return body.isFree();
+    return body.isAvailable();
   }
 
   /** The agent's process is killed, and there is another. */
@@ -32,7 +32,7 @@ class HeldBodyTest extends BodyFixture {
 
   /** Helps, and is stopped on its way; its agent is free again then. */
   private void stopOnItsWay(boolean isPaused) throws RemoteException {
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     if (isPaused) {
       driver.pause();
@@ -41,7 +41,7 @@ class HeldBodyTest extends BodyFixture {
     }
     modules.step(0.6);
     assertThat(told).hasSize(1);
-    body.resume();
+    body.resumeOwnWork();
   }
 
   @Test
@@ -52,9 +52,9 @@ class HeldBodyTest extends BodyFixture {
       modules.step(1);
       assertThat(isFree()).isTrue();
       stopOnItsWay(isPaused);
-      assertThat(body.isFree()).as("not for a moment").isFalse();
+      assertThat(body.isAvailable()).as("not for a moment").isFalse();
       assertThat(isFree()).isFalse();
-      assertThat(body.hold().orElseThrow()).contains("ugv1/go_to_waypoint");
+      assertThat(body.holdReason().orElseThrow()).contains("ugv1/go_to_waypoint");
       restartAgent();
       assertThat(isFree()).as("its next process knows it too").isFalse();
       search.resume();
@@ -68,7 +68,7 @@ class HeldBodyTest extends BodyFixture {
     assertThat(isFree()).isFalse();
     UUID unused = driver.pursue(new LegGoal(null, at(1, 1), 1));
     modules.step(1);
-    driver.progress = Progress.reached("it is there");
+    driver.progress = GoalProgress.reached("it is there");
     assertThat(isFree()).isTrue();
     assertThat(driver.status().phase()).isEqualTo(Phase.SUCCEEDED);
   }
@@ -165,7 +165,10 @@ class HeldBodyTest extends BodyFixture {
   private void list(UUID id, boolean isStopped) {
     DriveEffector drive = BodyModules.stub(DriveEffector.class, () -> {});
     modules.list(
-        id, "drive", drive, new StopAttributes(isStopped, "somebody", modules.time.instant()));
+        id,
+        "drive",
+        drive,
+        new EmergencyStopAttributes(isStopped, "somebody", modules.time.instant()));
   }
 
   @Test
@@ -174,7 +177,7 @@ class HeldBodyTest extends BodyFixture {
       told.clear();
       UUID unused = search.pursue(FIELD);
       modules.step(1);
-      body.go(CALL, Long.MAX_VALUE, journey);
+      body.travelTo(CALL, Long.MAX_VALUE, journey);
       modules.step(1);
       assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
       if (isPaused) {
@@ -185,7 +188,7 @@ class HeldBodyTest extends BodyFixture {
       modules.step(0.6);
       assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
       assertThat(told).hasSize(1);
-      body.resume();
+      body.resumeOwnWork();
       assertThat(isFree()).isFalse();
       search.cancel();
     }
@@ -198,7 +201,7 @@ class HeldBodyTest extends BodyFixture {
     told.clear();
     modules.end(driver);
     modules.step(1);
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     Driver again = modules.add(new Driver(modules.context("go_to_waypoint")));
     modules.step(2);

@@ -33,7 +33,7 @@ class MotivesTest {
   private static final Conversation FIRST = new Conversation("uav", 1);
 
   private static RecruitmentStrategy strategy(Map<String, String> texts) {
-    return Motives.of(
+    return StrategyParser.of(
         Parameters.of("ugv1/agent", texts),
         BodyFixture.TRAITS,
         Duration.ofSeconds(5),
@@ -47,22 +47,22 @@ class MotivesTest {
   @Test
   void whatIsNotWrittenIsAsItWasMeasured() {
     ShameSettings usual =
-        ShameSettings.usual(BodyFixture.TRAITS.diagonal(), BodyFixture.TRAITS.speed());
+        ShameSettings.forField(BodyFixture.TRAITS.diagonal(), BodyFixture.TRAITS.speed());
     assertThat(usual).isEqualTo(new ShameSettings(1.5, 2, 0.1, 1, 0.5, usual.etaReference(), 0.2));
     Affective measured = new Affective(new Shame(usual));
     RecruitmentStrategy read = strategy(Map.of());
     assertThat(read.name()).isEqualTo("affective");
     for (double eta : new double[] {150, 120, 500}) {
       for (boolean busy : new boolean[] {true, false}) {
-        boolean unused = measured.answers(asked(eta, busy));
-        assertThat(read.answers(asked(eta, busy))).isFalse();
+        boolean unused = measured.shouldOffer(asked(eta, busy));
+        assertThat(read.shouldOffer(asked(eta, busy))).isFalse();
         assertThat(read.urge()).isEqualTo(measured.urge()).isPositive();
       }
     }
     RecruitmentStrategy impatient = strategy(Map.of("affect", "impatience"));
-    assertThat(impatient.answers(asked(0, false))).as("5 s of 5 s").isTrue();
-    impatient.spared();
-    assertThat(impatient.answers(asked(1e6, false))).as("5 s of 30 s").isFalse();
+    assertThat(impatient.shouldOffer(asked(0, false))).as("5 s of 5 s").isTrue();
+    impatient.onNotChosen();
+    assertThat(impatient.shouldOffer(asked(1e6, false))).as("5 s of 30 s").isFalse();
     assertThat(impatient.urge()).isCloseTo(1 / 6.0, within(1e-9));
   }
 
@@ -78,13 +78,13 @@ class MotivesTest {
                 "shame_busy", "0.3",
                 "eta_reference", "100"));
     double urge = 0.4 * 0.8 * Math.pow(0.75, 3);
-    assertThat(read.answers(asked(25, false))).isFalse();
+    assertThat(read.shouldOffer(asked(25, false))).isFalse();
     assertThat(read.urge()).as("idle").isCloseTo(urge, within(1e-9));
     urge += 0.4 * 0.3 * Math.pow(0.75, 3);
-    assertThat(read.answers(asked(25, true))).isFalse();
+    assertThat(read.shouldOffer(asked(25, true))).isFalse();
     assertThat(read.urge()).as("at work").isCloseTo(urge, within(1e-9));
     urge += 0.4 * 0.8 * 0.25;
-    assertThat(read.answers(asked(99, false))).isFalse();
+    assertThat(read.shouldOffer(asked(99, false))).isFalse();
     assertThat(read.urge()).as("the floor").isCloseTo(urge, within(1e-9));
   }
 
@@ -97,10 +97,10 @@ class MotivesTest {
                 "impatience_fastest", "10",
                 "impatience_slowest", "40",
                 "eta_reference", "100"));
-    assertThat(read.answers(asked(0, false))).isFalse();
+    assertThat(read.shouldOffer(asked(0, false))).isFalse();
     assertThat(read.urge()).as("5 s of 10 s").isCloseTo(0.5, within(1e-9));
-    read.spared();
-    assertThat(read.answers(asked(100, false))).isFalse();
+    read.onNotChosen();
+    assertThat(read.shouldOffer(asked(100, false))).isFalse();
     assertThat(read.urge()).as("5 s of 40 s").isCloseTo(0.125, within(1e-9));
   }
 
@@ -110,32 +110,32 @@ class MotivesTest {
     RecruitmentStrategy seldom = strategy(Map.of("strategy", "random", "random_chance", "0.2"));
     int offers = 0;
     for (int i = 0; i < calls; i++) {
-      offers += seldom.answers(asked(9, false)) ? 1 : 0;
+      offers += seldom.shouldOffer(asked(9, false)) ? 1 : 0;
     }
     // five standard deviations of 40
     assertThat(offers).as("of " + calls + " with seed " + SEED).isBetween(1800, 2200);
     RecruitmentStrategy always = strategy(Map.of("strategy", "random", "random_chance", "1"));
     for (int i = 0; i < calls; i++) {
-      assertThat(always.answers(asked(9, false))).isTrue();
+      assertThat(always.shouldOffer(asked(9, false))).isTrue();
     }
     RecruitmentStrategy usual = strategy(Map.of("strategy", "random"));
     SplittableRandom coin = new SplittableRandom(SEED);
     for (int i = 0; i < calls; i++) {
-      assertThat(usual.answers(asked(9, false)))
+      assertThat(usual.shouldOffer(asked(9, false)))
           .as("draw " + i + " as it was measured")
           .isEqualTo(coin.nextBoolean());
     }
   }
 
   private static Duration awaited(Map<String, String> texts) {
-    RecruitmentSettings settings = TimeOuts.of(Parameters.of("uav/agent", texts));
+    RecruitmentSettings settings = RecruitmentSettingsParser.of(Parameters.of("uav/agent", texts));
     RequesterMachine machine = new RequesterMachine(settings, new Greedy());
     HelpCall call =
         new HelpCall(
             "mine", new GeoPosition(48, 11, 0), Duration.ofSeconds(9), Duration.ofSeconds(99));
     RequesterState calling = machine.call(RequesterState.idle(FIRST), call, NOW).state();
     Accept offer = new Accept(calling.conversation(), 0, Duration.ofSeconds(10), 1);
-    return Duration.between(NOW, machine.hear(calling, "ugv1", offer, NOW).state().due());
+    return Duration.between(NOW, machine.receive(calling, "ugv1", offer, NOW).state().due());
   }
 
   @Test

@@ -14,10 +14,10 @@ import java.util.UUID;
 import org.dfra.agent.HelpCall;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.LegGoal;
-import org.dfra.core.behavior.Progress;
+import org.dfra.core.behavior.GoalProgress;
 import org.dfra.core.state.StateStore;
 import org.dfra.flow.effector.DriveEffector;
-import org.dfra.flow.effector.StopState;
+import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.module.Readiness;
 import org.dfra.recruit.agent.BodyModules.Driver;
 import org.junit.jupiter.api.AfterEach;
@@ -28,19 +28,19 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** What an agent's process began that died, and its next one finds. */
 class OrphanedTripTest extends BodyFixture {
 
-  private final List<RobotBody> dead = new ArrayList<>(); // who must not do anything any more
+  private final List<ModuleRobotPort> dead = new ArrayList<>(); // who must not do anything any more
 
   @AfterEach
   void endTheDead() {
-    dead.forEach(RobotBody::close);
+    dead.forEach(ModuleRobotPort::close);
   }
 
   /** The agent's process dies, and what drives does not; what the dead one says is not heard. */
   private UUID bereave() {
-    body.go(
+    body.travelTo(
         CALL,
         Long.MAX_VALUE,
-        new Body.Journey() {
+        new RobotPort.TravelListener() {
           @Override
           public void arrived() {}
 
@@ -56,11 +56,11 @@ class OrphanedTripTest extends BodyFixture {
   @Test
   void whatItsDeadProcessHasBegunIsFollowed() {
     UUID goal = bereave();
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(3);
     assertThat(driver.status().goal()).as("it goes on").isEqualTo(goal);
     assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
-    driver.progress = Progress.reached("it is there");
+    driver.progress = GoalProgress.reached("it is there");
     modules.step(1);
     assertThat(told).containsExactly("arrived");
     assertThat(driver.status().goal()).isEqualTo(goal);
@@ -79,14 +79,14 @@ class OrphanedTripTest extends BodyFixture {
       }
       modules.hide(driver); // in a new process nothing is found at first
       told.clear();
-      body.go(CALL, Long.MAX_VALUE, journey);
+      body.travelTo(CALL, Long.MAX_VALUE, journey);
       modules.step(2);
       modules.show(driver);
       modules.step(2);
       assertThat(told).hasSize(1).doesNotContain("arrived");
       assertThat(driver.status().goal()).as("none is begun").isEqualTo(goal);
       assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
-      body.resume();
+      body.resumeOwnWork();
       modules.step(3);
       assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
       search.cancel(raster);
@@ -98,7 +98,7 @@ class OrphanedTripTest extends BodyFixture {
   void anAgentThatCannotReadWhatItKeptStopsItsRobotAndResumesNothing() throws IOException {
     UUID unused = search.pursue(FIELD);
     modules.step(1);
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
     modules.context("agent").state().write("recruitment", new byte[] {1, 2, 3});
@@ -118,7 +118,7 @@ class OrphanedTripTest extends BodyFixture {
     UUID unused = bereave();
     driver.pause();
     modules.hide(driver);
-    body.resume(); // it helps nobody any more
+    body.resumeOwnWork(); // it helps nobody any more
     modules.step(3);
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
     modules.show(driver);
@@ -134,14 +134,15 @@ class OrphanedTripTest extends BodyFixture {
     UUID unused = bereave();
     modules.end(driver);
     modules.step(1);
-    wheels.stop = new StopState(false, "a test", modules.time.instant(), true, null); // released
+    wheels.stop =
+        new EmergencyStopState(false, "a test", modules.time.instant(), true, null); // released
     Driver again = modules.add(new Driver(modules.context("go_to_waypoint")));
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(3);
     assertThat(told).containsExactly("it was stopped for an emergency after it was asked to come");
     assertThat(again.goal).as("nothing is begun").isNull();
     told.clear();
-    body.go(CALL, Long.MAX_VALUE, journey); // asked anew
+    body.travelTo(CALL, Long.MAX_VALUE, journey); // asked anew
     modules.step(1);
     assertThat(told).isEmpty();
     assertThat(again.status().phase()).isEqualTo(Phase.RUNNING);
@@ -152,7 +153,7 @@ class OrphanedTripTest extends BodyFixture {
   void aTripIsNotBegunAnewBeforeItsWheelsAreFoundAgain() throws IOException {
     StoppedDrive wheels = new StoppedDrive(modules);
     modules.step(1);
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     StateStore kept = modules.context("agent").state();
     byte[] trip = kept.read("trip").orElseThrow();
@@ -160,10 +161,11 @@ class OrphanedTripTest extends BodyFixture {
     body.close();
     kept.write("trip", trip); // as where its process is killed
     wheels.hide();
-    wheels.stop = new StopState(false, "a test", modules.time.instant(), true, null); // released
+    wheels.stop =
+        new EmergencyStopState(false, "a test", modules.time.instant(), true, null); // released
     Driver next = modules.add(new Driver(modules.context("go_to_waypoint")));
     body = body();
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(3);
     assertThat(next.goal).as("nothing is begun").isNull();
     assertThat(told).as("it waits").isEmpty();
@@ -176,9 +178,9 @@ class OrphanedTripTest extends BodyFixture {
   @Test
   void aLegThatWasLostIsBegunAnewUnlessTheWheelsWereStoppedSince() throws RemoteException {
     StoppedDrive wheels = new StoppedDrive(modules);
-    wheels.stop = new StopState(false, "a test", modules.time.instant(), true, null);
+    wheels.stop = new EmergencyStopState(false, "a test", modules.time.instant(), true, null);
     modules.step(1);
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     LegGoal own = Objects.requireNonNull(driver.goal);
     Driver second = restarted(driver);
@@ -186,7 +188,7 @@ class OrphanedTripTest extends BodyFixture {
     assertThat(second.goal).as("not stopped since").isEqualTo(own);
     assertThat(second.status().phase()).isEqualTo(Phase.RUNNING);
     Driver third = restarted(second);
-    wheels.stop = new StopState(false, "a test", modules.time.instant(), true, null);
+    wheels.stop = new EmergencyStopState(false, "a test", modules.time.instant(), true, null);
     modules.step(1);
     assertThat(third.goal).as("it is not begun anew").isNull();
     assertThat(told).hasSize(1);
@@ -196,11 +198,11 @@ class OrphanedTripTest extends BodyFixture {
   @Test
   void anEmergencyStopIsNoticedThoughTheClockWasSetBackBeforeIt() {
     StoppedDrive wheels = new StoppedDrive(modules);
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     modules.set = Duration.ofHours(-1);
     Driver next = restarted(driver);
-    wheels.stop = new StopState(false, "a test", modules.wall(), true, null);
+    wheels.stop = new EmergencyStopState(false, "a test", modules.wall(), true, null);
     modules.step(1);
     assertThat(next.goal).as("it is not begun anew").isNull();
     assertThat(told).containsExactly("it was stopped for an emergency after it was asked to come");
@@ -211,13 +213,13 @@ class OrphanedTripTest extends BodyFixture {
   @ValueSource(booleans = {false, true})
   void anEarlierEmergencyStopDoesNotCountThoughTheClockWasSetBackAfterIt(boolean isOrphaned) {
     StoppedDrive wheels = new StoppedDrive(modules);
-    wheels.stop = new StopState(false, "a test", modules.wall(), true, null);
+    wheels.stop = new EmergencyStopState(false, "a test", modules.wall(), true, null);
     modules.step(1);
     modules.set = Duration.ofHours(-1);
     if (isOrphaned) {
       UUID unused = bereave();
     }
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     assertThat(told).isEmpty();
     assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
@@ -241,7 +243,7 @@ class OrphanedTripTest extends BodyFixture {
     for (boolean isPaused : List.of(true, false)) {
       told.clear();
       body.endHold();
-      body.go(CALL, Long.MAX_VALUE, journey);
+      body.travelTo(CALL, Long.MAX_VALUE, journey);
       modules.step(1);
       last = restarted(last);
       if (isPaused) {
@@ -253,9 +255,9 @@ class OrphanedTripTest extends BodyFixture {
       assertThat(last.goal).as("nothing is begun").isNull();
       assertThat(last.status().phase()).isEqualTo(Phase.CANCELLED);
       assertThat(told).hasSize(1);
-      body.resume();
+      body.resumeOwnWork();
       modules.step(0.1);
-      assertThat(body.isFree()).as("it answers no call").isFalse();
+      assertThat(body.isAvailable()).as("it answers no call").isFalse();
     }
   }
 
@@ -266,7 +268,7 @@ class OrphanedTripTest extends BodyFixture {
     for (boolean isPaused : List.of(true, false)) {
       told.clear();
       body.endHold();
-      body.go(CALL, Long.MAX_VALUE, journey);
+      body.travelTo(CALL, Long.MAX_VALUE, journey);
       modules.step(1);
       if (isPaused) {
         last.pause();
@@ -277,15 +279,15 @@ class OrphanedTripTest extends BodyFixture {
       modules.step(3);
       assertThat(last.goal).as("nothing is begun").isNull();
       assertThat(told).hasSize(1);
-      body.resume();
+      body.resumeOwnWork();
       modules.step(0.1);
-      assertThat(body.isFree()).as("it answers no call").isFalse();
+      assertThat(body.isAvailable()).as("it answers no call").isFalse();
     }
   }
 
   @Test
   void aLegOfWhichNobodyKnowsWhetherItWasStoppedIsNotBegunAnew() {
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     modules.end(driver);
     modules.forget("go_to_waypoint"); // its disk was lost
@@ -295,14 +297,14 @@ class OrphanedTripTest extends BodyFixture {
     assertThat(told)
         .containsExactly(
             "what drives it forgot its leg, so nobody knows whether somebody stopped it");
-    body.resume();
+    body.resumeOwnWork();
     modules.step(1);
-    assertThat(body.hold()).isPresent();
+    assertThat(body.holdReason()).isPresent();
     body.close();
     body = body();
-    assertThat(body.hold()).as("the next process knows it too").isPresent();
+    assertThat(body.holdReason()).as("the next process knows it too").isPresent();
     body.endHold();
-    assertThat(body.hold()).isEmpty();
+    assertThat(body.holdReason()).isEmpty();
   }
 
   /** Wheels of which only their emergency stop is asked. */
@@ -311,7 +313,7 @@ class OrphanedTripTest extends BodyFixture {
     private final BodyModules modules;
     private final UUID id = UUID.randomUUID();
     private final DriveEffector drive;
-    private volatile StopState stop = StopState.NEVER;
+    private volatile EmergencyStopState stop = EmergencyStopState.NEVER;
 
     StoppedDrive(BodyModules modules) {
       this.modules = modules;
@@ -342,9 +344,9 @@ class OrphanedTripTest extends BodyFixture {
   @Test
   void whatItsDeadProcessHasBegunIsCalledOff() {
     UUID goal = bereave();
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
-    body.resume();
+    body.resumeOwnWork();
     modules.step(1);
     assertThat(driver.status().goal()).isEqualTo(goal);
     assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
@@ -354,7 +356,7 @@ class OrphanedTripTest extends BodyFixture {
   void whatItsDeadProcessHasBegunEndsAsSoonAsItIsFoundWhereItHelpsNobody() {
     UUID goal = bereave();
     modules.hide(driver);
-    body.resume();
+    body.resumeOwnWork();
     modules.step(1);
     assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
     modules.show(driver);
@@ -368,9 +370,9 @@ class OrphanedTripTest extends BodyFixture {
     UUID goal = bereave();
     HelpCall other =
         new HelpCall("mine", at(5, 5), Duration.ofSeconds(20), Duration.ofSeconds(100));
-    body.go(other, Long.MAX_VALUE, journey);
+    body.travelTo(other, Long.MAX_VALUE, journey);
     modules.step(2);
-    assertThat(driver.goal).isEqualTo(new LegGoal(null, other.place(), 0.7));
+    assertThat(driver.goal).isEqualTo(new LegGoal(null, other.position(), 0.7));
     assertThat(driver.status().goal()).isNotEqualTo(goal);
     assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
   }
@@ -380,7 +382,7 @@ class OrphanedTripTest extends BodyFixture {
     UUID unused = bereave();
     driver.cancel();
     UUID others = driver.pursue(new LegGoal(null, at(1, 1), 1));
-    body.resume();
+    body.resumeOwnWork();
     modules.step(2);
     assertThat(driver.status().goal()).isEqualTo(others);
     assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);

@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.UUID;
 import org.dfra.agent.HelpCall;
-import org.dfra.agent.HelpRefusedException;
+import org.dfra.agent.HelpCallRejectedException;
 import org.dfra.agent.RecruitmentAgent;
 import org.dfra.agent.RequesterPhase;
 import org.dfra.core.config.ConfigurationException;
@@ -24,16 +24,16 @@ import org.dfra.core.directory.InMemoryModuleDirectory;
 import org.dfra.core.lease.LeaseTerms;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.state.StateStore;
+import org.dfra.directory.DirectoryRegistration;
 import org.dfra.directory.Locality;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
-import org.dfra.directory.Watch;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ModuleAttributes;
-import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.message.MessageEnvelope;
 import org.dfra.recruit.transport.VirtualTime;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -51,8 +51,8 @@ class RecruitmentAgentImplTest {
   private final InMemoryModuleDirectory directory = new InMemoryModuleDirectory(time);
   private final StateStore kept = StateStore.inMemory();
   private final List<RecruitmentAgentImpl> made = new ArrayList<>();
-  private final Map<RecruitmentAgentImpl, Watch> listed = new HashMap<>();
-  private final List<Letter> heard = new ArrayList<>();
+  private final Map<RecruitmentAgentImpl, DirectoryRegistration> listed = new HashMap<>();
+  private final List<MessageEnvelope> heard = new ArrayList<>();
 
   @AfterEach
   void end() {
@@ -63,13 +63,13 @@ class RecruitmentAgentImplTest {
   private RecruitmentAgentImpl agent(String robot, StateStore state, Map<String, String> texts) {
     ModuleContext context =
         new ModuleContext(robot, "recruit", Parameters.of(robot + "/recruit", texts), time, state)
-            .among(directory);
+            .withDirectory(directory);
     RecruitmentAgentImpl agent =
         new RecruitmentAgentImpl(
             context,
             new RecruiterListener() {
               @Override
-              public void heard(Letter letter) {
+              public void received(MessageEnvelope letter) {
                 heard.add(letter);
               }
             });
@@ -89,14 +89,15 @@ class RecruitmentAgentImplTest {
     agent("ugv1", StateStore.inMemory(), Map.of("percepts", "mine, heat"));
     agent("ugv2", StateStore.inMemory(), Map.of("percepts", "heat"));
     time.advance(Duration.ofSeconds(1));
-    uav.help(call("mine"));
+    uav.callForHelp(call("mine"));
     time.advance(Duration.ofSeconds(1));
     assertThat(heard).as("one can observe mines").hasSize(1);
     assertThat(heard.get(0).sender()).isEqualTo("uav");
-    assertThat(uav.status().requester()).isEqualTo(RequesterPhase.CALLING);
-    assertThatThrownBy(() -> uav.help(call("gold"))).isInstanceOf(HelpRefusedException.class);
+    assertThat(uav.status().requesterPhase()).isEqualTo(RequesterPhase.CALLING);
+    assertThatThrownBy(() -> uav.callForHelp(call("gold")))
+        .isInstanceOf(HelpCallRejectedException.class);
     uav.release();
-    assertThatThrownBy(() -> uav.help(call("gold")))
+    assertThatThrownBy(() -> uav.callForHelp(call("gold")))
         .hasMessage("nobody in reach of uav can observe \"gold\"; others observe heat, mine");
   }
 
@@ -112,8 +113,8 @@ class RecruitmentAgentImplTest {
         one.attributes().stream().map(each -> elsewhere(each)).toList(),
         Locality.REMOTE);
     time.advance(Duration.ofSeconds(1));
-    assertThatThrownBy(() -> uav.help(call("mine")))
-        .isInstanceOf(HelpRefusedException.class)
+    assertThatThrownBy(() -> uav.callForHelp(call("mine")))
+        .isInstanceOf(HelpCallRejectedException.class)
         .hasMessage(
             "uav calls nobody who can observe \"mine\": 2 robots are named ugv1, on 10.0.0.6 and"
                 + " localhost; give each a name of its own in its XML");
@@ -141,7 +142,7 @@ class RecruitmentAgentImplTest {
     agent("ugv1", StateStore.inMemory(), Map.of("percepts", "mine"));
     RecruitmentAgentImpl uav = agent("uav", kept, Map.of());
     time.advance(Duration.ofSeconds(1));
-    uav.help(call("mine"));
+    uav.callForHelp(call("mine"));
     uav.close();
     made.remove(uav);
     listed.get(uav).close();
@@ -149,12 +150,12 @@ class RecruitmentAgentImplTest {
     long last = heard.get(heard.size() - 1).number();
     heard.clear();
     RecruitmentAgentImpl again = agent("uav", kept, Map.of());
-    assertThat(again.status().requester()).isEqualTo(RequesterPhase.CALLING);
+    assertThat(again.status().requesterPhase()).isEqualTo(RequesterPhase.CALLING);
     time.advance(Duration.ofSeconds(70));
     assertThat(heard).as("it goes on calling").isNotEmpty();
     assertThat(heard.get(0).number()).as("numbers go on growing").isGreaterThan(last);
-    assertThat(again.status().requester()).isEqualTo(RequesterPhase.IDLE);
-    assertThat(again.status().doing()).contains("nobody offered to come in time");
+    assertThat(again.status().requesterPhase()).isEqualTo(RequesterPhase.IDLE);
+    assertThat(again.status().lastChange()).contains("nobody offered to come in time");
   }
 
   /** Somebody may be on the way to help it, or wait for its help. */
@@ -164,25 +165,25 @@ class RecruitmentAgentImplTest {
     byte[] damaged = {0, 1, 2, 3, 4, 5, 6, 7};
     Files.write(file, damaged);
     agent("ugv1", StateStore.inMemory(), Map.of("percepts", "mine"));
-    RecruitmentAgentImpl uav = agent("uav", StateStore.in(folder), Map.of());
+    RecruitmentAgentImpl uav = agent("uav", StateStore.inFolder(folder), Map.of());
     time.advance(Duration.ofSeconds(1));
     assertThat(uav.readiness()).isEqualTo(Readiness.FAILED);
-    assertThat(uav.unreadiness().orElseThrow())
+    assertThat(uav.notReadyReason().orElseThrow())
         .startsWith("what it kept of its conversations in " + file + " cannot be understood: ")
         .endsWith(
             "; move that file away, by which it forgets its call and its promises, and restart it:"
                 + " ./dfra module stop uav/recruit, then ./dfra module start uav/recruit");
-    assertThatThrownBy(() -> uav.help(call("mine"))).isInstanceOf(NotReadyException.class);
-    assertThat(uav.status().doing()).isEqualTo(uav.unreadiness().orElseThrow());
+    assertThatThrownBy(() -> uav.callForHelp(call("mine"))).isInstanceOf(NotReadyException.class);
+    assertThat(uav.status().lastChange()).isEqualTo(uav.notReadyReason().orElseThrow());
     assertThat(file).as("nothing is written over it").hasBinaryContent(damaged);
     listed.get(uav).close();
     uav.close();
     made.remove(uav);
     Files.delete(file);
-    RecruitmentAgentImpl again = agent("uav", StateStore.in(folder), Map.of());
+    RecruitmentAgentImpl again = agent("uav", StateStore.inFolder(folder), Map.of());
     time.advance(Duration.ofSeconds(1));
-    again.help(call("mine"));
-    assertThat(again.status().requester()).isEqualTo(RequesterPhase.CALLING);
+    again.callForHelp(call("mine"));
+    assertThat(again.status().requesterPhase()).isEqualTo(RequesterPhase.CALLING);
   }
 
   /** As for want of file descriptors: there is nothing wrong with the file. */
@@ -190,10 +191,10 @@ class RecruitmentAgentImplTest {
   void itAsksOnlyForARestartWhereWhatItKeptCannotBeReadNow(@TempDir Path folder)
       throws IOException {
     Path file = Files.createDirectory(folder.resolve("recruitment")); // so reading fails
-    RecruitmentAgentImpl uav = agent("uav", StateStore.in(folder), Map.of());
+    RecruitmentAgentImpl uav = agent("uav", StateStore.inFolder(folder), Map.of());
     time.advance(Duration.ofSeconds(1));
     assertThat(uav.readiness()).isEqualTo(Readiness.FAILED);
-    assertThat(uav.unreadiness().orElseThrow())
+    assertThat(uav.notReadyReason().orElseThrow())
         .startsWith("what it kept of its conversations in " + file + " cannot be read: ")
         .endsWith(
             "; restart it when it can be read: ./dfra module stop uav/recruit, then ./dfra module"
@@ -215,7 +216,8 @@ class RecruitmentAgentImplTest {
     agent("ugv1", StateStore.inMemory(), Map.of("percepts", "mine"));
     RecruitmentAgentImpl uav = agent("uav", kept, Map.of("field", "28.10,-82.42 28.11,-82.41"));
     time.advance(Duration.ofSeconds(1));
-    assertThatThrownBy(() -> uav.help(call("mine"))).hasMessageContaining("outside the field");
+    assertThatThrownBy(() -> uav.callForHelp(call("mine")))
+        .hasMessageContaining("outside the field");
   }
 
   @Test
@@ -223,20 +225,20 @@ class RecruitmentAgentImplTest {
     agent("ugv1", StateStore.inMemory(), Map.of("percepts", "mine"));
     RecruitmentAgentImpl uav = agent("uav", kept, Map.of("help_every", "0.5"));
     time.advance(Duration.ofSeconds(1));
-    uav.help(call("mine"));
+    uav.callForHelp(call("mine"));
     time.advance(Duration.ofMillis(1700));
     assertThat(heard).as("calls after 0, 0.5, 1 and 1.5 s").hasSize(4);
   }
 
   @Test
   void aStayMayBeLongerThanLeasesUsuallyAre() {
-    Duration usual = LeaseTerms.USUAL.longest();
+    Duration usual = LeaseTerms.DEFAULT.maxDuration();
     LeaseTerms terms = agent("ugv1", kept, Map.of()).leases().terms();
-    assertThat(terms.longest()).isEqualTo(Duration.ofMinutes(10)).isGreaterThan(usual);
-    assertThat(terms.usual()).isEqualTo(LeaseTerms.USUAL.usual());
+    assertThat(terms.maxDuration()).isEqualTo(Duration.ofMinutes(10)).isGreaterThan(usual);
+    assertThat(terms.defaultDuration()).isEqualTo(LeaseTerms.DEFAULT.defaultDuration());
     LeaseTerms brief =
         agent("ugv2", StateStore.inMemory(), Map.of("longest_stay", "2")).leases().terms();
-    assertThat(brief.longest()).isEqualTo(Duration.ofSeconds(2));
+    assertThat(brief.maxDuration()).isEqualTo(Duration.ofSeconds(2));
   }
 
   @ParameterizedTest
@@ -324,6 +326,6 @@ class RecruitmentAgentImplTest {
         .filter(each -> each.name().equals("disagreements"))
         .findFirst()
         .orElseThrow()
-        .text();
+        .value();
   }
 }

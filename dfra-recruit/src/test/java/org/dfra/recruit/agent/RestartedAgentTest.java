@@ -10,7 +10,7 @@ import java.util.UUID;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.HomeGoal;
 import org.dfra.behavior.ReturnHome;
-import org.dfra.core.behavior.Progress;
+import org.dfra.core.behavior.GoalProgress;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.recruit.agent.BodyModules.Homing;
 import org.junit.jupiter.api.AfterEach;
@@ -21,11 +21,11 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** A new process of an agent moves nothing before it has asked all that may have been stopped. */
 class RestartedAgentTest extends BodyFixture {
 
-  private final List<RobotBody> dead = new ArrayList<>();
+  private final List<ModuleRobotPort> dead = new ArrayList<>();
 
   @AfterEach
   void endTheDead() {
-    dead.forEach(RobotBody::close);
+    dead.forEach(ModuleRobotPort::close);
   }
 
   /** The agent's process is killed, and another finds all modules of the robot but that. */
@@ -38,18 +38,18 @@ class RestartedAgentTest extends BodyFixture {
   private boolean isFree() {
     position.see(0, 0);
     modules.step(0.1);
-    return body.isFree();
+    return body.isAvailable();
   }
 
   @Test
   void aLegStopsUntilItIsKnownWhetherSomebodyPausedTheSearchMeanwhile() throws RemoteException {
     UUID unused = search.pursue(FIELD);
     modules.step(1);
-    body.go(CALL, Long.MAX_VALUE, new NoJourney());
+    body.travelTo(CALL, Long.MAX_VALUE, new NoJourney());
     modules.step(1);
     restartWithout(search);
     search.pause();
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(0.6);
     assertThat(driver.status().phase()).as("the leg").isEqualTo(Phase.CANCELLED);
     assertThat(told).as("it waits").isEmpty();
@@ -63,10 +63,10 @@ class RestartedAgentTest extends BodyFixture {
   void aLegGoesOnWithinASecondWhereNobodyStoppedAnything() throws RemoteException {
     UUID unused = search.pursue(FIELD);
     modules.step(1);
-    body.go(CALL, Long.MAX_VALUE, new NoJourney());
+    body.travelTo(CALL, Long.MAX_VALUE, new NoJourney());
     modules.step(1);
     restartWithout(search);
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(0.6);
     assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
     modules.show(search);
@@ -84,7 +84,7 @@ class RestartedAgentTest extends BodyFixture {
     UUID unused = homing.pursue(new HomeGoal(1));
     homing.pause();
     assertThat(isFree()).as("it answers no call").isFalse();
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(3);
     assertThat(driver.goal).isNull();
     modules.show(homing);
@@ -98,16 +98,16 @@ class RestartedAgentTest extends BodyFixture {
   void itStaysAndSaysSoWhereABehaviourOfItIsNotFoundInTime() throws RemoteException {
     body.close();
     restartWithout(search);
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(9);
     assertThat(told).isEmpty();
     modules.step(2);
     assertThat(driver.goal).isNull();
     assertThat(told).hasSize(1);
     assertThat(told.get(0)).contains("ugv1/raster_search", "./dfra recruit resume ugv1");
-    body.resume();
+    body.resumeOwnWork();
     modules.step(0.1);
-    assertThat(body.hold()).isPresent();
+    assertThat(body.holdReason()).isPresent();
     assertThat(isFree()).isFalse();
     body.endHold();
     modules.step(1);
@@ -124,19 +124,19 @@ class RestartedAgentTest extends BodyFixture {
     body.close();
     modules.list(id, "return_home", BodyModules.stub(ReturnHome.class, () -> {}));
     body = body();
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(9);
     assertThat(told).isEmpty();
     modules.step(2);
     assertThat(told).hasSize(1);
     assertThat(told.get(0))
         .contains("ugv1/return_home does not answer", "./dfra module kill ugv1/return_home");
-    assertThat(body.hold()).hasValue(told.get(0));
+    assertThat(body.holdReason()).hasValue(told.get(0));
     modules.directory.remove(id);
-    assertThat(body.hold().orElseThrow()).contains("does not find ugv1/return_home");
+    assertThat(body.holdReason().orElseThrow()).contains("does not find ugv1/return_home");
     Homing again = modules.add(new Homing(modules.context("return_home")));
     modules.step(1);
-    assertThat(body.hold()).as("it answers").isEmpty();
+    assertThat(body.holdReason()).as("it answers").isEmpty();
     assertThat(again.goal).isNull();
   }
 
@@ -145,11 +145,11 @@ class RestartedAgentTest extends BodyFixture {
     Homing homing = modules.add(new Homing(modules.context("return_home")));
     UUID unused = search.pursue(FIELD);
     modules.step(1);
-    body.go(CALL, Long.MAX_VALUE, new NoJourney());
+    body.travelTo(CALL, Long.MAX_VALUE, new NoJourney());
     modules.step(1);
     body.close();
     restartWithout(homing);
-    body.resume(); // it helps nobody any more
+    body.resumeOwnWork(); // it helps nobody any more
     modules.step(2);
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
     modules.show(homing);
@@ -163,17 +163,17 @@ class RestartedAgentTest extends BodyFixture {
     Homing homing = modules.add(new Homing(modules.context("return_home")));
     UUID unused = search.pursue(FIELD);
     modules.step(1);
-    body.go(CALL, Long.MAX_VALUE, new NoJourney());
+    body.travelTo(CALL, Long.MAX_VALUE, new NoJourney());
     modules.step(1);
     body.close();
     restartWithout(homing);
-    body.resume();
+    body.resumeOwnWork();
     modules.step(11);
-    assertThat(body.hold()).isPresent();
+    assertThat(body.holdReason()).isPresent();
     body.endHold();
     modules.step(2);
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
-    assertThat(body.hold()).isEmpty();
+    assertThat(body.holdReason()).isEmpty();
     modules.show(homing);
   }
 
@@ -182,10 +182,10 @@ class RestartedAgentTest extends BodyFixture {
   void aLegThatWaitsIsGivenUpWhereAPersonEndsTheHold() throws RemoteException {
     UUID unused = search.pursue(FIELD);
     modules.step(1);
-    body.go(CALL, Long.MAX_VALUE, new NoJourney());
+    body.travelTo(CALL, Long.MAX_VALUE, new NoJourney());
     modules.step(1);
     restartWithout(search);
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     assertThat(told).as("it waits").isEmpty();
     body.endHold();
@@ -194,12 +194,12 @@ class RestartedAgentTest extends BodyFixture {
     assertThat(driver.status().phase()).as("nothing moves").isEqualTo(Phase.CANCELLED);
     assertThat(told).hasSize(1);
     assertThat(told.get(0)).contains("waits for the next call");
-    body.resume();
+    body.resumeOwnWork();
     modules.step(2);
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
     search.resume();
     modules.step(1);
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     assertThat(driver.status().phase()).as("the next call").isEqualTo(Phase.RUNNING);
   }
@@ -207,10 +207,10 @@ class RestartedAgentTest extends BodyFixture {
   /** What drives the leg of the dead process is not found either. */
   @Test
   void aLegThatIsNotFoundYetIsEndedWhereAPersonEndsTheHold() {
-    body.go(CALL, Long.MAX_VALUE, new NoJourney());
+    body.travelTo(CALL, Long.MAX_VALUE, new NoJourney());
     modules.step(1);
     restartWithout(driver);
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     body.endHold();
     assertThat(told).hasSize(1);
@@ -228,18 +228,18 @@ class RestartedAgentTest extends BodyFixture {
     modules.step(1);
     body.close();
     body = body();
-    body.resume(); // as an agent does that helps nobody
+    body.resumeOwnWork(); // as an agent does that helps nobody
     modules.step(2);
     body.endHold();
     search.resume();
     modules.step(1);
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
-    driver.progress = Progress.reached("it is there");
+    driver.progress = GoalProgress.reached("it is there");
     modules.step(1);
     assertThat(told).containsExactly("arrived");
-    body.resume();
+    body.resumeOwnWork();
     modules.step(2);
     assertThat(search.status().phase()).isEqualTo(Phase.RUNNING);
   }
@@ -252,7 +252,7 @@ class RestartedAgentTest extends BodyFixture {
     Homing homing = modules.add(new Homing(modules.context("return_home")));
     UUID unused = search.pursue(FIELD);
     modules.step(1);
-    body.go(CALL, Long.MAX_VALUE, new NoJourney());
+    body.travelTo(CALL, Long.MAX_VALUE, new NoJourney());
     modules.step(1);
     body.close();
     modules.context("agent").state().write("hold", new byte[0]);
@@ -262,7 +262,7 @@ class RestartedAgentTest extends BodyFixture {
       homing.pause();
       assertThat(homing.status().goal()).isEqualTo(home);
     }
-    body.resume();
+    body.resumeOwnWork();
     modules.step(5);
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
     assertThat(isFree()).as("it answers no call").isFalse();
@@ -274,7 +274,7 @@ class RestartedAgentTest extends BodyFixture {
   }
 
   /** What a dead process would have been told. */
-  private static final class NoJourney implements Body.Journey {
+  private static final class NoJourney implements RobotPort.TravelListener {
     @Override
     public void arrived() {}
 

@@ -16,7 +16,7 @@ import org.dfra.agent.ResponderPhase;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.LegGoal;
 import org.dfra.behavior.RasterSearch;
-import org.dfra.core.behavior.Progress;
+import org.dfra.core.behavior.GoalProgress;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.recruit.agent.BodyModules.Driver;
@@ -30,10 +30,10 @@ class RobotBodyTest extends BodyFixture {
   @Test
   void theTimeToAPlaceIsThatOfItsWayAtItsSpeed() {
     // 50 m as the crow flies, a fifth more to drive, half a metre in a second.
-    assertThat(body.eta(CALL.place()).orElseThrow()).isBetween(millis(119_900), millis(120_100));
+    assertThat(body.eta(CALL.position()).orElseThrow()).isBetween(millis(119_900), millis(120_100));
     position.see(30, 20);
     modules.step(0.1);
-    assertThat(body.eta(CALL.place()).orElseThrow()).isBetween(millis(47_950), millis(48_050));
+    assertThat(body.eta(CALL.position()).orElseThrow()).isBetween(millis(47_950), millis(48_050));
     assertThat(body.canObserve("mine")).isTrue();
     assertThat(body.canObserve("heat")).isFalse();
     assertThat(body.isInField(at(99, 49))).isTrue();
@@ -46,16 +46,16 @@ class RobotBodyTest extends BodyFixture {
 
   @Test
   void itGoesThereAndTellsThatItHasArrivedOnce() {
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
-    assertThat(driver.goal).isEqualTo(new LegGoal(null, CALL.place(), 0.7));
+    assertThat(driver.goal).isEqualTo(new LegGoal(null, CALL.position(), 0.7));
     assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
     assertThat(told).isEmpty();
-    driver.progress = Progress.reached("it is there");
+    driver.progress = GoalProgress.reached("it is there");
     modules.step(5);
     assertThat(told).containsExactly("arrived");
     body.observe(CALL);
-    body.resume();
+    body.resumeOwnWork();
     modules.step(5);
     assertThat(told).containsExactly("arrived");
     assertThat(driver.status().phase()).isEqualTo(Phase.SUCCEEDED);
@@ -63,18 +63,18 @@ class RobotBodyTest extends BodyFixture {
 
   @Test
   void whatDrivesItLearnsWhenItsLeaseOfTheTaskEnds() {
-    body.go(CALL, modules.time.nanos() + 20_000_000_000L, journey);
+    body.travelTo(CALL, modules.time.nanos() + 20_000_000_000L, journey);
     modules.step(1);
     LegGoal goal = (LegGoal) Objects.requireNonNull(driver.goal);
-    assertThat(goal.limit()).isBetween(Duration.ofSeconds(18), Duration.ofSeconds(20));
+    assertThat(goal.timeLimit()).isBetween(Duration.ofSeconds(18), Duration.ofSeconds(20));
   }
 
   @Test
   void aLongerLeaseOfTheTaskReachesWhatDrivesWithoutAStop() {
-    body.go(CALL, modules.time.nanos() + 20_000_000_000L, journey);
+    body.travelTo(CALL, modules.time.nanos() + 20_000_000_000L, journey);
     modules.step(1);
     UUID leg = Objects.requireNonNull(driver.status().goal());
-    body.extend(modules.time.nanos() + 60_000_000_000L);
+    body.extendLease(modules.time.nanos() + 60_000_000_000L);
     modules.step(0.1);
     assertThat(driver.limit).isBetween(Duration.ofSeconds(59), Duration.ofSeconds(60));
     modules.step(30);
@@ -86,7 +86,7 @@ class RobotBodyTest extends BodyFixture {
   /** As that of a process that was suspended. */
   @Test
   void onceItsLeaseOfTheTaskIsOverItDoesNotBeginToMove() {
-    body.go(CALL, modules.time.nanos() - 1, journey);
+    body.travelTo(CALL, modules.time.nanos() - 1, journey);
     modules.step(5);
     assertThat(driver.goal).isNull();
     assertThat(told).containsExactly("its lease of the task is over");
@@ -94,19 +94,19 @@ class RobotBodyTest extends BodyFixture {
 
   @Test
   void itTellsWhyItWillNotGetThere() {
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
-    driver.progress = Progress.failed("an obstacle is in the way", 0.5);
+    driver.progress = GoalProgress.failed("an obstacle is in the way", 0.5);
     modules.step(5);
     assertThat(told).containsExactly("an obstacle is in the way");
   }
 
   @Test
   void itWillNotGetThereWhereItsLegIsPausedAsByABrake() {
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     assertThat(driver.attended).as("no brake is released for others").containsExactly(false);
-    driver.progress = Progress.held("ugv1/drive has its brake set", 0.5);
+    driver.progress = GoalProgress.paused("ugv1/drive has its brake set", 0.5);
     modules.step(5);
     assertThat(told).containsExactly("ugv1/drive has its brake set");
     assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
@@ -117,9 +117,9 @@ class RobotBodyTest extends BodyFixture {
 
   @Test
   void onceCalledOffItStandsAndTellsNothing() {
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
-    body.resume();
+    body.resumeOwnWork();
     modules.step(1);
     assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
     modules.step(5);
@@ -129,7 +129,7 @@ class RobotBodyTest extends BodyFixture {
   @Test
   void itSetsOutAsSoonAsThereIsSomethingThatDrives() {
     modules.end(driver);
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(3);
     assertThat(told).as("it waits").isEmpty();
     Driver again = modules.add(new Driver(modules.context("go_to_waypoint")));
@@ -140,25 +140,25 @@ class RobotBodyTest extends BodyFixture {
   @Test
   void itWaitsForItsWheelsWhereSomebodyElseHasTakenThem() throws RemoteException {
     UUID unused = driver.pursue(new LegGoal(null, at(1, 1), 1));
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(3);
     assertThat(driver.goal).isEqualTo(new LegGoal(null, at(1, 1), 1));
     assertThat(told).isEmpty();
-    driver.progress = Progress.reached("it is there");
+    driver.progress = GoalProgress.reached("it is there");
     modules.step(1);
-    assertThat(driver.goal).isEqualTo(new LegGoal(null, CALL.place(), 0.7));
+    assertThat(driver.goal).isEqualTo(new LegGoal(null, CALL.position(), 0.7));
     assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
   }
 
   @Test
   void itGoesNoFartherWhereSomebodyElseTakesItsWheelsOnTheWay() throws RemoteException {
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     driver.cancel();
     UUID others = driver.pursue(new LegGoal(null, at(1, 1), 1));
     modules.step(1);
     assertThat(told).containsExactly("what drives it was given another goal");
-    driver.progress = Progress.reached("it is there");
+    driver.progress = GoalProgress.reached("it is there");
     modules.step(3);
     assertThat(driver.status().goal()).isEqualTo(others);
   }
@@ -167,12 +167,12 @@ class RobotBodyTest extends BodyFixture {
   void itLeavesItsSearchAndGoesOnWithIt() throws RemoteException {
     UUID goal = search.pursue(FIELD);
     modules.step(1);
-    assertThat(body.isBusy()).isTrue();
-    body.go(CALL, Long.MAX_VALUE, journey);
+    assertThat(body.hasOwnWork()).isTrue();
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
-    assertThat(body.isBusy()).isFalse();
-    body.resume();
+    assertThat(body.hasOwnWork()).isFalse();
+    body.resumeOwnWork();
     modules.step(1);
     assertThat(search.status().phase()).isEqualTo(Phase.RUNNING);
     assertThat(search.status().goal()).isEqualTo(goal);
@@ -183,9 +183,9 @@ class RobotBodyTest extends BodyFixture {
   void aSearchThatItsOperatorPausedStaysSo() throws RemoteException {
     UUID unused = search.pursue(FIELD);
     search.pause();
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
-    body.resume();
+    body.resumeOwnWork();
     modules.step(5);
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
   }
@@ -194,10 +194,10 @@ class RobotBodyTest extends BodyFixture {
   void aSearchThatItsOperatorPausesWhileItHelpsStaysSo() throws RemoteException {
     UUID unused = search.pursue(FIELD);
     modules.step(1);
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     search.pause();
-    body.resume();
+    body.resumeOwnWork();
     modules.step(5);
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
   }
@@ -211,7 +211,7 @@ class RobotBodyTest extends BodyFixture {
         modules.step(1);
         assertThat(search.status().phase()).isEqualTo(Phase.RUNNING);
         told.clear();
-        body.go(CALL, Long.MAX_VALUE, journey);
+        body.travelTo(CALL, Long.MAX_VALUE, journey);
         modules.step(1);
         if (isPaused) {
           driver.pause();
@@ -222,7 +222,7 @@ class RobotBodyTest extends BodyFixture {
           modules.step(1);
           assertThat(told).hasSize(1);
         }
-        body.resume(); // as the agent does, whose trip has failed, or which is called off
+        body.resumeOwnWork(); // as the agent does, whose trip has failed, or which is called off
         modules.step(5);
         assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
         assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
@@ -235,14 +235,14 @@ class RobotBodyTest extends BodyFixture {
   void whatItLeftGoesOnThoughItsProcessHasDiedMeanwhile() throws RemoteException {
     UUID unused = search.pursue(FIELD);
     modules.step(1);
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     body.close();
     body = body();
-    body.go(CALL, Long.MAX_VALUE, journey); // it was on its way
+    body.travelTo(CALL, Long.MAX_VALUE, journey); // it was on its way
     modules.step(1);
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
-    body.resume();
+    body.resumeOwnWork();
     modules.step(1);
     assertThat(search.status().phase()).isEqualTo(Phase.RUNNING);
   }
@@ -251,13 +251,13 @@ class RobotBodyTest extends BodyFixture {
   void anAgentThatHelpsNobodyGoesOnWithWhatItLeftBeforeItDied() throws RemoteException {
     UUID unused = search.pursue(FIELD);
     modules.step(1);
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     body.close(); // after it was freed, and before its search went on
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
     RecruitmentAgentImpl agent = modules.add(new RecruitmentAgentImpl(modules.context("agent")));
     modules.step(2);
-    assertThat(agent.status().responder()).isEqualTo(ResponderPhase.FREE);
+    assertThat(agent.status().responderPhase()).isEqualTo(ResponderPhase.FREE);
     assertThat(search.status().phase()).isEqualTo(Phase.RUNNING);
   }
 
@@ -265,21 +265,21 @@ class RobotBodyTest extends BodyFixture {
   void aSearchThatDidNotAnswerWaitsUntilItHelpsNobodyAgain() throws RemoteException {
     UUID unused = search.pursue(FIELD);
     modules.step(1);
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     modules.hide(search);
-    body.resume();
+    body.resumeOwnWork();
     modules.step(0.1);
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(0.1);
-    driver.progress = Progress.reached("it is there");
+    driver.progress = GoalProgress.reached("it is there");
     modules.show(search);
     modules.step(0.6);
     assertThat(told).containsExactly("arrived");
     body.observe(CALL);
     modules.step(5);
     assertThat(search.status().phase()).as("it observes").isEqualTo(Phase.PAUSED);
-    body.resume();
+    body.resumeOwnWork();
     modules.step(1);
     assertThat(search.status().phase()).isEqualTo(Phase.RUNNING);
   }
@@ -290,7 +290,7 @@ class RobotBodyTest extends BodyFixture {
     UUID leg = driver.pursue(new LegGoal(null, at(1, 1), 1)); // the search's
     modules.step(1);
     modules.hide(search);
-    body.go(CALL, Long.MAX_VALUE, journey);
+    body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     assertThat(driver.status().goal()).isEqualTo(leg);
     modules.show(search);
@@ -298,8 +298,8 @@ class RobotBodyTest extends BodyFixture {
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
     driver.cancelUnattended(leg); // as a search does that pauses
     modules.step(1);
-    assertThat(driver.goal).isEqualTo(new LegGoal(null, CALL.place(), 0.7));
-    body.resume();
+    assertThat(driver.goal).isEqualTo(new LegGoal(null, CALL.position(), 0.7));
+    body.resumeOwnWork();
     modules.step(1);
     assertThat(search.status().phase()).isEqualTo(Phase.RUNNING);
   }
@@ -308,10 +308,10 @@ class RobotBodyTest extends BodyFixture {
   void aSearchThatIsGoneDoesNotKeepItBusy() throws RemoteException {
     UUID unused = search.pursue(FIELD);
     modules.step(1);
-    assertThat(body.isBusy()).isTrue();
+    assertThat(body.hasOwnWork()).isTrue();
     modules.end(search); // without a word
     modules.step(1);
-    assertThat(body.isBusy()).isFalse();
+    assertThat(body.hasOwnWork()).isFalse();
   }
 
   /** What it was told before its end takes its time, and must not have the robot drive then. */
@@ -330,17 +330,17 @@ class RobotBodyTest extends BodyFixture {
               BodyModules.awaitAnyway(answers);
             });
     modules.list(UUID.randomUUID(), "slow_search", slow);
-    RobotBody real =
-        new RobotBody(
+    ModuleRobotPort real =
+        new ModuleRobotPort(
             new ModuleContext(
                     BodyModules.ROBOT,
                     "agent",
                     Parameters.of("ugv1/agent", Map.of()),
                     InstantSource.system())
-                .among(modules.directory),
+                .withDirectory(modules.directory),
             TRAITS,
             LoggerFactory.getLogger("test"));
-    real.go(CALL, Long.MAX_VALUE, journey);
+    real.travelTo(CALL, Long.MAX_VALUE, journey);
     asked.await();
     Thread closer = new Thread(real::close, "closer");
     closer.start();

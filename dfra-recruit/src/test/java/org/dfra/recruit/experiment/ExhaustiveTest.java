@@ -12,7 +12,7 @@ import java.util.SplittableRandom;
 import org.dfra.agent.HelpCall;
 import org.dfra.agent.RequesterPhase;
 import org.dfra.agent.ResponderPhase;
-import org.dfra.core.lease.LeaseBook;
+import org.dfra.core.lease.LeaseRegistry;
 import org.dfra.core.lease.LeaseTerms;
 import org.dfra.recruit.RecruitmentSettings;
 import org.dfra.recruit.affect.Shame;
@@ -21,10 +21,10 @@ import org.dfra.recruit.agent.AgentSnapshot;
 import org.dfra.recruit.agent.Recruiter;
 import org.dfra.recruit.agent.RecruiterListener;
 import org.dfra.recruit.agent.RecruiterPorts;
-import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.message.MessageEnvelope;
 import org.dfra.recruit.requester.RequesterAction;
 import org.dfra.recruit.responder.ResponderAction;
-import org.dfra.recruit.strategy.Strategies;
+import org.dfra.recruit.strategy.StrategyRegistry;
 import org.dfra.recruit.transport.MessageMode;
 import org.dfra.recruit.transport.SimulatedNetwork;
 import org.dfra.recruit.transport.VirtualTime;
@@ -112,9 +112,9 @@ class ExhaustiveTest {
     private final List<Fault> faults;
     private final VirtualTime time = new VirtualTime(Instant.parse("2026-11-21T00:00:00Z"));
     private final SimulatedNetwork network = new SimulatedNetwork(time, this::passage);
-    private final Referee referee = new Referee(time);
+    private final InvariantChecker referee = new InvariantChecker(time);
     private final List<Recruiter> agents = new ArrayList<>();
-    private final List<FieldRobot> bodies = new ArrayList<>();
+    private final List<ExperimentRobot> bodies = new ArrayList<>();
     private final List<String> names = List.of("uav", "ugv1", "ugv2");
     private final List<String> dead = new ArrayList<>();
     private final double letGoAfter;
@@ -134,20 +134,25 @@ class ExhaustiveTest {
     private void add(String strategy, int number) {
       String name = names.get(number);
       Set<String> percepts = number == 0 ? Set.of() : Set.of("mine");
-      FieldRobot body =
-          new FieldRobot(
-              time, percepts, 1, new SplittableRandom(1), null, new Point(30 + 4 * number, 50));
-      LeaseBook leases = new LeaseBook(name, LeaseTerms.USUAL, time, time, clients -> {});
+      ExperimentRobot body =
+          new ExperimentRobot(
+              time,
+              percepts,
+              1,
+              new SplittableRandom(1),
+              null,
+              new FieldPoint(30 + 4 * number, 50));
+      LeaseRegistry leases = new LeaseRegistry(name, LeaseTerms.DEFAULT, time, time, clients -> {});
       Recruiter agent =
           new Recruiter(
               name,
-              RecruitmentSettings.USUAL,
-              Strategies.named(
+              RecruitmentSettings.DEFAULT,
+              StrategyRegistry.named(
                   strategy,
-                  new Shame(ShameSettings.usual(Field.DIAGONAL, 1)),
+                  new Shame(ShameSettings.forField(ExperimentField.DIAGONAL, 1)),
                   new SplittableRandom(2)),
               MessageMode.BROADCAST,
-              new RecruiterPorts(network.port(name), body, leases, time, time),
+              new RecruiterPorts(network.transport(name), body, leases, time, time),
               new Watch(name),
               Optional.empty());
       network.join(name, percepts, agent::receive);
@@ -156,7 +161,7 @@ class ExhaustiveTest {
       agent.start();
     }
 
-    private double[] passage(String to, Letter letter) {
+    private double[] passage(String to, MessageEnvelope letter) {
       int number = letters++;
       if (dead.contains(letter.sender())) {
         return new double[0];
@@ -196,7 +201,7 @@ class ExhaustiveTest {
           .help(
               new HelpCall(
                   "mine",
-                  Field.toEarth(new Point(40, 50)),
+                  ExperimentField.toEarth(new FieldPoint(40, 50)),
                   Duration.ofSeconds(10),
                   Duration.ofSeconds(200)));
       time.advance(Duration.ofNanos((long) (letGoAfter * 1e9)));
@@ -207,7 +212,7 @@ class ExhaustiveTest {
       boolean isRequesterDead = dead.contains("uav");
       for (int i = 0; i < names.size(); i++) {
         if (!dead.contains(names.get(i))) {
-          assertThat(agents.get(i).status().responder())
+          assertThat(agents.get(i).status().responderPhase())
               .as("%s: %s", told, names.get(i))
               .isEqualTo(ResponderPhase.FREE);
         }
@@ -217,7 +222,7 @@ class ExhaustiveTest {
         assertThat(referee.orphans()).as("%s: orphans", told).isZero();
       }
       if (!isRequesterDead) {
-        assertThat(agents.get(0).status().requester())
+        assertThat(agents.get(0).status().requesterPhase())
             .as("%s", told)
             .isEqualTo(RequesterPhase.IDLE);
         if (letGoAfter == NEVER && !dead.containsAll(List.of("ugv1", "ugv2"))) {
@@ -235,19 +240,19 @@ class ExhaustiveTest {
       }
 
       @Override
-      public void keep(AgentSnapshot snapshot) {
-        referee.sees(name, snapshot);
+      public void snapshotChanged(AgentSnapshot snapshot) {
+        referee.update(name, snapshot);
       }
 
       @Override
-      public void did(ResponderAction action) {
-        if (action instanceof ResponderAction.Go) {
+      public void performed(ResponderAction action) {
+        if (action instanceof ResponderAction.TravelTo) {
           referee.committed("uav");
         }
       }
 
       @Override
-      public void did(RequesterAction action) {
+      public void performed(RequesterAction action) {
         isComplete |= action instanceof RequesterAction.Complete;
       }
     }

@@ -16,12 +16,13 @@ import org.junit.jupiter.api.Test;
 class ExperimentTest {
 
   private static final int SEEDS = Boolean.getBoolean("dfra.full") ? 30 : 10;
-  private static final Map<Cell, CellResult> RESULTS = new HashMap<>();
+  private static final Map<ExperimentCell, CellResult> RESULTS = new HashMap<>();
 
   @BeforeAll
   static void run() throws InterruptedException {
     List<CellResult> results =
-        new Experiment(Plan.USUAL, 2).run(Grid.cells(), Seeds.evaluation(SEEDS), (done, all) -> {});
+        new Experiment(ExperimentPlan.DEFAULT, 2)
+            .run(ExperimentGrid.cells(), Seeds.evaluation(SEEDS), (done, all) -> {});
     for (CellResult result : results) {
       RESULTS.put(result.cell(), result);
     }
@@ -34,8 +35,10 @@ class ExperimentTest {
         .hasSize(72)
         .allSatisfy(
             result -> {
-              assertThat(result.total(RunResult::doubles)).as("%s", result.cell()).isZero();
-              assertThat(result.total(RunResult::orphans)).as("%s", result.cell()).isZero();
+              assertThat(result.total(RunResult::duplicateHelpers))
+                  .as("%s", result.cell())
+                  .isZero();
+              assertThat(result.total(RunResult::orphanedHelpers)).as("%s", result.cell()).isZero();
             });
   }
 
@@ -43,7 +46,7 @@ class ExperimentTest {
   void helpComesInTimeThoughAQuarterIsLost() {
     for (int vehicles : List.of(6, 12)) {
       for (MessageMode mode : MessageMode.values()) {
-        CellResult result = RESULTS.get(new Cell("affective", mode, vehicles, 0.25));
+        CellResult result = RESULTS.get(new ExperimentCell("affective", mode, vehicles, 0.25));
         assertThat(result.success().value()).as("%s", result.cell()).isGreaterThanOrEqualTo(0.99);
       }
     }
@@ -54,9 +57,9 @@ class ExperimentTest {
     for (int vehicles : List.of(6, 12)) {
       for (double loss : List.of(0.0, 0.10, 0.25)) {
         CellResult affective =
-            RESULTS.get(new Cell("affective", MessageMode.BROADCAST, vehicles, loss));
+            RESULTS.get(new ExperimentCell("affective", MessageMode.BROADCAST, vehicles, loss));
         CellResult greedy = RESULTS.get(affective.cell().with("greedy"));
-        Estimate more = affective.more(greedy, RunResult::transmissionsEach);
+        Estimate more = affective.difference(greedy, RunResult::transmissionsEach);
         assertThat(more.high()).as("%s: %s more than greedy", affective.cell(), more).isNegative();
       }
     }
@@ -64,7 +67,7 @@ class ExperimentTest {
 
   @Test
   void withoutLossEveryRecruitmentTakesAsManyMessagesAsThePictureSays() {
-    for (int vehicles : Grid.VEHICLES) {
+    for (int vehicles : ExperimentGrid.VEHICLES) {
       assertThat(each("greedy", MessageMode.BROADCAST, vehicles)).containsOnly(vehicles + 5.0);
       assertThat(each("greedy", MessageMode.UNICAST, vehicles)).containsOnly(3.0 * vehicles + 3);
       assertThat(each("contract-net", MessageMode.BROADCAST, vehicles))
@@ -73,13 +76,15 @@ class ExperimentTest {
   }
 
   private static double[] each(String strategy, MessageMode mode, int vehicles) {
-    return RESULTS.get(new Cell(strategy, mode, vehicles, 0.0)).each(RunResult::transmissionsEach);
+    return RESULTS
+        .get(new ExperimentCell(strategy, mode, vehicles, 0.0))
+        .each(RunResult::transmissionsEach);
   }
 
   @Test
   void aRunIsTheSameEachTime() throws Exception {
-    Cell cell = new Cell("affective", MessageMode.BROADCAST, 6, 0.25);
-    assertThat(FieldRun.simulated(cell, Plan.USUAL, 7))
-        .isEqualTo(FieldRun.simulated(cell, Plan.USUAL, 7));
+    ExperimentCell cell = new ExperimentCell("affective", MessageMode.BROADCAST, 6, 0.25);
+    assertThat(FieldRun.simulated(cell, ExperimentPlan.DEFAULT, 7))
+        .isEqualTo(FieldRun.simulated(cell, ExperimentPlan.DEFAULT, 7));
   }
 }

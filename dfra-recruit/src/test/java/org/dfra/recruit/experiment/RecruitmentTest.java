@@ -14,10 +14,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
 import org.dfra.agent.HelpCall;
-import org.dfra.agent.HelpRefusedException;
+import org.dfra.agent.HelpCallRejectedException;
 import org.dfra.agent.RequesterPhase;
 import org.dfra.agent.ResponderPhase;
-import org.dfra.core.lease.LeaseBook;
+import org.dfra.core.lease.LeaseRegistry;
 import org.dfra.core.lease.LeaseTerms;
 import org.dfra.lease.ModuleLease;
 import org.dfra.recruit.RecruitmentSettings;
@@ -27,7 +27,7 @@ import org.dfra.recruit.agent.Recruiter;
 import org.dfra.recruit.agent.RecruiterListener;
 import org.dfra.recruit.agent.RecruiterPorts;
 import org.dfra.recruit.message.Conversation;
-import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.message.MessageEnvelope;
 import org.dfra.recruit.message.RecruitmentMessage.Accept;
 import org.dfra.recruit.message.RecruitmentMessage.Refuse;
 import org.dfra.recruit.message.RecruitmentMessage.ResponderId;
@@ -53,44 +53,44 @@ class RecruitmentTest {
               cutOff.contains(to) || cutOff.contains(letter.sender())
                   ? new double[0]
                   : new double[] {0.01});
-  private final Map<String, LeaseBook> books = new HashMap<>();
-  private final Map<String, FieldRobot> bodies = new HashMap<>();
-  private final List<Letter> toTeamOfOne = new ArrayList<>();
-  private final Recruiter uav = agent("uav", Set.of(), new Point(0, 0), Optional.empty());
+  private final Map<String, LeaseRegistry> books = new HashMap<>();
+  private final Map<String, ExperimentRobot> bodies = new HashMap<>();
+  private final List<MessageEnvelope> toTeamOfOne = new ArrayList<>();
+  private final Recruiter uav = agent("uav", Set.of(), new FieldPoint(0, 0), Optional.empty());
   private final Recruiter near = helper("near", 30);
   private final Recruiter far = helper("far", 45);
 
   private Recruiter helper(String name, double east) {
-    return agent(name, Set.of("mine"), new Point(east, 50), Optional.empty());
+    return agent(name, Set.of("mine"), new FieldPoint(east, 50), Optional.empty());
   }
 
   private Recruiter agent(
-      String name, Set<String> percepts, Point begin, Optional<AgentSnapshot> kept) {
+      String name, Set<String> percepts, FieldPoint begin, Optional<AgentSnapshot> kept) {
     return agent(name, percepts, begin, kept, new Greedy());
   }
 
   private Recruiter agent(
       String name,
       Set<String> percepts,
-      Point begin,
+      FieldPoint begin,
       Optional<AgentSnapshot> kept,
       RecruitmentStrategy strategy) {
-    FieldRobot body =
+    ExperimentRobot body =
         bodies.computeIfAbsent(
             name,
-            unused -> new FieldRobot(time, percepts, 1, new SplittableRandom(1), null, begin));
-    LeaseBook book = new LeaseBook(name, LeaseTerms.USUAL, time, time, clients -> {});
+            unused -> new ExperimentRobot(time, percepts, 1, new SplittableRandom(1), null, begin));
+    LeaseRegistry book = new LeaseRegistry(name, LeaseTerms.DEFAULT, time, time, clients -> {});
     books.put(name, book);
     Recruiter agent =
         new Recruiter(
             name,
-            RecruitmentSettings.USUAL,
+            RecruitmentSettings.DEFAULT,
             strategy,
             MessageMode.BROADCAST,
-            new RecruiterPorts(network.port(name), body, book, time, time),
+            new RecruiterPorts(network.transport(name), body, book, time, time),
             new RecruiterListener() {
               @Override
-              public void sent(String to, Letter letter) {
+              public void sent(String to, MessageEnvelope letter) {
                 if (!to.isEmpty()) {
                   toTeamOfOne.add(letter);
                 }
@@ -103,7 +103,8 @@ class RecruitmentTest {
   }
 
   private static HelpCall call(double east) {
-    return new HelpCall("mine", Field.toEarth(new Point(east, 50)), STAY, Duration.ofSeconds(120));
+    return new HelpCall(
+        "mine", ExperimentField.toEarth(new FieldPoint(east, 50)), STAY, Duration.ofSeconds(120));
   }
 
   private void seconds(double span) {
@@ -114,20 +115,20 @@ class RecruitmentTest {
   void theNearestComesHoldsALeaseAndIsFreeWhenThatEnds() {
     uav.help(call(20));
     seconds(1);
-    assertThat(near.status().responder()).isEqualTo(ResponderPhase.OFFERED);
+    assertThat(near.status().responderPhase()).isEqualTo(ResponderPhase.OFFERED);
     seconds(3);
-    assertThat(near.status().responder()).isEqualTo(ResponderPhase.TRAVELLING);
-    assertThat(far.status().responder()).isEqualTo(ResponderPhase.FREE);
-    assertThat(uav.status().helper()).isEqualTo("near");
+    assertThat(near.status().responderPhase()).isEqualTo(ResponderPhase.TRAVELLING);
+    assertThat(far.status().responderPhase()).isEqualTo(ResponderPhase.FREE);
+    assertThat(uav.status().helperRobot()).isEqualTo("near");
     seconds(12);
-    assertThat(near.status().responder()).isEqualTo(ResponderPhase.LEASED);
+    assertThat(near.status().responderPhase()).isEqualTo(ResponderPhase.LEASED);
     assertThat(books.get("near").clients()).as("who is helped is a client").isEqualTo(1);
     ModuleLease lease = uav.lease().orElseThrow();
     assertThat(lease.isLive()).isTrue();
     assertThat(lease.expiration()).isAfter(time.instant());
     seconds(20);
-    assertThat(near.status().responder()).isEqualTo(ResponderPhase.FREE);
-    assertThat(uav.status().requester()).isEqualTo(RequesterPhase.IDLE);
+    assertThat(near.status().responderPhase()).isEqualTo(ResponderPhase.FREE);
+    assertThat(uav.status().requesterPhase()).isEqualTo(RequesterPhase.IDLE);
     assertThat(lease.isLive()).isFalse();
     assertThat(books.get("near").clients()).isZero();
   }
@@ -138,17 +139,17 @@ class RecruitmentTest {
     seconds(16);
     uav.lease().orElseThrow().close();
     seconds(0.1);
-    assertThat(near.status().responder()).isEqualTo(ResponderPhase.FREE);
-    assertThat(uav.status().requester()).isEqualTo(RequesterPhase.IDLE);
+    assertThat(near.status().responderPhase()).isEqualTo(ResponderPhase.FREE);
+    assertThat(uav.status().requesterPhase()).isEqualTo(RequesterPhase.IDLE);
   }
 
   @Test
   void anAdministratorWhoRevokesTheLeaseFreesTheHelper() {
     uav.help(call(20));
     seconds(16);
-    LeaseBook book = books.get("near");
+    LeaseRegistry book = books.get("near");
     assertThat(book.revoke(book.leases().get(0).handle())).isTrue();
-    assertThat(near.status().responder()).isEqualTo(ResponderPhase.FREE);
+    assertThat(near.status().responderPhase()).isEqualTo(ResponderPhase.FREE);
   }
 
   @Test
@@ -159,9 +160,9 @@ class RecruitmentTest {
     network.leave("near");
     bodies.get("near").die();
     seconds(10 + 20 + 3);
-    assertThat(uav.status().helper()).isEqualTo("far");
+    assertThat(uav.status().helperRobot()).isEqualTo("far");
     seconds(26);
-    assertThat(far.status().responder()).isEqualTo(ResponderPhase.LEASED);
+    assertThat(far.status().responderPhase()).isEqualTo(ResponderPhase.LEASED);
   }
 
   @Test
@@ -171,18 +172,18 @@ class RecruitmentTest {
     uav.close();
     network.leave("uav");
     seconds(40);
-    assertThat(near.status().responder()).isEqualTo(ResponderPhase.FREE);
+    assertThat(near.status().responderPhase()).isEqualTo(ResponderPhase.FREE);
   }
 
   @Test
   void aRequesterCutOffForLongerThanTheLeaseLosesItsHelper() {
     uav.help(call(20));
     seconds(16);
-    assertThat(near.status().responder()).isEqualTo(ResponderPhase.LEASED);
+    assertThat(near.status().responderPhase()).isEqualTo(ResponderPhase.LEASED);
     cutOff.add("uav");
     seconds(20);
-    assertThat(near.status().responder()).isEqualTo(ResponderPhase.FREE);
-    assertThat(uav.status().requester()).isEqualTo(RequesterPhase.IDLE);
+    assertThat(near.status().responderPhase()).isEqualTo(ResponderPhase.FREE);
+    assertThat(uav.status().requesterPhase()).isEqualTo(RequesterPhase.IDLE);
   }
 
   @Test
@@ -194,18 +195,18 @@ class RecruitmentTest {
     AgentSnapshot calling = uav.snapshot();
     uav.close();
     seconds(1);
-    Recruiter helper = agent("near", Set.of("mine"), new Point(0, 0), Optional.of(helping));
-    Recruiter caller = agent("uav", Set.of(), new Point(0, 0), Optional.of(calling));
+    Recruiter helper = agent("near", Set.of("mine"), new FieldPoint(0, 0), Optional.of(helping));
+    Recruiter caller = agent("uav", Set.of(), new FieldPoint(0, 0), Optional.of(calling));
     seconds(12);
-    assertThat(helper.status().responder()).isEqualTo(ResponderPhase.LEASED);
-    assertThat(caller.status().requester()).isEqualTo(RequesterPhase.DONE);
+    assertThat(helper.status().responderPhase()).isEqualTo(ResponderPhase.LEASED);
+    assertThat(caller.status().requesterPhase()).isEqualTo(RequesterPhase.BEING_HELPED);
     AgentSnapshot leased = helper.snapshot();
     helper.close();
     seconds(1);
-    Recruiter again = agent("near", Set.of("mine"), new Point(0, 0), Optional.of(leased));
+    Recruiter again = agent("near", Set.of("mine"), new FieldPoint(0, 0), Optional.of(leased));
     assertThat(books.get("near").clients()).as("the lease is granted anew").isEqualTo(1);
     seconds(20);
-    assertThat(again.status().responder()).isEqualTo(ResponderPhase.FREE);
+    assertThat(again.status().responderPhase()).isEqualTo(ResponderPhase.FREE);
   }
 
   @Test
@@ -213,16 +214,16 @@ class RecruitmentTest {
     uav.help(call(20));
     seconds(16);
     books.get("near").close(); // a module's leases end before the module does
-    assertThat(near.status().responder()).isEqualTo(ResponderPhase.LEASED);
+    assertThat(near.status().responderPhase()).isEqualTo(ResponderPhase.LEASED);
     AgentSnapshot leased = near.snapshot();
     near.close();
     seconds(1);
-    Recruiter again = agent("near", Set.of("mine"), new Point(0, 0), Optional.of(leased));
+    Recruiter again = agent("near", Set.of("mine"), new FieldPoint(0, 0), Optional.of(leased));
     seconds(1);
-    assertThat(again.status().responder()).isEqualTo(ResponderPhase.LEASED);
-    assertThat(uav.status().requester()).isEqualTo(RequesterPhase.DONE);
+    assertThat(again.status().responderPhase()).isEqualTo(ResponderPhase.LEASED);
+    assertThat(uav.status().requesterPhase()).isEqualTo(RequesterPhase.BEING_HELPED);
     seconds(20);
-    assertThat(again.status().responder()).isEqualTo(ResponderPhase.FREE);
+    assertThat(again.status().responderPhase()).isEqualTo(ResponderPhase.FREE);
   }
 
   /** It was busy in one round, and its letter took until it had offered in another. */
@@ -230,12 +231,14 @@ class RecruitmentTest {
   void thatAHelperCouldNotComeInAnEarlierRoundDoesNotCountAnyMore() {
     uav.help(call(20));
     seconds(4);
-    assertThat(uav.status().helper()).isEqualTo("near");
+    assertThat(uav.status().helperRobot()).isEqualTo("near");
     Conversation in = toTeamOfOne.get(0).message().conversation();
-    uav.receive(new Letter("near", 90, time.instant(), new Refuse(in, "it helps another", false)));
-    assertThat(uav.status().helper()).isEqualTo("near");
-    uav.receive(new Letter("near", 91, time.instant(), new Refuse(in, "it is stuck", true)));
-    assertThat(uav.status().helper()).isNull();
+    uav.receive(
+        new MessageEnvelope("near", 90, time.instant(), new Refuse(in, "it helps another", false)));
+    assertThat(uav.status().helperRobot()).isEqualTo("near");
+    uav.receive(
+        new MessageEnvelope("near", 91, time.instant(), new Refuse(in, "it is stuck", true)));
+    assertThat(uav.status().helperRobot()).isNull();
   }
 
   @Test
@@ -246,7 +249,7 @@ class RecruitmentTest {
         agent(
             "near",
             Set.of("mine"),
-            new Point(30, 50),
+            new FieldPoint(30, 50),
             Optional.empty(),
             new RecruitmentStrategy() {
               @Override
@@ -255,7 +258,7 @@ class RecruitmentTest {
               }
 
               @Override
-              public boolean answers(Stimulus stimulus) {
+              public boolean shouldOffer(Stimulus stimulus) {
                 return true;
               }
 
@@ -266,7 +269,7 @@ class RecruitmentTest {
             });
     uav.help(call(20));
     seconds(4);
-    assertThat(failing.status().responder()).isEqualTo(ResponderPhase.TRAVELLING);
+    assertThat(failing.status().responderPhase()).isEqualTo(ResponderPhase.TRAVELLING);
     failing.help(call(60));
     uav.close();
     network.leave("uav");
@@ -280,24 +283,24 @@ class RecruitmentTest {
       }
     }
     assertThat(failures).as("tried once a second at the most").isBetween(2, 41);
-    assertThat(failing.status().responder()).isEqualTo(ResponderPhase.FREE);
+    assertThat(failing.status().responderPhase()).isEqualTo(ResponderPhase.FREE);
   }
 
   @Test
   void aPatienceThatIsShorterThanAnIntervalOfCallsIsKept() {
     cutOff.add("uav");
-    uav.help(new HelpCall("mine", call(20).place(), STAY, Duration.ofSeconds(3)));
+    uav.help(new HelpCall("mine", call(20).position(), STAY, Duration.ofSeconds(3)));
     seconds(2.9);
-    assertThat(uav.status().requester()).isEqualTo(RequesterPhase.CALLING);
+    assertThat(uav.status().requesterPhase()).isEqualTo(RequesterPhase.CALLING);
     seconds(0.2);
-    assertThat(uav.status().requester()).isEqualTo(RequesterPhase.IDLE);
+    assertThat(uav.status().requesterPhase()).isEqualTo(RequesterPhase.IDLE);
   }
 
   @Test
   void anOfferAfterTheChoiceIsAnsweredToItsSenderAlone() {
     uav.help(call(20));
     seconds(4);
-    Letter late =
+    MessageEnvelope late =
         toTeamOfOne.stream()
             .filter(letter -> letter.message() instanceof Accept && letter.sender().equals("far"))
             .findFirst()
@@ -306,25 +309,27 @@ class RecruitmentTest {
     uav.receive(late);
     assertThat(toTeamOfOne)
         .singleElement()
-        .extracting(Letter::message)
+        .extracting(MessageEnvelope::message)
         .isInstanceOfSatisfying(ResponderId.class, id -> assertThat(id.winner()).isEqualTo("near"));
   }
 
   @Test
   void callsThatCannotBeAnsweredAreRefusedInASentence() {
     assertThatThrownBy(
-            () -> uav.help(new HelpCall("gold", call(20).place(), STAY, Duration.ofSeconds(9))))
-        .isInstanceOf(HelpRefusedException.class)
+            () -> uav.help(new HelpCall("gold", call(20).position(), STAY, Duration.ofSeconds(9))))
+        .isInstanceOf(HelpCallRejectedException.class)
         .hasMessage("nobody in reach of uav can observe \"gold\"; others observe mine");
     assertThatThrownBy(() -> uav.help(call(120)))
-        .isInstanceOf(HelpRefusedException.class)
+        .isInstanceOf(HelpCallRejectedException.class)
         .hasMessageContaining("that is outside the field; name a place inside it");
     uav.help(call(20));
     assertThatThrownBy(() -> uav.help(call(20)))
-        .isInstanceOf(HelpRefusedException.class)
+        .isInstanceOf(HelpCallRejectedException.class)
         .hasMessageContaining("uav already calls for help");
     seconds(16);
-    assertThat(uav.status().requester()).as("it goes on").isEqualTo(RequesterPhase.DONE);
+    assertThat(uav.status().requesterPhase())
+        .as("it goes on")
+        .isEqualTo(RequesterPhase.BEING_HELPED);
   }
 
   /** It has not received its release, and has a lease of the task yet. */
@@ -332,17 +337,19 @@ class RecruitmentTest {
   void nobodyElseIsAskedWhileAHelperThatWasLetGoMayNotKnowIt() {
     uav.help(call(20));
     seconds(16);
-    assertThat(near.status().responder()).isEqualTo(ResponderPhase.LEASED);
+    assertThat(near.status().responderPhase()).isEqualTo(ResponderPhase.LEASED);
     cutOff.add("near");
     uav.release();
     uav.help(call(50));
     seconds(10);
-    assertThat(near.status().responder()).isEqualTo(ResponderPhase.LEASED);
-    assertThat(far.status().responder()).isEqualTo(ResponderPhase.FREE);
-    assertThat(uav.status().doing()).contains("until the robot that helped before confirms");
+    assertThat(near.status().responderPhase()).isEqualTo(ResponderPhase.LEASED);
+    assertThat(far.status().responderPhase()).isEqualTo(ResponderPhase.FREE);
+    assertThat(uav.status().lastChange()).contains("until the robot that helped before confirms");
     seconds(12);
-    assertThat(near.status().responder()).as("its lease is over").isEqualTo(ResponderPhase.FREE);
-    assertThat(far.status().responder()).isEqualTo(ResponderPhase.TRAVELLING);
+    assertThat(near.status().responderPhase())
+        .as("its lease is over")
+        .isEqualTo(ResponderPhase.FREE);
+    assertThat(far.status().responderPhase()).isEqualTo(ResponderPhase.TRAVELLING);
   }
 
   @Test
@@ -355,8 +362,8 @@ class RecruitmentTest {
     seconds(3);
     cutOff.clear();
     seconds(1);
-    assertThat(near.status().responder()).isNotEqualTo(ResponderPhase.LEASED);
+    assertThat(near.status().responderPhase()).isNotEqualTo(ResponderPhase.LEASED);
     seconds(3);
-    assertThat(uav.status().requester()).isEqualTo(RequesterPhase.AWARDED);
+    assertThat(uav.status().requesterPhase()).isEqualTo(RequesterPhase.AWARDED);
   }
 }

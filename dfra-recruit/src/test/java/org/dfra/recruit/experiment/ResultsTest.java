@@ -5,14 +5,15 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.dfra.recruit.experiment.Claim.Verdict;
+import org.dfra.recruit.experiment.MetricComparison.Outcome;
 import org.dfra.recruit.transport.MessageMode;
 import org.junit.jupiter.api.Test;
 
 /** What is written and claimed of results, on results made by hand. */
 class ResultsTest {
 
-  private static final Cell AFFECTIVE = new Cell("affective", MessageMode.BROADCAST, 6, 0.25);
+  private static final ExperimentCell AFFECTIVE =
+      new ExperimentCell("affective", MessageMode.BROADCAST, 6, 0.25);
 
   private static RunResult run(long seed, long transmissions, double allocation) {
     return new RunResult(
@@ -38,8 +39,8 @@ class ResultsTest {
             "affective,broadcast,6,0.25,8,12,10,9,96,192,,41.500,0.250,1,2,30.000,7.125");
   }
 
-  private static Claim claim(CellResult affective, CellResult rival) {
-    return Claim.all(List.of(affective, rival)).stream()
+  private static MetricComparison claim(CellResult affective, CellResult rival) {
+    return MetricComparison.all(List.of(affective, rival)).stream()
         .filter(each -> each.metric() == Metric.TRANSMISSIONS)
         .findFirst()
         .orElseThrow();
@@ -47,30 +48,32 @@ class ResultsTest {
 
   @Test
   void aWinIsAnIntervalBelowNothing() {
-    Claim claim = claim(cell("affective", 80, 81, 82), cell("greedy", 100, 102, 103));
-    assertThat(claim.verdict()).isEqualTo(Verdict.WINS);
-    assertThat(claim.more().value()).as("each").isCloseTo(-62.0 / 3 / 10, within(1e-9));
-    assertThat(claim.share()).isCloseTo(-62.0 / 305, within(1e-9));
+    MetricComparison claim = claim(cell("affective", 80, 81, 82), cell("greedy", 100, 102, 103));
+    assertThat(claim.verdict()).isEqualTo(Outcome.WINS);
+    assertThat(claim.difference().value()).as("each").isCloseTo(-62.0 / 3 / 10, within(1e-9));
+    assertThat(claim.relativeDifference()).isCloseTo(-62.0 / 305, within(1e-9));
     assertThat(claim)
         .hasToString(
             "affective, broadcast, 6 vehicles, 25 % loss: transmissions, less than greedy: "
-                + claim.more());
+                + claim.difference());
   }
 
   @Test
   void aLossIsOneAboveAndWhatHoldsNothingIsOpen() {
     assertThat(claim(cell("affective", 120, 121, 122), cell("greedy", 100, 100, 100)).verdict())
-        .isEqualTo(Verdict.LOSES);
+        .isEqualTo(Outcome.LOSES);
     assertThat(claim(cell("affective", 90, 101, 109), cell("greedy", 100, 100, 100)).verdict())
-        .isEqualTo(Verdict.OPEN);
+        .isEqualTo(Outcome.INCONCLUSIVE);
   }
 
   @Test
   void everyRivalIsComparedByEveryMetricAndAffectiveNotWithItself() {
-    List<Claim> claims =
-        Claim.all(List.of(cell("affective", 1, 2), cell("greedy", 1, 2), cell("random", 1, 3)));
+    List<MetricComparison> claims =
+        MetricComparison.all(
+            List.of(cell("affective", 1, 2), cell("greedy", 1, 2), cell("random", 1, 3)));
     assertThat(claims).hasSize(2 * Metric.values().length);
-    assertThat(claims.stream().map(Claim::rival).distinct()).containsExactly("greedy", "random");
-    assertThat(Claim.all(List.of(cell("greedy", 1, 2)))).isEmpty();
+    assertThat(claims.stream().map(MetricComparison::rival).distinct())
+        .containsExactly("greedy", "random");
+    assertThat(MetricComparison.all(List.of(cell("greedy", 1, 2)))).isEmpty();
   }
 }

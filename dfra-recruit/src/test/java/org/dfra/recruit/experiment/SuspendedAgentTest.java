@@ -14,14 +14,14 @@ import java.util.SplittableRandom;
 import org.dfra.agent.HelpCall;
 import org.dfra.agent.RequesterPhase;
 import org.dfra.agent.ResponderPhase;
-import org.dfra.core.lease.LeaseBook;
+import org.dfra.core.lease.LeaseRegistry;
 import org.dfra.core.lease.LeaseTerms;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.recruit.RecruitmentSettings;
-import org.dfra.recruit.agent.Body;
 import org.dfra.recruit.agent.Recruiter;
 import org.dfra.recruit.agent.RecruiterListener;
 import org.dfra.recruit.agent.RecruiterPorts;
+import org.dfra.recruit.agent.RobotPort;
 import org.dfra.recruit.requester.RequesterAction;
 import org.dfra.recruit.responder.ResponderState;
 import org.dfra.recruit.strategy.Greedy;
@@ -75,8 +75,8 @@ class SuspendedAgentTest {
     private final SimulatedNetwork network =
         new SimulatedNetwork(time, (to, letter) -> new double[] {0.01});
     private final Map<String, Recruiter> agents = new HashMap<>();
-    private final Map<String, FieldRobot> bodies = new HashMap<>();
-    private final Map<String, Point> places = new HashMap<>();
+    private final Map<String, ExperimentRobot> bodies = new HashMap<>();
+    private final Map<String, FieldPoint> places = new HashMap<>();
     private final String told;
     private final boolean lettersFirst;
     private final double optimism; // of the nearer robot: its true time of travel by its ETA
@@ -92,31 +92,33 @@ class SuspendedAgentTest {
       add("uav", Set.of(), 0, robot);
       add("near", Set.of("mine"), 30, robot);
       add("far", Set.of("mine"), 10, robot);
-      Scheduler.Task unused = time.after(Math.round(from * 1e9), () -> isSuspended = true);
-      Scheduler.Task alsoUnused = time.after(Math.round((from + span) * 1e9), this::resume);
+      Scheduler.ScheduledTask unused = time.after(Math.round(from * 1e9), () -> isSuspended = true);
+      Scheduler.ScheduledTask alsoUnused =
+          time.after(Math.round((from + span) * 1e9), this::resume);
     }
 
     private void add(String name, Set<String> percepts, double east, String suspended) {
-      FieldRobot body =
-          new FieldRobot(time, percepts, 1, new SplittableRandom(1), null, new Point(east, 50));
+      ExperimentRobot body =
+          new ExperimentRobot(
+              time, percepts, 1, new SplittableRandom(1), null, new FieldPoint(east, 50));
       bodies.put(name, body);
       places.put(name, body.position());
       boolean isIt = name.equals(suspended);
       Recruiter agent =
           new Recruiter(
               name,
-              RecruitmentSettings.USUAL,
+              RecruitmentSettings.DEFAULT,
               new Greedy(),
               MessageMode.BROADCAST,
               new RecruiterPorts(
-                  network.port(name),
+                  network.transport(name),
                   new Apart(body, name.equals("near") ? optimism : 1, isIt),
-                  new LeaseBook(name, LeaseTerms.USUAL, time, time, clients -> {}),
+                  new LeaseRegistry(name, LeaseTerms.DEFAULT, time, time, clients -> {}),
                   time,
                   isIt ? new Timer() : time),
               new RecruiterListener() {
                 @Override
-                public void did(RequesterAction action) {
+                public void performed(RequesterAction action) {
                   isComplete |= action instanceof RequesterAction.Complete;
                 }
               },
@@ -156,7 +158,7 @@ class SuspendedAgentTest {
           .help(
               new HelpCall(
                   "mine",
-                  Field.toEarth(new Point(90, 50)),
+                  ExperimentField.toEarth(new FieldPoint(90, 50)),
                   Duration.ofSeconds(10),
                   Duration.ofSeconds(400)));
       for (Duration now = STEP; now.compareTo(Duration.ofSeconds(700)) < 0; now = now.plus(STEP)) {
@@ -168,18 +170,20 @@ class SuspendedAgentTest {
         }
       }
       for (String robot : List.of("near", "far")) {
-        assertThat(agents.get(robot).status().responder())
+        assertThat(agents.get(robot).status().responderPhase())
             .as("%s: %s in the end", told, robot)
             .isEqualTo(ResponderPhase.FREE);
       }
-      assertThat(agents.get("uav").status().requester()).as(told).isEqualTo(RequesterPhase.IDLE);
+      assertThat(agents.get("uav").status().requesterPhase())
+          .as(told)
+          .isEqualTo(RequesterPhase.IDLE);
       assertThat(isComplete).as("%s: help came", told).isTrue();
     }
 
     /** Whether its lease of the task is valid by its own clock, or it has moved. */
     private boolean helps(String robot) {
-      Point before = places.get(robot);
-      Point now = bodies.get(robot).position();
+      FieldPoint before = places.get(robot);
+      FieldPoint now = bodies.get(robot).position();
       places.put(robot, now);
       ResponderState state = agents.get(robot).snapshot().responder();
       boolean isBound = state.phase().isCommitted() && time.instant().isBefore(state.until());
@@ -194,7 +198,7 @@ class SuspendedAgentTest {
       }
 
       @Override
-      public Task after(long nanos, Runnable task) {
+      public ScheduledTask after(long nanos, Runnable task) {
         return time.after(nanos, () -> handle(timers, task));
       }
 
@@ -207,12 +211,12 @@ class SuspendedAgentTest {
     /**
      * The body as its agent has it: what drives is another process, which cannot reach it either.
      */
-    private final class Apart implements Body {
-      private final FieldRobot body;
+    private final class Apart implements RobotPort {
+      private final ExperimentRobot body;
       private final double optimism;
       private final boolean isIt;
 
-      Apart(FieldRobot body, double optimism, boolean isIt) {
+      Apart(ExperimentRobot body, double optimism, boolean isIt) {
         this.body = body;
         this.optimism = optimism;
         this.isIt = isIt;
@@ -232,13 +236,13 @@ class SuspendedAgentTest {
       }
 
       @Override
-      public boolean isFree() {
-        return body.isFree();
+      public boolean isAvailable() {
+        return body.isAvailable();
       }
 
       @Override
-      public boolean isBusy() {
-        return body.isBusy();
+      public boolean hasOwnWork() {
+        return body.hasOwnWork();
       }
 
       @Override
@@ -257,11 +261,11 @@ class SuspendedAgentTest {
       }
 
       @Override
-      public void go(HelpCall call, long leaseEnd, Journey journey) {
-        body.go(
+      public void travelTo(HelpCall call, long leaseEnd, TravelListener journey) {
+        body.travelTo(
             call,
             leaseEnd,
-            new Journey() {
+            new TravelListener() {
               @Override
               public void arrived() {
                 report(journey::arrived);
@@ -275,8 +279,8 @@ class SuspendedAgentTest {
       }
 
       @Override
-      public void extend(long leaseEnd) {
-        body.extend(leaseEnd);
+      public void extendLease(long leaseEnd) {
+        body.extendLease(leaseEnd);
       }
 
       @Override
@@ -285,8 +289,8 @@ class SuspendedAgentTest {
       }
 
       @Override
-      public void resume() {
-        body.resume();
+      public void resumeOwnWork() {
+        body.resumeOwnWork();
       }
     }
   }

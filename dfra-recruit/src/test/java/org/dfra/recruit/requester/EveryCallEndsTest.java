@@ -32,12 +32,12 @@ class EveryCallEndsTest {
       new HelpCall("mine", new GeoPosition(28, -82, 0), Duration.ofSeconds(10), PATIENCE);
 
   private final RequesterMachine machine =
-      new RequesterMachine(RecruitmentSettings.USUAL, new Greedy());
+      new RequesterMachine(RecruitmentSettings.DEFAULT, new Greedy());
 
   private Explorer<RequesterState> explorer() {
     Explorer<RequesterState> all =
         new Explorer<RequesterState>(
-                RequesterState::wake,
+                RequesterState::nextWake,
                 (state, now) -> machine.tick(state, now).state(),
                 state -> state.phase() == RequesterPhase.IDLE)
             .event((state, now) -> machine.release(state, now).state())
@@ -54,7 +54,7 @@ class EveryCallEndsTest {
                 new Arrival(in, new UUID(1, 2), Duration.ofSeconds(10)),
                 new AckAck(in));
         for (RecruitmentMessage message : messages) {
-          all.event((state, now) -> machine.hear(state, robot, message, now).state());
+          all.event((state, now) -> machine.receive(state, robot, message, now).state());
         }
       }
     }

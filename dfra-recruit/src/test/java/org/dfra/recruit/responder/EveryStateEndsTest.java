@@ -33,35 +33,35 @@ class EveryStateEndsTest {
   private static final HelpCall CALL =
       new HelpCall("mine", new GeoPosition(28, -82, 0), STAY, Duration.ofSeconds(100));
 
-  private static final class Willing implements Judge {
+  private static final class Willing implements ResponderPolicy {
     @Override
     public Optional<Offer> offer(HelpCall call) {
       return Optional.of(new Offer(ETA, 1));
     }
 
     @Override
-    public boolean accepts(Help help, Offer offer) {
+    public boolean shouldOffer(Help help, Offer offer) {
       return true;
     }
 
     @Override
-    public boolean refusesAloud() {
+    public boolean sendsRefusal() {
       return false;
     }
   }
 
   private final ResponderMachine machine =
-      new ResponderMachine("me", RecruitmentSettings.USUAL, new Willing());
+      new ResponderMachine("me", RecruitmentSettings.DEFAULT, new Willing());
 
   private Explorer<ResponderState> explorer() {
     Explorer<ResponderState> all =
         new Explorer<ResponderState>(
-                ResponderState::wake,
+                ResponderState::nextWake,
                 (state, now) -> machine.tick(state, now).state(),
                 state -> state.phase() == ResponderPhase.FREE)
             .event((state, now) -> machine.arrived(state, LEASE, STAY, now).state())
-            .event((state, now) -> machine.unable(state, "it is stuck").state())
-            .event((state, now) -> machine.leaseOver(state, LEASE, now).state())
+            .event((state, now) -> machine.abort(state, "it is stuck").state())
+            .event((state, now) -> machine.leaseEnded(state, LEASE, now).state())
             .late(Duration.ofSeconds(7)); // its timer was late
     for (Conversation in :
         List.of(new Conversation("a", 1), new Conversation("a", 2), new Conversation("b", 1))) {
@@ -76,7 +76,7 @@ class EveryStateEndsTest {
               new Release(in, "enough", false),
               new Release(in, "enough", true));
       for (RecruitmentMessage message : messages) {
-        all.event((state, now) -> machine.hear(state, message, now).state());
+        all.event((state, now) -> machine.receive(state, message, now).state());
       }
     }
     return all;

@@ -9,11 +9,11 @@ import org.dfra.agent.HelpCall;
 import org.dfra.agent.ResponderPhase;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.recruit.RecruitmentSettings;
-import org.dfra.recruit.Step;
+import org.dfra.recruit.TransitionResult;
 import org.dfra.recruit.message.Conversation;
 import org.dfra.recruit.message.RecruitmentMessage.Help;
 import org.dfra.recruit.message.RecruitmentMessage.ResponderId;
-import org.dfra.recruit.responder.ResponderAction.Extend;
+import org.dfra.recruit.responder.ResponderAction.ExtendLease;
 import org.junit.jupiter.api.Test;
 
 /** A helper that offers again, and is chosen for its later offer while it is on its way. */
@@ -24,20 +24,20 @@ class ProlongedLeaseTest {
   private final ResponderMachine machine =
       new ResponderMachine(
           "me",
-          RecruitmentSettings.USUAL,
-          new Judge() {
+          RecruitmentSettings.DEFAULT,
+          new ResponderPolicy() {
             @Override
             public Optional<Offer> offer(HelpCall call) {
               return Optional.of(new Offer(ETA, 1));
             }
 
             @Override
-            public boolean accepts(Help help, Offer offer) {
+            public boolean shouldOffer(Help help, Offer offer) {
               return true;
             }
 
             @Override
-            public boolean refusesAloud() {
+            public boolean sendsRefusal() {
               return false;
             }
           });
@@ -49,19 +49,19 @@ class ProlongedLeaseTest {
         new HelpCall(
             "mine", new GeoPosition(28, -82, 0), Duration.ofSeconds(10), Duration.ofSeconds(100));
     Instant now = Instant.EPOCH;
-    ResponderState state = machine.hear(ResponderState.FREE, new Help(in, call, 1), now).state();
+    ResponderState state = machine.receive(ResponderState.FREE, new Help(in, call, 1), now).state();
     now = now.plusSeconds(5);
-    state = machine.hear(state, new Help(in, call, 2), now).state(); // its offer was lost
-    state = machine.hear(state, new ResponderId(in, "me", 0), now).state();
+    state = machine.receive(state, new Help(in, call, 2), now).state(); // its offer was lost
+    state = machine.receive(state, new ResponderId(in, "me", 0), now).state();
     assertThat(state.phase()).isEqualTo(ResponderPhase.TRAVELLING);
     Instant first = state.until();
 
-    Step<ResponderState, ResponderAction> longer =
-        machine.hear(state, new ResponderId(in, "me", 1), now);
+    TransitionResult<ResponderState, ResponderAction> longer =
+        machine.receive(state, new ResponderId(in, "me", 1), now);
     assertThat(longer.state().until()).isEqualTo(first.plusSeconds(5));
-    assertThat(longer.actions()).containsExactly(new Extend(first.plusSeconds(5)));
+    assertThat(longer.actions()).containsExactly(new ExtendLease(first.plusSeconds(5)));
 
-    assertThat(machine.hear(longer.state(), new ResponderId(in, "me", 0), now).actions())
+    assertThat(machine.receive(longer.state(), new ResponderId(in, "me", 0), now).actions())
         .as("the shorter one changes nothing")
         .isEmpty();
   }

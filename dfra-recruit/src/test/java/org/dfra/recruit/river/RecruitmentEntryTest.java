@@ -15,7 +15,7 @@ class RecruitmentEntryTest {
   void mirrorsItsRecord() {
     RecruitmentAttributes said =
         new RecruitmentAttributes(List.of("mine", "heat"), 0.7, "affective", 20, 1);
-    Entry[] entries = Entries.of(List.of(said));
+    Entry[] entries = Entries.toEntries(List.of(said));
     assertThat(entries).hasSize(1);
     assertThat(entries[0])
         .isInstanceOfSatisfying(
@@ -25,20 +25,20 @@ class RecruitmentEntryTest {
               assertThat(entry.speed).isEqualTo(0.7);
               assertThat(entry.strategy).isEqualTo("affective", 20, 1);
             });
-    assertThat(Entries.records(entries)).containsExactly(said);
+    assertThat(Entries.toAttributes(entries)).containsExactly(said);
   }
 
   @Test
   void whatOneThatIsHeldSaysComesBack() {
     RecruitmentAttributes said =
         new RecruitmentAttributes(List.of("mine"), 0.7, "affective", 20, 1, "somebody stopped it");
-    assertThat(Entries.records(Entries.of(List.of(said)))).containsExactly(said);
+    assertThat(Entries.toAttributes(Entries.toEntries(List.of(said)))).containsExactly(said);
   }
 
   @Test
   void thatLacksWhatItsRecordMustHaveIsLeftOut() {
     RecruitmentEntry half = new RecruitmentEntry();
     half.percepts = List.of("mine");
-    assertThat(Entries.records(new Entry[] {half})).isEmpty();
+    assertThat(Entries.toAttributes(new Entry[] {half})).isEmpty();
   }
 }

@@ -45,48 +45,48 @@ class ModelsTest {
   @Test
   void shameGrowsAsTheEquationSays() {
     Shame shame = new Shame(SHAME);
-    shame.heard(asked(50, 1, false, NOW));
+    shame.stimulate(asked(50, 1, false, NOW));
     assertThat(shame.level()).isCloseTo(1.5 * 0.25, within(1e-9));
-    shame.heard(asked(50, 1, true, NOW));
+    shame.stimulate(asked(50, 1, true, NOW));
     assertThat(shame.level()).isCloseTo(1.5 * 0.25 * 1.5, within(1e-9));
     shame.relieve();
-    shame.heard(asked(1000, 1, false, NOW));
+    shame.stimulate(asked(1000, 1, false, NOW));
     assertThat(shame.level()).as("the floor").isCloseTo(0.15, within(1e-9));
     shame.atone();
-    shame.heard(asked(0, 1, false, NOW));
-    assertThat(shame.isMoved()).isTrue();
+    shame.stimulate(asked(0, 1, false, NOW));
+    assertThat(shame.isTriggered()).isTrue();
     shame.atone();
-    shame.heard(asked(0, 0.2, false, NOW));
+    shame.stimulate(asked(0, 0.2, false, NOW));
     assertThat(shame.level()).as("at the reserve").isCloseTo(0.3, within(1e-9));
   }
 
   @Test
   void impatienceGrowsWithTheTimeThatACallIsUnanswered() {
     Impatience impatience = new Impatience(10, 40, 100, Duration.ofSeconds(5));
-    impatience.heard(asked(0, 1, false, NOW));
+    impatience.stimulate(asked(0, 1, false, NOW));
     assertThat(impatience.level()).isCloseTo(0.5, within(1e-9));
-    impatience.heard(asked(0, 1, false, NOW.plusSeconds(5)));
-    assertThat(impatience.isMoved()).isTrue();
+    impatience.stimulate(asked(0, 1, false, NOW.plusSeconds(5)));
+    assertThat(impatience.isTriggered()).isTrue();
     impatience.relieve();
-    impatience.heard(asked(100, 1, false, NOW));
+    impatience.stimulate(asked(100, 1, false, NOW));
     assertThat(impatience.level()).isCloseTo(0.125, within(1e-9));
   }
 
   @Test
   void thePauseBetweenTwoCallsIsNoWaitingThoughTheEndOfTheFirstWasNotHeard() {
     Impatience impatience = new Impatience(5, 30, 100, Duration.ofSeconds(5));
-    impatience.heard(asked(1, 100, 1, true, NOW));
+    impatience.stimulate(asked(1, 100, 1, true, NOW));
     assertThat(impatience.level()).as("5 s of 60 s").isCloseTo(5 / 60.0, within(1e-9));
     Instant next = NOW.plusSeconds(600);
-    impatience.heard(asked(2, 100, 1, true, next));
+    impatience.stimulate(asked(2, 100, 1, true, next));
     assertThat(impatience.level()).as("5 s more").isCloseTo(10 / 60.0, within(1e-9));
-    impatience.heard(asked(2, 100, 1, true, next.plusSeconds(15)));
+    impatience.stimulate(asked(2, 100, 1, true, next.plusSeconds(15)));
     assertThat(impatience.level())
         .as("a further round, two between were lost: 15 s more")
         .isCloseTo(25 / 60.0, within(1e-9));
     Impatience restored = new Impatience(5, 30, 100, Duration.ofSeconds(5));
     restored.restore(impatience.level());
-    restored.heard(asked(2, 100, 1, true, next.plusSeconds(500)));
+    restored.stimulate(asked(2, 100, 1, true, next.plusSeconds(500)));
     assertThat(restored.level())
         .as("its process died and does not know since when it waits")
         .isCloseTo(30 / 60.0, within(1e-9));
@@ -104,7 +104,8 @@ class ModelsTest {
 
   @Test
   void anUnknownStrategyIsRefusedWithThoseThereAre() {
-    assertThatThrownBy(() -> Strategies.named("gredy", new Shame(SHAME), new SplittableRandom(1)))
+    assertThatThrownBy(
+            () -> StrategyRegistry.named("gredy", new Shame(SHAME), new SplittableRandom(1)))
         .isInstanceOf(ConfigurationException.class)
         .hasMessage("there is no strategy \"gredy\"; did you mean \"greedy\"?");
   }

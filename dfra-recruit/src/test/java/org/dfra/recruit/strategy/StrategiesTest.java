@@ -31,7 +31,7 @@ class StrategiesTest {
     }
 
     @Override
-    public boolean answers(Stimulus stimulus) {
+    public boolean shouldOffer(Stimulus stimulus) {
       return !stimulus.busy();
     }
 
@@ -50,7 +50,7 @@ class StrategiesTest {
     }
 
     @Override
-    public boolean answers(Stimulus stimulus) {
+    public boolean shouldOffer(Stimulus stimulus) {
       return lot.nextBoolean();
     }
   }
@@ -70,8 +70,8 @@ class StrategiesTest {
   }
 
   private static RecruitmentStrategy named(String name) {
-    return Strategies.named(
-        name, new Shame(ShameSettings.usual(100, 1)), new SplittableRandom(20261122));
+    return StrategyRegistry.named(
+        name, new Shame(ShameSettings.forField(100, 1)), new SplittableRandom(20261122));
   }
 
   private static Stimulus asked(boolean busy) {
@@ -82,19 +82,19 @@ class StrategiesTest {
   @ValueSource(strings = {"affective", "greedy", "random", "contract-net"})
   void knowsThoseOfTheProject(String name) {
     assertThat(named(name).name()).isEqualTo(name);
-    assertThat(Strategies.NAMES).contains(name);
+    assertThat(StrategyRegistry.NAMES).contains(name);
   }
 
   @Test
   void makesAUsersByItsClass() {
     RecruitmentStrategy modest = named(HERE + "Modest");
     assertThat(modest).isInstanceOf(Modest.class);
-    assertThat(modest.answers(asked(false))).isTrue();
-    assertThat(modest.answers(asked(true))).isFalse();
-    assertThat(modest.window()).isEqualTo(Duration.ofSeconds(2));
+    assertThat(modest.shouldOffer(asked(false))).isTrue();
+    assertThat(modest.shouldOffer(asked(true))).isFalse();
+    assertThat(modest.offerWindow()).isEqualTo(Duration.ofSeconds(2));
     assertThat(modest.urge()).isZero();
-    assertThat(modest.refusesAloud()).isFalse();
-    assertThat(modest.answersOneByOne()).isFalse();
+    assertThat(modest.sendsRefusal()).isFalse();
+    assertThat(modest.notifiesIndividually()).isFalse();
   }
 
   @Test
@@ -102,7 +102,7 @@ class StrategiesTest {
     RecruitmentStrategy one = named(HERE + "Chancy");
     RecruitmentStrategy again = named(HERE + "Chancy");
     for (int i = 0; i < 100; i++) {
-      assertThat(one.answers(asked(false))).isEqualTo(again.answers(asked(false)));
+      assertThat(one.shouldOffer(asked(false))).isEqualTo(again.shouldOffer(asked(false)));
     }
   }
 

@@ -24,7 +24,7 @@ class MeasuredDelaysTest {
   @Test
   void thoseOfLettersAreThoseOfTheBenchmark() throws IOException {
     MeasuredDelays file = MeasuredDelays.read(MEASURED);
-    MeasuredDelays used = MeasuredDelays.ofLetters();
+    MeasuredDelays used = MeasuredDelays.ofMessages();
     for (double share : new double[] {0, 0.1, 0.5, 0.9, 0.99, 1}) {
       assertThat(used.quantile(share)).as("%s", share).isEqualTo(file.quantile(share));
     }
@@ -34,7 +34,7 @@ class MeasuredDelaysTest {
   /** The tail too: as many of the drawn ones as of the measured ones are beyond 99 of 100. */
   @Test
   void whatIsDrawnIsDistributedAsWhatWasMeasured() {
-    MeasuredDelays used = MeasuredDelays.ofLetters();
+    MeasuredDelays used = MeasuredDelays.ofMessages();
     long seed = 20261121;
     RandomGenerator lot = new SplittableRandom(seed);
     int count = 100_000;

@@ -48,7 +48,7 @@ public final class AdministrationGuard {
             interfaces,
             (guard, method, arguments) -> {
               if (administrative.contains(method)) {
-                Optional<Caller> caller = Caller.current();
+                Optional<RemoteCaller> caller = RemoteCaller.current();
                 if (caller.isPresent()) {
                   policy.check(caller.get(), GuardedDispatcher.name(method));
                 }

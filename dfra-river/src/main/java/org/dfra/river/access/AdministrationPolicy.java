@@ -36,7 +36,7 @@ public final class AdministrationPolicy {
   private static final AtomicLong LAST_LOGGED = new AtomicLong(System.nanoTime() - LOG_AGAIN_NANOS);
 
   /** Read when the first object is exported, so that a main can set it before. */
-  private static final class Configured {
+  private static final class ConfiguredRanges {
     static final List<AddressRange> RANGES = parse(System.getProperty(PROPERTY, ""));
   }
 
@@ -61,7 +61,7 @@ public final class AdministrationPolicy {
 
   private static List<AddressRange> configured() {
     try {
-      return Configured.RANGES;
+      return ConfiguredRanges.RANGES;
     } catch (ExceptionInInitializerError e) {
       if (e.getCause() instanceof IllegalArgumentException wrong) {
         throw wrong;
@@ -111,10 +111,10 @@ public final class AdministrationPolicy {
   }
 
   /** Whether a client may administer; one whose address is not known may not. */
-  public boolean allows(Caller caller) {
+  public boolean allows(RemoteCaller caller) {
     @Nullable InetAddress address = caller.address();
     return address != null
-        && (own.contain(address)
+        && (own.contains(address)
             || configured().stream().anyMatch(each -> each.contains(address))
             || ADMITTED.stream().anyMatch(each -> each.contains(address)));
   }
@@ -125,7 +125,7 @@ public final class AdministrationPolicy {
    * @param what the method that it calls, such as {@code Module.setParameter}
    * @throws AdministrationRefusedException if it may not
    */
-  public void check(Caller caller, String what) {
+  public void check(RemoteCaller caller, String what) {
     if (!allows(caller)) {
       AdministrationRefusedException refused =
           new AdministrationRefusedException(

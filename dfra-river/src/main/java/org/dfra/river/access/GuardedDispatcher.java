@@ -72,7 +72,7 @@ public class GuardedDispatcher extends FilteredInvocationDispatcher {
       Remote impl, Method method, InvocationConstraints constraints, Collection context) {
     super.checkAccess(impl, method, constraints, context);
     if (administrative.contains(method)) {
-      policy.check(Caller.in(context), name(method));
+      policy.check(RemoteCaller.fromContext(context), name(method));
     }
   }
 

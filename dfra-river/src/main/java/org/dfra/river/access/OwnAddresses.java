@@ -53,12 +53,12 @@ public final class OwnAddresses {
    * Whether an address is one of them wherever on this computer the robot is exported: that of an
    * interface, or the loopback's default. Nothing is looked up.
    */
-  public static boolean alwaysContain(InetAddress address) {
+  public static boolean isAlwaysLocal(InetAddress address) {
     return address.isLoopbackAddress() ? isDefault(address) : isOfAnInterface(address);
   }
 
   /** Whether an address is one of them. Interfaces are read anew each time: addresses change. */
-  public boolean contain(InetAddress address) {
+  public boolean contains(InetAddress address) {
     if (!address.isLoopbackAddress()) {
       return isOfAnInterface(address);
     }

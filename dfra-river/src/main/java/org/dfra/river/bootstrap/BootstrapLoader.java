@@ -21,7 +21,7 @@ import org.dfra.core.config.GroupDescription;
 import org.dfra.core.config.RegistrarDescription;
 import org.dfra.river.access.AddressRange;
 import org.dfra.river.access.AdministrationPolicy;
-import org.dfra.river.loading.RobotClasses;
+import org.dfra.river.loading.RobotCodebase;
 import org.dfra.river.phoenix.Phoenix;
 import org.dfra.river.phoenix.PhoenixAdmin;
 import org.dfra.river.server.ModuleActivation;
@@ -41,8 +41,8 @@ final class BootstrapLoader {
   private final Path state;
   private final String robot;
   private final AdministrationDescription administration;
-  private final Optional<RobotClasses> classes;
-  private final Patience patience;
+  private final Optional<RobotCodebase> classes;
+  private final RetryDeadline patience;
   private @Nullable String administrators; // resolved when first needed, and once
 
   /**
@@ -50,11 +50,11 @@ final class BootstrapLoader {
    * @param classes what the robot serves to clients that lack its classes
    */
   BootstrapLoader(
-      PhoenixCalls phoenix,
+      PhoenixClient phoenix,
       String robot,
       AdministrationDescription administration,
-      Optional<RobotClasses> classes,
-      Patience patience) {
+      Optional<RobotCodebase> classes,
+      RetryDeadline patience) {
     this.admin = phoenix.admin();
     this.system = phoenix.system();
     this.state = phoenix.state();
@@ -65,13 +65,13 @@ final class BootstrapLoader {
   }
 
   /** What phoenix has registered of the robot now. */
-  List<RegisteredGroup> registered() throws ActivationException, IOException {
-    return patience.ask(() -> RegisteredGroup.of(admin, robot));
+  List<RegisteredGroup> registeredGroups() throws ActivationException, IOException {
+    return patience.call(() -> RegisteredGroup.of(admin, robot));
   }
 
   /** The robot's modules that are registered now. */
-  List<RegisteredGroup.Module> modules() throws ActivationException, IOException {
-    return registered().stream().flatMap(group -> group.modules().stream()).toList();
+  List<RegisteredGroup.RegisteredModule> modules() throws ActivationException, IOException {
+    return registeredGroups().stream().flatMap(group -> group.modules().stream()).toList();
   }
 
   private Optional<RegisteredGroup> registered(String group)
@@ -90,7 +90,7 @@ final class BootstrapLoader {
     @Nullable String known = administrators;
     if (known == null) {
       known =
-          AdministratorAddresses.resolve(administration).stream()
+          AddressRangeResolver.resolve(administration).stream()
               .map(AddressRange::toString)
               .collect(Collectors.joining(","));
       administrators = known;
@@ -113,10 +113,10 @@ final class BootstrapLoader {
   }
 
   /** Registers a service group. */
-  ActivationGroupID group(GroupDescription group) throws ActivationException, IOException {
+  ActivationGroupID registerGroup(GroupDescription group) throws ActivationException, IOException {
     ActivationGroupDesc desc = desc(group);
-    LaunchOptions.permit(state, JvmCommand.options());
-    return patience.ask(
+    PermittedLaunchOptions.permit(state, JvmCommand.options());
+    return patience.call(
         () -> {
           Optional<RegisteredGroup> known = registered(group.name());
           if (known.isEmpty()) {
@@ -130,17 +130,17 @@ final class BootstrapLoader {
   }
 
   /** Registers the robot's registrar: stock reggie. */
-  ActivationID registrar(
+  ActivationID registerRegistrar(
       GroupDescription group, RegistrarDescription registrar, MarshalledObject<String[]> data)
       throws ActivationException, IOException {
-    ActivationGroupID groupId = group(group);
+    ActivationGroupID groupId = registerGroup(group);
     ActivationDesc desc = new ActivationDesc(groupId, REGGIE, null, data, registrar.restart());
-    return patience.ask(
+    return patience.call(
         () ->
             register(
                 registered(group.name())
                     .flatMap(RegisteredGroup::registrar)
-                    .map(RegisteredGroup.Registrar::id),
+                    .map(RegisteredGroup.RegisteredRegistrar::id),
                 desc));
   }
 
@@ -149,7 +149,7 @@ final class BootstrapLoader {
    *
    * @param group the group's name
    */
-  ActivationID module(ActivationGroupID groupId, String group, ModuleActivation activation)
+  ActivationID registerModule(ActivationGroupID groupId, String group, ModuleActivation activation)
       throws ActivationException, IOException {
     ActivationDesc desc =
         new ActivationDesc(
@@ -158,12 +158,12 @@ final class BootstrapLoader {
             null,
             new MarshalledObject<>(activation),
             activation.module().restart());
-    return patience.ask(
+    return patience.call(
         () ->
             register(
                 registered(group)
                     .flatMap(each -> each.module(activation.module().name()))
-                    .map(RegisteredGroup.Module::id),
+                    .map(RegisteredGroup.RegisteredModule::id),
                 desc));
   }
 

@@ -20,7 +20,7 @@ import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.river.bootstrap.BringUpStep.Kind;
-import org.dfra.river.bootstrap.RobotBootstrap.Service;
+import org.dfra.river.bootstrap.RobotBootstrap.ServiceReference;
 import org.dfra.river.phoenix.GroupStatus;
 import org.dfra.river.phoenix.PhoenixAdmin;
 import org.dfra.river.server.ModuleActivation;
@@ -45,30 +45,30 @@ final class BringUp {
   private final BootstrapLoader loader;
   private final RobotRegistrar registrar;
   private final ModuleSettings settings;
-  private final Patience patience;
+  private final RetryDeadline patience;
   private final BringUpStep.Listener listener;
-  private final ModuleEnd moduleEnd;
-  private final GroupEnd groupEnd;
-  private final Map<String, RegisteredGroup.Module> moved = new HashMap<>();
+  private final ModuleTerminator moduleEnd;
+  private final GroupTerminator groupEnd;
+  private final Map<String, RegisteredGroup.RegisteredModule> moved = new HashMap<>();
   private final Map<String, NotEndedException> notEnded = new TreeMap<>();
   private final List<Exception> failures = new ArrayList<>(); // of other modules
   private List<RegisteredGroup> before = List.of();
 
   /** What a module is activated with, for a robot on a host. */
   interface ModuleSettings {
-    ModuleActivation of(ModuleDescription module, ModuleIdentity identity);
+    ModuleActivation activationData(ModuleDescription module, ModuleIdentity identity);
 
     /** Where the module keeps what outlives its virtual machine. */
-    Path folder(ModuleDescription module);
+    Path stateFolder(ModuleDescription module);
   }
 
   BringUp(
-      PhoenixCalls phoenix,
+      PhoenixClient phoenix,
       RobotDescription robot,
       BootstrapLoader loader,
       RobotRegistrar registrar,
       ModuleSettings settings,
-      Patience patience,
+      RetryDeadline patience,
       BringUpStep.Listener listener)
       throws RemoteException {
     this.admin = phoenix.admin();
@@ -78,8 +78,8 @@ final class BringUp {
     this.settings = settings;
     this.patience = patience;
     this.listener = listener;
-    this.moduleEnd = new ModuleEnd(admin, END);
-    this.groupEnd = new GroupEnd(phoenix, patience);
+    this.moduleEnd = new ModuleTerminator(admin, END);
+    this.groupEnd = new GroupTerminator(phoenix, patience);
   }
 
   /**
@@ -89,22 +89,22 @@ final class BringUp {
    * @throws ActivationException if modules did not start, or their end is not proven: which, and
    *     why
    */
-  List<Service> run() throws ActivationException, IOException {
-    before = loader.registered();
+  List<ServiceReference> run() throws ActivationException, IOException {
+    before = loader.registeredGroups();
     Map<String, Long> processes = incarnations();
     for (GroupDescription group : robot.groups()) {
       if (before(group.name())
           .isPresent()) { // a process that is restarted is to start as described
-        ActivationGroupID unused = loader.group(group);
+        ActivationGroupID unused = loader.registerGroup(group);
       }
     }
     for (RegisteredGroup group : before) {
-      leave(group);
+      removeUndescribed(group);
     }
-    new ForgottenServices(groupEnd).end(robot.name(), listener);
-    List<Service> services = start();
+    new OrphanedServiceCleanup(groupEnd).terminateProcesses(robot.name(), listener);
+    List<ServiceReference> services = start();
     try {
-      sayWhatWasKept(processes);
+      reportStaleGroups(processes);
     } catch (ActivationException | IOException e) {
       failures.add(e);
     }
@@ -112,8 +112,8 @@ final class BringUp {
     return services;
   }
 
-  private List<Service> start() throws ActivationException, IOException {
-    List<Service> services = new ArrayList<>();
+  private List<ServiceReference> start() throws ActivationException, IOException {
+    List<ServiceReference> services = new ArrayList<>();
     // The registrar first, so that the modules find it when they start.
     for (GroupDescription group : robot.groups()) {
       if (group.registrar().isPresent()) {
@@ -123,7 +123,7 @@ final class BringUp {
     // Whatever ends does so before anything starts, which may need its device.
     List<Ready> all = new ArrayList<>();
     for (GroupDescription group : robot.groups()) {
-      ActivationGroupID groupId = loader.group(group);
+      ActivationGroupID groupId = loader.registerGroup(group);
       for (ModuleDescription module : group.modules()) {
         if (!notEnded.containsKey(module.name())) {
           try {
@@ -148,7 +148,7 @@ final class BringUp {
   }
 
   private void start(Ready ready) throws ActivationException, IOException {
-    Service service = ready.service();
+    ServiceReference service = ready.service();
     if (ready.isOther() && !notEnded.isEmpty()) {
       groupEnd.unregister(service.id()); // or a call would start it
       throw new ActivationException(
@@ -158,7 +158,7 @@ final class BringUp {
               + " is not started: what did not end may have its device; when that has ended, bring"
               + " the robot up again");
     }
-    ServiceStart.of(service, ready.module().place(), patience);
+    ServiceStart.activate(service, ready.module().place(), patience);
     step(service.name(), service.group(), ready.kind(), ready.detail());
   }
 
@@ -177,24 +177,24 @@ final class BringUp {
 
   /** How often a process was started for each of the robot's groups that has one. */
   private Map<String, Long> incarnations() throws ActivationException, IOException {
-    return patience.ask(admin::groupStatus).stream()
+    return patience.call(admin::groupStatus).stream()
         .filter(each -> each.pid() >= 0)
         .collect(
             Collectors.toMap(
-                each -> GroupEnd.plain(each.name()),
+                each -> GroupTerminator.plain(each.name()),
                 GroupStatus::incarnation,
                 (one, other) -> one));
   }
 
   /** A process has its options for life, and other modules that work in it. */
-  private void sayWhatWasKept(Map<String, Long> then) throws ActivationException, IOException {
+  private void reportStaleGroups(Map<String, Long> then) throws ActivationException, IOException {
     Map<String, Long> now = incarnations();
     for (GroupDescription group : robot.groups()) {
       String name = fullName(group.name());
       boolean isChanged =
           before(group.name()).filter(old -> !old.desc().equals(loader.desc(group))).isPresent();
       if (isChanged && now.containsKey(name) && now.get(name).equals(then.get(name))) {
-        say(Kind.GROUP_KEPT, group.name(), "");
+        reportGroup(Kind.GROUP_STALE, group.name(), "");
       }
     }
   }
@@ -204,7 +204,7 @@ final class BringUp {
   }
 
   /** The name of the group in which the description has a module; null if it has none. */
-  private @Nullable String home(String module) {
+  private @Nullable String describedGroup(String module) {
     return robot.groups().stream()
         .filter(group -> group.modules().stream().anyMatch(each -> each.name().equals(module)))
         .map(GroupDescription::name)
@@ -213,12 +213,12 @@ final class BringUp {
   }
 
   /** Ends what of a group the description does not have in it. */
-  private void leave(RegisteredGroup group) throws ActivationException, IOException {
+  private void removeUndescribed(RegisteredGroup group) throws ActivationException, IOException {
     boolean isEmpty = true;
-    for (RegisteredGroup.Module module : group.modules()) {
-      @Nullable String home = home(module.name());
+    for (RegisteredGroup.RegisteredModule module : group.modules()) {
+      @Nullable String home = describedGroup(module.name());
       if (!group.name().equals(home)) {
-        isEmpty &= leave(module, home);
+        isEmpty &= removeUndescribed(module, home);
       }
     }
     Optional<GroupDescription> described = described(group.name());
@@ -227,18 +227,18 @@ final class BringUp {
       groupEnd.unregister(group.registrar().get().id());
       if (described.isPresent()) { // reggie cannot be ended without its state
         groupEnd.restart(fullName(group.name()), END);
-        say(Kind.GROUP_RESTARTED, group.name(), "the registrar has left it");
+        reportGroup(Kind.GROUP_RESTARTED, group.name(), "the registrar has left it");
       }
     }
     if (described.isEmpty() && isEmpty) {
-      groupEnd.end(fullName(group.name()), END);
+      groupEnd.terminate(fullName(group.name()), END);
       groupEnd.unregister(group.id());
-      say(Kind.GROUP_ENDED, group.name(), "");
+      reportGroup(Kind.GROUP_ENDED, group.name(), "");
     }
   }
 
   /** Ends a module for good; false if that is not proven. */
-  private boolean leave(RegisteredGroup.Module module, @Nullable String home)
+  private boolean removeUndescribed(RegisteredGroup.RegisteredModule module, @Nullable String home)
       throws ActivationException, IOException {
     try {
       moduleEnd.forget(module);
@@ -264,22 +264,23 @@ final class BringUp {
     return before.stream().filter(each -> each.name().equals(group)).findFirst();
   }
 
-  private Service registrar(GroupDescription group, RegistrarDescription description)
+  private ServiceReference registrar(GroupDescription group, RegistrarDescription description)
       throws ActivationException, IOException {
-    Optional<RegisteredGroup.Registrar> old =
+    Optional<RegisteredGroup.RegisteredRegistrar> old =
         before(group.name()).flatMap(RegisteredGroup::registrar);
     boolean wasActive =
         old.isPresent() && isActive(before(group.name()).get().id(), old.get().id());
     String[] arguments = registrar.arguments(description);
-    ActivationID id = loader.registrar(group, description, new MarshalledObject<>(arguments));
-    Service service = new Service(robot.name() + "/registrar", group.name(), id);
+    ActivationID id =
+        loader.registerRegistrar(group, description, new MarshalledObject<>(arguments));
+    ServiceReference service = new ServiceReference(robot.name() + "/registrar", group.name(), id);
     boolean isChanged =
         wasActive
-            && !RegistrarArguments.atStart(List.of(arguments))
-                .equals(RegistrarArguments.atStart(old.get().arguments()));
+            && !RegistrarArguments.startupOnly(List.of(arguments))
+                .equals(RegistrarArguments.startupOnly(old.get().arguments()));
     if (isChanged) {
       groupEnd.restart(fullName(group.name()), END);
-      say(
+      reportGroup(
           Kind.GROUP_RESTARTED,
           group.name(),
           "the registrar's host, folder or module hosts have changed");
@@ -295,28 +296,28 @@ final class BringUp {
     step(
         service.name(),
         group.name(),
-        isChanged ? Kind.RESTARTED : wasActive ? Kind.KEPT : Kind.STARTED,
+        isChanged ? Kind.RESTARTED : wasActive ? Kind.UNCHANGED : Kind.STARTED,
         "");
     return service;
   }
 
   /** Forgets a service that did not start, so that nobody takes it for one that is there. */
-  private void withdraw(Service service, boolean withGroup)
+  private void withdraw(ServiceReference service, boolean withGroup)
       throws ActivationException, IOException {
     groupEnd.unregister(service.id());
     Optional<RegisteredGroup> group =
-        loader.registered().stream()
+        loader.registeredGroups().stream()
             .filter(each -> each.name().equals(service.group()))
             .findFirst();
     if (withGroup && group.isPresent()) {
-      groupEnd.end(fullName(service.group()), END);
+      groupEnd.terminate(fullName(service.group()), END);
       groupEnd.unregister(group.get().id());
     }
   }
 
   private boolean isActive(ActivationGroupID group, ActivationID object)
       throws ActivationException, IOException {
-    return patience.ask(() -> admin.activeObjects(group)).contains(object);
+    return patience.call(() -> admin.activeObjects(group)).contains(object);
   }
 
   /**
@@ -325,21 +326,26 @@ final class BringUp {
    * @param isOther whether it was not described so before, in this group
    */
   private record Ready(
-      Service service, ModuleDescription module, boolean isOther, Kind kind, String detail) {}
+      ServiceReference service,
+      ModuleDescription module,
+      boolean isOther,
+      Kind kind,
+      String detail) {}
 
   private Ready ready(ActivationGroupID groupId, String group, ModuleDescription module)
       throws ActivationException, IOException {
-    Optional<RegisteredGroup.Module> here = before(group).flatMap(old -> old.module(module.name()));
-    ModuleActivation activation = settings.of(module, identity(module, here));
+    Optional<RegisteredGroup.RegisteredModule> here =
+        before(group).flatMap(old -> old.module(module.name()));
+    ModuleActivation activation = settings.activationData(module, identity(module, here));
     List<String> changes =
         here.map(old -> ActivationChanges.between(old.activation(), activation)).orElse(List.of());
     boolean wasActive = here.isPresent() && isActive(groupId, here.get().id());
-    ActivationID id = loader.module(groupId, group, activation);
+    ActivationID id = loader.registerModule(groupId, group, activation);
     if (here.isPresent() && !changes.isEmpty()) {
       try {
         moduleEnd.deactivate(here.get()); // whoever started it meanwhile did so as described before
       } catch (NotEndedException e) {
-        loader.module(groupId, group, here.get().activation()); // as which it works on
+        loader.registerModule(groupId, group, here.get().activation()); // as which it works on
         throw e;
       }
     }
@@ -348,7 +354,7 @@ final class BringUp {
             ? moved.get(module.name()).group()
             : String.join(", ", changes);
     return new Ready(
-        new Service(module.path(), group, id),
+        new ServiceReference(module.path(), group, id),
         module,
         here.isEmpty() || !changes.isEmpty(),
         kind(module.name(), wasActive, changes),
@@ -359,27 +365,28 @@ final class BringUp {
     if (moved.containsKey(module)) {
       return Kind.MOVED;
     }
-    return !wasActive ? Kind.STARTED : changes.isEmpty() ? Kind.KEPT : Kind.RESTARTED;
+    return !wasActive ? Kind.STARTED : changes.isEmpty() ? Kind.UNCHANGED : Kind.RESTARTED;
   }
 
   /** The one it had, in whichever group, or before the robot was taken down. */
-  private ModuleIdentity identity(ModuleDescription module, Optional<RegisteredGroup.Module> here)
+  private ModuleIdentity identity(
+      ModuleDescription module, Optional<RegisteredGroup.RegisteredModule> here)
       throws IOException {
-    Path folder = settings.folder(module);
+    Path folder = settings.stateFolder(module);
     ModuleIdentity identity =
         here.or(() -> Optional.ofNullable(moved.get(module.name())))
             .map(old -> new ModuleIdentity(old.activation().id(), old.activation().created()))
-            .or(() -> ModuleIdentity.kept(folder))
+            .or(() -> ModuleIdentity.load(folder))
             .orElseGet(ModuleIdentity::fresh);
-    identity.keep(folder);
+    identity.store(folder);
     return identity;
   }
 
-  private void say(Kind kind, String group, String detail) {
+  private void reportGroup(Kind kind, String group, String detail) {
     step(fullName(group), group, kind, detail);
   }
 
   private void step(String name, String group, Kind kind, String detail) {
-    listener.done(new BringUpStep(name, group, kind, detail));
+    listener.onStep(new BringUpStep(name, group, kind, detail));
   }
 }

@@ -15,7 +15,7 @@ public record BringUpStep(String name, String group, Kind kind, String detail) {
     /** It did not run, and was started. */
     STARTED,
     /** It ran as it is described, and was left alone. */
-    KEPT,
+    UNCHANGED,
     /** It ran otherwise than it is described, was ended and started anew. */
     RESTARTED,
     /** It ran in another group, was ended there and started here. */
@@ -23,7 +23,7 @@ public record BringUpStep(String name, String group, Kind kind, String detail) {
     /** The description does not name it any more: it was ended and unregistered. */
     ENDED,
     /** A group whose process works on as it was started, though it is described otherwise. */
-    GROUP_KEPT,
+    GROUP_STALE,
     /** A group whose process was ended, so that another one is started as described. */
     GROUP_RESTARTED,
     /**
@@ -38,6 +38,6 @@ public record BringUpStep(String name, String group, Kind kind, String detail) {
   /** Where it has got to. */
   public interface Listener {
     /** Something was done. */
-    void done(BringUpStep step);
+    void onStep(BringUpStep step);
   }
 }

@@ -36,7 +36,7 @@ final class DiscoveryServerSocket extends ServerSocket {
     }
     DiscoverySocket socket = new DiscoverySocket(this::left);
     implAccept(socket);
-    socket.begin();
+    socket.startDeadline();
     add(socket).ifPresent(DiscoverySocket::abort);
     return socket;
   }

@@ -22,10 +22,10 @@ import org.slf4j.LoggerFactory;
 final class DiscoverySocket extends Socket {
 
   /** The answer has about 2 kB; a client gives up after 2 s. */
-  static final Duration LIFE = Duration.ofSeconds(5);
+  static final Duration MAX_LIFETIME = Duration.ofSeconds(5);
 
   /** For a connection to a client that has asked by multicast. */
-  static final Duration CONNECTION = Duration.ofSeconds(1);
+  static final Duration CONNECT_TIMEOUT = Duration.ofSeconds(1);
 
   private static final Logger LOG = LoggerFactory.getLogger(DiscoverySocket.class);
   private static final long IDLE_SECONDS = 10;
@@ -59,8 +59,8 @@ final class DiscoverySocket extends Socket {
   }
 
   /** Its time begins. */
-  void begin() {
-    end = ENDS.schedule(this::abort, LIFE.toMillis(), TimeUnit.MILLISECONDS);
+  void startDeadline() {
+    end = ENDS.schedule(this::abort, MAX_LIFETIME.toMillis(), TimeUnit.MILLISECONDS);
   }
 
   /** Ends it at once; whoever reads or writes it gets an exception. */
@@ -72,12 +72,12 @@ final class DiscoverySocket extends Socket {
     }
   }
 
-  /** Connects within {@link #CONNECTION}, whatever is asked for. */
+  /** Connects within {@link #CONNECT_TIMEOUT}, whatever is asked for. */
   @Override
   public void connect(SocketAddress endpoint, int timeout) throws IOException {
-    int most = Math.toIntExact(CONNECTION.toMillis());
+    int most = Math.toIntExact(CONNECT_TIMEOUT.toMillis());
     super.connect(endpoint, timeout == 0 ? most : Math.min(timeout, most));
-    begin();
+    startDeadline();
   }
 
   @Override

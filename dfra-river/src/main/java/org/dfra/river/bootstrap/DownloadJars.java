@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
-import org.dfra.river.loading.RobotClasses;
+import org.dfra.river.loading.RobotCodebase;
 import org.jspecify.annotations.Nullable;
 
 /** The jars for clients that lack a robot's classes. */
@@ -28,17 +28,17 @@ final class DownloadJars {
    * @return empty if it runs no class server or there is nothing to serve
    * @throws IOException if DFRA's own are not where they should be
    */
-  static Optional<RobotClasses> of(RobotDescription robot, String host, Path state)
+  static Optional<RobotCodebase> of(RobotDescription robot, String host, Path state)
       throws IOException {
     Optional<RegistrarDescription> registrar =
-        robot.registrar().filter(RegistrarDescription::servesClasses);
+        robot.registrar().filter(RegistrarDescription::hasClassServer);
     if (registrar.isEmpty()) {
       return Optional.empty();
     }
     Path kept = state.toAbsolutePath().resolve("classes").resolve(robot.name());
     List<List<Path>> kinds = new ArrayList<>();
     robot.modules().forEach(each -> kinds.add(each.download().stream().map(Path::of).toList()));
-    return Optional.of(new RobotClasses(host, registrar.get().classes(), kept, kinds, ofDfra()))
+    return Optional.of(new RobotCodebase(host, registrar.get().classes(), kept, kinds, ofDfra()))
         .filter(classes -> !classes.isEmpty());
   }
 
@@ -49,10 +49,10 @@ final class DownloadJars {
    * @throws IOException if they are not where they should be
    */
   private static List<Path> ofDfra() throws IOException {
-    return in(System.getProperty(LIB));
+    return listJars(System.getProperty(LIB));
   }
 
-  static List<Path> in(@Nullable String lib) throws IOException {
+  static List<Path> listJars(@Nullable String lib) throws IOException {
     if (lib == null) {
       return List.of();
     }

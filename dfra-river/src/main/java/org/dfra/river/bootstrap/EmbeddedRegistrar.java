@@ -45,9 +45,9 @@ public final class EmbeddedRegistrar implements AutoCloseable {
 
   private static final String CLASS = "com.sun.jini.reggie.TransientRegistrarImpl";
   private static final String COMPONENT = "com.sun.jini.reggie.";
-  private static final Duration PATIENCE = Duration.ofSeconds(10);
+  private static final Duration STOP_TIMEOUT = Duration.ofSeconds(10);
   private static final long UNEXPORT_MILLIS = 1_000;
-  private static final int KNOCK_MILLIS = 100;
+  private static final int WAKE_INTERVAL_MILLIS = 100;
 
   private record Running(Object reggie, ServiceRegistrar registrar, int port, CountDownLatch end) {}
 
@@ -63,35 +63,35 @@ public final class EmbeddedRegistrar implements AutoCloseable {
    * @param host address of this machine, which its proxy carries
    * @param port TCP port of unicast discovery; 0 for a free one
    * @param groups discovery groups that it is a member of
-   * @param lease the longest lease that it grants: whoever stops to renew is forgotten after it
-   * @param further entries of its Jini configuration, by their names in reggie's component, which
-   *     go before the usual ones
+   * @param maxLease the longest lease that it grants: whoever stops to renew is forgotten after it
+   * @param extraEntries entries of its Jini configuration, by their names in reggie's component,
+   *     which go before the usual ones
    */
   public EmbeddedRegistrar(
       String host,
       int port,
       List<String> groups,
-      Duration lease,
-      Map<String, Supplier<?>> further) {
-    this(host, port, groups, lease, RegistrationPolicy.NO_ROBOT, further);
+      Duration maxLease,
+      Map<String, Supplier<?>> extraEntries) {
+    this(host, port, groups, maxLease, RegistrationPolicy.NO_ROBOT, extraEntries);
   }
 
   /**
    * @param host address of this machine, which its proxy carries
    * @param port TCP port of unicast discovery; 0 for a free one
    * @param groups discovery groups that it is a member of
-   * @param lease the longest lease that it grants: whoever stops to renew is forgotten after it
+   * @param maxLease the longest lease that it grants: whoever stops to renew is forgotten after it
    * @param policy whose it is
-   * @param further entries of its Jini configuration, by their names in reggie's component, which
-   *     go before the usual ones
+   * @param extraEntries entries of its Jini configuration, by their names in reggie's component,
+   *     which go before the usual ones
    */
   public EmbeddedRegistrar(
       String host,
       int port,
       List<String> groups,
-      Duration lease,
+      Duration maxLease,
       RegistrationPolicy policy,
-      Map<String, Supplier<?>> further) {
+      Map<String, Supplier<?>> extraEntries) {
     this.host = host;
     this.port = port;
     this.policy = policy;
@@ -102,24 +102,24 @@ public final class EmbeddedRegistrar implements AutoCloseable {
                 COMPONENT + "initialMemberGroups",
                 () -> groups.toArray(String[]::new),
                 COMPONENT + "serverSocketFactory",
-                () -> new DiscoverySockets(host),
+                () -> new DiscoveryServerSocketFactory(host),
                 COMPONENT + "unicastDiscoveryHost",
                 () -> host,
                 COMPONENT + "multicastInterfaces",
                 () -> none,
                 COMPONENT + "minMaxServiceLease",
-                lease::toMillis,
+                maxLease::toMillis,
                 COMPONENT + "minMaxEventLease",
-                lease::toMillis,
+                maxLease::toMillis,
                 COMPONENT + "unexportTimeout", // calls that are still under way when it ends
                 () -> UNEXPORT_MILLIS,
                 "net.jini.discovery.LookupDiscovery.multicastInterfaces",
                 () -> none));
-    further.forEach((name, entry) -> entries.put(COMPONENT + name, entry));
+    extraEntries.forEach((name, entry) -> entries.put(COMPONENT + name, entry));
   }
 
   /** Entries that reggie shows as its own, such as a robot's persona; for the constructor. */
-  static Map<String, Supplier<?>> showing(List<Entry> own) {
+  static Map<String, Supplier<?>> withLookupAttributes(List<Entry> own) {
     return Map.of("initialLookupAttributes", () -> own.toArray(Entry[]::new));
   }
 
@@ -131,7 +131,7 @@ public final class EmbeddedRegistrar implements AutoCloseable {
   public synchronized EmbeddedRegistrar start() throws IOException {
     if (running == null) {
       if (port == 0) { // reggie itself would try for the one that a robot here may need
-        port = FreePorts.next();
+        port = FreePorts.allocate();
       }
       CountDownLatch end = new CountDownLatch(1);
       Object reggie = reggie(end);
@@ -142,7 +142,7 @@ public final class EmbeddedRegistrar implements AutoCloseable {
     return this;
   }
 
-  private RegistrarExporter exporter(RegistrarListeners listeners) {
+  private RegistrarExporter exporter(EventListenerPreparer listeners) {
     return new RegistrarExporter(
         new BasicJeriExporter(
             Endpoints.tcp(host, 0),
@@ -155,11 +155,11 @@ public final class EmbeddedRegistrar implements AutoCloseable {
   /** By its name: DFRA is compiled without reggie, which only runs beside it. */
   private Object reggie(CountDownLatch end) throws IOException {
     int wanted = port;
-    RegistrarListeners listeners = new RegistrarListeners(host);
+    EventListenerPreparer listeners = new EventListenerPreparer(host);
     Map<String, Supplier<?>> all = new HashMap<>();
     all.put(COMPONENT + "serverExporter", () -> exporter(listeners));
     all.put(COMPONENT + "listenerPreparer", () -> listeners);
-    all.put(COMPONENT + "socketFactory", AnsweringSockets::new);
+    all.put(COMPONENT + "socketFactory", DiscoveryResponseSocketFactory::new);
     all.put(COMPONENT + "taskManager", RegistrarTasks::new);
     all.putAll(entries);
     all.put(COMPONENT + "initialUnicastDiscoveryPort", () -> wanted);
@@ -192,7 +192,7 @@ public final class EmbeddedRegistrar implements AutoCloseable {
   }
 
   /** The same; nothing if it does not run. Another thread may end it at any time. */
-  public synchronized Optional<ServiceRegistrar> find() {
+  public synchronized Optional<ServiceRegistrar> registrarIfRunning() {
     return Optional.ofNullable(running).map(Running::registrar);
   }
 
@@ -235,7 +235,7 @@ public final class EmbeddedRegistrar implements AutoCloseable {
                 + ":"
                 + ending.port()
                 + " did not end within "
-                + PATIENCE.toSeconds()
+                + STOP_TIMEOUT.toSeconds()
                 + " s");
       }
     } catch (InterruptedException e) {
@@ -249,18 +249,18 @@ public final class EmbeddedRegistrar implements AutoCloseable {
    */
   private boolean awaitEnd(Running ending) throws InterruptedException {
     long began = System.nanoTime();
-    while (!ending.end().await(KNOCK_MILLIS, TimeUnit.MILLISECONDS)) {
-      if (System.nanoTime() - began > PATIENCE.toNanos()) {
+    while (!ending.end().await(WAKE_INTERVAL_MILLIS, TimeUnit.MILLISECONDS)) {
+      if (System.nanoTime() - began > STOP_TIMEOUT.toNanos()) {
         return false;
       }
-      knock(ending.port());
+      wakeAcceptor(ending.port());
     }
     return true;
   }
 
-  private void knock(int port) {
+  private void wakeAcceptor(int port) {
     try (Socket door = new Socket()) {
-      door.connect(new InetSocketAddress(host, port), KNOCK_MILLIS);
+      door.connect(new InetSocketAddress(host, port), WAKE_INTERVAL_MILLIS);
     } catch (IOException e) {
       LOG.debug("The lookup service at {}:{} listens no more.", host, port, e);
     }

@@ -52,15 +52,15 @@ public final class EmbeddedRobot implements AutoCloseable {
   /**
    * A part of a robot whose other modules phoenix has.
    *
-   * @param others the folder of phoenix's state. The identities of these modules are kept there,
-   *     without which the others would take them for those of another robot of that name. Null
-   *     where there are no others.
+   * @param phoenixState the folder of phoenix's state. The identities of these modules are kept
+   *     there, without which the others would take them for those of another robot of that name.
+   *     Null where there are no others.
    * @throws ConfigurationException if the robot has no registrar of its own, its host is none of
    *     this machine, or a further computer of it is not known
    */
-  public EmbeddedRobot(RobotDescription robot, @Nullable Path others) {
+  public EmbeddedRobot(RobotDescription robot, @Nullable Path phoenixState) {
     this.robot = robot;
-    this.others = others;
+    this.others = phoenixState;
     this.host = HostAddress.resolve(robot.host());
     RegistrarDescription described =
         robot
@@ -74,7 +74,7 @@ public final class EmbeddedRobot implements AutoCloseable {
                             + " has no registrar, without which its modules do not find each other;"
                             + " add one to a group"));
     List<Entry> persona =
-        List.of(robot.persona().map(each -> Entries.of(List.of(each))).orElse(new Entry[0]));
+        List.of(robot.persona().map(each -> Entries.toEntries(List.of(each))).orElse(new Entry[0]));
     this.modules =
         new ServedModules(
             "robot " + robot.name(),
@@ -84,7 +84,7 @@ public final class EmbeddedRobot implements AutoCloseable {
                 robot.lookupGroups(),
                 LEASE,
                 RobotRegistrar.policy(robot, described),
-                EmbeddedRegistrar.showing(persona)));
+                EmbeddedRegistrar.withLookupAttributes(persona)));
   }
 
   /**
@@ -99,8 +99,8 @@ public final class EmbeddedRobot implements AutoCloseable {
       return;
     }
     started = true;
-    admission = AdministrationPolicy.admit(AdministratorAddresses.resolve(robot.administration()));
-    LookupPlaces places = LookupPlaces.of(robot, host, registrar().start().port());
+    admission = AdministrationPolicy.admit(AddressRangeResolver.resolve(robot.administration()));
+    LookupSettings places = LookupSettings.of(robot, host, registrar().start().port());
     for (ModuleDescription each : robot.modules()) {
       modules.serve(
           new ModuleActivation(each, identity(each), host, places.groups(), places.locators()));
@@ -110,7 +110,7 @@ public final class EmbeddedRobot implements AutoCloseable {
   private UUID identity(ModuleDescription module) throws IOException {
     ModuleIdentity identity = ModuleIdentity.fresh();
     if (others != null) {
-      identity.keep(RobotBootstrap.folder(others, robot.name(), module.name()));
+      identity.store(RobotBootstrap.moduleStateFolder(others, robot.name(), module.name()));
     }
     return identity.id();
   }

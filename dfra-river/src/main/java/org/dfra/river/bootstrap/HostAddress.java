@@ -23,13 +23,13 @@ public final class HostAddress {
   /**
    * The address to put into proxies.
    *
-   * @param wanted an address or name, or {@link #AUTO}: the first IPv4 address of an interface that
-   *     is up, real and not the loopback; the loopback where there is no other
+   * @param configured an address or name, or {@link #AUTO}: the first IPv4 address of an interface
+   *     that is up, real and not the loopback; the loopback where there is no other
    * @throws ConfigurationException if the name is not known, is not an address of this host, or is
    *     not the loopback's but stands for it here
    */
-  public static String resolve(String wanted) {
-    return wanted.equals(AUTO) ? choose() : check(wanted);
+  public static String resolve(String configured) {
+    return configured.equals(AUTO) ? choose() : check(configured);
   }
 
   /**
@@ -38,13 +38,13 @@ public final class HostAddress {
    *
    * @throws ConfigurationException if an address is not one of this host
    */
-  public static String resolveAtOnce(String wanted) {
-    return isName(wanted) ? wanted : resolve(wanted);
+  public static String resolveWithoutLookup(String configured) {
+    return isName(configured) ? configured : resolve(configured);
   }
 
   /** Whether a name service has to be asked for it: it is neither an address nor {@link #AUTO}. */
-  public static boolean isName(String wanted) {
-    return !wanted.equals(AUTO) && literal(wanted).isEmpty();
+  public static boolean isName(String configured) {
+    return !configured.equals(AUTO) && literal(configured).isEmpty();
   }
 
   /**

@@ -11,7 +11,8 @@ final class NotEndedException extends ActivationException {
   /**
    * @param why it is not proven, as a clause
    */
-  NotEndedException(RegisteredGroup.Module module, String why, @Nullable Throwable cause) {
+  NotEndedException(
+      RegisteredGroup.RegisteredModule module, String why, @Nullable Throwable cause) {
     super(
         module.activation().module().path()
             + " may still work in group "

@@ -18,12 +18,12 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Collectors;
 import org.dfra.core.host.PrivateFiles;
+import org.dfra.river.call.ConnectionRefusal;
 import org.dfra.river.call.DeadlineExceededException;
-import org.dfra.river.call.Refusal;
 import org.dfra.river.phoenix.GroupStatus;
-import org.dfra.river.phoenix.Identities;
 import org.dfra.river.phoenix.Phoenix;
 import org.dfra.river.phoenix.PhoenixAdmin;
+import org.dfra.river.phoenix.PhoenixIdentities;
 import org.dfra.river.phoenix.PhoenixLocator;
 import org.dfra.river.phoenix.ProcessIdentity;
 import org.slf4j.Logger;
@@ -78,7 +78,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
    * @throws AccessException saying whose it is, if its identity cannot be read or its port is
    *     another user's
    */
-  public void requireOwn() throws AccessException {
+  public void requireOwnedByUser() throws AccessException {
     try {
       ActivationSystem unused = PhoenixLocator.system(host, port, journal(), DEADLINE);
     } catch (AccessException e) {
@@ -91,7 +91,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
 
   private void requireOwnPort() throws AccessException {
     PortOwner owners = PortOwner.system();
-    OptionalInt owner = owners.of(host, port);
+    OptionalInt owner = owners.uidOf(host, port);
     if (owner.isPresent() && owner.getAsInt() != expectedOwner()) {
       throw new AccessException(
           "port "
@@ -99,7 +99,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
               + " of "
               + host
               + " is held by a process of user "
-              + owners.name(owner.getAsInt())
+              + owners.userName(owner.getAsInt())
               + ", such as that user's phoenix, and not by the phoenix of "
               + state
               + "; name another port with --port, or that user's folder with --state");
@@ -110,7 +110,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
    * The user's number whose process phoenix must be: the owner of its identity, or else this one.
    */
   private int expectedOwner() throws AccessException {
-    Path identity = journal().resolve(Identities.FILE);
+    Path identity = journal().resolve(PhoenixIdentities.FILE);
     Path owned = Files.exists(identity) ? identity : Path.of("/proc/self");
     try {
       return (Integer) Files.getAttribute(owned, "unix:uid");
@@ -124,7 +124,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   }
 
   /** Whether a phoenix answers there. */
-  public boolean answers() {
+  public boolean isResponding() {
     try {
       admin().groupStatus();
       return true;
@@ -142,7 +142,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
    *     the journal has certainly ended
    * @throws NoAnswerException if nothing of that is known when the time is over
    */
-  public boolean answers(Duration time) throws NoAnswerException {
+  public boolean isResponding(Duration time) throws NoAnswerException {
     try {
       List<GroupStatus> unused = groupStatus(DEADLINE, time);
       return true;
@@ -154,7 +154,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   }
 
   /**
-   * How its groups are; asked as in {@link #answers(Duration)}.
+   * How its groups are; asked as in {@link #isResponding(Duration)}.
    *
    * @param deadline how long each answer is awaited
    * @param time how long to ask
@@ -162,24 +162,24 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
    * @throws RemoteException if none is there
    */
   public List<GroupStatus> groupStatus(Duration deadline, Duration time) throws RemoteException {
-    return groupStatus(admin(deadline), Patience.of(time));
+    return groupStatus(admin(deadline), RetryDeadline.of(time));
   }
 
   /** The same, with a phoenix and a time that may be a test's. */
-  List<GroupStatus> groupStatus(PhoenixAdmin admin, Patience asking) throws RemoteException {
+  List<GroupStatus> groupStatus(PhoenixAdmin admin, RetryDeadline asking) throws RemoteException {
     while (true) {
       try {
         return admin.groupStatus();
       } catch (RemoteException e) {
-        if (Refusal.isProvenBy(e) || !Patience.isWithoutAnswer(e)) {
+        if (ConnectionRefusal.isProvenBy(e) || !RetryDeadline.isUnanswered(e)) {
           throw e;
         }
         boolean mayHang = e instanceof DeadlineExceededException;
-        if ((!mayHang || asking.isOver()) && hasCertainlyEnded()) {
+        if ((!mayHang || asking.isExpired()) && hasCertainlyEnded()) {
           throw e; // the address may not be this computer's any more
         }
-        if (asking.isOver()) {
-          throw new NoAnswerException("phoenix at " + host + ":" + port, asking.time(), e);
+        if (asking.isExpired()) {
+          throw new NoAnswerException("phoenix at " + host + ":" + port, asking.timeout(), e);
         }
         asking.pause();
       }
@@ -242,18 +242,18 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
    * Starts the process, in a session of its own, and waits until it answers. So neither Ctrl-C in
    * the terminal of whoever starts it nor the end of that terminal ends the robots.
    *
-   * @param patience how long to wait
+   * @param timeout how long to wait
    * @throws IOException if one answers there already, the state folder is open to other users, or
    *     it cannot be started, ends or does not answer in time
    */
-  public Process start(Duration patience) throws IOException {
-    requireOwn();
-    if (answers()) {
+  public Process start(Duration timeout) throws IOException {
+    requireOwnedByUser();
+    if (isResponding()) {
       throw new IOException(
           "a phoenix already answers at " + host + ":" + port + "; use it, or name another port");
     }
     makeFolder();
-    LaunchOptions.clear(state);
+    PermittedLaunchOptions.clear(state);
     PrivateFiles.makeFile(log());
     Process process =
         new ProcessBuilder(command())
@@ -261,16 +261,16 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
             .redirectOutput(ProcessBuilder.Redirect.appendTo(log().toFile()))
             .start();
     process.getOutputStream().close();
-    long end = System.nanoTime() + patience.toNanos();
-    while (!answers()) {
+    long end = System.nanoTime() + timeout.toNanos();
+    while (!isResponding()) {
       if (!process.isAlive()) {
         throw new IOException(
-            "phoenix ended at once (exit code " + process.exitValue() + "): " + lastWords());
+            "phoenix ended at once (exit code " + process.exitValue() + "): " + lastError());
       }
       if (System.nanoTime() - end > 0) {
         process.destroyForcibly();
         throw new IOException(
-            "phoenix did not answer within " + patience.toSeconds() + " s; see " + log());
+            "phoenix did not answer within " + timeout.toSeconds() + " s; see " + log());
       }
       // A process that is no part of this one says nothing when it is ready, so this looks again.
       LockSupport.parkNanos(this, LOOK_AGAIN_NANOS);
@@ -298,19 +298,19 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
    *
    * @throws IOException if it refuses or does not end in time
    */
-  public void shutdown(Duration patience) throws IOException {
-    long end = System.nanoTime() + patience.toNanos();
+  public void shutdown(Duration timeout) throws IOException {
+    long end = System.nanoTime() + timeout.toNanos();
     boolean isAccepted = false;
     while (mayAnswer()) {
       if (System.nanoTime() - end > 0) {
-        throw new IOException("phoenix did not end within " + patience.toSeconds() + " s");
+        throw new IOException("phoenix did not end within " + timeout.toSeconds() + " s");
       }
       if (!isAccepted) {
         try {
           system().shutdown();
           isAccepted = true;
         } catch (RemoteException e) {
-          if (!Patience.isWithoutAnswer(e)) {
+          if (!RetryDeadline.isUnanswered(e)) {
             throw e;
           } // it is asked again as long as it is there
         }
@@ -324,11 +324,13 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
       List<GroupStatus> unused = admin().groupStatus();
       return true;
     } catch (RemoteException e) {
-      return Patience.isWithoutAnswer(e) && !Refusal.isProvenBy(e) && !hasCertainlyEnded();
+      return RetryDeadline.isUnanswered(e)
+          && !ConnectionRefusal.isProvenBy(e)
+          && !hasCertainlyEnded();
     }
   }
 
-  private String lastWords() throws IOException {
+  private String lastError() throws IOException {
     String said = Files.readString(log());
     int last = said.lastIndexOf(Phoenix.CANNOT_START);
     return last < 0
@@ -337,7 +339,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   }
 
   private List<String> command() {
-    List<String> command = new ArrayList<>(OwnSession.prefix(System.getenv("PATH")));
+    List<String> command = new ArrayList<>(DetachedCommand.prefix(System.getenv("PATH")));
     command.add(JvmCommand.java());
     command.addAll(JvmCommand.options());
     command.add(MAIN);
@@ -351,7 +353,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
     override(
         command,
         "permittedOptionsFiles",
-        LaunchOptions.files(state).stream()
+        PermittedLaunchOptions.files(state).stream()
             .map(file -> quote(file.toString()))
             .collect(Collectors.joining(", ", "new String[] {", "}")));
     return command;

@@ -48,7 +48,7 @@ final class PortOwner {
    *
    * @param host address or name of this computer
    */
-  OptionalInt of(String host, int port) {
+  OptionalInt uidOf(String host, int port) {
     InetAddress[] wanted;
     try {
       wanted = InetAddress.getAllByName(host);
@@ -99,7 +99,7 @@ final class PortOwner {
   }
 
   /** The name of a user, or else its number. */
-  String name(int uid) {
+  String userName(int uid) {
     String number = Integer.toString(uid);
     try {
       return Files.readAllLines(users, StandardCharsets.UTF_8).stream()

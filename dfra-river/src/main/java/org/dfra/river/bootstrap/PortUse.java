@@ -14,7 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.RegistrarDescription;
-import org.dfra.river.loading.RobotClasses;
+import org.dfra.river.loading.RobotCodebase;
 import org.dfra.river.phoenix.PhoenixAdmin;
 
 /** Which TCP ports the other robots of a phoenix have, so that a clash is named by its robot. */
@@ -24,28 +24,28 @@ final class PortUse {
    * One port.
    *
    * @param robot name of the robot that has it
-   * @param what what it is for, such as {@code registrar}
+   * @param purpose what it is for, such as {@code registrar}
    */
-  record Use(String host, int port, String robot, String what) {
+  record UsedPort(String host, int port, String robot, String purpose) {
 
     /** {@code port 4160 is used by robot atrv2's registrar}. */
-    String inWords() {
-      return "port " + port + " is used by robot " + robot + "'s " + what;
+    String describe() {
+      return "port " + port + " is used by robot " + robot + "'s " + purpose;
     }
   }
 
-  private final List<Use> uses;
+  private final List<UsedPort> uses;
 
-  PortUse(List<Use> uses) {
+  PortUse(List<UsedPort> uses) {
     this.uses = List.copyOf(uses);
   }
 
   /** Those of every robot but one. */
-  static PortUse ofOthers(PhoenixAdmin admin, String robot, Patience patience)
+  static PortUse ofOthers(PhoenixAdmin admin, String robot, RetryDeadline patience)
       throws IOException, ActivationException {
-    return patience.ask(
+    return patience.call(
         () -> {
-          List<Use> uses = new ArrayList<>();
+          List<UsedPort> uses = new ArrayList<>();
           @SuppressWarnings("unchecked") // as phoenix declares it
           Map<ActivationGroupID, ActivationGroupDesc> groups = admin.getActivationGroups();
           for (Map.Entry<ActivationGroupID, ActivationGroupDesc> each : groups.entrySet()) {
@@ -65,19 +65,19 @@ final class PortUse {
   }
 
   private static void add(
-      List<Use> uses, String robot, ActivationDesc object, ActivationGroupDesc group)
+      List<UsedPort> uses, String robot, ActivationDesc object, ActivationGroupDesc group)
       throws ActivationException {
     if (object.getClassName().equals(BootstrapLoader.REGGIE)
         && RegisteredGroup.data(object) instanceof String[] arguments) {
       String host = RegistrarArguments.host(List.of(arguments)).orElse("");
-      uses.add(new Use(host, RegistrarArguments.port(List.of(arguments)), robot, "registrar"));
-      RobotClasses.servedPort(List.of(group.getCommandEnvironment().getCommandOptions()))
-          .ifPresent(port -> uses.add(new Use(host, port, robot, "class server")));
+      uses.add(new UsedPort(host, RegistrarArguments.port(List.of(arguments)), robot, "registrar"));
+      RobotCodebase.servedPort(List.of(group.getCommandEnvironment().getCommandOptions()))
+          .ifPresent(port -> uses.add(new UsedPort(host, port, robot, "class server")));
     }
   }
 
   /** Who has a port; empty if none of the others has, or it is 0. */
-  Optional<Use> of(String host, int port) {
+  Optional<UsedPort> of(String host, int port) {
     return uses.stream()
         .filter(each -> port != 0 && each.port() == port && isSame(each.host(), host))
         .findFirst();
@@ -105,7 +105,7 @@ final class PortUse {
                       + ": "
                       + robot
                       + "/registrar cannot start: "
-                      + use.inWords()
+                      + use.describe()
                       + "; give one of the two another port, or ./dfra down "
                       + use.robot());
             });

@@ -30,8 +30,8 @@ record RegisteredGroup(
     ActivationGroupID id,
     String name,
     ActivationGroupDesc desc,
-    List<Module> modules,
-    Optional<Registrar> registrar) {
+    List<RegisteredModule> modules,
+    Optional<RegisteredRegistrar> registrar) {
 
   /**
    * A module that is registered.
@@ -39,7 +39,7 @@ record RegisteredGroup(
    * @param groupId its group's ID
    * @param group its group's name, without the robot's
    */
-  record Module(
+  record RegisteredModule(
       ActivationID id, ActivationGroupID groupId, String group, ModuleActivation activation) {
 
     String name() {
@@ -52,14 +52,14 @@ record RegisteredGroup(
    *
    * @param arguments those of its Jini configuration
    */
-  record Registrar(ActivationID id, List<String> arguments) {}
+  record RegisteredRegistrar(ActivationID id, List<String> arguments) {}
 
   RegisteredGroup {
     modules = List.copyOf(modules);
   }
 
   /** A module of that name in it. */
-  Optional<Module> module(String wanted) {
+  Optional<RegisteredModule> module(String wanted) {
     return modules.stream().filter(each -> each.name().equals(wanted)).findFirst();
   }
 
@@ -88,18 +88,18 @@ record RegisteredGroup(
   private static RegisteredGroup read(
       PhoenixAdmin admin, ActivationGroupID id, String name, ActivationGroupDesc desc)
       throws ActivationException, RemoteException {
-    List<Module> modules = new ArrayList<>();
-    Optional<Registrar> registrar = Optional.empty();
+    List<RegisteredModule> modules = new ArrayList<>();
+    Optional<RegisteredRegistrar> registrar = Optional.empty();
     @SuppressWarnings("unchecked") // as phoenix declares it
     Map<ActivationID, ActivationDesc> objects = admin.getActivatableObjects(id);
     for (Map.Entry<ActivationID, ActivationDesc> each : objects.entrySet()) {
       Object data = data(each.getValue());
       if (data instanceof ModuleActivation activation) {
-        modules.add(new Module(each.getKey(), id, name, activation));
+        modules.add(new RegisteredModule(each.getKey(), id, name, activation));
       } else if (each.getValue().getClassName().equals(BootstrapLoader.REGGIE)) {
         registrar =
             Optional.of(
-                new Registrar(
+                new RegisteredRegistrar(
                     each.getKey(),
                     data instanceof String[] arguments ? List.of(arguments) : List.of()));
       }

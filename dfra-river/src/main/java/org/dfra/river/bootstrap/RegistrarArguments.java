@@ -42,7 +42,8 @@ final class RegistrarArguments {
         "com.sun.jini.reggie.persistenceDirectory=" + PhoenixProcess.quote(folder.toString()));
     arguments.add(GROUPS + array(groups));
     arguments.add("com.sun.jini.reggie.robot=" + PhoenixProcess.quote(policy.robot()));
-    arguments.add("com.sun.jini.reggie.moduleHosts=" + PhoenixProcess.quote(policy.fromText()));
+    arguments.add(
+        "com.sun.jini.reggie.moduleHosts=" + PhoenixProcess.quote(policy.robotHostsText()));
     if (!multicast) {
       String none = "multicastInterfaces=new java.net.NetworkInterface[]{}";
       arguments.add("com.sun.jini.reggie." + none);
@@ -72,7 +73,7 @@ final class RegistrarArguments {
    * Those that count only when it is started: the others can be changed while it runs. Where its
    * configuration lies is none of them, though it differs from build to build: it is the same.
    */
-  static List<String> atStart(List<String> arguments) {
+  static List<String> startupOnly(List<String> arguments) {
     return arguments.stream()
         .filter(
             each ->

@@ -12,8 +12,8 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Exports a lookup service by another exporter, and while it is exported holds its leases to what
- * it grants, see {@link RegistrarLeases}. For the entry {@code com.sun.jini.reggie.serverExporter}
- * of a registrar's Jini configuration.
+ * it grants, see {@link RegistrarLeaseLimiter}. For the entry {@code
+ * com.sun.jini.reggie.serverExporter} of a registrar's Jini configuration.
  *
  * <p>Thread: one daemon, {@code registrar-leases}, from export to unexport.
  */
@@ -24,7 +24,7 @@ public final class RegistrarExporter implements Exporter {
   private static final long PERIOD_NANOS = TimeUnit.SECONDS.toNanos(1);
 
   private final Exporter exporter;
-  private final @Nullable RegistrarListeners listeners;
+  private final @Nullable EventListenerPreparer listeners;
   private volatile @Nullable Thread thread;
 
   /**
@@ -40,16 +40,16 @@ public final class RegistrarExporter implements Exporter {
    * @param listeners the lookup service's {@code listenerPreparer}, which is told each second which
    *     of its listeners are still registered
    */
-  public RegistrarExporter(Exporter exporter, @Nullable RegistrarListeners listeners) {
+  public RegistrarExporter(Exporter exporter, @Nullable EventListenerPreparer listeners) {
     this.exporter = exporter;
     this.listeners = listeners;
   }
 
   @Override
   public Remote export(Remote registrar) throws ExportException {
-    @Nullable RegistrarLeases leases = leases(registrar);
+    @Nullable RegistrarLeaseLimiter leases = leases(registrar);
     if (leases != null && listeners != null) {
-      listeners.begin(); // before the first client can call
+      listeners.startTracking(); // before the first client can call
     }
     Remote proxy = exporter.export(registrar);
     if (leases != null) {
@@ -61,9 +61,9 @@ public final class RegistrarExporter implements Exporter {
     return proxy;
   }
 
-  private static @Nullable RegistrarLeases leases(Remote registrar) {
+  private static @Nullable RegistrarLeaseLimiter leases(Remote registrar) {
     try {
-      return new RegistrarLeases(registrar);
+      return new RegistrarLeaseLimiter(registrar);
     } catch (ReflectiveOperationException e) {
       LOG.warn(
           "The leases of this lookup service go by the computer's clock, also where that is set"
@@ -73,12 +73,12 @@ public final class RegistrarExporter implements Exporter {
     }
   }
 
-  private void watch(RegistrarLeases leases) {
+  private void watch(RegistrarLeaseLimiter leases) {
     try {
       boolean hadFailed = false;
       while (thread == Thread.currentThread()) {
         try {
-          look(leases);
+          limitLeases(leases);
           hadFailed = false;
         } catch (ConcurrentLockException e) {
           throw e;
@@ -97,8 +97,8 @@ public final class RegistrarExporter implements Exporter {
     }
   }
 
-  private void look(RegistrarLeases leases) throws IllegalAccessException {
-    int cut = leases.cut();
+  private void limitLeases(RegistrarLeaseLimiter leases) throws IllegalAccessException {
+    int cut = leases.shortenOverlong();
     if (cut > 0) {
       LOG.info("{} leases were longer than any that is granted, and are cut to that.", cut);
     }

@@ -18,15 +18,15 @@ import org.slf4j.LoggerFactory;
 
 /**
  * What a lookup service holds in place of a client's event listener. It queues events and delivers
- * them in order, one call at a time, in the lane of the listener's process. Past {@value #DEPTH}
- * waiting events the oldest is dropped: the client sees the gap in their numbers and asks for
- * everything.
+ * them in order, one call at a time, in the lane of the listener's process. Past {@value
+ * #QUEUE_CAPACITY} waiting events the oldest is dropped: the client sees the gap in their numbers
+ * and asks for everything.
  *
  * <p>Where the listener has answered that it is gone or wants no more, the next event says so to
  * the lookup service, which ends the registration. Otherwise it lasts as long as its lease.
  *
  * <p>Reggie writes it to its log with what came from the client. What is read from there delivers
- * nothing until {@link RegistrarListeners} has replaced it. Thread-safe.
+ * nothing until {@link EventListenerPreparer} has replaced it. Thread-safe.
  */
 final class RegistrarListener implements RemoteEventListener, Serializable {
 
@@ -35,7 +35,7 @@ final class RegistrarListener implements RemoteEventListener, Serializable {
   private static final Logger LOG = LoggerFactory.getLogger(RegistrarListener.class);
 
   /** Events that may wait; each costs about 100 bytes here. */
-  private static final int DEPTH = 128;
+  private static final int QUEUE_CAPACITY = 128;
 
   private final RemoteEventListener listener;
   private final String client;
@@ -69,7 +69,7 @@ final class RegistrarListener implements RemoteEventListener, Serializable {
   public void notify(RemoteEvent event) throws UnknownEventException, RemoteException {
     if (deliveries == null) {
       throw new IllegalStateException(
-          "a listener that was read from a log is not prepared; name RegistrarListeners as"
+          "a listener that was read from a log is not prepared; name EventListenerPreparer as"
               + " recoveredListenerPreparer in the lookup service's configuration");
     }
     deliveries.offer(event);
@@ -137,7 +137,7 @@ final class RegistrarListener implements RemoteEventListener, Serializable {
       if (isClosed) {
         return;
       }
-      if (waiting.size() == DEPTH) {
+      if (waiting.size() == QUEUE_CAPACITY) {
         RemoteEvent unused = waiting.remove();
       }
       waiting.add(event);

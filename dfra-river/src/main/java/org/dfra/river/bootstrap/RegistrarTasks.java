@@ -14,15 +14,15 @@ import java.util.concurrent.atomic.AtomicInteger;
  * <p>Reggie has 50 threads for events, for connections and for requests by multicast. A datagram is
  * such a request. It can name any host, which is looked up and connected to, and anybody can send
  * it from a false address: 50 of them would hold all threads for minutes. So requests have {@value
- * #THREADS} threads of their own here, and {@value #WAITING} may wait; beyond that they are
- * dropped. Who has asked in vain finds the lookup service by its next announcement.
+ * #THREADS} threads of their own here, and {@value #MAX_QUEUED_REQUESTS} may wait; beyond that they
+ * are dropped. Who has asked in vain finds the lookup service by its next announcement.
  *
  * <p>Threads: daemons, {@code dfra-discovery-request-n}, which end after 10 s without a request.
  */
 public final class RegistrarTasks extends TaskManager {
 
   static final int THREADS = 4;
-  static final int WAITING = 64;
+  static final int MAX_QUEUED_REQUESTS = 64;
 
   private static final int MOST = 50; // as reggie has it, and the next
   private static final long IDLE_MILLIS = 15_000;
@@ -43,7 +43,7 @@ public final class RegistrarTasks extends TaskManager {
             THREADS,
             10,
             TimeUnit.SECONDS,
-            new ArrayBlockingQueue<>(WAITING),
+            new ArrayBlockingQueue<>(MAX_QUEUED_REQUESTS),
             task -> {
               Thread thread =
                   new Thread(task, "dfra-discovery-request-" + number.incrementAndGet());

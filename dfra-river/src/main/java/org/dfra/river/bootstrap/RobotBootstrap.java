@@ -15,7 +15,7 @@ import org.dfra.core.config.GroupDescription;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
-import org.dfra.river.loading.RobotClasses;
+import org.dfra.river.loading.RobotCodebase;
 import org.dfra.river.server.ModuleActivation;
 import org.dfra.river.server.ModuleIdentity;
 import org.slf4j.Logger;
@@ -40,7 +40,7 @@ public final class RobotBootstrap {
   private final PhoenixProcess phoenix;
   private final RobotDescription robot;
   private final String host;
-  private final LookupPlaces places;
+  private final LookupSettings places;
   private final RobotRegistrar registrar;
 
   /**
@@ -52,7 +52,7 @@ public final class RobotBootstrap {
     this.robot = robot;
     this.host = HostAddress.resolve(robot.host());
     this.places =
-        LookupPlaces.of(robot, host, robot.registrar().map(RegistrarDescription::port).orElse(0));
+        LookupSettings.of(robot, host, robot.registrar().map(RegistrarDescription::port).orElse(0));
     this.registrar = new RobotRegistrar(robot, host, !places.groups().isEmpty(), phoenix.state());
   }
 
@@ -63,10 +63,10 @@ public final class RobotBootstrap {
    * @param group name of its service group
    * @param id its activation ID
    */
-  public record Service(String name, String group, ActivationID id) {}
+  public record ServiceReference(String name, String group, ActivationID id) {}
 
   /** As {@link #up(BringUpStep.Listener)}, for those who do not care what was done. */
-  public List<Service> up() throws ActivationException, IOException {
+  public List<ServiceReference> up() throws ActivationException, IOException {
     return up(step -> {});
   }
 
@@ -81,25 +81,26 @@ public final class RobotBootstrap {
    * @throws ActivationException if something cannot be registered or activated, or the end of a
    *     module that has to go is not proven; what was brought up before stays up
    */
-  public List<Service> up(BringUpStep.Listener listener) throws ActivationException, IOException {
-    Optional<RobotClasses> classes = classes();
+  public List<ServiceReference> up(BringUpStep.Listener listener)
+      throws ActivationException, IOException {
+    Optional<RobotCodebase> classes = codebase();
     if (classes.isPresent()) {
       classes.get().check();
     }
-    Patience patience = Patience.of(TIME);
+    RetryDeadline patience = RetryDeadline.of(TIME);
     if (robot.registrar().isPresent()) {
       PortUse.ofOthers(phoenix.admin(), robot.name(), patience)
           .requireFree(robot.name(), host, robot.registrar().get());
     }
     BootstrapLoader loader = loader(patience);
     String unused = loader.administrators(); // what is wrong with them shows before all else
-    robot.registrar().ifPresent(AdministratorAddresses::resolve);
-    KnownRobots known = new KnownRobots(phoenix.state());
-    boolean wasKnown = known.isKnown(robot.name());
-    known.remember(robot);
-    LaunchedJars.keepFor(phoenix.state()); // before its journal names them
+    robot.registrar().ifPresent(AddressRangeResolver::resolve);
+    RobotDescriptionStore known = new RobotDescriptionStore(phoenix.state());
+    boolean wasKnown = known.contains(robot.name());
+    known.save(robot);
+    BuildCopyUsage.recordUse(phoenix.state()); // before its journal names them
     try {
-      PhoenixCalls calls = PhoenixCalls.to(phoenix);
+      PhoenixClient calls = PhoenixClient.to(phoenix);
       return new BringUp(calls, robot, loader, registrar, settings(), patience, listener).run();
     } catch (ActivationException | IOException | RuntimeException e) {
       if (!wasKnown) {
@@ -111,10 +112,10 @@ public final class RobotBootstrap {
 
   /** Where nothing of the robot is registered, nobody is to look for it here. */
   private void forgetUnlessRegistered(
-      KnownRobots known, BootstrapLoader loader, Exception failure) {
+      RobotDescriptionStore known, BootstrapLoader loader, Exception failure) {
     try {
-      if (loader.registered().isEmpty()) {
-        known.forget(robot.name());
+      if (loader.registeredGroups().isEmpty()) {
+        known.delete(robot.name());
       }
     } catch (ActivationException | IOException e) {
       failure.addSuppressed(e); // it stays known
@@ -124,13 +125,13 @@ public final class RobotBootstrap {
   private BringUp.ModuleSettings settings() {
     return new BringUp.ModuleSettings() {
       @Override
-      public ModuleActivation of(ModuleDescription module, ModuleIdentity identity) {
+      public ModuleActivation activationData(ModuleDescription module, ModuleIdentity identity) {
         return activation(module, identity);
       }
 
       @Override
-      public Path folder(ModuleDescription module) {
-        return RobotBootstrap.folder(phoenix.state(), robot.name(), module.name());
+      public Path stateFolder(ModuleDescription module) {
+        return RobotBootstrap.moduleStateFolder(phoenix.state(), robot.name(), module.name());
       }
     };
   }
@@ -143,12 +144,12 @@ public final class RobotBootstrap {
         host,
         places.groups(),
         places.locators(),
-        folder(phoenix.state(), robot.name(), module.name()).toString());
+        moduleStateFolder(phoenix.state(), robot.name(), module.name()).toString());
   }
 
   /** Identities of the robot's modules that are registered with this phoenix. */
   public Set<UUID> identities() throws ActivationException, IOException {
-    return loader(Patience.of(TIME)).modules().stream()
+    return loader(RetryDeadline.of(TIME)).modules().stream()
         .map(each -> each.activation().id())
         .collect(Collectors.toSet());
   }
@@ -162,11 +163,11 @@ public final class RobotBootstrap {
    * Which other robot of this phoenix has the port of this one's class server, as a clause; empty
    * if none has.
    */
-  public Optional<String> classPortTaken() throws ActivationException, IOException {
+  public Optional<String> classServerPortConflict() throws ActivationException, IOException {
     int port = robot.registrar().map(RegistrarDescription::classes).orElse(0);
-    return PortUse.ofOthers(phoenix.admin(), robot.name(), Patience.of(TIME))
+    return PortUse.ofOthers(phoenix.admin(), robot.name(), RetryDeadline.of(TIME))
         .of(host, port)
-        .map(PortUse.Use::inWords);
+        .map(PortUse.UsedPort::describe);
   }
 
   /**
@@ -175,18 +176,18 @@ public final class RobotBootstrap {
    *
    * @throws IOException if DFRA's own jars are not where they should be
    */
-  public Optional<RobotClasses> classes() throws IOException {
+  public Optional<RobotCodebase> codebase() throws IOException {
     return DownloadJars.of(robot, host, phoenix.state());
   }
 
   /** Where a module keeps what outlives its virtual machine. */
-  static Path folder(Path state, String robot, String module) {
+  static Path moduleStateFolder(Path state, String robot, String module) {
     return state.toAbsolutePath().resolve("modules").resolve(robot).resolve(module);
   }
 
-  private BootstrapLoader loader(Patience patience) throws IOException {
+  private BootstrapLoader loader(RetryDeadline patience) throws IOException {
     return new BootstrapLoader(
-        PhoenixCalls.to(phoenix), robot.name(), robot.administration(), classes(), patience);
+        PhoenixClient.to(phoenix), robot.name(), robot.administration(), codebase(), patience);
   }
 
   /**
@@ -197,11 +198,11 @@ public final class RobotBootstrap {
    * @throws ConfigurationException if the robot has a module of that name or no such group
    * @throws ActivationException if it cannot be registered or activated
    */
-  public Service add(ModuleDescription module, String group)
+  public ServiceReference add(ModuleDescription module, String group)
       throws ActivationException, IOException {
-    Patience patience = Patience.of(TIME);
+    RetryDeadline patience = RetryDeadline.of(TIME);
     BootstrapLoader loader = loader(patience);
-    for (RegisteredGroup.Module known : loader.modules()) {
+    for (RegisteredGroup.RegisteredModule known : loader.modules()) {
       if (known.name().equals(module.name())) {
         throw new ConfigurationException(
             module.place()
@@ -228,13 +229,14 @@ public final class RobotBootstrap {
                             + "; it has "
                             + robot.groups().stream().map(GroupDescription::name).toList()));
     endForgotten(patience);
-    LaunchedJars.keepFor(phoenix.state());
-    Path folder = folder(phoenix.state(), robot.name(), module.name());
-    ModuleIdentity identity = ModuleIdentity.kept(folder).orElseGet(ModuleIdentity::fresh);
-    identity.keep(folder);
-    ActivationID id = loader.module(loader.group(home), group, activation(module, identity));
-    Service service = new Service(module.path(), group, id);
-    ServiceStart.of(service, module.place(), patience);
+    BuildCopyUsage.recordUse(phoenix.state());
+    Path folder = moduleStateFolder(phoenix.state(), robot.name(), module.name());
+    ModuleIdentity identity = ModuleIdentity.load(folder).orElseGet(ModuleIdentity::fresh);
+    identity.store(folder);
+    ActivationID id =
+        loader.registerModule(loader.registerGroup(home), group, activation(module, identity));
+    ServiceReference service = new ServiceReference(module.path(), group, id);
+    ServiceStart.activate(service, module.place(), patience);
     return service;
   }
 
@@ -246,12 +248,12 @@ public final class RobotBootstrap {
    * @throws ActivationException if it cannot be activated
    */
   public void start(String module) throws ActivationException, IOException {
-    Patience patience = Patience.of(TIME);
-    RegisteredGroup.Module known = known(loader(patience), module, "start");
+    RetryDeadline patience = RetryDeadline.of(TIME);
+    RegisteredGroup.RegisteredModule known = known(loader(patience), module, "start");
     endForgotten(patience);
     keep(known);
-    ServiceStart.of(
-        new Service(robot.name() + "/" + module, known.group(), known.id()),
+    ServiceStart.activate(
+        new ServiceReference(robot.name() + "/" + module, known.group(), known.id()),
         known.activation().module().place(),
         patience);
   }
@@ -263,17 +265,19 @@ public final class RobotBootstrap {
    * @throws ConfigurationException if the robot has no module of that name
    * @throws ActivationException if it cannot be registered or activated
    */
-  public Service replace(ModuleDescription module) throws ActivationException, IOException {
-    Patience patience = Patience.of(TIME);
+  public ServiceReference replace(ModuleDescription module)
+      throws ActivationException, IOException {
+    RetryDeadline patience = RetryDeadline.of(TIME);
     BootstrapLoader loader = loader(patience);
-    RegisteredGroup.Module old = known(loader, module.name(), "replace");
+    RegisteredGroup.RegisteredModule old = known(loader, module.name(), "replace");
     requireOwn(module);
     endForgotten(patience);
     ModuleIdentity identity = keep(old);
-    ActivationID id = loader.module(old.groupId(), old.group(), activation(module, identity));
-    new ModuleEnd(phoenix.admin(), END).deactivate(old);
-    Service service = new Service(module.path(), old.group(), id);
-    ServiceStart.of(service, module.place(), patience);
+    ActivationID id =
+        loader.registerModule(old.groupId(), old.group(), activation(module, identity));
+    new ModuleTerminator(phoenix.admin(), END).deactivate(old);
+    ServiceReference service = new ServiceReference(module.path(), old.group(), id);
+    ServiceStart.activate(service, module.place(), patience);
     return service;
   }
 
@@ -285,23 +289,23 @@ public final class RobotBootstrap {
    * @throws ConfigurationException if the robot has no module of that name
    */
   public void remove(String module) throws ActivationException, IOException {
-    RegisteredGroup.Module old = known(loader(Patience.of(TIME)), module, "remove");
-    new ModuleEnd(phoenix.admin(), END).forget(old);
+    RegisteredGroup.RegisteredModule old = known(loader(RetryDeadline.of(TIME)), module, "remove");
+    new ModuleTerminator(phoenix.admin(), END).forget(old);
     LOG.info("{}/{} is removed from group {}.", robot.name(), module, old.group());
   }
 
   /** The module's identity, by which the robot's others know it as theirs, is where they look. */
-  private ModuleIdentity keep(RegisteredGroup.Module module) throws IOException {
+  private ModuleIdentity keep(RegisteredGroup.RegisteredModule module) throws IOException {
     ModuleActivation activation = module.activation();
     ModuleIdentity identity = new ModuleIdentity(activation.id(), activation.created());
-    identity.keep(folder(phoenix.state(), robot.name(), module.name()));
+    identity.store(moduleStateFolder(phoenix.state(), robot.name(), module.name()));
     return identity;
   }
 
   /** Before a driver is started: one that phoenix has forgotten may have its device. */
-  private void endForgotten(Patience patience) throws ActivationException, IOException {
-    new ForgottenServices(new GroupEnd(PhoenixCalls.to(phoenix), patience))
-        .end(
+  private void endForgotten(RetryDeadline patience) throws ActivationException, IOException {
+    new OrphanedServiceCleanup(new GroupTerminator(PhoenixClient.to(phoenix), patience))
+        .terminateProcesses(
             robot.name(),
             step ->
                 LOG.warn(
@@ -317,9 +321,9 @@ public final class RobotBootstrap {
     }
   }
 
-  private RegisteredGroup.Module known(BootstrapLoader loader, String module, String what)
+  private RegisteredGroup.RegisteredModule known(BootstrapLoader loader, String module, String what)
       throws ActivationException, IOException {
-    List<RegisteredGroup.Module> modules = loader.modules();
+    List<RegisteredGroup.RegisteredModule> modules = loader.modules();
     return modules.stream()
         .filter(each -> each.name().equals(module))
         .findFirst()
@@ -333,6 +337,9 @@ public final class RobotBootstrap {
                         + " to "
                         + what
                         + "; the robot has "
-                        + modules.stream().map(RegisteredGroup.Module::name).sorted().toList()));
+                        + modules.stream()
+                            .map(RegisteredGroup.RegisteredModule::name)
+                            .sorted()
+                            .toList()));
   }
 }

@@ -12,7 +12,7 @@ import net.jini.lookup.DiscoveryAdmin;
 import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.core.host.PrivateFiles;
-import org.dfra.river.bootstrap.RobotBootstrap.Service;
+import org.dfra.river.bootstrap.RobotBootstrap.ServiceReference;
 import org.dfra.river.entry.Entries;
 import org.dfra.river.entry.PersonaEntry;
 import org.dfra.river.registrar.RegistrationPolicy;
@@ -66,7 +66,7 @@ final class RobotRegistrar {
    *     known
    */
   static RegistrationPolicy policy(RobotDescription robot, RegistrarDescription description) {
-    return new RegistrationPolicy(robot.name(), AdministratorAddresses.resolve(description));
+    return new RegistrationPolicy(robot.name(), AddressRangeResolver.resolve(description));
   }
 
   /**
@@ -75,11 +75,12 @@ final class RobotRegistrar {
    * @throws ActivationException if it cannot be activated
    * @throws IOException if it cannot be told its port or its groups, such as when the port is taken
    */
-  void start(Service service, RegistrarDescription description, Patience patience)
+  void start(ServiceReference service, RegistrarDescription description, RetryDeadline patience)
       throws ActivationException, IOException {
-    ServiceStart.of(service, description.place(), patience);
+    ServiceStart.activate(service, description.place(), patience);
     try {
-      patience.run(() -> settle((DiscoveryAdmin) service.id().activate(false), description));
+      patience.run(
+          () -> updateDiscovery((DiscoveryAdmin) service.id().activate(false), description));
     } catch (IOException e) {
       throw new IOException(description.place() + ": " + service.name() + ": " + e.getMessage(), e);
     }
@@ -88,7 +89,7 @@ final class RobotRegistrar {
   }
 
   /** Reggie reads its port and groups only once in its life; what changed since is set. */
-  private void settle(DiscoveryAdmin registrar, RegistrarDescription description)
+  private void updateDiscovery(DiscoveryAdmin registrar, RegistrarDescription description)
       throws IOException {
     if (description.port() != 0 && registrar.getUnicastPort() != description.port()) {
       registrar.setUnicastPort(description.port());
@@ -108,7 +109,8 @@ final class RobotRegistrar {
         Arrays.stream(registrar.getLookupAttributes())
             .filter(PersonaEntry.class::isInstance)
             .toArray(Entry[]::new);
-    Entry[] wanted = robot.persona().map(each -> Entries.of(List.of(each))).orElse(new Entry[0]);
+    Entry[] wanted =
+        robot.persona().map(each -> Entries.toEntries(List.of(each))).orElse(new Entry[0]);
     if (Arrays.equals(old, wanted)) {
       return;
     }

@@ -25,20 +25,20 @@ import org.dfra.river.phoenix.PhoenixAdmin;
 public final class RobotRemoval {
 
   private final PhoenixAdmin admin;
-  private final GroupEnd end;
-  private final Patience patience;
+  private final GroupTerminator end;
+  private final RetryDeadline patience;
   private final Duration time;
 
-  private record Group(ActivationGroupID id, String name, boolean registrar) {}
+  private record EmptiedGroup(ActivationGroupID id, String name, boolean registrar) {}
 
   /**
    * @param patience for phoenix's answers
    * @param time for the end of one process
    */
-  RobotRemoval(PhoenixCalls phoenix, Patience patience, Duration time) {
+  RobotRemoval(PhoenixClient phoenix, RetryDeadline patience, Duration time) {
     this.admin = phoenix.admin();
     this.patience = patience;
-    this.end = new GroupEnd(phoenix, patience);
+    this.end = new GroupTerminator(phoenix, patience);
     this.time = time;
   }
 
@@ -48,17 +48,17 @@ public final class RobotRemoval {
    * @param time how long each of its processes may take to end before it is killed, and how long
    *     phoenix is asked again where it does not answer
    */
-  public static void of(PhoenixProcess phoenix, String robot, Duration time)
+  public static void removeRobot(PhoenixProcess phoenix, String robot, Duration time)
       throws IOException, ActivationException {
     of(phoenix, time).remove(robot);
-    new KnownRobots(phoenix.state()).forget(robot);
+    new RobotDescriptionStore(phoenix.state()).delete(robot);
   }
 
-  /** Removes all robots, as {@link #of}. */
-  public static void ofAll(PhoenixProcess phoenix, Duration time)
+  /** Removes all robots, as {@link #removeRobot}. */
+  public static void removeAllRobots(PhoenixProcess phoenix, Duration time)
       throws IOException, ActivationException {
     of(phoenix, time).remove(name -> true);
-    new KnownRobots(phoenix.state()).forgetAll();
+    new RobotDescriptionStore(phoenix.state()).deleteAll();
   }
 
   /** Names of the robots that have a group registered with a phoenix, in alphabetical order. */
@@ -74,7 +74,7 @@ public final class RobotRemoval {
   /** The robots' groups, and their names as {@code robot.group}. */
   private Map<ActivationGroupID, String> names() throws IOException, ActivationException {
     @SuppressWarnings("unchecked") // as phoenix declares it
-    Map<ActivationGroupID, ActivationGroupDesc> all = patience.ask(admin::getActivationGroups);
+    Map<ActivationGroupID, ActivationGroupDesc> all = patience.call(admin::getActivationGroups);
     Map<ActivationGroupID, String> names = new LinkedHashMap<>();
     all.forEach(
         (id, desc) -> {
@@ -87,7 +87,7 @@ public final class RobotRemoval {
   }
 
   private static RobotRemoval of(PhoenixProcess phoenix, Duration time) throws RemoteException {
-    return new RobotRemoval(PhoenixCalls.to(phoenix), Patience.of(time), time);
+    return new RobotRemoval(PhoenixClient.to(phoenix), RetryDeadline.of(time), time);
   }
 
   /** Has phoenix forget a robot's services and groups, whose processes end. */
@@ -96,7 +96,7 @@ public final class RobotRemoval {
   }
 
   private void remove(Predicate<String> wanted) throws IOException, ActivationException {
-    List<Group> groups = new ArrayList<>();
+    List<EmptiedGroup> groups = new ArrayList<>();
     for (Map.Entry<ActivationGroupID, String> each : names().entrySet()) {
       if (wanted.test(each.getValue())) {
         groups.add(empty(each.getKey(), each.getValue()));
@@ -104,29 +104,29 @@ public final class RobotRemoval {
     }
     // The registrars last: until then modules can leave them.
     end(groups.stream().filter(each -> !each.registrar()).toList());
-    end(groups.stream().filter(Group::registrar).toList());
+    end(groups.stream().filter(EmptiedGroup::registrar).toList());
   }
 
   /** Forgets what is in a group, so that phoenix starts nothing in it again. */
-  private Group empty(ActivationGroupID group, String name)
+  private EmptiedGroup empty(ActivationGroupID group, String name)
       throws IOException, ActivationException {
     boolean isRegistrars = false;
     @SuppressWarnings("unchecked") // as phoenix declares it
     Map<ActivationID, ActivationDesc> objects =
-        patience.ask(() -> admin.getActivatableObjects(group));
+        patience.call(() -> admin.getActivatableObjects(group));
     for (Map.Entry<ActivationID, ActivationDesc> each : objects.entrySet()) {
       isRegistrars |= each.getValue().getClassName().equals(BootstrapLoader.REGGIE);
       end.unregister(each.getKey());
     }
-    return new Group(group, name, isRegistrars);
+    return new EmptiedGroup(group, name, isRegistrars);
   }
 
-  private void end(List<Group> groups) throws IOException, ActivationException {
-    for (Group each : groups) { // all at once; then each is waited for
-      end.begin(each.name());
+  private void end(List<EmptiedGroup> groups) throws IOException, ActivationException {
+    for (EmptiedGroup each : groups) { // all at once; then each is waited for
+      end.requestStop(each.name());
     }
-    for (Group each : groups) {
-      end.end(each.name(), time);
+    for (EmptiedGroup each : groups) {
+      end.terminate(each.name(), time);
       end.unregister(each.id());
     }
   }

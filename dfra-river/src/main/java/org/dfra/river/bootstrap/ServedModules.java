@@ -7,8 +7,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.ModuleDescription;
-import org.dfra.core.module.NamedClasses;
-import org.dfra.core.robot.Ending;
+import org.dfra.core.module.ModuleClassFactory;
+import org.dfra.core.robot.ResourceCloser;
 import org.dfra.core.robot.ShutdownOrder;
 import org.dfra.river.server.ModuleActivation;
 import org.dfra.river.server.ModuleServer;
@@ -24,11 +24,11 @@ public final class ServedModules implements AutoCloseable {
   private final List<ModuleServer<?>> serving = new ArrayList<>(); // guarded by this
 
   /**
-   * @param whose modules they are, for messages, e.g. {@code robot atrv1}
+   * @param owner modules they are, for messages, e.g. {@code robot atrv1}
    * @param registrar is ended with them; whoever gives it starts it
    */
-  public ServedModules(String whose, EmbeddedRegistrar registrar) {
-    this.whose = whose;
+  public ServedModules(String owner, EmbeddedRegistrar registrar) {
+    this.whose = owner;
     this.registrar = registrar;
   }
 
@@ -45,7 +45,7 @@ public final class ServedModules implements AutoCloseable {
    */
   public synchronized void serve(ModuleActivation activation) throws IOException {
     ModuleDescription module = activation.module();
-    NamedClasses classes = new NamedClasses(module);
+    ModuleClassFactory classes = new ModuleClassFactory(module);
     Class<?> type = classes.load("server", module.serverClass());
     if (!ModuleServer.class.isAssignableFrom(type)) {
       throw classes.fault("server " + type.getName() + " is no ModuleServer", null);
@@ -67,12 +67,12 @@ public final class ServedModules implements AutoCloseable {
    */
   @Override
   public synchronized void close() throws IOException {
-    Ending ending = new Ending(whose);
+    ResourceCloser ending = new ResourceCloser(whose);
     List<ModuleServer<?>> order = ShutdownOrder.of(serving);
     serving.clear();
     order.forEach(ModuleServer::halt);
-    order.forEach(ending::end);
-    ending.end(registrar);
-    ending.orThrow();
+    order.forEach(ending::close);
+    ending.close(registrar);
+    ending.throwIfFailed();
   }
 }

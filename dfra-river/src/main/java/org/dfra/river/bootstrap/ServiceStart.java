@@ -5,7 +5,7 @@ import java.rmi.activation.ActivationException;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dfra.core.config.Place;
-import org.dfra.river.bootstrap.RobotBootstrap.Service;
+import org.dfra.river.bootstrap.RobotBootstrap.ServiceReference;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -34,10 +34,10 @@ final class ServiceStart {
    * @param patience for phoenix's answer: on a busy computer a process takes long to start
    * @throws ActivationException if it did not start: where it is described, which it is, and why
    */
-  static void of(Service service, Place place, Patience patience)
+  static void activate(ServiceReference service, Place place, RetryDeadline patience)
       throws ActivationException, IOException {
     try {
-      patience.ask(() -> service.id().activate(false));
+      patience.call(() -> service.id().activate(false));
     } catch (ActivationException e) {
       // Without the cause: an activation exception's message repeats its cause's.
       String known = place + ": module " + service.name() + ": ";

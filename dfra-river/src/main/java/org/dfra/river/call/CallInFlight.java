@@ -37,7 +37,7 @@ final class CallInFlight {
   }
 
   /** Makes this the call of the current thread while {@code body} runs. */
-  <T extends @Nullable Object> T carry(Body<T> body) throws Throwable {
+  <T extends @Nullable Object> T runAsCurrent(Invocation<T> body) throws Throwable {
     CURRENT.set(this);
     try {
       return body.run();
@@ -51,7 +51,7 @@ final class CallInFlight {
    *
    * @return the request
    */
-  static OutboundRequest leaving(OutboundRequest request) {
+  static OutboundRequest attachRequest(OutboundRequest request) {
     @Nullable CallInFlight call = CURRENT.get();
     if (call != null) {
       call.setRequest(request);
@@ -64,7 +64,7 @@ final class CallInFlight {
    *
    * @throws IOException if the call was given up before
    */
-  static void connecting(Closeable connection) throws IOException {
+  static void attachConnection(Closeable connection) throws IOException {
     @Nullable CallInFlight call = CURRENT.get();
     if (call != null && call.closesConnection) {
       call.setConnection(connection);
@@ -133,13 +133,13 @@ final class CallInFlight {
    *
    * @return whether the call had been given up before
    */
-  synchronized boolean end() {
+  synchronized boolean finish() {
     ended = true;
     return abandoned;
   }
 
   /** Whether a connection was found for the call. */
-  synchronized boolean hasLeft() {
+  synchronized boolean hasRequest() {
     return request != null;
   }
 
@@ -152,7 +152,7 @@ final class CallInFlight {
   }
 
   /** What a call does. */
-  interface Body<T extends @Nullable Object> {
+  interface Invocation<T extends @Nullable Object> {
     T run() throws Throwable;
   }
 }

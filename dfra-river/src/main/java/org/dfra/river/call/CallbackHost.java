@@ -33,7 +33,7 @@ public final class CallbackHost {
    * @param server its remote proxy
    * @throws IOException if this machine has no way to the server
    */
-  public static String towards(Remote server) throws IOException {
+  public static String addressReachableFrom(Remote server) throws IOException {
     String configured = System.getProperty(PROPERTY);
     if (configured != null) {
       return configured;

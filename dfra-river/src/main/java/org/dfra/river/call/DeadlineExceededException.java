@@ -2,10 +2,10 @@ package org.dfra.river.call;
 
 import java.rmi.RemoteException;
 import java.time.Duration;
-import org.dfra.directory.KnownOutcome;
+import org.dfra.directory.ExecutionCertainty;
 
 /** A remote call got no answer within its deadline. */
-public final class DeadlineExceededException extends RemoteException implements KnownOutcome {
+public final class DeadlineExceededException extends RemoteException implements ExecutionCertainty {
 
   private static final long serialVersionUID = 1L;
 

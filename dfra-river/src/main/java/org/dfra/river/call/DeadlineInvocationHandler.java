@@ -34,14 +34,14 @@ import org.jspecify.annotations.Nullable;
  * peer that cannot be connected to within the usual one is given up then.
  *
  * <p>The deadline travels with the proxy. One that was read awaits no answer for longer than
- * {@value #LONGEST_MILLIS} ms, or {@value #LONGEST_ACTIVATION_MILLIS} ms from the activation
- * system, whatever deadline it brought.
+ * {@value #MAX_DEADLINE_MILLIS} ms, or {@value #MAX_ACTIVATION_DEADLINE_MILLIS} ms from the
+ * activation system, whatever deadline it brought.
  */
 public final class DeadlineInvocationHandler extends BasicInvocationHandler {
 
   private static final long serialVersionUID = 1L;
 
-  private static final SilentPeers SILENT = new SilentPeers();
+  private static final UnresponsivePeers UNRESPONSIVE = new UnresponsivePeers();
 
   /**
    * Who allows more for the answer, as an activator does that starts a virtual machine, allows no
@@ -53,10 +53,10 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
    * The longest deadline, in milliseconds, of a proxy that came from elsewhere: its sender chose
    * it, but the threads that wait are this computer's.
    */
-  static final long LONGEST_MILLIS = 10_000;
+  static final long MAX_DEADLINE_MILLIS = 10_000;
 
   /** The same for calls of the activation system, which start virtual machines. */
-  static final long LONGEST_ACTIVATION_MILLIS = 30_000;
+  static final long MAX_ACTIVATION_DEADLINE_MILLIS = 30_000;
 
   /** How long an answer is awaited, in milliseconds. */
   private long deadlineMillis;
@@ -116,8 +116,8 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
       return super.invoke(proxy, method, args);
     }
     Object peer = peer();
-    int held = SILENT.held(peer);
-    if (held >= SilentPeers.LIMIT) {
+    int held = UNRESPONSIVE.blockedThreads(peer);
+    if (held >= UnresponsivePeers.MAX_BLOCKED_THREADS) {
       throw new DeadlineExceededException(
           describe(method) + " was not tried: " + held + " calls to " + name(peer) + " still hang");
     }
@@ -132,7 +132,9 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
   long deadlineMillis(Method method) {
     boolean startsProcesses =
         method.getDeclaringClass().getPackageName().equals(Activator.class.getPackageName());
-    return isRead && !startsProcesses ? Math.min(deadlineMillis, LONGEST_MILLIS) : deadlineMillis;
+    return isRead && !startsProcesses
+        ? Math.min(deadlineMillis, MAX_DEADLINE_MILLIS)
+        : deadlineMillis;
   }
 
   private @Nullable Object await(
@@ -145,10 +147,10 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
       Throwable cause = e.getCause();
       throw cause instanceof Carried carried ? carried.getCause() : cause;
     } catch (TimeoutException e) {
-      long awaited = call.hasLeft() ? deadline : Math.min(deadline, CONNECTED_MILLIS);
+      long awaited = call.hasRequest() ? deadline : Math.min(deadline, CONNECTED_MILLIS);
       boolean mayHaveRun = giveUp(call, peer);
       if (peer instanceof TcpEndpoint server) {
-        PeerSockets.doubt(server);
+        PeerSockets.probeAsync(server);
       }
       throw new DeadlineExceededException(describe(method), Duration.ofMillis(awaited), mayHaveRun);
     } catch (InterruptedException e) {
@@ -166,7 +168,7 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
       try {
         return answer.get(CONNECTED_MILLIS, TimeUnit.MILLISECONDS);
       } catch (TimeoutException e) {
-        if (!call.hasLeft()) {
+        if (!call.hasRequest()) {
           throw e;
         }
         rest -= CONNECTED_MILLIS;
@@ -177,9 +179,9 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
 
   /** Whether the call may have run; asked when nothing more of it can leave, not before. */
   private static boolean giveUp(CallInFlight call, Object peer) {
-    SILENT.hold(peer);
+    UNRESPONSIVE.addBlockedThread(peer);
     if (!call.abandon()) {
-      SILENT.letGo(peer);
+      UNRESPONSIVE.removeBlockedThread(peer);
     }
     return call.mayHaveRun();
   }
@@ -188,14 +190,14 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
       CallInFlight call, Object peer, Object proxy, Method method, Object @Nullable [] args)
       throws Exception {
     try {
-      return call.<@Nullable Object>carry(() -> super.invoke(proxy, method, args));
+      return call.<@Nullable Object>runAsCurrent(() -> super.invoke(proxy, method, args));
     } catch (Exception | Error e) {
       throw e;
     } catch (Throwable e) { // as InvocationHandler declares it
       throw new Carried(e);
     } finally {
-      if (call.end()) {
-        SILENT.letGo(peer);
+      if (call.finish()) {
+        UNRESPONSIVE.removeBlockedThread(peer);
       }
     }
   }
@@ -203,7 +205,8 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
   @Override
   protected ObjectOutputStream createMarshalOutputStream(
       Object proxy, Method method, OutboundRequest request, Collection context) throws IOException {
-    return super.createMarshalOutputStream(proxy, method, CallInFlight.leaving(request), context);
+    return super.createMarshalOutputStream(
+        proxy, method, CallInFlight.attachRequest(request), context);
   }
 
   /** Filters the result before it is built. */
@@ -256,7 +259,7 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
     if (deadlineMillis < 1) {
       throw new InvalidObjectException("deadline of " + deadlineMillis + " ms");
     }
-    deadlineMillis = Math.min(deadlineMillis, LONGEST_ACTIVATION_MILLIS);
+    deadlineMillis = Math.min(deadlineMillis, MAX_ACTIVATION_DEADLINE_MILLIS);
     isRead = true;
   }
 

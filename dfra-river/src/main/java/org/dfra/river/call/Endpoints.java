@@ -29,7 +29,7 @@ public final class Endpoints {
    * @throws IllegalArgumentException if the host is not known
    */
   public static ServerEndpoint tcp(String host, int port) {
-    return TcpServerEndpoint.getInstance(host, port, new PeerSockets(), sockets(host));
+    return TcpServerEndpoint.getInstance(host, port, new PeerSockets(), serverSocketFactory(host));
   }
 
   /**
@@ -38,7 +38,7 @@ public final class Endpoints {
    * @param host where it listens
    * @param port its TCP port
    */
-  public static Endpoint at(String host, int port) {
+  public static Endpoint tcpClient(String host, int port) {
     return TcpEndpoint.getInstance(host, port, new PeerSockets());
   }
 
@@ -47,7 +47,7 @@ public final class Endpoints {
    *
    * @throws IllegalArgumentException if the host is not known
    */
-  public static ServerSocketFactory sockets(String host) {
+  public static ServerSocketFactory serverSocketFactory(String host) {
     try {
       return new Bound(InetAddress.getByName(host));
     } catch (UnknownHostException e) {

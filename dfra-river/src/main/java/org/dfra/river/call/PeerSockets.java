@@ -22,10 +22,10 @@ import org.jspecify.annotations.Nullable;
  * <p>TCP repeats what was not acknowledged at longer and longer intervals, up to minutes. After a
  * robot was out of radio range for a minute, a connection from before may need another one to come
  * back, and JERI sends every call over it as long as it is open. So where a call has met its
- * deadline, its server's host is {@linkplain #doubt knocked at} with a new connection. If the host
- * does not take it, all connections to that server are closed, and the next call begins with a new
- * one. A host takes it also for a process that is slow or stopped, so calls that such a process may
- * still answer are left alone.
+ * deadline, its server's host is {@linkplain #probeAsync knocked at} with a new connection. If the
+ * host does not take it, all connections to that server are closed, and the next call begins with a
+ * new one. A host takes it also for a process that is slow or stopped, so calls that such a process
+ * may still answer are left alone.
  *
  * <p>Connecting itself is given up after the usual deadline of a call.
  */
@@ -37,25 +37,25 @@ final class PeerSockets extends SocketFactory implements Serializable {
 
   private static final int CONNECT_MILLIS =
       Math.toIntExact(DeadlineILFactory.DEFAULT_DEADLINE.toMillis());
-  private static final int KNOCK_MILLIS = 1000;
+  private static final int PROBE_TIMEOUT_MILLIS = 1000;
 
   /** What a stopped process does not take off the operating system's hands piles up there. */
-  private static final long KNOCK_AGAIN_NANOS = TimeUnit.SECONDS.toNanos(5);
+  private static final long PROBE_INTERVAL_NANOS = TimeUnit.SECONDS.toNanos(5);
 
   private static final Set<Connected> OPEN = ConcurrentHashMap.newKeySet();
-  private static final ConcurrentHashMap<TcpEndpoint, Long> KNOCKED = new ConcurrentHashMap<>();
+  private static final ConcurrentHashMap<TcpEndpoint, Long> LAST_PROBES = new ConcurrentHashMap<>();
 
   /** Finds out whether a server's host is there, in the background; see the class. */
-  static void doubt(TcpEndpoint server) {
+  static void probeAsync(TcpEndpoint server) {
     if (isDue(server)) {
-      CallThreads.run(new FutureTask<>(() -> knock(server), null));
+      CallThreads.run(new FutureTask<>(() -> connectOrCloseAll(server), null));
     }
   }
 
-  /** The same on this thread, which takes {@value #KNOCK_MILLIS} ms at the longest. */
+  /** The same on this thread, which takes {@value #PROBE_TIMEOUT_MILLIS} ms at the longest. */
   static void probe(TcpEndpoint server) {
     if (isDue(server)) {
-      knock(server);
+      connectOrCloseAll(server);
     }
   }
 
@@ -64,13 +64,14 @@ final class PeerSockets extends SocketFactory implements Serializable {
       return false;
     }
     long now = System.nanoTime();
-    KNOCKED.values().removeIf(at -> now - at > KNOCK_AGAIN_NANOS);
-    return KNOCKED.putIfAbsent(server, now) == null;
+    LAST_PROBES.values().removeIf(at -> now - at > PROBE_INTERVAL_NANOS);
+    return LAST_PROBES.putIfAbsent(server, now) == null;
   }
 
-  private static void knock(TcpEndpoint server) {
+  private static void connectOrCloseAll(TcpEndpoint server) {
     try (Socket socket = new Socket()) {
-      socket.connect(new InetSocketAddress(server.getHost(), server.getPort()), KNOCK_MILLIS);
+      socket.connect(
+          new InetSocketAddress(server.getHost(), server.getPort()), PROBE_TIMEOUT_MILLIS);
     } catch (IOException e) {
       List<Connected> dead = OPEN.stream().filter(each -> each.isTo(server)).toList();
       dead.forEach(Connected::abandon);
@@ -159,7 +160,7 @@ final class PeerSockets extends SocketFactory implements Serializable {
 
     @Override
     public void connect(SocketAddress to, int millis) throws IOException {
-      CallInFlight.connecting(this);
+      CallInFlight.attachConnection(this);
       super.connect(to, millis == 0 ? CONNECT_MILLIS : Math.min(millis, CONNECT_MILLIS));
       peer = (InetSocketAddress) to;
       OPEN.add(this);

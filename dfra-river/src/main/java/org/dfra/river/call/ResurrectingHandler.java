@@ -51,17 +51,17 @@ public final class ResurrectingHandler
 
   private final ActivationID id;
   private final @Nullable MethodConstraints constraints;
-  private final transient LiveProxy proxies;
+  private final transient LiveProxyHolder proxies;
 
   ResurrectingHandler(ActivationID id, @Nullable Remote live) {
-    this(id, LiveProxy.constrain(live, null), null);
+    this(id, LiveProxyHolder.constrain(live, null), null);
   }
 
   private ResurrectingHandler(
       ActivationID id, @Nullable Remote live, @Nullable MethodConstraints constraints) {
     this.id = id;
     this.constraints = constraints;
-    this.proxies = new LiveProxy(id, live, constraints);
+    this.proxies = new LiveProxyHolder(id, live, constraints);
   }
 
   /** The identifier under which the activation system knows the object. */
@@ -95,7 +95,7 @@ public final class ResurrectingHandler
 
   private @Nullable Object call(Method method, Object @Nullable [] args) throws Throwable {
     boolean repeatable = method.isAnnotationPresent(Idempotent.class);
-    ObjectSearch search = new ObjectSearch(proxies);
+    ActivationFailover search = new ActivationFailover(proxies);
     Remote target = search.first();
     for (int attempt = 1; ; attempt++) {
       RemoteException failure;
@@ -111,18 +111,18 @@ public final class ResurrectingHandler
       } catch (CallInterruptedException e) {
         throw e; // neither the object's fault nor to be repeated
       } catch (DeadlineExceededException e) {
-        proxies.doubt(target);
+        proxies.suspect(target);
         throw e;
       } catch (RemoteException e) {
         if (!repeatable) {
-          proxies.doubt(target);
+          proxies.suspect(target);
           throw e;
         }
         repeatable = false; // once is enough
         failure = e;
       }
       if (attempt == ATTEMPTS) {
-        proxies.doubt(target);
+        proxies.suspect(target);
         throw failure;
       }
       target = search.next(target, failure);
@@ -139,7 +139,7 @@ public final class ResurrectingHandler
       throw e;
     } finally {
       if (reached) { // what the object itself throws is an answer too
-        proxies.trust(target);
+        proxies.confirm(target);
       }
     }
   }
@@ -162,7 +162,7 @@ public final class ResurrectingHandler
     return Proxy.newProxyInstance(
         type.getClassLoader(),
         type.getInterfaces(),
-        new ResurrectingHandler(id, LiveProxy.constrain(live(), wanted), wanted));
+        new ResurrectingHandler(id, LiveProxyHolder.constrain(live(), wanted), wanted));
   }
 
   private Object objectMethod(Object proxy, Method method, Object @Nullable [] args) {

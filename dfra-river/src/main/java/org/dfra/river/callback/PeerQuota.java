@@ -12,7 +12,7 @@ import java.util.Optional;
 public final class PeerQuota {
 
   private final String what;
-  private final Limits limits;
+  private final QuotaLimits limits;
   private final Map<String, Integer> held = new HashMap<>(); // guarded by this; by other addresses
   private int heldByOthers; // guarded by this
   private int heldByOwn; // guarded by this
@@ -21,15 +21,15 @@ public final class PeerQuota {
    * How much may be held.
    *
    * @param perAddress by one client address, at least 1
-   * @param others by all other computers, at least as much
-   * @param own by this computer, at least 1
+   * @param remoteTotal by all other computers, at least as much
+   * @param localTotal by this computer, at least 1
    */
-  public record Limits(int perAddress, int others, int own) {
-    public Limits {
-      if (perAddress < 1 || others < perAddress || own < 1) {
+  public record QuotaLimits(int perAddress, int remoteTotal, int localTotal) {
+    public QuotaLimits {
+      if (perAddress < 1 || remoteTotal < perAddress || localTotal < 1) {
         throw new IllegalArgumentException(
             "limits must be 1 <= perAddress %d <= others %d, and 1 <= own %d"
-                .formatted(perAddress, others, own));
+                .formatted(perAddress, remoteTotal, localTotal));
       }
     }
   }
@@ -37,7 +37,7 @@ public final class PeerQuota {
   /**
    * @param what what is held and of whom, as in "listeners of atrv1/gps"
    */
-  public PeerQuota(String what, Limits limits) {
+  public PeerQuota(String what, QuotaLimits limits) {
     this.what = what;
     this.limits = limits;
   }
@@ -47,10 +47,10 @@ public final class PeerQuota {
    *
    * @return nothing if it was counted; else why not, in a sentence, and it was not counted
    */
-  public synchronized Optional<String> take(ClientAddress client) {
-    if (client.isOwn()) {
-      if (heldByOwn >= limits.own()) {
-        return full("this computer holds", heldByOwn, limits.own());
+  public synchronized Optional<String> acquire(ClientAddress client) {
+    if (client.isLocal()) {
+      if (heldByOwn >= limits.localTotal()) {
+        return full("this computer holds", heldByOwn, limits.localTotal());
       }
       heldByOwn++;
       return Optional.empty();
@@ -59,8 +59,8 @@ public final class PeerQuota {
     if (its >= limits.perAddress()) {
       return full(client.host() + " holds", its, limits.perAddress());
     }
-    if (heldByOthers >= limits.others()) {
-      return full("other computers hold", heldByOthers, limits.others());
+    if (heldByOthers >= limits.remoteTotal()) {
+      return full("other computers hold", heldByOthers, limits.remoteTotal());
     }
     held.put(client.host(), its + 1);
     heldByOthers++;
@@ -74,8 +74,8 @@ public final class PeerQuota {
   }
 
   /** A client does not hold one any more that was counted for it. */
-  public synchronized void giveBack(ClientAddress client) {
-    if (client.isOwn()) {
+  public synchronized void release(ClientAddress client) {
+    if (client.isLocal()) {
       heldByOwn--;
     } else {
       held.computeIfPresent(client.host(), (host, count) -> count == 1 ? null : count - 1);

@@ -11,8 +11,8 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
-import org.dfra.river.access.Caller;
 import org.dfra.river.access.OwnAddresses;
+import org.dfra.river.access.RemoteCaller;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -21,8 +21,8 @@ import org.jspecify.annotations.Nullable;
  * lock. A name server that does not answer would hold up every client there.
  *
  * <pre>
- *   not known --look-up--&gt; known, looked up again after {@link #KNOWN_FOR}
- *       '------ fails ------&gt; as before, looked up again after {@link #UNKNOWN_FOR}
+ *   not known --look-up--&gt; known, looked up again after {@link #REFRESH_INTERVAL}
+ *       '------ fails ------&gt; as before, looked up again after {@link #RETRY_INTERVAL}
  * </pre>
  *
  * <p>An address in digits needs no look-up. What was found counts until another answer comes.
@@ -37,19 +37,19 @@ final class ResolvedHosts {
     OwnAddresses resolve(String host) throws UnknownHostException;
   }
 
-  static final Duration KNOWN_FOR = Duration.ofMinutes(1);
-  static final Duration UNKNOWN_FOR = Duration.ofSeconds(5);
+  static final Duration REFRESH_INTERVAL = Duration.ofMinutes(1);
+  static final Duration RETRY_INTERVAL = Duration.ofSeconds(5);
 
   private static final System.Logger LOG = System.getLogger(ResolvedHosts.class.getName());
 
   private static final long IDLE_SECONDS = 10;
 
-  private static final class Entry {
+  private static final class CachedHost {
     @Nullable OwnAddresses own; // guarded by the hosts, as the following
     long dueAt; // nanoseconds
     boolean isUnderWay;
 
-    Entry(long dueAt) {
+    CachedHost(long dueAt) {
       this.dueAt = dueAt;
     }
   }
@@ -57,7 +57,7 @@ final class ResolvedHosts {
   private final Resolver resolver;
   private final LongSupplier nanos;
   private final Executor executor;
-  private final Map<String, Entry> entries = new HashMap<>(); // guarded by this
+  private final Map<String, CachedHost> entries = new HashMap<>(); // guarded by this
 
   /**
    * @param nanos monotonic time
@@ -94,14 +94,14 @@ final class ResolvedHosts {
    * @param host address or name that the server's proxies carry; one of a few
    * @return empty while the name is not known
    */
-  Optional<OwnAddresses> of(String host) {
-    if (Caller.at(host).address() != null) {
+  Optional<OwnAddresses> addressesOf(String host) {
+    if (RemoteCaller.fromHost(host).address() != null) {
       return ofDigits(host);
     }
-    Entry entry;
+    CachedHost entry;
     synchronized (this) {
       long now = nanos.getAsLong();
-      entry = entries.computeIfAbsent(host, unused -> new Entry(now));
+      entry = entries.computeIfAbsent(host, unused -> new CachedHost(now));
       if (entry.isUnderWay || now - entry.dueAt < 0) {
         return Optional.ofNullable(entry.own);
       }
@@ -121,7 +121,7 @@ final class ResolvedHosts {
     }
   }
 
-  private void lookUp(String host, Entry entry) {
+  private void lookUp(String host, CachedHost entry) {
     @Nullable OwnAddresses found = null;
     try {
       found = resolver.resolve(host);
@@ -132,11 +132,11 @@ final class ResolvedHosts {
     }
   }
 
-  private synchronized void note(Entry entry, @Nullable OwnAddresses found) {
+  private synchronized void note(CachedHost entry, @Nullable OwnAddresses found) {
     entry.isUnderWay = false;
     if (found != null) {
       entry.own = found;
     }
-    entry.dueAt = nanos.getAsLong() + (found == null ? UNKNOWN_FOR : KNOWN_FOR).toNanos();
+    entry.dueAt = nanos.getAsLong() + (found == null ? RETRY_INTERVAL : REFRESH_INTERVAL).toNanos();
   }
 }

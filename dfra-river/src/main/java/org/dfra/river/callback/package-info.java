@@ -3,11 +3,11 @@
  * than its share.
  *
  * <pre>
- *   registration --admit--&gt; CallbackPeers --&gt; CallbackPlace: a lane of the delivery pool
+ *   registration --admit--&gt; CallbackLimiter --&gt; CallbackSlot: a lane of the delivery pool
  *                              | PeerQuota: processes of each client address
  * </pre>
  *
- * <p>Enter at {@link org.dfra.river.callback.CallbackPeers}. Modules use it for their remote
+ * <p>Enter at {@link org.dfra.river.callback.CallbackLimiter}. Modules use it for their remote
  * listeners, a robot's lookup service for its event listeners.
  */
 @NullMarked

@@ -30,13 +30,13 @@ final class AnnouncementListener implements AutoCloseable {
 
   /** Opens the socket, which has joined no multicast group yet. */
   @FunctionalInterface
-  interface Opening {
+  interface SocketOpener {
     MulticastSocket open() throws IOException;
   }
 
   private final MulticastSettings settings;
   private final Consumer<DatagramPacket> received;
-  private final Opening opening;
+  private final SocketOpener opening;
   private final ReopenBackoff backoff = new ReopenBackoff();
   private MulticastSocket socket; // guarded by this
   private List<@Nullable NetworkInterface> failed; // guarded by this
@@ -45,12 +45,12 @@ final class AnnouncementListener implements AutoCloseable {
   /**
    * Joins the announcements' multicast group on every interface.
    *
-   * @param received is given each datagram, on the listener's thread
+   * @param handler is given each datagram, on the listener's thread
    * @throws IOException if the port cannot be listened on
    */
-  AnnouncementListener(MulticastSettings settings, Consumer<DatagramPacket> received)
+  AnnouncementListener(MulticastSettings settings, Consumer<DatagramPacket> handler)
       throws IOException {
-    this(settings, received, () -> new MulticastSocket(Constants.discoveryPort));
+    this(settings, handler, () -> new MulticastSocket(Constants.discoveryPort));
   }
 
   /**
@@ -59,10 +59,10 @@ final class AnnouncementListener implements AutoCloseable {
    * @throws IOException if the first cannot be opened
    */
   AnnouncementListener(
-      MulticastSettings settings, Consumer<DatagramPacket> received, Opening opening)
+      MulticastSettings settings, Consumer<DatagramPacket> handler, SocketOpener opening)
       throws IOException {
     this.settings = settings;
-    this.received = received;
+    this.received = handler;
     this.opening = opening;
     this.socket = opening.open();
     this.failed = settings.interfaces();

@@ -56,7 +56,7 @@ final class DiscoveryPackets {
    * @param known lookup services that need not answer
    * @throws IOException if a group's name is too long for a datagram
    */
-  static List<DatagramPacket> request(
+  static List<DatagramPacket> encodeRequest(
       MulticastSettings settings, int port, List<String> groups, Collection<ServiceID> known)
       throws IOException {
     MulticastRequest request =
@@ -73,7 +73,7 @@ final class DiscoveryPackets {
   }
 
   /** What a datagram announces; nothing if it is no announcement. */
-  static Optional<MulticastAnnouncement> announcement(DatagramPacket packet) {
+  static Optional<MulticastAnnouncement> decodeAnnouncement(DatagramPacket packet) {
     if (packet.getLength() < Integer.BYTES) {
       return Optional.empty();
     }

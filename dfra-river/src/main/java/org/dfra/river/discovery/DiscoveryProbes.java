@@ -7,8 +7,8 @@ import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
-import org.dfra.river.discovery.AnnouncedHosts.Place;
-import org.dfra.river.discovery.UnicastDiscovery.Answer;
+import org.dfra.river.discovery.DiscoveryCandidates.LookupAddress;
+import org.dfra.river.discovery.UnicastDiscovery.DiscoveryResponse;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -21,7 +21,7 @@ final class DiscoveryProbes {
 
   /** Takes what answered. */
   @FunctionalInterface
-  interface Taker {
+  interface ResponseConsumer {
 
     /**
      * Takes what answered, if it is wanted; false if not. On the thread of the probe, without the
@@ -30,25 +30,26 @@ final class DiscoveryProbes {
      * @param host as it was announced, or the address that answered
      * @param place where it was asked; null if it answered a request
      */
-    boolean take(Answer answer, String host, @Nullable Place place) throws RemoteException;
+    boolean accept(DiscoveryResponse answer, String host, @Nullable LookupAddress place)
+        throws RemoteException;
   }
 
   private static final Logger LOG = LoggerFactory.getLogger(DiscoveryProbes.class);
 
   /** Of an unknown host: how long its connection may take, and then its answer. */
-  private static final Duration PATIENCE = Duration.ofSeconds(1);
+  private static final Duration UNKNOWN_HOST_TIMEOUT = Duration.ofSeconds(1);
 
   /** Of a host that answered before. */
-  private static final Duration KNOWN_PATIENCE = Duration.ofSeconds(2);
+  private static final Duration KNOWN_HOST_TIMEOUT = Duration.ofSeconds(2);
 
   /** Most probes at once of those that answer requests. */
-  private static final int RESPONSES = AnnouncedHosts.PROBES / 2;
+  private static final int RESPONSES = DiscoveryCandidates.PROBES / 2;
 
   private final Object lock; // the search
-  private final AnnouncedHosts hosts;
-  private final RequestRounds requests;
+  private final DiscoveryCandidates hosts;
+  private final MulticastRequestSender requests;
   private final DiscoveryThreads threads;
-  private final Taker taker;
+  private final ResponseConsumer taker;
   private int probing; // guarded by the lock
   private int responding; // guarded by the lock: those of probing that answer a request
   private @Nullable Future<?> wakeUp; // guarded by the lock
@@ -61,10 +62,10 @@ final class DiscoveryProbes {
    */
   DiscoveryProbes(
       Object lock,
-      AnnouncedHosts hosts,
-      RequestRounds requests,
+      DiscoveryCandidates hosts,
+      MulticastRequestSender requests,
       DiscoveryThreads threads,
-      Taker taker) {
+      ResponseConsumer taker) {
     this.lock = lock;
     this.hosts = hosts;
     this.requests = requests;
@@ -76,10 +77,11 @@ final class DiscoveryProbes {
   void dispatch() {
     synchronized (lock) {
       boolean isPossible = true;
-      while (isPossible && !closed && probing < AnnouncedHosts.PROBES) {
+      while (isPossible && !closed && probing < DiscoveryCandidates.PROBES) {
         boolean isAnswerRead = responding < RESPONSES && hosts.isRoomForUnknown(responding);
         Optional<Socket> answer = isAnswerRead ? requests.next() : Optional.empty();
-        Optional<Place> place = answer.isPresent() ? Optional.empty() : hosts.next(responding);
+        Optional<LookupAddress> place =
+            answer.isPresent() ? Optional.empty() : hosts.next(responding);
         if (answer.isPresent()) {
           isPossible = begin(() -> probe(answer.get()), 1);
           if (!isPossible) {
@@ -100,7 +102,9 @@ final class DiscoveryProbes {
       }
       if (!closed) {
         Optional<Long> pause =
-            isPossible ? hosts.untilNext() : Optional.of(AnnouncedHosts.SHORTEST_WAIT.toNanos());
+            isPossible
+                ? hosts.untilNext()
+                : Optional.of(DiscoveryCandidates.SHORTEST_WAIT.toNanos());
         pause.ifPresent(
             nanos ->
                 wakeUp = threads.timer().schedule(this::dispatch, nanos, TimeUnit.NANOSECONDS));
@@ -116,12 +120,12 @@ final class DiscoveryProbes {
     return isBegun;
   }
 
-  private void probe(Place place) {
+  private void probe(LookupAddress place) {
     boolean isTaken = false;
     try {
-      Duration patience = hosts.isKnown(place) ? KNOWN_PATIENCE : PATIENCE;
-      Answer answer = UnicastDiscovery.ask(place.host(), place.port(), patience);
-      isTaken = taker.take(answer, place.host(), place);
+      Duration patience = hosts.isKnown(place) ? KNOWN_HOST_TIMEOUT : UNKNOWN_HOST_TIMEOUT;
+      DiscoveryResponse answer = UnicastDiscovery.discover(place.host(), place.port(), patience);
+      isTaken = taker.accept(answer, place.host(), place);
     } catch (IOException | ClassNotFoundException | RuntimeException e) {
       LOG.debug("No lookup service at {}, where one is announced.", place, e);
     } finally {
@@ -135,7 +139,8 @@ final class DiscoveryProbes {
   private void probe(Socket answering) {
     try (answering) {
       String host = answering.getInetAddress().getHostAddress();
-      boolean unused = taker.take(UnicastDiscovery.ask(answering, PATIENCE), host, null);
+      boolean unused =
+          taker.accept(UnicastDiscovery.discover(answering, UNKNOWN_HOST_TIMEOUT), host, null);
     } catch (IOException | ClassNotFoundException | RuntimeException e) {
       LOG.debug("A request was answered by something else than a lookup service.", e);
     } finally {

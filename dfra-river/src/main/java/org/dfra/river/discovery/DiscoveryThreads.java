@@ -29,7 +29,7 @@ record DiscoveryThreads(
    * checked. Those that are due at the same time begin in the order in which the lookup services
    * were found: those known longest first.
    */
-  static final int CHECKS = AnnouncedHosts.PROBES;
+  static final int CHECKS = DiscoveryCandidates.PROBES;
 
   private static final long IDLE_SECONDS = 10;
 
@@ -40,7 +40,7 @@ record DiscoveryThreads(
     boolean unused = timer.prestartCoreThread(); // it begins again what found no thread
     return new DiscoveryThreads(
         timer,
-        pool(AnnouncedHosts.PROBES, named("dfra-discovery-probe")),
+        pool(DiscoveryCandidates.PROBES, named("dfra-discovery-probe")),
         pool(CHECKS, named("dfra-discovery-check")),
         new AtomicBoolean());
   }

@@ -13,15 +13,15 @@ import net.jini.core.lookup.ServiceID;
 final class FoundRegistrars {
 
   /** Most lookup services in all. */
-  static final int MOST = AnnouncedHosts.REMEMBERED;
+  static final int MAX_REGISTRARS = DiscoveryCandidates.MAX_CANDIDATES;
 
   /** Most of one address, so that no single computer takes all places. */
-  static final int PER_ADDRESS = MOST / 2;
+  static final int PER_ADDRESS = MAX_REGISTRARS / 2;
 
   private final Map<LocatedRegistrar, FoundRegistrar> found = new LinkedHashMap<>();
 
   /** The service IDs that they claim, each once. */
-  Collection<ServiceID> identities() {
+  Collection<ServiceID> serviceIds() {
     return found.keySet().stream().map(LocatedRegistrar::getServiceID).distinct().toList();
   }
 
@@ -52,7 +52,7 @@ final class FoundRegistrars {
     }
     long there =
         found.keySet().stream().filter(each -> each.address().equals(registrar.address())).count();
-    return there < PER_ADDRESS && found.size() < MOST;
+    return there < PER_ADDRESS && found.size() < MAX_REGISTRARS;
   }
 
   /** Adds one; false where it is found already. */

@@ -56,7 +56,7 @@ public final class LocatedRegistrar implements ServiceRegistrar {
   }
 
   /** Where it answered, as {@code address:port}. */
-  public String place() {
+  public String hostAndPort() {
     return place.getAddress().getHostAddress() + ":" + place.getPort();
   }
 
@@ -149,6 +149,6 @@ public final class LocatedRegistrar implements ServiceRegistrar {
 
   @Override
   public String toString() {
-    return id + " at " + place();
+    return id + " at " + hostAndPort();
   }
 }

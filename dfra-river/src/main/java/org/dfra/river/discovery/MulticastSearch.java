@@ -15,8 +15,8 @@ import java.util.concurrent.TimeUnit;
 import net.jini.config.Configuration;
 import net.jini.config.ConfigurationException;
 import net.jini.core.lookup.ServiceID;
-import org.dfra.river.discovery.AnnouncedHosts.Place;
-import org.dfra.river.discovery.UnicastDiscovery.Answer;
+import org.dfra.river.discovery.DiscoveryCandidates.LookupAddress;
+import org.dfra.river.discovery.UnicastDiscovery.DiscoveryResponse;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -25,13 +25,13 @@ import org.slf4j.LoggerFactory;
  * Finds the lookup services of some groups by multicast, until it is closed. It stands for River's
  * {@code LookupDiscovery}, whose configuration entries it takes, and which a hundred false
  * announcements a second delay by seconds: whom to ask, and how many at once, is up to {@link
- * AnnouncedHosts}, and {@link UnicastDiscovery} reads the answers.
+ * DiscoveryCandidates}, and {@link UnicastDiscovery} reads the answers.
  *
  * <p>A lookup service is known by its proxy and not by its service ID alone, which anybody may
  * copy: those that claim one service ID are all found, see {@link LocatedRegistrar}.
  *
  * <p>Threads, all daemons: {@code dfra-discovery-timer} sends requests and reports what was found;
- * up to {@value AnnouncedHosts#PROBES} {@code dfra-discovery-probe}; as many {@code
+ * up to {@value DiscoveryCandidates#PROBES} {@code dfra-discovery-probe}; as many {@code
  * dfra-discovery-check}, which ask those that were found for their groups, where these may have
  * changed or announcements have stopped; those of {@link AnnouncementListener} and {@link
  * ResponseListener}.
@@ -58,10 +58,10 @@ public final class MulticastSearch implements AutoCloseable {
 
   private final MulticastSettings settings;
   private final Listener listener;
-  private final AnnouncedHosts hosts = new AnnouncedHosts(System::nanoTime);
+  private final DiscoveryCandidates hosts = new DiscoveryCandidates(System::nanoTime);
   private final FoundRegistrars found = new FoundRegistrars(); // guarded by this
   private final DiscoveryThreads threads;
-  private final RequestRounds requests;
+  private final MulticastRequestSender requests;
   private final DiscoveryProbes probes;
   private final @Nullable AnnouncementListener announcements;
   private final WantedGroups groups; // guarded by this
@@ -90,7 +90,8 @@ public final class MulticastSearch implements AutoCloseable {
     this.settings = settings;
     this.listener = listener;
     this.groups = new WantedGroups(groups);
-    this.requests = new RequestRounds(settings, threads.timer(), this::identities, this::dispatch);
+    this.requests =
+        new MulticastRequestSender(settings, threads.timer(), this::identities, this::dispatch);
     this.probes = new DiscoveryProbes(this, hosts, requests, threads, this::hold);
     boolean isDisabled = settings.interfaces().isEmpty();
     try {
@@ -121,7 +122,7 @@ public final class MulticastSearch implements AutoCloseable {
   }
 
   private synchronized Collection<ServiceID> identities() {
-    return found.identities();
+    return found.serviceIds();
   }
 
   /** The groups, none of them twice; null for all. */
@@ -169,7 +170,7 @@ public final class MulticastSearch implements AutoCloseable {
 
   private void loseUnwanted() {
     for (FoundRegistrar each : found.all()) {
-      if (!groups.includeOneOf(each.groups)) {
+      if (!groups.matchesAny(each.groups)) {
         lose(each);
       }
     }
@@ -179,7 +180,7 @@ public final class MulticastSearch implements AutoCloseable {
 
   /** A datagram has come. For tests too. */
   void received(DatagramPacket packet) {
-    Optional<MulticastAnnouncement> announcement = DiscoveryPackets.announcement(packet);
+    Optional<MulticastAnnouncement> announcement = DiscoveryPackets.decodeAnnouncement(packet);
     announcement.ifPresent(each -> announced(each, packet.getAddress()));
   }
 
@@ -198,12 +199,12 @@ public final class MulticastSearch implements AutoCloseable {
           check(each);
         }
       }
-      if (known.isEmpty() && !groups.includeOneOf(members)) {
+      if (known.isEmpty() && !groups.matchesAny(members)) {
         return;
       }
     }
     hosts.announced(
-        new Place(host, announcement.getPort()), id, from.getHostAddress().equals(host));
+        new LookupAddress(host, announcement.getPort()), id, from.getHostAddress().equals(host));
     dispatch();
   }
 
@@ -217,15 +218,16 @@ public final class MulticastSearch implements AutoCloseable {
    *
    * @param place where it was asked; null if it answered a request
    */
-  private boolean hold(Answer answer, String host, @Nullable Place place) throws RemoteException {
+  private boolean hold(DiscoveryResponse answer, String host, @Nullable LookupAddress place)
+      throws RemoteException {
     synchronized (this) {
-      if (!groups.includeOneOf(answer.groups())) {
+      if (!groups.matchesAny(answer.groups())) {
         return false;
       }
     }
     LocatedRegistrar registrar = answer.registrar().prepared(settings.preparer());
     synchronized (this) {
-      if (closed || !groups.includeOneOf(answer.groups()) || !found.isRoomFor(registrar)) {
+      if (closed || !groups.matchesAny(answer.groups()) || !found.isRoomFor(registrar)) {
         return false;
       }
       if (place != null) {
@@ -240,12 +242,12 @@ public final class MulticastSearch implements AutoCloseable {
   }
 
   /** Whether a lookup service that claims this service ID is found now. */
-  public synchronized boolean holds(ServiceID id) {
-    return found.identities().contains(id);
+  public synchronized boolean isDiscovered(ServiceID id) {
+    return found.serviceIds().contains(id);
   }
 
   /** Whether this lookup service is found now. */
-  public synchronized boolean holds(LocatedRegistrar registrar) {
+  public synchronized boolean isDiscovered(LocatedRegistrar registrar) {
     return found.contains(registrar);
   }
 
@@ -290,7 +292,7 @@ public final class MulticastSearch implements AutoCloseable {
       synchronized (this) {
         which.groups = actual;
         which.seenAt = System.nanoTime();
-        if (!closed && !groups.includeOneOf(actual)) {
+        if (!closed && !groups.matchesAny(actual)) {
           lose(which);
         }
       }

@@ -11,9 +11,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Where lookup services connect to when they answer a multicast request. At most {@value #WAITING}
- * connections wait to be asked, at most {@value #PER_ADDRESS} of one address; a further one is
- * closed, and its lookup service is found by its next announcement.
+ * Where lookup services connect to when they answer a multicast request. At most {@value
+ * #MAX_PENDING} connections wait to be asked, at most {@value #PER_ADDRESS} of one address; a
+ * further one is closed, and its lookup service is found by its next announcement.
  *
  * <p>Where its socket fails it opens another, paced by {@link ReopenBackoff}: at the same port,
  * since requests have named it, and at another where that is taken. It ends only when it is closed.
@@ -22,18 +22,18 @@ import org.slf4j.LoggerFactory;
  */
 final class ResponseListener implements AutoCloseable {
 
-  static final int WAITING = 16;
+  static final int MAX_PENDING = 16;
   static final int PER_ADDRESS = 2;
 
   private static final Logger LOG = LoggerFactory.getLogger(ResponseListener.class);
 
   /** Opens a socket that listens at a TCP port, or at one of the system's choice where it is 0. */
   @FunctionalInterface
-  interface Opening {
+  interface ServerSocketOpener {
     ServerSocket open(int port) throws IOException;
   }
 
-  private final Opening opening;
+  private final ServerSocketOpener opening;
   private final Runnable responded;
   private final ReopenBackoff backoff = new ReopenBackoff();
   private final Deque<Socket> waiting = new ArrayDeque<>(); // guarded by itself
@@ -43,11 +43,11 @@ final class ResponseListener implements AutoCloseable {
   /**
    * Listens from now on.
    *
-   * @param responded is run when a connection waits, on the listener's thread
+   * @param onResponse is run when a connection waits, on the listener's thread
    * @throws IOException if there is no port
    */
-  ResponseListener(Runnable responded) throws IOException {
-    this(responded, ServerSocket::new);
+  ResponseListener(Runnable onResponse) throws IOException {
+    this(onResponse, ServerSocket::new);
   }
 
   /**
@@ -55,8 +55,8 @@ final class ResponseListener implements AutoCloseable {
    *
    * @throws IOException if the first cannot be opened
    */
-  ResponseListener(Runnable responded, Opening opening) throws IOException {
-    this.responded = responded;
+  ResponseListener(Runnable onResponse, ServerSocketOpener opening) throws IOException {
+    this.responded = onResponse;
     this.opening = opening;
     this.server = opening.open(0);
     this.port = server.getLocalPort();
@@ -119,7 +119,7 @@ final class ResponseListener implements AutoCloseable {
     InetAddress from = socket.getInetAddress();
     synchronized (waiting) {
       long same = waiting.stream().filter(each -> from.equals(each.getInetAddress())).count();
-      if (backoff.isClosed() || same >= PER_ADDRESS || waiting.size() >= WAITING) {
+      if (backoff.isClosed() || same >= PER_ADDRESS || waiting.size() >= MAX_PENDING) {
         return false;
       }
       return waiting.add(socket);

@@ -62,9 +62,9 @@ public final class UnicastDiscovery {
    * @param registrar its proxy, and where it answered
    * @param groups the groups that it is a member of
    */
-  public record Answer(LocatedRegistrar registrar, List<String> groups) {
+  public record DiscoveryResponse(LocatedRegistrar registrar, List<String> groups) {
 
-    public Answer {
+    public DiscoveryResponse {
       groups = List.copyOf(groups);
     }
   }
@@ -75,21 +75,21 @@ public final class UnicastDiscovery {
    * Asks the lookup service at a host; where the host has several addresses, one after the other.
    *
    * @param port its TCP port for unicast discovery
-   * @param patience how long each connection may take, and how long the whole answer; finding the
+   * @param timeout how long each connection may take, and how long the whole answer; finding the
    *     addresses of a host that is named comes on top
    * @throws IOException if nobody answers in time, or the answer is none of a lookup service; the
    *     message says where and why
    * @throws ClassNotFoundException if the proxy's class is not here and may not be loaded
    */
-  public static Answer ask(String host, int port, Duration patience)
+  public static DiscoveryResponse discover(String host, int port, Duration timeout)
       throws IOException, ClassNotFoundException {
     @Nullable IOException failure = null;
     InetAddress[] addresses = InetAddress.getAllByName(host);
     for (int i = 0; i < Math.min(ADDRESSES, addresses.length); i++) {
       try (Socket socket = new Socket()) {
         socket.connect(
-            new InetSocketAddress(addresses[i], port), Math.toIntExact(patience.toMillis()));
-        return ask(socket, patience);
+            new InetSocketAddress(addresses[i], port), Math.toIntExact(timeout.toMillis()));
+        return discover(socket, timeout);
       } catch (IOException e) {
         if (failure == null) {
           failure = e;
@@ -104,16 +104,18 @@ public final class UnicastDiscovery {
   /**
    * Asks the lookup service at the other end of a connection. The caller closes it.
    *
-   * @param patience how long the whole answer may take
+   * @param timeout how long the whole answer may take
    * @throws IOException as above
    * @throws ClassNotFoundException as above
    */
-  static Answer ask(Socket socket, Duration patience) throws IOException, ClassNotFoundException {
-    long end = System.nanoTime() + patience.toNanos();
+  static DiscoveryResponse discover(Socket socket, Duration timeout)
+      throws IOException, ClassNotFoundException {
+    long end = System.nanoTime() + timeout.toNanos();
     try {
       socket.setTcpNoDelay(true);
       socket.getOutputStream().write(ByteBuffer.allocate(Integer.BYTES).putInt(VERSION).array());
-      return SerialFilters.<Answer, Exception>readingAnswer(() -> answer(socket, end));
+      return SerialFilters.<DiscoveryResponse, Exception>readDiscoveryResponse(
+          () -> answer(socket, end));
     } catch (ClassNotFoundException e) {
       throw e;
     } catch (Exception | LinkageError | AssertionError e) { // the last: River's, of odd objects
@@ -128,7 +130,8 @@ public final class UnicastDiscovery {
     }
   }
 
-  private static Answer answer(Socket socket, long end) throws IOException, ClassNotFoundException {
+  private static DiscoveryResponse answer(Socket socket, long end)
+      throws IOException, ClassNotFoundException {
     DeadlineInput input = new DeadlineInput(socket, end, ANSWER_BYTES);
     ObjectInputStream in = new ObjectInputStream(new BufferedInputStream(input));
     in.setObjectInputFilter(UnicastDiscovery::check);
@@ -156,7 +159,8 @@ public final class UnicastDiscovery {
     SerialFilters.check(marshalled);
     MarshalledInstance form = new MarshalledInstance(marshalled);
     InetSocketAddress place = new InetSocketAddress(socket.getInetAddress(), socket.getPort());
-    return new Answer(new LocatedRegistrar(registrar(form.get(false)), form, place), groups);
+    return new DiscoveryResponse(
+        new LocatedRegistrar(registrar(form.get(false)), form, place), groups);
   }
 
   /** The stream's own objects; what the marshalled one holds are bytes to it. */

@@ -25,7 +25,7 @@ final class WantedGroups {
   }
 
   /** Whether a member of these is wanted. */
-  boolean includeOneOf(Collection<String> groups) {
+  boolean matchesAny(Collection<String> groups) {
     Set<String> wanted = names;
     return wanted == null || groups.stream().anyMatch(wanted::contains);
   }

@@ -3,7 +3,7 @@
  * cannot exhaust.
  *
  * <pre>
- *   announcements, UDP ---&gt; AnnouncedHosts ---\
+ *   announcements, UDP ---&gt; DiscoveryCandidates ---\
  *                                              +--&gt; UnicastDiscovery, 4 at once --&gt; registrars
  *   answers to requests ---&gt; ResponseListener -/        ^
  *                                                       |

@@ -37,22 +37,22 @@ public final class Entries {
   private Entries() {}
 
   /** Every class of entries that modules here may have, without its superclasses. */
-  public static List<Class<?>> kinds() {
-    List<Class<?>> kinds = new ArrayList<>(Known.ALL);
+  public static List<Class<?>> entryClasses() {
+    List<Class<?>> kinds = new ArrayList<>(KnownEntryClasses.ALL);
     kinds.add(RecordEntry.class);
     return kinds;
   }
 
   /** All that entries can be made of; looked for when the first is made. */
-  private static final class Known {
+  private static final class KnownEntryClasses {
 
     static final List<Class<? extends Entry>> ALL = all();
 
     private static List<Class<? extends Entry>> all() {
       List<Class<? extends Entry>> all = new ArrayList<>();
-      for (EntryKinds brought :
-          ServiceLoader.load(EntryKinds.class, Entries.class.getClassLoader())) {
-        for (Class<? extends Entry> kind : brought.kinds()) {
+      for (EntryClassProvider brought :
+          ServiceLoader.load(EntryClassProvider.class, Entries.class.getClassLoader())) {
+        for (Class<? extends Entry> kind : brought.entryClasses()) {
           if (mirrored(kind) == null) {
             throw new IllegalStateException(
                 brought.getClass().getName()
@@ -75,7 +75,7 @@ public final class Entries {
    * @throws IllegalArgumentException if there are two records of one type, or one holds what no
    *     entry can
    */
-  public static Entry[] of(List<? extends Attributes> attributes) {
+  public static Entry[] toEntries(List<? extends Attributes> attributes) {
     Map<Class<?>, Attributes> left = new LinkedHashMap<>();
     for (Attributes each : attributes) {
       if (left.put(each.getClass(), each) != null) {
@@ -84,12 +84,12 @@ public final class Entries {
       }
     }
     List<Entry> entries = new ArrayList<>();
-    for (Class<? extends Entry> kind : Known.ALL) {
+    for (Class<? extends Entry> kind : KnownEntryClasses.ALL) {
       if (left.containsKey(mirrored(kind))) {
         entries.add(entry(kind, left));
       }
     }
-    left.values().forEach(record -> entries.add(RecordText.write(record)));
+    left.values().forEach(record -> entries.add(RecordEntryCodec.encode(record)));
     return entries.toArray(Entry[]::new);
   }
 
@@ -115,14 +115,14 @@ public final class Entries {
    * The records that the entries tell, as far as this client can understand them: entries of other
    * kinds, such as River's own, are left out, and so are those that lack what a record must have.
    */
-  public static List<Attributes> records(@Nullable Entry @Nullable [] entries) {
+  public static List<Attributes> toAttributes(@Nullable Entry @Nullable [] entries) {
     List<Attributes> records = new ArrayList<>();
     if (entries == null) {
       return records;
     }
     for (@Nullable Entry entry : entries) {
       if (entry instanceof RecordEntry text) {
-        RecordText.read(text).ifPresent(records::add);
+        RecordEntryCodec.decode(text).ifPresent(records::add);
       } else if (entry != null) {
         for (@Nullable Class<?> type = entry.getClass();
             type != null;
@@ -199,7 +199,7 @@ public final class Entries {
   }
 
   /** Whether records of a type have an entry class of this package. */
-  static boolean hasEntry(Class<?> record) {
+  static boolean hasEntryClass(Class<?> record) {
     return KINDS.stream().anyMatch(kind -> record == mirrored(kind));
   }
 

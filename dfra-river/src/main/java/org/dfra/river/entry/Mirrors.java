@@ -8,7 +8,7 @@ import org.dfra.persona.Attributes;
 
 /**
  * The record whose components the fields that an entry class itself declares stand for, by name.
- * See {@link EntryKinds} for classes outside this package.
+ * See {@link EntryClassProvider} for classes outside this package.
  */
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.TYPE)

@@ -11,7 +11,7 @@
  * org.dfra.river.entry.Mirrors mirrors} one record, field by component; a subclass carries its
  * superclass's record along, so one template finds modules of every kind. Records without an entry
  * class of their own travel as {@link org.dfra.river.entry.RecordEntry}; other jars bring entry
- * classes along by {@link org.dfra.river.entry.EntryKinds}.
+ * classes along by {@link org.dfra.river.entry.EntryClassProvider}.
  *
  * <p>A registrar compares marshalled bytes, field by field: fields are texts, boxed numbers, enums
  * or sorted lists of texts, since equal ones of these have equal bytes.

@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
  * The filter of one call's arguments. Until the method of the call is known it allows primitive
  * values and nothing else, and from then on what that method's parameters may hold.
  */
-final class CallFilter extends GraphFilter {
+final class CallFilter extends ObjectGraphFilter {
 
   private static final AllowedTypes NO_MORE = new AllowedTypes(List.of());
 

@@ -49,7 +49,7 @@ public class FilteredInvocationDispatcher extends BasicInvocationDispatcher {
     CallFilter filter = new CallFilter(limits);
     ObjectInputStream in =
         super.createMarshalInputStream(
-            impl, new BoundedRequest(request, limits), integrity, context);
+            impl, new ScannedInboundRequest(request, limits), integrity, context);
     in.setObjectInputFilter(filter);
     context.add(filter);
     return in;

@@ -11,7 +11,7 @@ final class HandleTable {
 
   private static final long UNFINISHED = 0;
 
-  private final Map<Integer, ClassForm> forms = new HashMap<>();
+  private final Map<Integer, ClassDescriptor> forms = new HashMap<>();
   private final BitSet references = new BitSet();
   private long[] costs = new long[64];
   private int size;
@@ -57,7 +57,7 @@ final class HandleTable {
    * Whether something has not come to its end and is not what is being read just now: it need not
    * contain itself, since nobody may follow the reference in it that leads here.
    */
-  boolean isAround(int handle) {
+  boolean isEnclosing(int handle) {
     return !forms.containsKey(handle) && costs[handle] == UNFINISHED && open[opened - 1] != handle;
   }
 
@@ -71,29 +71,29 @@ final class HandleTable {
   /** What it costs to refer to something. */
   long cost(int handle) {
     if (forms.containsKey(handle)) {
-      return Cost.LEAF;
+      return TraversalCost.LEAF;
     }
-    return costs[handle] == UNFINISHED ? Cost.ENDLESS : costs[handle];
+    return costs[handle] == UNFINISHED ? TraversalCost.CYCLIC : costs[handle];
   }
 
   /** Notes that a class has been described. */
-  void describe(int handle, ClassForm form) {
+  void describe(int handle, ClassDescriptor form) {
     close(handle);
     forms.put(handle, form);
   }
 
   /** A class; null where there is something else, or its description has not come to its end. */
-  @Nullable ClassForm form(int handle) {
+  @Nullable ClassDescriptor form(int handle) {
     return forms.get(handle);
   }
 
   /** Notes that a string may be the type of a field that is a reference. */
-  void nameReference(int handle) {
+  void markReferenceType(int handle) {
     references.set(handle);
   }
 
   /** Whether something is a string that may be the type of a field that is a reference. */
-  boolean namesReference(int handle) {
+  boolean isReferenceType(int handle) {
     return references.get(handle);
   }
 }

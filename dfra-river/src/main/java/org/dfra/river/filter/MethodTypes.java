@@ -64,7 +64,7 @@ final class MethodTypes {
   }
 
   /** Whether its parameters may hold classes that do not follow from its declaration. */
-  boolean isOpen() {
+  boolean acceptsUndeclaredTypes() {
     return closure.open;
   }
 

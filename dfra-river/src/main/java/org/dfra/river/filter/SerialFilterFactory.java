@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
  * Gives every object stream of the virtual machine a filter (JEP 415).
  *
  * <p>What a stream reads from is not guessed: each has the network's limits, unless the thread that
- * makes it is {@linkplain SerialFilters#readingStored reading what this computer stored}.
+ * makes it is {@linkplain SerialFilters#readStored reading what this computer stored}.
  *
  * <p>{@link SerialFilters#install()} puts it in place; a virtual machine whose main class is not
  * DFRA's gets it by {@code -Djdk.serialFilterFactory=org.dfra.river.filter.SerialFilterFactory}.
@@ -26,13 +26,13 @@ public final class SerialFilterFactory implements BinaryOperator<@Nullable Objec
   public ObjectInputFilter apply(
       @Nullable ObjectInputFilter current, @Nullable ObjectInputFilter next) {
     if (current == null) {
-      GraphFilter ours = SerialFilters.stream();
+      ObjectGraphFilter ours = SerialFilters.newStreamFilter();
       return next == null ? ours : new Both(next, ours);
     }
     if (next == null) {
       return current;
     }
-    if (next instanceof GraphFilter) { // a call's: stands in for the general one
+    if (next instanceof ObjectGraphFilter) { // a call's: stands in for the general one
       return current instanceof Both both ? new Both(both.theirs(), next) : next;
     }
     return new Both(next, current);

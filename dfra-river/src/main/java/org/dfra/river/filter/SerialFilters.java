@@ -30,7 +30,7 @@ public final class SerialFilters {
    * @param <E> what it throws if it cannot be read
    */
   @FunctionalInterface
-  public interface Reading<T extends @Nullable Object, E extends Exception> {
+  public interface ReadAction<T extends @Nullable Object, E extends Exception> {
 
     /** Reads. */
     T read() throws E;
@@ -38,7 +38,7 @@ public final class SerialFilters {
 
   /** Makes the object stream that reads a request's answer, as JERI's invocation handlers do. */
   @FunctionalInterface
-  public interface Opening {
+  public interface StreamOpener {
 
     /**
      * Makes it.
@@ -65,7 +65,7 @@ public final class SerialFilters {
   }
 
   /** What is configured; read when it is first needed, so that a main can set it before. */
-  private static final class Configured {
+  private static final class ConfiguredFilters {
     static final AllowedTypes TYPES =
         AllowedTypes.parse(System.getProperty("dfra.serial.allow", ""), flag("dfra.serial.jrmp"));
     static final SerialLimits CALL = SerialLimits.CALL.with(System.getProperties());
@@ -106,7 +106,7 @@ public final class SerialFilters {
 
   private static void checkConfiguration() {
     try {
-      Configured.TYPES.with(List.of());
+      ConfiguredFilters.TYPES.with(List.of());
     } catch (ExceptionInInitializerError e) {
       if (e.getCause() instanceof IllegalArgumentException wrong) {
         throw wrong;
@@ -130,7 +130,7 @@ public final class SerialFilters {
    * @throws IOException what {@code opening} throws
    */
   public static ObjectInputStream openResult(
-      OutboundRequest request, Method method, Opening opening) throws IOException {
+      OutboundRequest request, Method method, StreamOpener opening) throws IOException {
     return openResult(request, method, resultLimits(), opening);
   }
 
@@ -140,17 +140,18 @@ public final class SerialFilters {
    * @param limits how large the result may be
    */
   public static ObjectInputStream openResult(
-      OutboundRequest request, Method method, SerialLimits limits, Opening opening)
+      OutboundRequest request, Method method, SerialLimits limits, StreamOpener opening)
       throws IOException {
-    ObjectInputStream in = opening.open(new BoundedResponse(request, limits));
+    ObjectInputStream in = opening.open(new ScannedOutboundRequest(request, limits));
     in.setObjectInputFilter(
-        new GraphFilter(limits, Configured.TYPES.with(List.of(method.getReturnType()))));
+        new ObjectGraphFilter(
+            limits, ConfiguredFilters.TYPES.with(List.of(method.getReturnType()))));
     return in;
   }
 
   /** How large the result of a call may be where nothing else is said. */
   public static SerialLimits resultLimits() {
-    return Configured.STREAM;
+    return ConfiguredFilters.STREAM;
   }
 
   /**
@@ -160,7 +161,7 @@ public final class SerialFilters {
    * @param in an object stream from its first byte
    */
   public static InputStream checked(InputStream in) {
-    return ScannedStream.of(in, Configured.STREAM);
+    return ScannedStream.of(in, ConfiguredFilters.STREAM);
   }
 
   /**
@@ -169,7 +170,7 @@ public final class SerialFilters {
    * @param in a stream that nothing was read from
    */
   public static ObjectInputStream guardStored(ObjectInputStream in) {
-    in.setObjectInputFilter(new GraphFilter(SerialLimits.STORED, Configured.TYPES));
+    in.setObjectInputFilter(new ObjectGraphFilter(SerialLimits.STORED, ConfiguredFilters.TYPES));
     return in;
   }
 
@@ -197,26 +198,26 @@ public final class SerialFilters {
 
   private static SerialLimits scope() {
     @Nullable SerialLimits scope = SCOPE.get();
-    return scope == null ? Configured.STREAM : scope;
+    return scope == null ? ConfiguredFilters.STREAM : scope;
   }
 
   /** How large the arguments of one call may be. */
   static SerialLimits callLimits() {
-    return Configured.CALL;
+    return ConfiguredFilters.CALL;
   }
 
   /** What the arguments of a method may hold. */
   static MethodTypes argumentsOf(Method method) {
-    return MethodTypes.of(method, Configured.TYPES);
+    return MethodTypes.of(method, ConfiguredFilters.TYPES);
   }
 
-  static ObjectInputFilter call(AllowedTypes types) {
-    return new GraphFilter(Configured.CALL, types);
+  static ObjectInputFilter newCallFilter(AllowedTypes types) {
+    return new ObjectGraphFilter(ConfiguredFilters.CALL, types);
   }
 
   /** For a stream that the current thread makes now: the network's, unless its scope is another. */
-  static GraphFilter stream() {
-    return new GraphFilter(scope(), Configured.TYPES);
+  static ObjectGraphFilter newStreamFilter() {
+    return new ObjectGraphFilter(scope(), ConfiguredFilters.TYPES);
   }
 
   /**
@@ -227,24 +228,24 @@ public final class SerialFilters {
    * @param reading what reads; nothing of it may come from the network
    * @throws E what {@code reading} throws
    */
-  public static <T extends @Nullable Object, E extends Exception> T readingStored(
-      Reading<T, E> reading) throws E {
+  public static <T extends @Nullable Object, E extends Exception> T readStored(
+      ReadAction<T, E> reading) throws E {
     return within(SerialLimits.STORED, reading);
   }
 
   /**
    * Reads an answer to unicast discovery: object streams that the current thread makes meanwhile
-   * have the limits {@link SerialLimits#ANSWER}.
+   * have the limits {@link SerialLimits#DISCOVERY_RESPONSE}.
    *
    * @throws E what {@code reading} throws
    */
-  public static <T extends @Nullable Object, E extends Exception> T readingAnswer(
-      Reading<T, E> reading) throws E {
-    return within(SerialLimits.ANSWER, reading);
+  public static <T extends @Nullable Object, E extends Exception> T readDiscoveryResponse(
+      ReadAction<T, E> reading) throws E {
+    return within(SerialLimits.DISCOVERY_RESPONSE, reading);
   }
 
   private static <T extends @Nullable Object, E extends Exception> T within(
-      SerialLimits limits, Reading<T, E> reading) throws E {
+      SerialLimits limits, ReadAction<T, E> reading) throws E {
     SerialLimits outer = SCOPE.get();
     SCOPE.set(limits);
     try {

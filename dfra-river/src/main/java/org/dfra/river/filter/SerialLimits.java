@@ -32,7 +32,7 @@ public record SerialLimits(
    * For the answer to unicast discovery, which anybody may give. That of a robot's registrar has 2
    * kB.
    */
-  public static final SerialLimits ANSWER =
+  public static final SerialLimits DISCOVERY_RESPONSE =
       new SerialLimits(24, 4_096, 64 << 10, 64 << 10, 1 << 20, 256);
 
   /**

@@ -40,7 +40,7 @@ final class StreamBudget {
   }
 
   /** Counts what is built, in bytes on the heap. */
-  void build(long bytes) {
+  void countHeap(long bytes) {
     heap += bytes;
     limits.checkHeap(heap);
   }
@@ -54,20 +54,20 @@ final class StreamBudget {
     SerialLimits.atMost(length, limits.arrayLength(), "elements in one array", "dfra.serial.array");
     claimed += (long) length * HeapSize.width(element);
     SerialLimits.atMost(claimed, limits.bytes(), "bytes claimed by arrays", "dfra.serial.bytes");
-    build(HeapSize.array(element, length));
+    countHeap(HeapSize.array(element, length));
   }
 
   /**
    * Counts a reference to an object around the one that is being read. What that costs is not known
    * yet, and may be as much as all that has come by then.
    */
-  void around() {
+  void countEnclosingReference() {
     around = Math.min(around + 1, DOUBLINGS);
   }
 
-  /** Counts what a walk through an object visits that has this {@link Cost}. */
-  void walk(long cost) {
-    walked += (Cost.visits(cost) * (Cost.isEndless(cost) ? ROUNDS : 1)) << around;
+  /** Counts what a walk through an object visits that has this {@link TraversalCost}. */
+  void countTraversal(long cost) {
+    walked += (TraversalCost.visits(cost) * (TraversalCost.isCyclic(cost) ? ROUNDS : 1)) << around;
     long most = heap + MORE_VISITS;
     if (walked > most && limits.heap() < Long.MAX_VALUE) {
       throw new RefusedDataException(
@@ -79,13 +79,13 @@ final class StreamBudget {
     }
   }
 
-  /** Counts an entry of a hash table, whose key has this {@link Cost}. */
-  void hash(long key) {
+  /** Counts an entry of a hash table, whose key has this {@link TraversalCost}. */
+  void countKey(long key) {
     entries++;
     limits.checkTables(entries);
-    hashed += Cost.steps(key);
+    hashed += TraversalCost.steps(key);
     long steps = STEPS_PER_ENTRY * Math.min(limits.tableEntries(), Integer.MAX_VALUE);
     SerialLimits.atMost(hashed, steps, "steps to hash keys", "dfra.serial.table");
-    build(HeapSize.TABLE_ENTRY);
+    countHeap(HeapSize.TABLE_ENTRY);
   }
 }

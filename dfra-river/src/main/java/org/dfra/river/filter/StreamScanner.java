@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.ObjectStreamConstants;
 import java.io.StreamCorruptedException;
-import org.dfra.river.filter.ClassForm.Table;
+import org.dfra.river.filter.ClassDescriptor.HashTableKind;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -15,9 +15,9 @@ import org.jspecify.annotations.Nullable;
  * <p>A filter of the JDK cannot bound what hash tables cost. It sees neither strings, nor which
  * objects are keys, nor where a reference back leads, and an object that refers twice to one that
  * refers twice to another, and so on, has a hash code that takes two to the power of their number
- * to compute. Here all of that is known. {@link Cost} follows references back; keys may cost as
- * many steps together as there may be entries, times {@link StreamBudget#STEPS_PER_ENTRY}. What is
- * no key may be compared or shown later, so a walk through the whole stream is bounded too.
+ * to compute. Here all of that is known. {@link TraversalCost} follows references back; keys may
+ * cost as many steps together as there may be entries, times {@link StreamBudget#STEPS_PER_ENTRY}.
+ * What is no key may be compared or shown later, so a walk through the whole stream is bounded too.
  *
  * <p>An element is a block of primitive data or an object with all that it refers to. It is kept
  * until it has come as a whole: a call that stalls costs the bytes that it has sent, not what its
@@ -34,11 +34,11 @@ final class StreamScanner implements ObjectStreamConstants {
   /** A marshalled object holds a stream, which is judged as it comes, not when it is unpacked. */
   private static final int STREAMS_IN_ONE_ANOTHER = 8;
 
-  private final RecordedInput in;
+  private final ElementBuffer in;
   private final SerialLimits limits;
   private final StreamBudget budget;
   private final HandleTable handles = new HandleTable();
-  private final LocalRecords records = new LocalRecords();
+  private final LocalRecordClasses records = new LocalRecordClasses();
   private final int level;
   private boolean begun;
   private boolean aborting;
@@ -52,14 +52,14 @@ final class StreamScanner implements ObjectStreamConstants {
   }
 
   private StreamScanner(InputStream in, SerialLimits limits, int level) {
-    this.in = new RecordedInput(in);
+    this.in = new ElementBuffer(in);
     this.limits = limits;
     this.budget = new StreamBudget(limits);
     this.level = level;
   }
 
   /** The bytes of the last element. */
-  RecordedInput element() {
+  ElementBuffer element() {
     return in;
   }
 
@@ -74,10 +74,10 @@ final class StreamScanner implements ObjectStreamConstants {
     in.clear();
     if (!begun) {
       begun = true;
-      in.take(HEADER);
+      in.read(HEADER);
       return true;
     }
-    if (!in.takeIfAny()) {
+    if (!in.readIfAvailable()) {
       return false;
     }
     int tag = in.at(0);
@@ -85,7 +85,7 @@ final class StreamScanner implements ObjectStreamConstants {
       if (tag == TC_RESET) {
         reset();
       } else if (!isBlock(tag)) {
-        budget.walk(content(tag));
+        budget.countTraversal(content(tag));
       }
     } catch (AbortedException e) { // the element ends with what went wrong at the writer
       depth = 0; // whose numbers go on, as they do for an object stream
@@ -106,11 +106,11 @@ final class StreamScanner implements ObjectStreamConstants {
   /** Reads a block of primitive data, if this tag begins one. */
   private boolean isBlock(int tag) throws IOException {
     if (tag == TC_BLOCKDATA) {
-      in.take(in.unsignedByte());
+      in.read(in.unsignedByte());
       return true;
     }
     if (tag == TC_BLOCKDATALONG) {
-      in.take(RecordedInput.length(in.integer()));
+      in.read(ElementBuffer.length(in.integer()));
       return true;
     }
     return false;
@@ -126,17 +126,17 @@ final class StreamScanner implements ObjectStreamConstants {
     budget.reference();
     long cost =
         switch (tag) {
-          case TC_NULL -> Cost.LEAF;
+          case TC_NULL -> TraversalCost.LEAF;
           case TC_REFERENCE -> referred(reference());
           case TC_STRING -> string(in.unsignedShort());
-          case TC_LONGSTRING -> string(RecordedInput.length(in.longInteger()));
+          case TC_LONGSTRING -> string(ElementBuffer.length(in.longInteger()));
           case TC_OBJECT -> object();
           case TC_ARRAY -> array();
           case TC_ENUM -> constant();
           case TC_CLASS -> named();
           case TC_CLASSDESC, TC_PROXYCLASSDESC -> {
-            ClassForm unused = describe(tag);
-            yield Cost.LEAF;
+            ClassDescriptor unused = describe(tag);
+            yield TraversalCost.LEAF;
           }
           case TC_EXCEPTION -> throw aborted();
           default -> throw new StreamCorruptedException("an object begins with tag " + tag);
@@ -167,55 +167,55 @@ final class StreamScanner implements ObjectStreamConstants {
 
   private long string(long bytes) throws IOException {
     int handle = handles.assign();
-    budget.build(HeapSize.string(bytes));
-    in.take(bytes);
+    budget.countHeap(HeapSize.string(bytes));
+    in.read(bytes);
     if (bytes > 0 && !HeapSize.isPrimitive((char) in.at(in.size() - (int) bytes))) {
-      handles.nameReference(handle);
+      handles.markReferenceType(handle);
     }
-    return handles.finish(handle, Cost.of(1 + bytes / CHARACTERS_PER_STEP, 0));
+    return handles.finish(handle, TraversalCost.of(1 + bytes / CHARACTERS_PER_STEP, 0));
   }
 
   private long constant() throws IOException {
     budget.depth(depth);
-    ClassForm unused = form();
+    ClassDescriptor unused = form();
     int handle = handles.assign();
     long unusedName = content();
-    return handles.finish(handle, Cost.LEAF);
+    return handles.finish(handle, TraversalCost.LEAF);
   }
 
   private long named() throws IOException {
     budget.depth(depth);
-    ClassForm unused = form();
-    return handles.finish(handles.assign(), Cost.LEAF);
+    ClassDescriptor unused = form();
+    return handles.finish(handles.assign(), TraversalCost.LEAF);
   }
 
   private long referred(int handle) {
-    if (handles.isAround(handle)) {
-      budget.around();
+    if (handles.isEnclosing(handle)) {
+      budget.countEnclosingReference();
     }
     return handles.cost(handle);
   }
 
   private long array() throws IOException {
     budget.depth(depth);
-    ClassForm form = form();
+    ClassDescriptor form = form();
     int handle = handles.assign();
     int length = in.integer();
     if (form == null || length < 0) {
       throw new StreamCorruptedException("an array of " + length + " elements of no class");
     }
-    char element = form.element();
+    char element = form.elementTypeCode();
     budget.array(element, length);
     if (HeapSize.isPrimitive(element)) {
-      in.take((long) length * HeapSize.width(element));
+      in.read((long) length * HeapSize.width(element));
       if (element == 'B') {
         marshalled(length);
       }
-      return handles.finish(handle, Cost.of(1L + length, 0));
+      return handles.finish(handle, TraversalCost.of(1L + length, 0));
     }
-    long cost = Cost.LEAF;
+    long cost = TraversalCost.LEAF;
     for (int i = 0; i < length; i++) {
-      cost = Cost.sum(cost, content());
+      cost = TraversalCost.sum(cost, content());
     }
     return handles.finish(handle, cost);
   }
@@ -252,7 +252,7 @@ final class StreamScanner implements ObjectStreamConstants {
 
   private long object() throws IOException {
     budget.depth(depth);
-    ClassForm form = form();
+    ClassDescriptor form = form();
     int handle = handles.assign();
     if (form == null) {
       throw new StreamCorruptedException("an object of no class");
@@ -260,27 +260,27 @@ final class StreamScanner implements ObjectStreamConstants {
     if (form.has(SC_EXTERNALIZABLE)) {
       return handles.finish(handle, external(form));
     }
-    long cost = Cost.LEAF;
-    for (ClassForm part : form.lineage()) {
-      cost = Cost.sum(cost, data(part));
+    long cost = TraversalCost.LEAF;
+    for (ClassDescriptor part : form.lineage()) {
+      cost = TraversalCost.sum(cost, data(part));
     }
     return handles.finish(handle, cost);
   }
 
   /** What an object has written that writes all of itself. */
-  private long external(ClassForm form) throws IOException {
+  private long external(ClassDescriptor form) throws IOException {
     if (!form.has(SC_BLOCK_DATA)) {
       throw new StreamCorruptedException(
           form.name() + " is written by the first version of the protocol, without its length");
     }
-    budget.build(HeapSize.SMALL_OBJECT);
-    return annotation(Table.NONE);
+    budget.countHeap(HeapSize.SMALL_OBJECT);
+    return annotation(HashTableKind.NONE);
   }
 
   /** What one class of an object's lineage has written. */
-  private long data(ClassForm form) throws IOException {
-    budget.build(HeapSize.object(form.primitiveBytes(), form.references()));
-    in.take(form.primitiveBytes());
+  private long data(ClassDescriptor form) throws IOException {
+    budget.countHeap(HeapSize.object(form.primitiveBytes(), form.references()));
+    in.read(form.primitiveBytes());
     boolean flag = form.primitiveBytes() > 0 && in.at(in.size() - 1) != 0;
     if (form.name().equals(ENDPOINT) && (flag || form.primitiveBytes() > 1)) {
       throw new RefusedDataException(
@@ -288,45 +288,45 @@ final class StreamScanner implements ObjectStreamConstants {
               + " starts a thread and opens a connection; export the object without, as"
               + " BasicJeriExporter does by default");
     }
-    Table table = form.table(form.primitiveBytes() > 0 ? in.at(in.size() - 1) : 0);
-    long cost = Cost.LEAF;
+    HashTableKind table = form.hashTableKind(form.primitiveBytes() > 0 ? in.at(in.size() - 1) : 0);
+    long cost = TraversalCost.LEAF;
     for (int i = 0; i < form.references(); i++) {
-      cost = Cost.sum(cost, content());
+      cost = TraversalCost.sum(cost, content());
     }
-    return form.has(SC_WRITE_METHOD) ? Cost.sum(cost, annotation(table)) : cost;
+    return form.has(SC_WRITE_METHOD) ? TraversalCost.sum(cost, annotation(table)) : cost;
   }
 
   /** What a class has written by itself, to its end: blocks and objects. */
-  private long annotation(Table table) throws IOException {
-    long sum = Cost.LEAF;
+  private long annotation(HashTableKind table) throws IOException {
+    long sum = TraversalCost.LEAF;
     int count = 0;
     for (int tag = in.unsignedByte(); tag != TC_ENDBLOCKDATA; tag = in.unsignedByte()) {
       if (isBlock(tag)) {
         continue;
       }
       long cost = content(tag);
-      sum = Cost.sum(sum, cost);
-      if (table == Table.SET || (table == Table.MAP && count % 2 == 0)) {
-        budget.hash(cost);
+      sum = TraversalCost.sum(sum, cost);
+      if (table == HashTableKind.SET || (table == HashTableKind.MAP && count % 2 == 0)) {
+        budget.countKey(cost);
       }
       count++;
     }
-    if (table == Table.NONE) {
+    if (table == HashTableKind.NONE) {
       return sum;
     }
-    long nested = Cost.nesting(sum) + 1;
-    HashTables.checkNesting(nested);
-    return Cost.nested(sum, nested);
+    long nested = TraversalCost.nesting(sum) + 1;
+    HashTableCounter.checkNesting(nested);
+    return TraversalCost.nested(sum, nested);
   }
 
   /** Reads a class descriptor or a reference back to one; null for none. */
-  private @Nullable ClassForm form() throws IOException {
+  private @Nullable ClassDescriptor form() throws IOException {
     int tag = in.unsignedByte();
     if (tag == TC_NULL) {
       return null;
     }
     if (tag == TC_REFERENCE) {
-      @Nullable ClassForm known = handles.form(reference());
+      @Nullable ClassDescriptor known = handles.form(reference());
       if (known == null) {
         throw new StreamCorruptedException("a reference back to a class that was not described");
       }
@@ -335,14 +335,14 @@ final class StreamScanner implements ObjectStreamConstants {
     return describe(tag);
   }
 
-  private ClassForm describe(int tag) throws IOException {
+  private ClassDescriptor describe(int tag) throws IOException {
     budget.reference();
     budget.depth(depth);
     int handle = handles.assign();
     if (tag == TC_PROXYCLASSDESC) {
-      int interfaces = RecordedInput.length(in.integer());
+      int interfaces = ElementBuffer.length(in.integer());
       for (int i = 0; i < interfaces; i++) {
-        in.take(in.unsignedShort());
+        in.read(in.unsignedShort());
       }
       return described(handle, "", SC_SERIALIZABLE, 0, 0);
     }
@@ -350,22 +350,22 @@ final class StreamScanner implements ObjectStreamConstants {
       throw new StreamCorruptedException("a class descriptor begins with tag " + tag);
     }
     String name = in.name();
-    in.take(Long.BYTES);
+    in.read(Long.BYTES);
     int flags = in.unsignedByte();
     int fields = (short) in.unsignedShort();
     if (fields < 0) { // which an object stream takes for none
       throw new StreamCorruptedException(name + " with " + fields + " fields");
     }
-    ClassForm.check(name, flags, fields);
+    ClassDescriptor.check(name, flags, fields);
     long primitives = 0;
     int others = 0;
     for (int i = 0; i < fields; i++) {
       char code = (char) in.unsignedByte();
-      in.take(in.unsignedShort());
+      in.read(in.unsignedShort());
       if (!HeapSize.isPrimitive(code)) {
         others++;
         type();
-      } else if (ClassForm.PRIMITIVES.indexOf(code) >= 0) {
+      } else if (ClassDescriptor.PRIMITIVES.indexOf(code) >= 0) {
         primitives += HeapSize.width(code);
       } else {
         throw new StreamCorruptedException(name + " with a field of type " + code);
@@ -383,17 +383,17 @@ final class StreamScanner implements ObjectStreamConstants {
     } else if (tag == TC_STRING || tag == TC_LONGSTRING) {
       long unused = content(tag);
     }
-    if (!handles.namesReference(handle)) {
+    if (!handles.isReferenceType(handle)) {
       throw new StreamCorruptedException("a field that is a reference has another type");
     }
   }
 
   /** Reads the rest of a descriptor: annotation and parent. */
-  private ClassForm described(int handle, String name, int flags, long primitives, int others)
+  private ClassDescriptor described(int handle, String name, int flags, long primitives, int others)
       throws IOException {
-    long unused = annotation(Table.NONE);
+    long unused = annotation(HashTableKind.NONE);
     depth++;
-    ClassForm form = new ClassForm(name, flags, primitives, others, form());
+    ClassDescriptor form = new ClassDescriptor(name, flags, primitives, others, form());
     depth--;
     form.check(records);
     handles.describe(handle, form);

@@ -3,9 +3,9 @@
  *
  * <pre>
  *   call arguments --&gt; FilteredInvocationDispatcher --&gt; StreamScanner --&gt; CallFilter: MethodTypes
- *   call results ----&gt; DeadlineInvocationHandler -----&gt; StreamScanner --&gt; GraphFilter
+ *   call results ----&gt; DeadlineInvocationHandler -----&gt; StreamScanner --&gt; ObjectGraphFilter
  *   MarshalledInstance, events, lookup results,               | bytes: limits, hash tables,
- *   anything else ---&gt; SerialFilterFactory -------------------+-------&gt; GraphFilter
+ *   anything else ---&gt; SerialFilterFactory -------------------+-------&gt; ObjectGraphFilter
  *                      (SerialFilters.install())              |            | classes: AllowedTypes
  *                                                             v            v
  *                                                RefusedDataException, nothing is built
@@ -17,7 +17,7 @@
  *
  * <p>Every stream has the network's limits. What reads a file says so: {@link
  * org.dfra.river.filter.SerialFilters#guardStored} for a stream, {@link
- * org.dfra.river.filter.SerialFilters#readingStored} around code that makes its streams itself.
+ * org.dfra.river.filter.SerialFilters#readStored} around code that makes its streams itself.
  *
  * <p>Enter at {@link org.dfra.river.filter.SerialFilters}. The package is part of the {@code -dl}
  * jar, since a downloaded proxy filters its results too: it needs the JDK and River only.

@@ -19,20 +19,20 @@ import net.jini.core.lease.UnknownLeaseException;
 import net.jini.export.Exporter;
 import net.jini.id.Uuid;
 import net.jini.id.UuidFactory;
-import org.dfra.core.lease.Grant;
-import org.dfra.core.lease.LeaseBook;
+import org.dfra.core.lease.LeaseGrant;
+import org.dfra.core.lease.LeaseRegistry;
 import org.dfra.core.lease.LeaseTerms;
-import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
-import org.dfra.river.access.Caller;
+import org.dfra.lease.LeaseRole;
+import org.dfra.river.access.RemoteCaller;
 import org.dfra.river.callback.ClientAddress;
 import org.dfra.river.callback.PeerQuota;
 import org.dfra.river.remote.LeaseRevokedException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Lets the leases of a module's {@link LeaseBook} be held over the network: River's landlord, whose
- * memory the book is.
+ * Lets the leases of a module's {@link LeaseRegistry} be held over the network: River's landlord,
+ * whose memory the book is.
  *
  * <p>Entries of component {@value #COMPONENT} in the module's Jini configuration: {@code
  * longestLease} and {@code defaultLease}, in milliseconds.
@@ -42,13 +42,13 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
   private static final String COMPONENT = "org.dfra.river.lease";
 
   /** Above what listeners may have, each of which holds one. */
-  private static final PeerQuota.Limits LIMITS = new PeerQuota.Limits(256, 1024, 4096);
+  private static final PeerQuota.QuotaLimits LIMITS = new PeerQuota.QuotaLimits(256, 1024, 4096);
 
   /** Leases that are renewed or cancelled in one call. */
-  private static final int TOGETHER = 1024;
+  private static final int MAX_LEASES_PER_CALL = 1024;
 
   private final String module;
-  private final LeaseBook book;
+  private final LeaseRegistry book;
   private final Exporter exporter;
   private final String host;
   private final PeerQuota quota;
@@ -60,7 +60,7 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
    * @param exporter exports the landlord while it is started
    * @param host address or name that the module's proxies carry: clients there are on this computer
    */
-  public ModuleLandlord(String module, LeaseBook book, Exporter exporter, String host) {
+  public ModuleLandlord(String module, LeaseRegistry book, Exporter exporter, String host) {
     this.module = module;
     this.book = book;
     this.exporter = exporter;
@@ -75,7 +75,8 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
    *     is longer than the longest
    */
   public static LeaseTerms terms(Configuration configuration) throws ConfigurationException {
-    long longest = millis(configuration, "longestLease", LeaseTerms.USUAL.longest().toMillis());
+    long longest =
+        millis(configuration, "longestLease", LeaseTerms.DEFAULT.maxDuration().toMillis());
     long usual = millis(configuration, "defaultLease", Math.max(1, longest / 3));
     if (usual > longest) {
       throw new ConfigurationException(
@@ -113,40 +114,42 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
    * Grants a lease, to the client whose remote call is under way on this thread.
    *
    * @param duration how long, in milliseconds; {@link Lease#ANY} for the module's choice
-   * @param whenOver run once when it has expired or was revoked
+   * @param onExpired run once when it has expired or was revoked
    * @throws LeaseRefusedException if it is longer than allowed, not above zero, the landlord is not
    *     started, or the client holds as many as it may. A commander's lease is not counted: there
    *     is one at most
    */
-  public Lease grant(long duration, Holder holder, Runnable whenOver) throws LeaseRefusedException {
-    return grant(duration, holder, whenOver, () -> {});
+  public Lease grant(long duration, LeaseRole holder, Runnable onExpired)
+      throws LeaseRefusedException {
+    return grant(duration, holder, onExpired, () -> {});
   }
 
   /**
    * The same.
    *
-   * @param whenCancelled run once when its holder gives it back
+   * @param onCancelled run once when its holder gives it back
    */
-  public Lease grant(long duration, Holder holder, Runnable whenOver, Runnable whenCancelled)
+  public Lease grant(long duration, LeaseRole holder, Runnable onExpired, Runnable onCancelled)
       throws LeaseRefusedException {
     @Nullable LeaseFactory open = factory;
     if (open == null) {
       throw new LeaseRefusedException(module + " grants no leases now; it starts or stops");
     }
-    Grant granted =
-        holder == Holder.COMMANDER
-            ? book.grant(asked(duration), holder, clientHost(), whenOver, whenCancelled)
-            : counted(asked(duration), holder, whenOver, whenCancelled);
+    LeaseGrant granted =
+        holder == LeaseRole.COMMANDER
+            ? book.grant(requestedDuration(duration), holder, clientHost(), onExpired, onCancelled)
+            : counted(requestedDuration(duration), holder, onExpired, onCancelled);
     UUID id = granted.id();
     return open.newLease(
         UuidFactory.create(id.getMostSignificantBits(), id.getLeastSignificantBits()),
         System.currentTimeMillis() + granted.duration().toMillis());
   }
 
-  private Grant counted(Duration asked, Holder holder, Runnable whenOver, Runnable whenCancelled)
+  private LeaseGrant counted(
+      Duration asked, LeaseRole holder, Runnable whenOver, Runnable whenCancelled)
       throws LeaseRefusedException {
-    ClientAddress client = ClientAddress.ofCall(host);
-    Optional<String> refusal = quota.take(client);
+    ClientAddress client = ClientAddress.ofCurrentCall(host);
+    Optional<String> refusal = quota.acquire(client);
     if (refusal.isPresent()) {
       throw new LeaseRefusedException(refusal.get());
     }
@@ -154,12 +157,12 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
     Runnable ended =
         () -> {
           if (isHeld.compareAndSet(true, false)) {
-            quota.giveBack(client);
+            quota.release(client);
           }
         };
     boolean isGranted = false;
     try {
-      Grant granted =
+      LeaseGrant granted =
           book.grant(
               asked,
               holder,
@@ -182,11 +185,14 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
 
   /** Where the call under way on this thread came from; null where its transport does not tell. */
   public static @Nullable String clientHost() {
-    return Caller.current().map(Caller::address).map(InetAddress::getHostAddress).orElse(null);
+    return RemoteCaller.current()
+        .map(RemoteCaller::address)
+        .map(InetAddress::getHostAddress)
+        .orElse(null);
   }
 
-  private Duration asked(long millis) {
-    return millis == Lease.ANY ? book.terms().usual() : Duration.ofMillis(millis);
+  private Duration requestedDuration(long millis) {
+    return millis == Lease.ANY ? book.terms().defaultDuration() : Duration.ofMillis(millis);
   }
 
   @Override
@@ -195,7 +201,7 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
       throw new LeaseRevokedException(module + ": an administrator has revoked this lease");
     }
     try {
-      Optional<Grant> granted = book.renew(id(cookie), asked(duration));
+      Optional<LeaseGrant> granted = book.renew(id(cookie), requestedDuration(duration));
       return granted
           .orElseThrow(() -> new UnknownLeaseException(module + NO_SUCH_LEASE))
           .duration()
@@ -218,7 +224,7 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
     return new UUID(cookie.getMostSignificantBits(), cookie.getLeastSignificantBits());
   }
 
-  /** What a lease is named by in the module's {@link LeaseBook}: a secret of its holder. */
+  /** What a lease is named by in the module's {@link LeaseRegistry}: a secret of its holder. */
   public static UUID id(Lease lease) {
     return id(((net.jini.id.ReferentUuid) lease).getReferentUuid());
   }
@@ -226,7 +232,7 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
   /**
    * {@inheritDoc}
    *
-   * @throws IllegalArgumentException if they are more than {@value #TOGETHER}
+   * @throws IllegalArgumentException if they are more than {@value #MAX_LEASES_PER_CALL}
    */
   @Override
   public RenewResults renewAll(Uuid[] cookies, long[] durations) {
@@ -237,7 +243,7 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
   /**
    * {@inheritDoc}
    *
-   * @throws IllegalArgumentException if they are more than {@value #TOGETHER}
+   * @throws IllegalArgumentException if they are more than {@value #MAX_LEASES_PER_CALL}
    */
   @Override
   @SuppressWarnings("rawtypes") // as River declares it
@@ -248,13 +254,13 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
 
   /** Each that is not known costs an exception with its stack trace, also in the answer. */
   private void checkCount(Uuid[] cookies) {
-    if (cookies.length > TOGETHER) {
+    if (cookies.length > MAX_LEASES_PER_CALL) {
       throw new IllegalArgumentException(
           module
               + ": "
               + cookies.length
               + " leases in one call > "
-              + TOGETHER
+              + MAX_LEASES_PER_CALL
               + " allowed; name fewer");
     }
   }

@@ -20,7 +20,7 @@ import org.slf4j.LoggerFactory;
  *
  * <p>The jars are read when it starts: their digests are those of the bytes it serves, also if a
  * jar is rebuilt meanwhile. Nothing but these jars can be asked for, and where there are {@link
- * KeptJars}, what they were before. Slow clients are limited ({@link HttpListener}). Its threads,
+ * JarStore}, what they were before. Slow clients are limited ({@link HttpListener}). Its threads,
  * {@code class server n}, live from {@link #start} to {@link #close}.
  */
 public final class ClassServer implements AutoCloseable {
@@ -30,11 +30,11 @@ public final class ClassServer implements AutoCloseable {
   private final String host;
   private final int port;
   private final Map<String, Path> files;
-  private final @Nullable KeptJars kept;
-  private Map<String, Jar> jars = Map.of(); // guarded by this
+  private final @Nullable JarStore kept;
+  private Map<String, ServedJar> jars = Map.of(); // guarded by this
   private @Nullable HttpListener server; // guarded by this
 
-  private record Jar(byte[] bytes, String digest) {}
+  private record ServedJar(byte[] bytes, String digest) {}
 
   /** What URLs and River's own clients write behind a jar's name, before its digest. */
   static final String DIGEST = ";sha-256=";
@@ -55,7 +55,7 @@ public final class ClassServer implements AutoCloseable {
    * @param files the jars by the names they are served under
    * @param kept where jars are that these replaced; null for nowhere
    */
-  ClassServer(String host, int port, Map<String, Path> files, @Nullable KeptJars kept) {
+  ClassServer(String host, int port, Map<String, Path> files, @Nullable JarStore kept) {
     this.host = host;
     this.port = port;
     this.files = Collections.unmodifiableMap(new LinkedHashMap<>(files));
@@ -81,10 +81,10 @@ public final class ClassServer implements AutoCloseable {
     if (server != null) {
       return;
     }
-    Map<String, Jar> read = new LinkedHashMap<>();
+    Map<String, ServedJar> read = new LinkedHashMap<>();
     for (Map.Entry<String, Path> file : files.entrySet()) {
       byte[] bytes = read(file.getValue());
-      read.put(file.getKey(), new Jar(bytes, Digests.sha256(bytes)));
+      read.put(file.getKey(), new ServedJar(bytes, Digests.sha256(bytes)));
     }
     InetSocketAddress address = new InetSocketAddress(host, port);
     jars = read;
@@ -155,8 +155,8 @@ public final class ClassServer implements AutoCloseable {
     return server;
   }
 
-  private Jar served(String name) {
-    Jar jar = jars.get(name);
+  private ServedJar served(String name) {
+    ServedJar jar = jars.get(name);
     if (jar == null) {
       throw new IllegalArgumentException(
           "the class server does not serve "
@@ -188,11 +188,11 @@ public final class ClassServer implements AutoCloseable {
     }
   }
 
-  private HttpAnswers.Answer answer(String path) throws IOException {
-    Jar jar = asked(path);
+  private HttpResponder.HttpReply answer(String path) throws IOException {
+    ServedJar jar = asked(path);
     return jar == null
-        ? HttpAnswers.Answer.NOT_FOUND
-        : new HttpAnswers.Answer(
+        ? HttpResponder.HttpReply.NOT_FOUND
+        : new HttpResponder.HttpReply(
             200,
             Map.of("Content-Type", "application/java-archive", "ETag", etag(jar.digest())),
             jar.bytes());
@@ -207,13 +207,13 @@ public final class ClassServer implements AutoCloseable {
    * The path is a key, never a file's name. Who asks for a digest that is not to be had gets the
    * jar of that name as it is, and so can say what differs.
    */
-  private @Nullable Jar asked(String path) throws IOException {
+  private @Nullable ServedJar asked(String path) throws IOException {
     if (!path.startsWith("/")) {
       return null;
     }
     int at = path.indexOf(DIGEST);
     String name = path.substring(1, at < 0 ? path.length() : at);
-    Jar now = now(name);
+    ServedJar now = now(name);
     if (at < 0) {
       return now;
     }
@@ -223,12 +223,12 @@ public final class ClassServer implements AutoCloseable {
     }
     if (kept != null && (now == null || !now.digest().equals(digest))) {
       byte @Nullable [] older = kept.find(digest);
-      return older == null ? now : new Jar(older, digest);
+      return older == null ? now : new ServedJar(older, digest);
     }
     return now;
   }
 
-  private synchronized @Nullable Jar now(String name) {
+  private synchronized @Nullable ServedJar now(String name) {
     return jars.get(name);
   }
 }

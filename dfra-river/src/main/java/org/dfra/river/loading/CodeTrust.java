@@ -13,13 +13,13 @@ import java.util.Set;
  * @param pinned SHA-256 digests of jars that are loaded whoever signed them
  * @param limits what a download may cost
  */
-public record CodeTrust(Set<X509Certificate> signers, Set<String> pinned, CodeLimits limits) {
+public record CodeTrust(Set<X509Certificate> signers, Set<String> pinned, DownloadLimits limits) {
 
   /** System property with the path of the trust file. Where it is not set, nobody is trusted. */
   public static final String PROPERTY = "dfra.trust";
 
   /** Nobody is trusted: no code is loaded from elsewhere. */
-  public static final CodeTrust NONE = new CodeTrust(Set.of(), Set.of(), CodeLimits.DEFAULT);
+  public static final CodeTrust NONE = new CodeTrust(Set.of(), Set.of(), DownloadLimits.DEFAULT);
 
   public CodeTrust {
     signers = Set.copyOf(signers);

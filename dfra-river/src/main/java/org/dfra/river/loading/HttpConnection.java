@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Future;
 import java.util.function.Consumer;
-import org.dfra.river.loading.HttpAnswers.Answer;
+import org.dfra.river.loading.HttpResponder.HttpReply;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -34,7 +34,7 @@ final class HttpConnection implements Runnable {
 
   private final Socket socket;
   private final InetAddress address;
-  private final HttpAnswers answers;
+  private final HttpResponder answers;
   private final Consumer<HttpConnection> ended;
   private volatile boolean complete;
   private volatile List<Future<?>> deadlines = List.of();
@@ -42,7 +42,7 @@ final class HttpConnection implements Runnable {
   /**
    * @param ended is given this connection when its thread is done with it
    */
-  HttpConnection(Socket socket, HttpAnswers answers, Consumer<HttpConnection> ended) {
+  HttpConnection(Socket socket, HttpResponder answers, Consumer<HttpConnection> ended) {
     this.socket = socket;
     this.address = socket.getInetAddress();
     this.answers = answers;
@@ -50,7 +50,7 @@ final class HttpConnection implements Runnable {
   }
 
   /** These end it, unless it ended before. Called before {@link #run}. */
-  void endsBy(Future<?>... deadlines) {
+  void setDeadlines(Future<?>... deadlines) {
     this.deadlines = List.of(deadlines);
   }
 
@@ -65,7 +65,7 @@ final class HttpConnection implements Runnable {
   }
 
   /** Ends a connection whose request is still incomplete. */
-  void requestIsDue() {
+  void abortIfIncomplete() {
     if (!complete) {
       abort();
     }
@@ -118,17 +118,17 @@ final class HttpConnection implements Runnable {
 
   private void answer(String header, OutputStream out) throws IOException {
     if (header.isEmpty()) {
-      write(out, new Answer(431, Map.of(), new byte[0]), true);
+      write(out, new HttpReply(431, Map.of(), new byte[0]), true);
       return;
     }
     String[] request = header.lines().findFirst().orElse("").split(" ", -1);
     if (request.length != 3 || !request[2].startsWith("HTTP/1.")) {
-      write(out, new Answer(400, Map.of(), new byte[0]), true);
+      write(out, new HttpReply(400, Map.of(), new byte[0]), true);
       return;
     }
     boolean head = request[0].equals("HEAD");
     if (!head && !request[0].equals("GET")) {
-      write(out, new Answer(405, Map.of("Allow", "GET, HEAD"), new byte[0]), true);
+      write(out, new HttpReply(405, Map.of("Allow", "GET, HEAD"), new byte[0]), true);
       return;
     }
     int query = request[1].indexOf('?');
@@ -136,7 +136,8 @@ final class HttpConnection implements Runnable {
     write(out, answers.answer(path), !head);
   }
 
-  private static void write(OutputStream out, Answer answer, boolean withBody) throws IOException {
+  private static void write(OutputStream out, HttpReply answer, boolean withBody)
+      throws IOException {
     StringBuilder head = new StringBuilder(256);
     head.append("HTTP/1.1 ").append(answer.status()).append(' ');
     head.append(REASONS.getOrDefault(answer.status(), "Other")).append("\r\n");

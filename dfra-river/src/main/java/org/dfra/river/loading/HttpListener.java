@@ -46,14 +46,14 @@ final class HttpListener implements AutoCloseable {
   /** One accepts; a replaced connection's thread may take a moment to end. */
   private static final int THREADS = CONNECTIONS + 16;
 
-  private static final Duration END = Duration.ofSeconds(5);
-  private static final Duration REQUEST = Duration.ofSeconds(2);
-  private static final Duration ANSWER = Duration.ofSeconds(60);
+  private static final Duration STOP_TIMEOUT = Duration.ofSeconds(5);
+  private static final Duration REQUEST_TIMEOUT = Duration.ofSeconds(2);
+  private static final Duration RESPONSE_TIMEOUT = Duration.ofSeconds(60);
 
   private static final Logger LOG = LoggerFactory.getLogger(HttpListener.class);
 
   private final ServerSocket listening;
-  private final HttpAnswers answers;
+  private final HttpResponder answers;
   private final CountDownLatch accepting = new CountDownLatch(1);
   private final ThreadPoolExecutor threads;
   final ScheduledThreadPoolExecutor deadlines; // not private, so that a test need not wait
@@ -65,7 +65,7 @@ final class HttpListener implements AutoCloseable {
    *
    * @throws IOException if the address cannot be listened on
    */
-  HttpListener(InetSocketAddress address, HttpAnswers answers) throws IOException {
+  HttpListener(InetSocketAddress address, HttpResponder answers) throws IOException {
     this.answers = answers;
     listening = new ServerSocket();
     try {
@@ -119,8 +119,8 @@ final class HttpListener implements AutoCloseable {
   /** Until the accepting thread has left the port, nobody else can have it. */
   private void awaitEnd() {
     try {
-      if (!accepting.await(END.toMillis(), TimeUnit.MILLISECONDS)) {
-        LOG.warn("The class server's port {} is not free yet after {}.", port(), END);
+      if (!accepting.await(STOP_TIMEOUT.toMillis(), TimeUnit.MILLISECONDS)) {
+        LOG.warn("The class server's port {} is not free yet after {}.", port(), STOP_TIMEOUT);
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -172,9 +172,11 @@ final class HttpListener implements AutoCloseable {
       return;
     }
     try {
-      connection.endsBy(
-          deadlines.schedule(connection::requestIsDue, REQUEST.toMillis(), TimeUnit.MILLISECONDS),
-          deadlines.schedule(connection::abort, ANSWER.toMillis(), TimeUnit.MILLISECONDS));
+      connection.setDeadlines(
+          deadlines.schedule(
+              connection::abortIfIncomplete, REQUEST_TIMEOUT.toMillis(), TimeUnit.MILLISECONDS),
+          deadlines.schedule(
+              connection::abort, RESPONSE_TIMEOUT.toMillis(), TimeUnit.MILLISECONDS));
       threads.execute(connection);
     } catch (RejectedExecutionException e) { // it is being closed
       connection.abort();

@@ -23,9 +23,9 @@ final class JarDownload {
             .build();
   }
 
-  private final CodeLimits limits;
+  private final DownloadLimits limits;
 
-  JarDownload(CodeLimits limits) {
+  JarDownload(DownloadLimits limits) {
     this.limits = limits;
   }
 
@@ -53,7 +53,7 @@ final class JarDownload {
   private byte[] get(CodebaseUrl url) throws IOException {
     // With the digest, as River's own clients ask: the server may have this jar and a newer one.
     URI asked = URI.create(url.location() + ClassServer.DIGEST + url.digest());
-    HttpRequest request = HttpRequest.newBuilder(asked).timeout(limits.patience()).build();
+    HttpRequest request = HttpRequest.newBuilder(asked).timeout(limits.timeout()).build();
     CompletableFuture<HttpResponse<byte[]>> answer =
         Shared.CLIENT.sendAsync(
             request,
@@ -70,7 +70,7 @@ final class JarDownload {
               return new BoundedBody(url, limits.jarBytes());
             });
     try {
-      return answer.get(limits.patience().toMillis(), TimeUnit.MILLISECONDS).body();
+      return answer.get(limits.timeout().toMillis(), TimeUnit.MILLISECONDS).body();
     } catch (TimeoutException e) {
       answer.cancel(true);
       throw late(url, e);
@@ -102,7 +102,7 @@ final class JarDownload {
         "codebase "
             + url.text()
             + " did not come within "
-            + limits.patience().toMillis()
+            + limits.timeout().toMillis()
             + " ms; see whether its class server runs, or raise download.millis",
         cause);
   }

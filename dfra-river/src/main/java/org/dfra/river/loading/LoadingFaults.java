@@ -15,7 +15,7 @@ public final class LoadingFaults {
 
   /** Reads something that River unmarshals on the caller's thread. */
   @FunctionalInterface
-  public interface Read<E extends Exception> {
+  public interface UnmarshalAction<E extends Exception> {
     void read() throws E;
   }
 
@@ -25,7 +25,7 @@ public final class LoadingFaults {
    *
    * @return empty where every class was loaded
    */
-  public static <E extends Exception> Optional<String> during(Read<E> read) throws E {
+  public static <E extends Exception> Optional<String> during(UnmarshalAction<E> read) throws E {
     LAST.remove();
     try {
       read.read();

@@ -63,15 +63,15 @@ final class TrustFile {
     if (properties.containsKey(FOLDER)) {
       signers.addAll(folder());
     }
-    CodeLimits usual = CodeLimits.DEFAULT;
+    DownloadLimits usual = DownloadLimits.DEFAULT;
     return new CodeTrust(
         signers,
         pinned,
-        new CodeLimits(
+        new DownloadLimits(
             number(JAR_BYTES, usual.jarBytes(), Integer.MAX_VALUE - 8),
             number(UNPACKED_BYTES, usual.unpackedBytes(), Integer.MAX_VALUE - 8),
             (int) number(ENTRIES, usual.entries(), 65_535),
-            Duration.ofMillis(number(MILLIS, usual.patience().toMillis(), 600_000))));
+            Duration.ofMillis(number(MILLIS, usual.timeout().toMillis(), 600_000))));
   }
 
   private static List<String> sorted() {

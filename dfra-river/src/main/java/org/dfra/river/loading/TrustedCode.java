@@ -37,7 +37,7 @@ public final class TrustedCode {
 
   private static volatile boolean inPlace;
   private static volatile Map<String, String> kinds = Map.of();
-  private static @Nullable Loaders loaders; // guarded by the class
+  private static @Nullable VerifiedLoaderCache loaders; // guarded by the class
 
   private TrustedCode() {}
 
@@ -58,7 +58,7 @@ public final class TrustedCode {
    * @throws IllegalStateException if RMI has a class provider already
    */
   public static synchronized void install(CodeTrust trust) {
-    if (!installUnlessTaken(trust)) {
+    if (!installIfAbsent(trust)) {
       throw new IllegalStateException(TAKEN);
     }
   }
@@ -69,21 +69,21 @@ public final class TrustedCode {
    *
    * @throws IOException if the trust file makes no sense
    */
-  public static void installUnlessTaken() throws IOException {
-    if (!inPlace && !installUnlessTaken(CodeTrust.configured())) {
+  public static void installIfAbsent() throws IOException {
+    if (!inPlace && !installIfAbsent(CodeTrust.configured())) {
       LOG.warn("Proxies of robots that serve their classes cannot be read: {}.", TAKEN);
     }
   }
 
   /** Whether our provider is RMI's now. */
-  private static synchronized boolean installUnlessTaken(CodeTrust trust) {
+  private static synchronized boolean installIfAbsent(CodeTrust trust) {
     if (inPlace && loaders != null) {
       return true;
     }
     System.setProperty(PROVIDER, VerifiedClassProvider.class.getName());
     // Codebases in streams count: it is the provider that decides which.
     System.setProperty(CODEBASE_ONLY, "false");
-    loaders = new Loaders(new Admission(trust), System::nanoTime);
+    loaders = new VerifiedLoaderCache(new CodebaseVerifier(trust), System::nanoTime);
     RMIClassLoader.getClassAnnotation(TrustedCode.class); // has the JDK make the provider now
     return inPlace;
   }
@@ -141,14 +141,15 @@ public final class TrustedCode {
   }
 
   /** The provider that the JDK made says so. */
-  static void inPlace() {
+  static void markInstalled() {
     inPlace = true;
   }
 
   /** What is trusted, read from the configuration where no main has installed it. */
-  static synchronized Loaders loaders() throws IOException {
+  static synchronized VerifiedLoaderCache loaders() throws IOException {
     if (loaders == null) {
-      loaders = new Loaders(new Admission(CodeTrust.configured()), System::nanoTime);
+      loaders =
+          new VerifiedLoaderCache(new CodebaseVerifier(CodeTrust.configured()), System::nanoTime);
     }
     return loaders;
   }

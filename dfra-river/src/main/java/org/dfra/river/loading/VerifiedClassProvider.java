@@ -23,17 +23,17 @@ public final class VerifiedClassProvider extends RMIClassLoaderSpi {
   private static final Set<String> PRIMITIVES =
       Set.of("boolean", "byte", "char", "short", "int", "long", "float", "double", "void");
 
-  private final @Nullable Loaders given;
+  private final @Nullable VerifiedLoaderCache given;
 
   /** As the JDK makes it: trusts what {@link TrustedCode} says. */
   public VerifiedClassProvider() {
     given = null;
-    TrustedCode.inPlace();
+    TrustedCode.markInstalled();
   }
 
   /** Trusts what is said here. */
   public VerifiedClassProvider(CodeTrust trust) {
-    given = new Loaders(new Admission(trust), System::nanoTime);
+    given = new VerifiedLoaderCache(new CodebaseVerifier(trust), System::nanoTime);
   }
 
   /**
@@ -138,7 +138,7 @@ public final class VerifiedClassProvider extends RMIClassLoaderSpi {
     }
   }
 
-  private Loaders loaders() throws IOException {
+  private VerifiedLoaderCache loaders() throws IOException {
     return given != null ? given : TrustedCode.loaders();
   }
 

@@ -39,7 +39,7 @@ final class VerifiedJar {
    * @param url where it came from, for messages
    * @throws CodeRefusedException if an entry does not fit its signature, or it exceeds the limits
    */
-  static VerifiedJar read(CodebaseUrl url, byte[] bytes, CodeLimits limits) {
+  static VerifiedJar read(CodebaseUrl url, byte[] bytes, DownloadLimits limits) {
     Map<String, Content> contents = new HashMap<>();
     try (JarInputStream in = new JarInputStream(new ByteArrayInputStream(bytes), true)) {
       long left = limits.unpackedBytes();

@@ -102,7 +102,7 @@ final class VerifiedLoader extends SecureClassLoader implements TrustedLoader {
 
   private static URL url(String digest, String name, byte[] bytes) {
     try {
-      return new URL("dfra-code", digest, -1, "/" + name, new InMemory(bytes));
+      return new URL("dfra-code", digest, -1, "/" + name, new InMemoryHandler(bytes));
     } catch (MalformedURLException e) {
       throw new AssertionError("a URL with a handler of its own is always well-formed", e);
     }
@@ -114,10 +114,10 @@ final class VerifiedLoader extends SecureClassLoader implements TrustedLoader {
   }
 
   /** Opens a resource from memory. */
-  private static final class InMemory extends URLStreamHandler {
+  private static final class InMemoryHandler extends URLStreamHandler {
     private final byte[] bytes;
 
-    InMemory(byte[] bytes) {
+    InMemoryHandler(byte[] bytes) {
       this.bytes = bytes;
     }
 

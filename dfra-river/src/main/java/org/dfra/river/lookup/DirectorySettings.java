@@ -6,35 +6,36 @@ import java.util.List;
 /**
  * How a directory uses lookup services.
  *
- * @param host address or name of this machine at which lookup services can call back
+ * @param callbackHost address or name of this machine at which lookup services can call back
  * @param groups discovery groups, found by multicast; none if empty
  * @param locators lookup services found by unicast, {@code jini://host:port} each
  * @param locatorRetry how long to wait before a locator where nobody answered is tried again
- * @param heartbeat distance of the signs of life that are asked of each lookup service; each costs
- *     one call
- * @param silence how long a lookup service may take to answer before what it holds is stale
- * @param reconcile distance at which everything is asked for, in case an event was lost
+ * @param heartbeatInterval distance of the signs of life that are asked of each lookup service;
+ *     each costs one call
+ * @param registrarTimeout how long a lookup service may take to answer before what it holds is
+ *     stale
+ * @param reconcileInterval distance at which everything is asked for, in case an event was lost
  * @param eventLease lease on the events; a lookup service forgets a dead client after it
  */
 public record DirectorySettings(
-    String host,
+    String callbackHost,
     List<String> groups,
     List<String> locators,
     Duration locatorRetry,
-    Duration heartbeat,
-    Duration silence,
-    Duration reconcile,
+    Duration heartbeatInterval,
+    Duration registrarTimeout,
+    Duration reconcileInterval,
     Duration eventLease) {
 
   public DirectorySettings {
     groups = List.copyOf(groups);
     locators = List.copyOf(locators);
-    if (eventLease.compareTo(heartbeat.multipliedBy(2)) < 0) {
+    if (eventLease.compareTo(heartbeatInterval.multipliedBy(2)) < 0) {
       throw new IllegalArgumentException(
           "eventLease "
               + eventLease.toMillis()
               + " ms < 2 × heartbeat "
-              + heartbeat.toMillis()
+              + heartbeatInterval.toMillis()
               + " ms; beat faster or ask for a longer lease");
     }
   }

@@ -57,7 +57,7 @@ public final class Discovery
    * @param retry how long to wait before a locator where nobody answered is tried again
    * @throws IOException if multicast cannot be used or a locator is malformed
    */
-  static Discovery begin(
+  static Discovery start(
       List<String> groups, List<String> locators, Duration retry, Configuration configuration)
       throws IOException, ConfigurationException {
     LookupLocator[] known = new LookupLocator[locators.size()];
@@ -103,7 +103,7 @@ public final class Discovery
   }
 
   /** What was found at each locator. */
-  synchronized Map<String, Optional<LocatedRegistrar>> atLocators() {
+  synchronized Map<String, Optional<LocatedRegistrar>> registrarsByLocator() {
     Map<String, Optional<LocatedRegistrar>> all = new LinkedHashMap<>();
     for (LocatorSearch search : searches) {
       all.put(search.locator().toString(), Optional.ofNullable(search.found()));
@@ -276,7 +276,7 @@ public final class Discovery
         if (registrar != null
             && found.contains(registrar)
             && !isAtLocator(registrar)
-            && (multicast == null || !multicast.holds(registrar))) {
+            && (multicast == null || !multicast.isDiscovered(registrar))) {
           lost.add(registrar);
         }
       }

@@ -24,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  * soon as it is read, whatever else is still to be read.
  *
  * <pre>
- *   discovery --&gt; RegistrarReading, one for each lookup service, in parallel
+ *   discovery --&gt; RegistrarEffectorReader, one for each lookup service, in parallel
  *                   wanted and known robots first, then the other robots it lists
  * </pre>
  *
@@ -43,7 +43,7 @@ public final class EffectorSearch implements AutoCloseable {
      * @param registrar as in {@link ListedEffector#registrar}
      * @param host the computer where it says that it runs: a name or an address, not verified
      */
-    void registrarAt(UUID registrar, String host);
+    void registrarFound(UUID registrar, String host);
 
     /** A lookup service lists an effector. */
     void found(ListedEffector effector);
@@ -60,7 +60,7 @@ public final class EffectorSearch implements AutoCloseable {
   private final @Nullable ClassLoader loader = Thread.currentThread().getContextClassLoader();
 
   /** Guarded by itself. */
-  private final Map<ServiceRegistrar, RegistrarReading> readings = new HashMap<>();
+  private final Map<ServiceRegistrar, RegistrarEffectorReader> readings = new HashMap<>();
 
   private boolean closed; // guarded by readings
 
@@ -86,18 +86,18 @@ public final class EffectorSearch implements AutoCloseable {
       Listener listener)
       throws IOException {
     BootClassPath.require();
-    TrustedCode.installUnlessTaken();
+    TrustedCode.installIfAbsent();
     this.groups = List.copyOf(groups);
     this.wanted = List.copyOf(wanted);
     this.known = List.copyOf(known);
     this.listener = listener;
     try {
       this.discovery =
-          Discovery.begin(
+          Discovery.start(
               groups,
               locators,
               Discovery.LOCATOR_RETRY,
-              RobotPace.configuration(EmptyConfiguration.INSTANCE));
+              LookupTimings.configuration(EmptyConfiguration.INSTANCE));
     } catch (ConfigurationException e) {
       throw new AssertionError("an empty configuration has no faults", e);
     }
@@ -120,8 +120,8 @@ public final class EffectorSearch implements AutoCloseable {
   private void read(ServiceRegistrar registrar) {
     synchronized (readings) {
       if (!closed && !readings.containsKey(registrar)) {
-        RegistrarReading reading =
-            new RegistrarReading(
+        RegistrarEffectorReader reading =
+            new RegistrarEffectorReader(
                 registrar, wanted, known, listener, loader, this::changed, this::isTimeLeft);
         readings.put(registrar, reading);
         reading.start();
@@ -147,11 +147,11 @@ public final class EffectorSearch implements AutoCloseable {
    * its end by then. What a lookup service does not answer in time it is asked again, twice in all
    * and while the patience lasts.
    *
-   * @param patience how long lookup services may take to be found
+   * @param timeout how long lookup services may take to be found
    * @return the locators at which no lookup service was found
    */
-  public List<String> awaitRead(Duration patience) throws InterruptedException {
-    long end = System.nanoTime() + patience.toNanos();
+  public List<String> awaitRead(Duration timeout) throws InterruptedException {
+    long end = System.nanoTime() + timeout.toNanos();
     long readEnd = end + READING.toNanos();
     findEnd = end;
     synchronized (readings) {
@@ -172,7 +172,7 @@ public final class EffectorSearch implements AutoCloseable {
   private List<String> missing() {
     List<String> missing = new ArrayList<>();
     discovery
-        .atLocators()
+        .registrarsByLocator()
         .forEach(
             (locator, found) -> {
               Optional<LocatedRegistrar> there = found.filter(readings::containsKey);
@@ -193,13 +193,13 @@ public final class EffectorSearch implements AutoCloseable {
   /** Ends it, without waiting for calls that are under way. */
   @Override
   public void close() {
-    List<RegistrarReading> ending;
+    List<RegistrarEffectorReader> ending;
     synchronized (readings) {
       closed = true;
       ending = List.copyOf(readings.values());
       readings.notifyAll();
     }
     discovery.terminate();
-    ending.forEach(RegistrarReading::close);
+    ending.forEach(RegistrarEffectorReader::close);
   }
 }

@@ -31,7 +31,7 @@ import org.dfra.river.call.Endpoints;
 import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.loading.BootClassPath;
 import org.dfra.river.loading.TrustedCode;
-import org.dfra.river.proxy.LocalModules;
+import org.dfra.river.proxy.LocalModuleRegistry;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -57,10 +57,10 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
   private final DirectorySettings settings;
   private final InstantSource clock;
   private final Discovery discovery;
-  private final Sightings sightings;
+  private final ServiceTable sightings;
 
   /** Guarded by itself. */
-  private final Map<LocatedRegistrar, RegistrarWatch> watches = new HashMap<>();
+  private final Map<LocatedRegistrar, RegistrarMonitor> watches = new HashMap<>();
 
   private final Map<String, Boolean> hosts = new ConcurrentHashMap<>();
   private final ScheduledExecutorService watchdog;
@@ -94,15 +94,15 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     BootClassPath.require();
     this.settings = settings;
     this.clock = clock;
-    TrustedCode.installUnlessTaken();
-    this.sightings = new Sightings(table(), this::locality);
+    TrustedCode.installIfAbsent();
+    this.sightings = new ServiceTable(table(), this::locality);
     try {
       this.discovery =
-          Discovery.begin(
+          Discovery.start(
               settings.groups(),
               settings.locators(),
               settings.locatorRetry(),
-              RobotPace.configuration(EmptyConfiguration.INSTANCE));
+              LookupTimings.configuration(EmptyConfiguration.INSTANCE));
     } catch (ConfigurationException e) {
       throw new AssertionError("an empty configuration has no faults", e);
     }
@@ -113,16 +113,16 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
               thread.setDaemon(true);
               return thread;
             });
-    long period = Math.max(1, settings.silence().toMillis() / 4);
+    long period = Math.max(1, settings.registrarTimeout().toMillis() / 4);
     watchdog.scheduleWithFixedDelay(this::check, period, period, TimeUnit.MILLISECONDS);
-    discovery.addDiscoveryListener(new Discovered());
+    discovery.addDiscoveryListener(new RegistrarDiscoveryListener());
   }
 
   /**
    * The modules that lookup services within reach hold, and whose proxies cannot be read here. No
    * query finds them.
    */
-  public List<UnreadableModule> unreadable() {
+  public List<UnreadableModule> unreadableModules() {
     return sightings.unreadable();
   }
 
@@ -135,7 +135,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
   }
 
   /** How many lookup services are within reach now. */
-  public int registrars() {
+  public int registrarCount() {
     synchronized (watches) {
       return watches.size();
     }
@@ -144,22 +144,22 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
   /** The lookup services that are within reach now. Several may claim one service ID. */
   public List<ServiceRegistrar> lookupServices() {
     synchronized (watches) {
-      return watches.values().stream().<ServiceRegistrar>map(RegistrarWatch::registrar).toList();
+      return watches.values().stream().<ServiceRegistrar>map(RegistrarMonitor::registrar).toList();
     }
   }
 
   /**
    * Waits until everything at hand has been looked at once: at every locator a lookup service was
    * found and what it holds was read. One that was found in time is read to the end, unless it
-   * falls silent for {@link DirectorySettings#silence}. Multicast never says that everybody has
-   * answered, so with groups this always takes as long as it may.
+   * falls silent for {@link DirectorySettings#registrarTimeout}. Multicast never says that
+   * everybody has answered, so with groups this always takes as long as it may.
    *
-   * @param patience how long lookup services may take to be found
+   * @param timeout how long lookup services may take to be found
    * @return the locators at which no lookup service was read meanwhile
    */
-  public List<String> awaitFirstLook(Duration patience) throws InterruptedException {
-    long end = System.nanoTime() + patience.toNanos();
-    long readEnd = end + settings.silence().toNanos();
+  public List<String> awaitFirstRead(Duration timeout) throws InterruptedException {
+    long end = System.nanoTime() + timeout.toNanos();
+    long readEnd = end + settings.registrarTimeout().toNanos();
     synchronized (watches) {
       while (true) {
         List<String> missing = unread();
@@ -182,10 +182,10 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
   private List<String> unread() {
     List<String> missing = new ArrayList<>();
     discovery
-        .atLocators()
+        .registrarsByLocator()
         .forEach(
             (locator, found) -> {
-              @Nullable RegistrarWatch watch = found.map(watches::get).orElse(null);
+              @Nullable RegistrarMonitor watch = found.map(watches::get).orElse(null);
               if (watch == null || !watch.isRead()) {
                 missing.add(locator);
               }
@@ -199,7 +199,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     }
   }
 
-  private final class Discovered implements DiscoveryListener {
+  private final class RegistrarDiscoveryListener implements DiscoveryListener {
     @Override
     public void discovered(DiscoveryEvent event) {
       for (ServiceRegistrar registrar : event.getRegistrars()) {
@@ -216,14 +216,17 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
   private void watch(LocatedRegistrar registrar) {
     synchronized (watches) {
       if (!closed && !watches.containsKey(registrar)) {
-        RegistrarWatch watch =
-            new RegistrarWatch(
+        RegistrarMonitor watch =
+            new RegistrarMonitor(
                 registrar,
                 sightings,
                 settings,
                 clock,
                 new BasicJeriExporter(
-                    Endpoints.tcp(settings.host(), 0), new DeadlineILFactory(), false, false),
+                    Endpoints.tcp(settings.callbackHost(), 0),
+                    new DeadlineILFactory(),
+                    false,
+                    false),
                 this::read,
                 this::lost);
         watches.put(registrar, watch);
@@ -232,7 +235,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     }
   }
 
-  private void lost(RegistrarWatch watch) {
+  private void lost(RegistrarMonitor watch) {
     synchronized (watches) {
       watches.remove(watch.registrar(), watch);
       watches.notifyAll();
@@ -241,7 +244,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
   }
 
   private void check() {
-    List<RegistrarWatch> all;
+    List<RegistrarMonitor> all;
     synchronized (watches) {
       all = List.copyOf(watches.values());
     }
@@ -250,7 +253,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
   }
 
   private Locality locality(UUID id, List<Attributes> attributes) {
-    if (LocalModules.holds(id)) {
+    if (LocalModuleRegistry.contains(id)) {
       return Locality.SAME_VM;
     }
     for (Attributes each : attributes) {
@@ -271,14 +274,14 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
    * may write them, and a look-up may take seconds.
    */
   private boolean isHere(String host) {
-    if (host.equals(settings.host()) || host.equals("localhost")) {
+    if (host.equals(settings.callbackHost()) || host.equals("localhost")) {
       return true;
     }
     if (!ADDRESS.matcher(host).matches()) {
       return false;
     }
     try {
-      return OwnAddresses.ofThisComputer().contain(InetAddress.getByName(host));
+      return OwnAddresses.ofThisComputer().contains(InetAddress.getByName(host));
     } catch (UnknownHostException e) {
       return false;
     }
@@ -286,7 +289,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
 
   @Override
   public void close() {
-    List<RegistrarWatch> ending;
+    List<RegistrarMonitor> ending;
     synchronized (watches) {
       closed = true;
       ending = List.copyOf(watches.values());
@@ -295,7 +298,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     }
     watchdog.shutdownNow();
     discovery.terminate();
-    ending.forEach(RegistrarWatch::close);
+    ending.forEach(RegistrarMonitor::close);
     super.close();
   }
 }

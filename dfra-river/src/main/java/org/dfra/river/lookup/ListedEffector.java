@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.UUID;
 import org.dfra.flow.effector.Effector;
 import org.dfra.persona.Attributes;
-import org.dfra.text.Printable;
+import org.dfra.text.PrintableText;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -27,8 +27,8 @@ public record ListedEffector(
     List<Attributes> attributes) {
 
   public ListedEffector {
-    robot = Printable.word(robot);
-    name = Printable.word(name);
+    robot = PrintableText.word(robot);
+    name = PrintableText.word(name);
     attributes = List.copyOf(attributes);
   }
 

@@ -25,7 +25,7 @@ import org.jspecify.annotations.Nullable;
  * @param attributes all of them
  * @param unreadable the module that cannot be read; else null
  * @param robot the robot; null if it is a module
- * @param callee what a call of it reaches, to be compared without a call
+ * @param callTarget what a call of it reaches, to be compared without a call
  */
 record ListedService(
     String path,
@@ -33,11 +33,11 @@ record ListedService(
     List<Attributes> attributes,
     @Nullable UnreadableModule unreadable,
     @Nullable PersonaAttributes robot,
-    List<Object> callee) {
+    List<Object> callTarget) {
 
   ListedService {
     attributes = List.copyOf(attributes);
-    callee = List.copyOf(callee);
+    callTarget = List.copyOf(callTarget);
   }
 
   /**
@@ -47,17 +47,17 @@ record ListedService(
    * @return nothing if it is neither a module nor stands for a robot
    */
   static Optional<ListedService> of(ServiceItem item, String fault) {
-    List<Attributes> attributes = Entries.records(item.attributeSets);
+    List<Attributes> attributes = Entries.toAttributes(item.attributeSets);
     @Nullable ModuleAttributes own = first(attributes, ModuleAttributes.class);
     if (own != null) {
       String path = own.robot() + "/" + own.name();
       if (item.service instanceof Module module) {
-        List<Object> callee = callee(module);
+        List<Object> callee = callTarget(module);
         callee.add(path);
         callee.add(own.host());
         return Optional.of(new ListedService(path, module, attributes, null, null, callee));
       } else if (item.service == null) {
-        String id = Sightings.uuid(item.serviceID).toString();
+        String id = ServiceTable.uuid(item.serviceID).toString();
         UnreadableModule unreadable =
             new UnreadableModule(own.robot(), own.name(), own.host(), id, fault);
         List<Object> callee = List.of(path, own.host());
@@ -81,7 +81,7 @@ record ListedService(
   }
 
   /** Proxies of one service ID are equal; what they call may differ. */
-  private static List<Object> callee(Module module) {
+  private static List<Object> callTarget(Module module) {
     List<Object> callee = new ArrayList<>();
     if (module instanceof ModuleProxy<?> proxy) {
       RemoteModule server = proxy.server();
@@ -107,14 +107,14 @@ record ListedService(
   }
 
   /** Whether both are modules, or both robots. */
-  boolean isLike(ListedService other) {
+  boolean isSameKind(ListedService other) {
     return (robot == null) == (other.robot() == null);
   }
 
   /** Whether the other calls the same and has the same name. Makes no call. */
   boolean isSameAs(ListedService other) {
     try {
-      return callee.equals(other.callee());
+      return callTarget.equals(other.callTarget());
     } catch (RuntimeException e) { // a stranger's proxy may throw what it likes
       return false;
     }

@@ -125,7 +125,8 @@ final class LocatorSearch implements AutoCloseable {
   private @Nullable LocatedRegistrar look() {
     try {
       LocatedRegistrar registrar =
-          UnicastDiscovery.ask(locator.getHost(), locator.getPort(), RobotPace.PATIENCE)
+          UnicastDiscovery.discover(
+                  locator.getHost(), locator.getPort(), LookupTimings.ATTEMPT_TIMEOUT)
               .registrar();
       complained = false;
       return registrar;

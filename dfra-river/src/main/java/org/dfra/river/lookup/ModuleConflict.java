@@ -1,7 +1,7 @@
 package org.dfra.river.lookup;
 
 import java.util.List;
-import org.dfra.text.Printable;
+import org.dfra.text.PrintableText;
 
 /**
  * Lookup services list different things under one service ID. One of them may be a stranger's; a
@@ -9,21 +9,21 @@ import org.dfra.text.Printable;
  *
  * @param path {@code robot/name} of the module, or the robot's name, as the one that counts says
  * @param id the service ID
- * @param counted where the lookup service is that counts, as {@code address:port}
+ * @param preferred where the lookup service is that counts, as {@code address:port}
  * @param others where those are that list something else
  */
-public record ModuleConflict(String path, String id, String counted, List<String> others) {
+public record ModuleConflict(String path, String id, String preferred, List<String> others) {
 
   public ModuleConflict {
-    path = Printable.word(path);
+    path = PrintableText.word(path);
     others = List.copyOf(others);
   }
 
   /** A sentence without a full stop: what, where, and what to do. */
-  public String inWords() {
+  public String describe() {
     return path
         + " is listed differently by the lookup services at "
-        + counted
+        + preferred
         + ", which counts here, and "
         + String.join(", ", others)
         + "; if it was not restarted just now, find out whose those lookup services are";

@@ -1,6 +1,6 @@
 package org.dfra.river.lookup;
 
-import org.dfra.text.Printable;
+import org.dfra.text.PrintableText;
 
 /**
  * A module whose proxy cannot be read here, most often because its classes are not trusted. What a
@@ -15,8 +15,8 @@ import org.dfra.text.Printable;
 public record UnreadableModule(String robot, String name, String host, String id, String reason) {
 
   public UnreadableModule {
-    robot = Printable.word(robot);
-    name = Printable.word(name);
+    robot = PrintableText.word(robot);
+    name = PrintableText.word(name);
   }
 
   /** {@code robot/name}. */

@@ -14,8 +14,8 @@ import java.rmi.server.UID;
 import java.time.Duration;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
-import org.dfra.river.call.Refusal;
-import org.dfra.river.phoenix.Group.Maker;
+import org.dfra.river.call.ConnectionRefusal;
+import org.dfra.river.phoenix.ManagedGroup.ActiveInstantiator;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -35,19 +35,19 @@ final class ActivatableObject {
   private static final long NEVER = -1;
 
   final UID uid;
-  final Group group;
+  final ManagedGroup group;
   private final ReentrantLock lock = new ReentrantLock();
   private volatile ActivationDesc desc;
-  private volatile @Nullable Known known;
+  private volatile @Nullable KnownProxy known;
   private volatile long inactiveIn = NEVER; // the incarnation that said so last
   private volatile long madeIn = NEVER; // the incarnation that was asked for it last, and may
   private volatile long workedIn = NEVER;
   private volatile boolean retired;
 
   /** The object's marshalled proxy, good as long as the incarnation that gave it works. */
-  private record Known(MarshalledObject<? extends Remote> proxy, long incarnation) {}
+  private record KnownProxy(MarshalledObject<? extends Remote> proxy, long incarnation) {}
 
-  ActivatableObject(UID uid, Group group, ActivationDesc desc) {
+  ActivatableObject(UID uid, ManagedGroup group, ActivationDesc desc) {
     this.uid = uid;
     this.group = group;
     this.desc = desc;
@@ -57,7 +57,7 @@ final class ActivatableObject {
     return desc;
   }
 
-  void describe(ActivationDesc next) {
+  void setDesc(ActivationDesc next) {
     desc = next;
   }
 
@@ -89,12 +89,12 @@ final class ActivatableObject {
     int attempts = ATTEMPTS;
     for (int attempt = 1; attempt <= attempts; attempt++) {
       requireRegistered();
-      Maker maker = group.maker();
+      ActiveInstantiator maker = group.awaitInstantiator();
       madeIn = maker.incarnation();
       try {
         requireRegistered(); // else whoever unregisters it now finds that it is being made
         MarshalledObject<? extends Remote> proxy = maker.instantiator().newInstance(id, desc);
-        known = new Known(proxy, maker.incarnation());
+        known = new KnownProxy(proxy, maker.incarnation());
         return proxy;
       } catch (NoSuchObjectException | InactiveGroupException e) {
         madeIn = NEVER;
@@ -103,7 +103,8 @@ final class ActivatableObject {
         last = e;
       } catch (ConnectException | ConnectIOException e) {
         madeIn = NEVER;
-        if (Refusal.isProvenBy(e)) { // else it may work, and this process have too many open files
+        if (ConnectionRefusal.isProvenBy(
+            e)) { // else it may work, and this process have too many open files
           group.unusable(maker, true);
           attempts = WITH_REPLACEMENT;
         }
@@ -134,13 +135,13 @@ final class ActivatableObject {
   }
 
   private @Nullable MarshalledObject<? extends Remote> knownProxy() {
-    @Nullable Known now = known;
+    @Nullable KnownProxy now = known;
     return now != null && group.isActive(now.incarnation()) ? now.proxy() : null;
   }
 
   /** The object's group tells its proxy. */
   void active(MarshalledObject<? extends Remote> proxy) {
-    known = new Known(proxy, group.incarnation());
+    known = new KnownProxy(proxy, group.incarnation());
   }
 
   /** The object's group says that it is not active any more. */
@@ -151,18 +152,18 @@ final class ActivatableObject {
   }
 
   /** It has been ready in an incarnation of its group for as long as the restart policy wants. */
-  void hasWorked(long incarnation) {
+  void setStable(long incarnation) {
     workedIn = incarnation;
   }
 
-  /** Whether it has {@link #hasWorked worked} in an incarnation of its group. */
-  boolean worked(long incarnation) {
+  /** Whether it has {@link #setStable worked} in an incarnation of its group. */
+  boolean wasStable(long incarnation) {
     return workedIn == incarnation;
   }
 
   /** Whether it was active in an incarnation of its group, at last. */
   boolean wasActive(long incarnation) {
-    @Nullable Known now = known;
+    @Nullable KnownProxy now = known;
     return now != null && now.incarnation() == incarnation;
   }
 
@@ -175,7 +176,7 @@ final class ActivatableObject {
   }
 
   private boolean isUnknown() {
-    return group.isActive(madeIn) || (group.isTakenBack() && inactiveIn != group.incarnation());
+    return group.isActive(madeIn) || (group.isAdopted() && inactiveIn != group.incarnation());
   }
 
   /**

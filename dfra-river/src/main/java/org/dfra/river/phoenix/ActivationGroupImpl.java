@@ -30,7 +30,7 @@ import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.phoenix.stop.GroupStop;
-import org.dfra.river.phoenix.stop.GroupStopAnswer;
+import org.dfra.river.phoenix.stop.GroupStopResult;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -61,8 +61,8 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
   private final transient Duration unexportTimeout;
   private final transient Duration unexportWait;
   private final transient Map<ActivationID, Slot> slots = new ConcurrentHashMap<>();
-  private final transient ReadinessReports readiness = new ReadinessReports();
-  private final transient StopTargets targets = new StopTargets();
+  private final transient ReadinessReporter readiness = new ReadinessReporter();
+  private final transient StopTargetRegistry targets = new StopTargetRegistry();
 
   /** Held only for a moment, never while an object is made or anybody is called. */
   private final transient Object gate = new Object();
@@ -122,7 +122,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
       Slot slot = slots.computeIfAbsent(object, key -> new Slot());
       synchronized (slot) {
         if (slot.proxy == null) {
-          long orders = targets.orders();
+          long orders = targets.requestCount();
           Remote made = make(slot, object, desc);
           targets.made(object, made, orders); // before its proxy is known to phoenix
           readiness.made(object, made);
@@ -185,7 +185,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
       Constructor<?> constructor, ActivationID object, ActivationDesc desc)
       throws ReflectiveOperationException {
     return constructor.getDeclaringClass().getName().startsWith(RIVERS_SERVICES)
-        ? SerialFilters.<Object, ReflectiveOperationException>readingStored(
+        ? SerialFilters.<Object, ReflectiveOperationException>readStored(
             () -> constructor.newInstance(object, desc.getData()))
         : constructor.newInstance(object, desc.getData());
   }
@@ -285,7 +285,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
         }
         slot.object = itself;
         slot.proxy = marshalled;
-        targets.made(object, itself, targets.orders());
+        targets.made(object, itself, targets.requestCount());
       }
     } finally {
       leave();
@@ -295,7 +295,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
 
   /** {@inheritDoc} Takes no lock: an object that is being made, or ended, delays no stop. */
   @Override
-  public GroupStopAnswer emergencyStop(String by) {
+  public GroupStopResult emergencyStop(String by) {
     return targets.emergencyStop(by);
   }
 

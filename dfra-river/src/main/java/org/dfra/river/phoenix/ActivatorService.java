@@ -12,9 +12,9 @@ import java.rmi.server.UID;
 /** What proxies of dead objects call, from anywhere. */
 final class ActivatorService implements Activator {
 
-  private final Daemon daemon;
+  private final PhoenixDaemon daemon;
 
-  ActivatorService(Daemon daemon) {
+  ActivatorService(PhoenixDaemon daemon) {
     this.daemon = daemon;
   }
 
@@ -25,8 +25,9 @@ final class ActivatorService implements Activator {
   }
 
   /** The object of an ID, where the ID is one of this daemon's. */
-  static ActivatableObject object(Daemon daemon, ActivationID id) throws UnknownObjectException {
-    return daemon.registered().object(uid(id));
+  static ActivatableObject object(PhoenixDaemon daemon, ActivationID id)
+      throws UnknownObjectException {
+    return daemon.groupRegistry().object(uid(id));
   }
 
   /** The identity within this daemon that an ID stands for. */

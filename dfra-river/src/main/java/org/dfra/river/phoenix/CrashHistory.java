@@ -16,7 +16,7 @@ final class CrashHistory {
 
   private final RestartPolicy policy;
   private final LongSupplier nanos;
-  private final ArrayDeque<End> recent = new ArrayDeque<>();
+  private final ArrayDeque<RecordedExit> recent = new ArrayDeque<>();
   private int total;
   private @Nullable String last;
   private boolean isHeldOff;
@@ -26,12 +26,12 @@ final class CrashHistory {
   /**
    * An end.
    *
-   * @param counts whether it makes the delay of the next start longer
-   * @param isAskedFor whether it is no crash: then it does not count towards the limit
+   * @param lengthensDelay whether it makes the delay of the next start longer
+   * @param isRequested whether it is no crash: then it does not count towards the limit
    */
-  private record End(long nanos, boolean counts, boolean isAskedFor) {
+  private record RecordedExit(long nanos, boolean lengthensDelay, boolean isRequested) {
     boolean isCrash() {
-      return !isAskedFor;
+      return !isRequested;
     }
   }
 
@@ -46,40 +46,44 @@ final class CrashHistory {
   /**
    * Notes a crash.
    *
-   * @param how the group ended, as the rest of a sentence
-   * @param worked whether the group's modules had been ready for as long as the policy wants
+   * @param description the group ended, as the rest of a sentence
+   * @param wasStable whether the group's modules had been ready for as long as the policy wants
    */
-  void crashed(String how, boolean worked) {
+  void recordCrash(String description, boolean wasStable) {
     long now = nanos.getAsLong();
     forgetOld(now);
-    lastWorked = worked;
-    recent.addLast(new End(now, !lastWorked, false));
+    lastWorked = wasStable;
+    recent.addLast(new RecordedExit(now, !lastWorked, false));
     total++;
-    last = how;
+    last = description;
     if (!lastWorked
-        && recent.stream().filter(End::counts).filter(End::isCrash).count() >= policy.limit()) {
+        && recent.stream()
+                .filter(RecordedExit::lengthensDelay)
+                .filter(RecordedExit::isCrash)
+                .count()
+            >= policy.crashLimit()) {
       isHeldOff = true;
       heldOffUntil = now + policy.holdOff().toNanos();
     }
   }
 
   /** Notes an end that somebody asked for. */
-  void askedToEnd(boolean worked) {
+  void recordRequestedExit(boolean worked) {
     long now = nanos.getAsLong();
     forgetOld(now);
     lastWorked = worked;
-    recent.addLast(new End(now, !worked, true));
+    recent.addLast(new RecordedExit(now, !worked, true));
   }
 
   private int counted() {
-    return (int) recent.stream().filter(End::counts).count();
+    return (int) recent.stream().filter(RecordedExit::lengthensDelay).count();
   }
 
   /**
    * The delay before the next start by the daemon itself; empty where it leaves the group alone.
    */
   Optional<Duration> restartDelay() {
-    if (heldOffFor().isPresent()) {
+    if (remainingHoldOff().isPresent()) {
       return Optional.empty();
     }
     forgetOld(nanos.getAsLong());
@@ -87,7 +91,7 @@ final class CrashHistory {
   }
 
   /** How long from now nobody can start the group, where it is held off. */
-  Optional<Duration> heldOffFor() {
+  Optional<Duration> remainingHoldOff() {
     long left = isHeldOff ? heldOffUntil - nanos.getAsLong() : 0;
     isHeldOff = left > 0;
     return isHeldOff ? Optional.of(Duration.ofNanos(left)) : Optional.empty();
@@ -96,7 +100,7 @@ final class CrashHistory {
   /** Crashes within the window, whether they count towards the limit or not. */
   int recentCount() {
     forgetOld(nanos.getAsLong());
-    return (int) recent.stream().filter(End::isCrash).count();
+    return (int) recent.stream().filter(RecordedExit::isCrash).count();
   }
 
   /** Crashes since the daemon started. */
@@ -105,7 +109,7 @@ final class CrashHistory {
   }
 
   /** How the group ended the last time it crashed. */
-  Optional<String> last() {
+  Optional<String> lastCrash() {
     return Optional.ofNullable(last);
   }
 

@@ -41,13 +41,13 @@ record ExecPolicy(
     List<String> classPaths,
     List<Path> files) {
 
-  /** The daemon's own java and class path, and the {@link StandardPermissions}. */
+  /** The daemon's own java and class path, and the {@link StandardExecPermissions}. */
   static final ExecPolicy DEFAULT =
       new ExecPolicy(
           false,
           List.of(ownJava()),
-          StandardPermissions.OPTIONS,
-          StandardPermissions.PROPERTIES,
+          StandardExecPermissions.OPTIONS,
+          StandardExecPermissions.PROPERTIES,
           List.of(System.getProperty("java.class.path")),
           List.of());
 

@@ -30,13 +30,13 @@ import org.jspecify.annotations.Nullable;
 final class GroupProcess {
 
   /** System property by which a group's process is known, {@code daemon/group}. */
-  static final String MARK = "org.dfra.phoenix.group";
+  static final String GROUP_PROPERTY = "org.dfra.phoenix.group";
 
   /** System property with the file that the process locks. */
-  static final String LOCK = "org.dfra.phoenix.lock";
+  static final String LOCK_PROPERTY = "org.dfra.phoenix.lock";
 
   /** System property with the file that the process writes its output to. */
-  static final String OUTPUT = "org.dfra.phoenix.output";
+  static final String OUTPUT_PROPERTY = "org.dfra.phoenix.output";
 
   private GroupProcess() {}
 
@@ -49,15 +49,15 @@ final class GroupProcess {
       UUID daemon, String group, ActivationGroupDesc desc, PhoenixConfiguration configuration)
       throws IOException {
     PrivateFiles.makeFolder(configuration.outputDirectory());
-    Path said = configuration.outputDirectory().resolve(group + ".vm.log");
-    if (Files.exists(said) && Files.size(said) > 0) {
+    Path vmLog = configuration.outputDirectory().resolve(group + ".vm.log");
+    if (Files.exists(vmLog) && Files.size(vmLog) > 0) {
       Files.move(
-          said, said.resolveSibling(group + ".vm.log.1"), StandardCopyOption.REPLACE_EXISTING);
+          vmLog, vmLog.resolveSibling(group + ".vm.log.1"), StandardCopyOption.REPLACE_EXISTING);
     }
-    PrivateFiles.makeFile(said);
+    PrivateFiles.makeFile(vmLog);
     return new ProcessBuilder(command(daemon, group, desc, configuration))
         .redirectErrorStream(true)
-        .redirectOutput(said.toFile())
+        .redirectOutput(vmLog.toFile())
         .start();
   }
 
@@ -76,14 +76,15 @@ final class GroupProcess {
       desc.getPropertyOverrides().forEach((name, value) -> command.add("-D" + name + "=" + value));
     }
     command.addAll(configuration.groupOptions());
-    command.add("-D" + LOCK + "=" + lockFile(configuration, group));
-    command.add("-D" + OUTPUT + "=" + configuration.outputDirectory().resolve(group + ".log"));
+    command.add("-D" + LOCK_PROPERTY + "=" + lockFile(configuration, group));
+    command.add(
+        "-D" + OUTPUT_PROPERTY + "=" + configuration.outputDirectory().resolve(group + ".log"));
     command.add(GroupVm.class.getName());
     return command;
   }
 
   /** Tells a started process which group it is, and lets it go to work. */
-  static void feed(
+  static void sendGroup(
       Process process, ActivationGroupID id, ActivationGroupDesc desc, long incarnation)
       throws IOException {
     try (ObjectOutputStream out = new ObjectOutputStream(process.getOutputStream())) {
@@ -94,7 +95,7 @@ final class GroupProcess {
   }
 
   /** The processes of a daemon's groups that run now, with the group's name. */
-  static Stream<Found> running(UUID daemon) {
+  static Stream<RunningProcess> findRunning(UUID daemon) {
     String mark = mark(daemon);
     return ProcessHandle.allProcesses()
         .flatMap(
@@ -102,18 +103,21 @@ final class GroupProcess {
                 arguments(handle)
                     .filter(argument -> argument.startsWith(mark))
                     .findFirst()
-                    .map(a -> new Found(a.substring(mark.length()), ProcessIdentity.of(handle)))
+                    .map(
+                        a ->
+                            new RunningProcess(
+                                a.substring(mark.length()), ProcessIdentity.of(handle)))
                     .stream());
   }
 
   /** A running process of a group. */
-  record Found(String group, ProcessIdentity process) {
+  record RunningProcess(String group, ProcessIdentity process) {
 
     /**
      * Whether it is this process or was started by it: a command may be a script that runs the
      * virtual machine, and a driver may run programs of its own.
      */
-    boolean isOrIsUnder(ProcessIdentity other) {
+    boolean isSameOrDescendantOf(ProcessIdentity other) {
       return process.equals(other)
           || Stream.iterate(
                   ProcessHandle.of(process.pid()),
@@ -129,7 +133,7 @@ final class GroupProcess {
   }
 
   private static String mark(UUID daemon) {
-    return "-D" + MARK + "=" + daemon + "/";
+    return "-D" + GROUP_PROPERTY + "=" + daemon + "/";
   }
 
   private static Stream<String> arguments(ProcessHandle handle) {

@@ -11,9 +11,9 @@ import java.rmi.activation.ActivationGroupDesc;
 import java.rmi.activation.ActivationGroupID;
 import net.jini.activation.ActivationGroup;
 import org.dfra.river.filter.SerialFilters;
-import org.dfra.river.loading.GroupClasses;
+import org.dfra.river.loading.GroupCodebasePublisher;
 import org.dfra.river.loading.TrustedCode;
-import org.dfra.text.Printable;
+import org.dfra.text.PrintableText;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.LoggerFactory;
 import org.slf4j.bridge.SLF4JBridgeHandler;
@@ -25,13 +25,13 @@ import org.slf4j.bridge.SLF4JBridgeHandler;
 public final class GroupVm {
 
   /** Exit code when the daemon went away before it told the group. */
-  static final int NOT_TOLD = 10;
+  static final int EXIT_NO_GROUP = 10;
 
   /** Exit code when another virtual machine still owns the group. */
-  static final int OWNED = 11;
+  static final int EXIT_LOCKED = 11;
 
   /** Exit code when the group could not be created or was refused. */
-  static final int REFUSED = 12;
+  static final int EXIT_REFUSED = 12;
 
   private static final long OUTPUT_LIMIT = 4 << 20;
   private static final int OUTPUTS_KEPT = 4;
@@ -56,48 +56,50 @@ public final class GroupVm {
       incarnation = in.readLong();
       in.close();
       redirectOutput();
-      own(Path.of(System.getProperty(GroupProcess.LOCK)));
-      GroupClasses.begin();
+      own(Path.of(System.getProperty(GroupProcess.LOCK_PROPERTY)));
+      GroupCodebasePublisher.begin();
       ActivationGroup.createGroup(id, desc, incarnation);
     } catch (EOFException e) {
-      end(NOT_TOLD, "Phoenix went away before it said which group to run.");
+      end(EXIT_NO_GROUP, "Phoenix went away before it said which group to run.");
     } catch (IOException e) {
-      end(OWNED, String.valueOf(e.getMessage()));
+      end(EXIT_LOCKED, String.valueOf(e.getMessage()));
     } catch (ActivationException e) {
-      end(REFUSED, "The group cannot be created: " + e.getMessage() + cause(e));
+      end(EXIT_REFUSED, "The group cannot be created: " + e.getMessage() + cause(e));
     } catch (ClassNotFoundException e) {
-      end(REFUSED, "The group's class path lacks " + e.getMessage() + "; mend its options.");
+      end(EXIT_REFUSED, "The group's class path lacks " + e.getMessage() + "; mend its options.");
     } catch (RuntimeException | LinkageError e) {
       LoggerFactory.getLogger(GroupVm.class).error("The group cannot be created.", e);
-      end(REFUSED, "The group cannot be created: " + e);
+      end(EXIT_REFUSED, "The group cannot be created: " + e);
     }
   }
 
   /** The lock is held by the process, so nothing refers to it any more. */
   @SuppressWarnings("CheckReturnValue")
   private static void own(Path lockFile) throws IOException {
-    Ownership.lock = GroupLock.take(lockFile, "this group");
+    Ownership.lock = ProcessLock.acquire(lockFile, "this group");
   }
 
   /** Keeps the lock's channel reachable: a collected channel is closed, and the lock with it. */
   private static final class Ownership {
     @SuppressWarnings("unused")
-    private static @Nullable GroupLock lock;
+    private static @Nullable ProcessLock lock;
   }
 
   private static void redirectOutput() throws IOException {
     PrintStream out =
         new PrintStream(
-            new PrintableOutput(
-                new RotatingOutput(
-                    Path.of(System.getProperty(GroupProcess.OUTPUT)), OUTPUT_LIMIT, OUTPUTS_KEPT)),
+            new PrintableOutputStream(
+                new RotatingFileOutputStream(
+                    Path.of(System.getProperty(GroupProcess.OUTPUT_PROPERTY)),
+                    OUTPUT_LIMIT,
+                    OUTPUTS_KEPT)),
             true,
             StandardCharsets.UTF_8);
     System.setOut(out);
     System.setErr(out);
     SLF4JBridgeHandler.removeHandlersForRootLogger();
     SLF4JBridgeHandler.install();
-    UncaughtExceptions.areLogged();
+    UncaughtExceptionLogger.install();
   }
 
   private static String cause(Throwable e) {
@@ -107,7 +109,7 @@ public final class GroupVm {
   }
 
   private static void end(int code, String reason) {
-    System.err.println(Printable.line(reason));
+    System.err.println(PrintableText.line(reason));
     Runtime.getRuntime().halt(code);
   }
 }

@@ -20,7 +20,7 @@ final class Incarnation {
   private @Nullable ProcessIdentity process;
   private @Nullable ActivationInstantiator instantiator; // there is one while it is ACTIVE
   private boolean adopted;
-  private boolean hasTurn; // holds one of the daemon's turns to start
+  private boolean hasLaunchPermit; // holds one of the daemon's turns to start
   private final Set<UID> unregistered = new HashSet<>(); // while its process may have had them
 
   private Incarnation(long number, State state) {
@@ -41,7 +41,7 @@ final class Incarnation {
   /** Its process was launched, by one of the daemon's turns. */
   void launched(ProcessIdentity started) {
     process = started;
-    hasTurn = true;
+    hasLaunchPermit = true;
   }
 
   /**
@@ -64,7 +64,7 @@ final class Incarnation {
    * @throws ActivationException if the reporter is of another incarnation or too late, or another
    *     one has reported before it
    */
-  boolean hasReported(String group, ActivationInstantiator reporter, long itsNumber)
+  boolean isRepeatedReport(String group, ActivationInstantiator reporter, long itsNumber)
       throws ActivationException {
     if (itsNumber != number || state == State.IDLE || state == State.LEAVING) {
       throw new ActivationException(
@@ -90,7 +90,7 @@ final class Incarnation {
   }
 
   /** Its process makes no more objects, and will end. */
-  void leaves() {
+  void setLeaving() {
     instantiator = null;
     state = State.LEAVING;
   }
@@ -105,14 +105,14 @@ final class Incarnation {
   }
 
   /** An object was unregistered that its process may have. */
-  void keeps(UID object) {
+  void addUnregistered(UID object) {
     if (state != State.IDLE) {
       unregistered.add(object);
     }
   }
 
   /** Its process has such an object no longer; false where it had none of that name. */
-  boolean gaveUp(UID object) {
+  boolean removeUnregistered(UID object) {
     return unregistered.remove(object);
   }
 
@@ -122,9 +122,9 @@ final class Incarnation {
   }
 
   /** Whether it held a turn to start, which it gives back now. */
-  boolean endsTurn() {
-    boolean had = hasTurn;
-    hasTurn = false;
+  boolean takeLaunchPermit() {
+    boolean had = hasLaunchPermit;
+    hasLaunchPermit = false;
     return had;
   }
 

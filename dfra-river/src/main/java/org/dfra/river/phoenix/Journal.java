@@ -24,7 +24,7 @@ final class Journal implements AutoCloseable {
   private static final String LOCK = "phoenix.lock";
 
   private final Path folder;
-  private final GroupLock lock;
+  private final ProcessLock lock;
   private final int snapshotThreshold;
   private final Registrations registrations;
   private @Nullable ReliableLog log; // null: to be opened anew before the next change
@@ -33,7 +33,7 @@ final class Journal implements AutoCloseable {
 
   private Journal(
       Path folder,
-      GroupLock lock,
+      ProcessLock lock,
       int snapshotThreshold,
       JournalHandler recovered,
       ReliableLog log) {
@@ -53,7 +53,7 @@ final class Journal implements AutoCloseable {
   static Journal open(Path folder, int snapshotThreshold) throws IOException {
     try {
       PrivateFiles.makeFolder(folder);
-      GroupLock lock = GroupLock.take(folder.resolve(LOCK), "this journal");
+      ProcessLock lock = ProcessLock.acquire(folder.resolve(LOCK), "this journal");
       try {
         return open(folder, lock, snapshotThreshold);
       } catch (IOException | RuntimeException e) {
@@ -72,7 +72,7 @@ final class Journal implements AutoCloseable {
     }
   }
 
-  private static Journal open(Path folder, GroupLock lock, int snapshotThreshold)
+  private static Journal open(Path folder, ProcessLock lock, int snapshotThreshold)
       throws IOException {
     boolean torn = JournalScan.check(folder);
     JournalHandler handler = new JournalHandler();
@@ -117,8 +117,8 @@ final class Journal implements AutoCloseable {
   }
 
   /** Asks something of the registrations. */
-  synchronized <T extends @Nullable Object> T read(Function<Registrations, T> question) {
-    return question.apply(registrations);
+  synchronized <T extends @Nullable Object> T read(Function<Registrations, T> query) {
+    return query.apply(registrations);
   }
 
   private static void write(ReliableLog open, Change change) throws IOException {

@@ -12,10 +12,10 @@ import java.rmi.activation.UnknownObjectException;
 /** What groups report of themselves. Only callers on this machine are heard. */
 final class MonitorService implements ActivationMonitor {
 
-  private final Daemon daemon;
-  private final LocalAccess access;
+  private final PhoenixDaemon daemon;
+  private final LocalCallerGuard access;
 
-  MonitorService(Daemon daemon, LocalAccess access) {
+  MonitorService(PhoenixDaemon daemon, LocalCallerGuard access) {
     this.daemon = daemon;
     this.access = access;
   }
@@ -23,7 +23,7 @@ final class MonitorService implements ActivationMonitor {
   @Override
   public void inactiveObject(ActivationID id) throws UnknownObjectException, RemoteException {
     access.check("inactiveObject");
-    daemon.registered().inactive(ActivatorService.uid(id));
+    daemon.groupRegistry().inactive(ActivatorService.uid(id));
   }
 
   @Override
@@ -37,6 +37,6 @@ final class MonitorService implements ActivationMonitor {
   public void inactiveGroup(ActivationGroupID id, long incarnation)
       throws UnknownGroupException, RemoteException {
     access.check("inactiveGroup");
-    daemon.registered().group(id).leaves(incarnation);
+    daemon.groupRegistry().group(id).onLeaving(incarnation);
   }
 }

@@ -47,13 +47,13 @@ public final class Phoenix implements AutoCloseable {
   private static final String SYSTEM_NAME = "java.rmi.activation.ActivationSystem";
 
   private final PhoenixConfiguration configuration;
-  private final Daemon daemon;
-  private final LocalAccess access = new LocalAccess();
+  private final PhoenixDaemon daemon;
+  private final LocalCallerGuard access = new LocalCallerGuard();
   // Strong references: JERI keeps exported objects only weakly.
   private final ActivatorService activatorService;
   private final SystemService systemService;
   private final MonitorService monitorService;
-  private final StopOrders stopOrders;
+  private final StopServiceImpl stopOrders;
   private final CountDownLatch closed = new CountDownLatch(1);
   private @Nullable Registry registry;
   private boolean closing; // guarded by this
@@ -61,7 +61,7 @@ public final class Phoenix implements AutoCloseable {
   private Phoenix(PhoenixConfiguration configuration, InstantSource clock) throws IOException {
     this.configuration = configuration;
     this.daemon =
-        new Daemon(
+        new PhoenixDaemon(
             configuration,
             clock,
             Scheduler.system(),
@@ -71,7 +71,7 @@ public final class Phoenix implements AutoCloseable {
     this.activatorService = new ActivatorService(daemon);
     this.systemService = new SystemService(daemon, access, this::closeSoon);
     this.monitorService = new MonitorService(daemon, access);
-    this.stopOrders = new StopOrders(daemon);
+    this.stopOrders = new StopServiceImpl(daemon);
   }
 
   /**
@@ -83,7 +83,7 @@ public final class Phoenix implements AutoCloseable {
     SerialFilters.install();
     SLF4JBridgeHandler.removeHandlersForRootLogger();
     SLF4JBridgeHandler.install();
-    UncaughtExceptions.areLogged();
+    UncaughtExceptionLogger.install();
     try {
       TrustedCode.install();
       Phoenix phoenix = start(ConfigurationProvider.getInstance(args));
@@ -155,8 +155,8 @@ public final class Phoenix implements AutoCloseable {
     if (open != null) {
       open.rebind(SYSTEM_NAME, system);
     }
-    daemon.open();
-    LOG.info("Phoenix is ready: {} groups.", daemon.registered().status().size());
+    daemon.scheduleRestarts();
+    LOG.info("Phoenix is ready: {} groups.", daemon.groupRegistry().status().size());
   }
 
   /** Undoes a start that failed; groups that were found alive stay so. */
@@ -166,7 +166,7 @@ public final class Phoenix implements AutoCloseable {
     unexport(configuration.systemExporter());
     unexport(configuration.monitorExporter());
     closeRegistry();
-    daemon.abandon();
+    daemon.stopKeepingProcesses();
   }
 
   private static Remote export(Exporter exporter, Remote service) throws ExportException {
@@ -194,7 +194,7 @@ public final class Phoenix implements AutoCloseable {
   private static Registry readOnlyRegistry(int port) throws IOException {
     System.setProperty("sun.rmi.registry.registryFilter", "!*");
     try {
-      return LocateRegistry.createRegistry(port, null, new ReadOnlySockets());
+      return LocateRegistry.createRegistry(port, null, new ReadOnlyRegistrySocketFactory());
     } catch (ExportException e) {
       throw new IOException(
           "the registry's port "

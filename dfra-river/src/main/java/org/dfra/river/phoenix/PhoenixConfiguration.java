@@ -90,7 +90,7 @@ record PhoenixConfiguration(
             c,
             "activatorExporter",
             Exporter.class,
-            exporter(host, port, Identities.ACTIVATOR, ACTIVATION_DEADLINE_MILLIS)),
+            exporter(host, port, PhoenixIdentities.ACTIVATOR, ACTIVATION_DEADLINE_MILLIS)),
         entry(
             c,
             "systemExporter",
@@ -116,12 +116,12 @@ record PhoenixConfiguration(
         millis(c, "unexportWait", Duration.ofMillis(10)),
         number(c, "registryPort", -1, -1),
         new RestartPolicy(
-            millis(c, "restartDelay", restart.firstDelay()),
-            millis(c, "restartLongestDelay", restart.longestDelay()),
-            number(c, "restartLimit", restart.limit(), 2),
+            millis(c, "restartDelay", restart.initialDelay()),
+            millis(c, "restartLongestDelay", restart.maxDelay()),
+            number(c, "restartLimit", restart.crashLimit(), 2),
             millis(c, "restartWindow", restart.window()),
             millis(c, "restartHoldOff", restart.holdOff()),
-            millis(c, "restartWorked", restart.worked())),
+            millis(c, "restartWorked", restart.minReadyTime())),
         new ExecPolicy(
             entry(c, "customGroups", boolean.class, exec.customGroups()),
             texts(c, "permittedCommands", exec.commands()),

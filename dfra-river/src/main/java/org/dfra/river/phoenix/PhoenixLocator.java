@@ -40,7 +40,7 @@ public final class PhoenixLocator {
     return (ActivationSystem)
         DeadlineILFactory.proxy(
             new BasicObjectEndpoint(
-                Endpoints.at(host, port), identities(port, journal).system(), false),
+                Endpoints.tcpClient(host, port), identities(port, journal).system(), false),
             deadline,
             PhoenixLocator.class.getClassLoader(),
             ActivationSystem.class,
@@ -52,7 +52,7 @@ public final class PhoenixLocator {
 
   /** Remote exceptions take no cause here: with one, their message has several lines. */
   private static SecretIdentities identities(int port, Path journal) throws RemoteException {
-    Path file = journal.resolve(Identities.FILE);
+    Path file = journal.resolve(PhoenixIdentities.FILE);
     try {
       return SecretIdentities.read(file);
     } catch (NoSuchFileException e) {

@@ -38,15 +38,17 @@ public record ProcessIdentity(long pid, String start) implements Serializable {
    * @throws UncheckedIOException if it cannot be found out; nobody can keep track of it then
    */
   static ProcessIdentity of(ProcessHandle handle) {
-    Sign sign = sign(handle.pid());
-    if (sign instanceof Sign.Doubtful doubt) {
+    Liveness sign = sign(handle.pid());
+    if (sign instanceof Liveness.Unknown doubt) {
       throw new UncheckedIOException(
           "the start of process " + handle.pid() + " cannot be read: " + doubt.why().getMessage(),
           doubt.why());
     }
     return new ProcessIdentity(
         handle.pid(),
-        sign instanceof Sign.Lives lives ? lives.start() : "ended before its start could be read");
+        sign instanceof Liveness.Alive lives
+            ? lives.start()
+            : "ended before its start could be read");
   }
 
   /**
@@ -55,8 +57,8 @@ public record ProcessIdentity(long pid, String start) implements Serializable {
    * @throws IOException if that cannot be found out, as in a shortage of file descriptors
    */
   public static Optional<ProcessIdentity> find(long pid) throws IOException {
-    Sign sign = sign(pid);
-    if (sign instanceof Sign.Doubtful doubt) {
+    Liveness sign = sign(pid);
+    if (sign instanceof Liveness.Unknown doubt) {
       throw new IOException(
           "whether process "
               + pid
@@ -65,7 +67,7 @@ public record ProcessIdentity(long pid, String start) implements Serializable {
               + "); end what holds too many files open, and try again",
           doubt.why());
     }
-    return sign instanceof Sign.Lives lives
+    return sign instanceof Liveness.Alive lives
         ? Optional.of(new ProcessIdentity(pid, lives.start()))
         : Optional.empty();
   }
@@ -75,15 +77,15 @@ public record ProcessIdentity(long pid, String start) implements Serializable {
    * out now. A process that has ended but is unburied does not run.
    */
   public boolean isAlive() {
-    Sign sign = sign(pid);
-    return sign instanceof Sign.Lives lives
+    Liveness sign = sign(pid);
+    return sign instanceof Liveness.Alive lives
         ? lives.start().equals(start)
-        : sign instanceof Sign.Doubtful;
+        : sign instanceof Liveness.Unknown;
   }
 
   /** Whether this very process certainly runs. */
   private boolean isCertainlyAlive() {
-    return sign(pid) instanceof Sign.Lives lives && lives.start().equals(start);
+    return sign(pid) instanceof Liveness.Alive lives && lives.start().equals(start);
   }
 
   /**
@@ -109,8 +111,8 @@ public record ProcessIdentity(long pid, String start) implements Serializable {
    *
    * @return whether it has ended
    */
-  boolean awaitDeath(Duration patience) {
-    long end = System.nanoTime() + patience.toNanos();
+  boolean awaitExit(Duration timeout) {
+    long end = System.nanoTime() + timeout.toNanos();
     while (isAlive()) {
       if (System.nanoTime() - end > 0 || Thread.currentThread().isInterrupted()) {
         return false;
@@ -121,25 +123,25 @@ public record ProcessIdentity(long pid, String start) implements Serializable {
   }
 
   /** What is known of a process number. */
-  private sealed interface Sign {
+  private sealed interface Liveness {
 
     /** A process has it, which started then. */
-    record Lives(String start) implements Sign {}
+    record Alive(String start) implements Liveness {}
 
     /** No process has it, or one that has ended and is unburied. */
-    record Ended() implements Sign {}
+    record Ended() implements Liveness {}
 
     /** It cannot be found out now. */
-    record Doubtful(IOException why) implements Sign {}
+    record Unknown(IOException why) implements Liveness {}
   }
 
-  private static Sign sign(long pid) {
+  private static Liveness sign(long pid) {
     if (!BootId.system().isSupported()) {
       return ProcessHandle.of(pid)
           .filter(ProcessHandle::isAlive)
           .flatMap(handle -> handle.info().startInstant())
-          .<Sign>map(instant -> new Sign.Lives("at " + instant.toEpochMilli()))
-          .orElseGet(Sign.Ended::new);
+          .<Liveness>map(instant -> new Liveness.Alive("at " + instant.toEpochMilli()))
+          .orElseGet(Liveness.Ended::new);
     }
     // Not by ProcessHandle.of: it finds no process where this one may open no more files.
     Path stat = Path.of("/proc", Long.toString(pid), "stat");
@@ -149,10 +151,12 @@ public record ProcessIdentity(long pid, String start) implements Serializable {
       // field 22 the start (proc(5)).
       String[] fields = line.substring(line.lastIndexOf(')') + 2).split(" ");
       boolean ended = fields[0].equals("Z") || fields[0].equals("X");
-      return ended ? new Sign.Ended() : new Sign.Lives("tick " + fields[19] + " of boot " + boot());
+      return ended
+          ? new Liveness.Ended()
+          : new Liveness.Alive("tick " + fields[19] + " of boot " + boot());
     } catch (IOException e) {
       // Asking whether there is such a file opens none, so the answer is good in any shortage.
-      return Files.notExists(stat) ? new Sign.Ended() : new Sign.Doubtful(e);
+      return Files.notExists(stat) ? new Liveness.Ended() : new Liveness.Unknown(e);
     }
   }
 

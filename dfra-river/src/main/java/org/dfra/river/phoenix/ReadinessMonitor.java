@@ -12,14 +12,15 @@ import java.rmi.activation.UnknownObjectException;
 public interface ReadinessMonitor extends Remote {
 
   /** How long an object has to be ready without interruption until it has worked, in ms. */
-  long workedMillis() throws RemoteException;
+  long minReadyMillis() throws RemoteException;
 
   /**
-   * An object has been ready for {@link #workedMillis} without interruption, in its group's present
-   * life. Whatever becomes of it in that life, it has worked.
+   * An object has been ready for {@link #minReadyMillis} without interruption, in its group's
+   * present life. Whatever becomes of it in that life, it has worked.
    *
    * @param incarnation the number given to the group's process when it was started
    * @throws UnknownObjectException if it is not registered, or not any more
    */
-  void worked(ActivationID id, long incarnation) throws UnknownObjectException, RemoteException;
+  void reportStable(ActivationID id, long incarnation)
+      throws UnknownObjectException, RemoteException;
 }

@@ -11,21 +11,21 @@ import java.time.Duration;
  * {@code limit} such crashes within the window the group is held off: for {@code holdOff} nobody
  * can start it, and after that only a call does.
  *
- * @param firstDelay delay after the second crash within the window
- * @param longestDelay bound of the doubling
- * @param limit crashes within the window that make a crash loop, at least 2
+ * @param initialDelay delay after the second crash within the window
+ * @param maxDelay bound of the doubling
+ * @param crashLimit crashes within the window that make a crash loop, at least 2
  * @param window how long a crash counts
  * @param holdOff how long a crash-looping group is left alone
- * @param worked how long its modules must have been ready without interruption for a crash not to
- *     count
+ * @param minReadyTime how long its modules must have been ready without interruption for a crash
+ *     not to count
  */
 record RestartPolicy(
-    Duration firstDelay,
-    Duration longestDelay,
-    int limit,
+    Duration initialDelay,
+    Duration maxDelay,
+    int crashLimit,
     Duration window,
     Duration holdOff,
-    Duration worked) {
+    Duration minReadyTime) {
 
   /**
    * 0.1 s doubling to 10 s; five crashes within a minute of modules that were not ready for 2 s
@@ -41,12 +41,13 @@ record RestartPolicy(
           Duration.ofSeconds(2));
 
   RestartPolicy {
-    if (limit < 2) {
-      throw new IllegalArgumentException("restartLimit " + limit + " < 2; one crash is no loop");
-    }
-    if (firstDelay.compareTo(longestDelay) > 0) {
+    if (crashLimit < 2) {
       throw new IllegalArgumentException(
-          "restartDelay " + firstDelay + " > restartLongestDelay " + longestDelay);
+          "restartLimit " + crashLimit + " < 2; one crash is no loop");
+    }
+    if (initialDelay.compareTo(maxDelay) > 0) {
+      throw new IllegalArgumentException(
+          "restartDelay " + initialDelay + " > restartLongestDelay " + maxDelay);
     }
   }
 
@@ -56,7 +57,7 @@ record RestartPolicy(
       return Duration.ZERO;
     }
     long factor = 1L << Math.min(crashes - 2, 30);
-    Duration delay = firstDelay.multipliedBy(factor);
-    return delay.compareTo(longestDelay) < 0 ? delay : longestDelay;
+    Duration delay = initialDelay.multipliedBy(factor);
+    return delay.compareTo(maxDelay) < 0 ? delay : maxDelay;
   }
 }

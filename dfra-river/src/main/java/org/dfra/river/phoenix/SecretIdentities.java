@@ -28,7 +28,7 @@ record SecretIdentities(Uuid system, Uuid monitor) {
   /** Identities that nobody can guess. */
   static SecretIdentities fresh() {
     return new SecretIdentities(
-        Identities.uuid(UUID.randomUUID()), Identities.uuid(UUID.randomUUID()));
+        PhoenixIdentities.uuid(UUID.randomUUID()), PhoenixIdentities.uuid(UUID.randomUUID()));
   }
 
   /**
@@ -38,7 +38,7 @@ record SecretIdentities(Uuid system, Uuid monitor) {
    * @throws IOException if other users may enter the folder, or the identities cannot be kept
    */
   static SecretIdentities in(Path folder) throws IOException {
-    Path file = folder.resolve(Identities.FILE);
+    Path file = folder.resolve(PhoenixIdentities.FILE);
     try {
       PrivateFiles.requireFolderOrParent(folder);
       try {
@@ -91,7 +91,7 @@ record SecretIdentities(Uuid system, Uuid monitor) {
     if (text == null) {
       throw new IllegalArgumentException("a line is missing");
     }
-    return Identities.uuid(text);
+    return PhoenixIdentities.uuid(text);
   }
 
   /** Without the secrets, since it may get into a log. */

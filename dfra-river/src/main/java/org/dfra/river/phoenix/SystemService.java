@@ -20,14 +20,14 @@ import org.jspecify.annotations.Nullable;
 /** Registration and administration, for callers on this machine. */
 final class SystemService implements ActivationSystem, PhoenixAdmin, ReadinessMonitor {
 
-  private final Daemon daemon;
-  private final LocalAccess access;
+  private final PhoenixDaemon daemon;
+  private final LocalCallerGuard access;
   private final Runnable shutdown;
   // A caller may be quicker than the daemon's own start: it waits until everything is exported.
   private final CompletableFuture<ActivationSystem> self = new CompletableFuture<>();
   private final CompletableFuture<ActivationMonitor> monitor = new CompletableFuture<>();
 
-  SystemService(Daemon daemon, LocalAccess access, Runnable shutdown) {
+  SystemService(PhoenixDaemon daemon, LocalCallerGuard access, Runnable shutdown) {
     this.daemon = daemon;
     this.access = access;
     this.shutdown = shutdown;
@@ -49,26 +49,26 @@ final class SystemService implements ActivationSystem, PhoenixAdmin, ReadinessMo
   public ActivationGroupID registerGroup(ActivationGroupDesc desc)
       throws ActivationException, RemoteException {
     ActivationSystem itself = admit("registerGroup");
-    return daemon.registered().registerGroup(new ActivationGroupID(itself), desc);
+    return daemon.groupRegistry().registerGroup(new ActivationGroupID(itself), desc);
   }
 
   @Override
   public ActivationID registerObject(ActivationDesc desc)
       throws ActivationException, RemoteException {
     admit("registerObject");
-    return daemon.registered().activationID(daemon.registered().registerObject(desc));
+    return daemon.groupRegistry().activationID(daemon.groupRegistry().registerObject(desc));
   }
 
   @Override
   public void unregisterObject(ActivationID id) throws ActivationException, RemoteException {
     admit("unregisterObject");
-    daemon.registered().unregisterObject(ActivatorService.object(daemon, id).uid);
+    daemon.groupRegistry().unregisterObject(ActivatorService.object(daemon, id).uid);
   }
 
   @Override
   public void unregisterGroup(ActivationGroupID id) throws ActivationException, RemoteException {
     admit("unregisterGroup");
-    daemon.registered().unregisterGroup(id);
+    daemon.groupRegistry().unregisterGroup(id);
   }
 
   @Override
@@ -76,7 +76,7 @@ final class SystemService implements ActivationSystem, PhoenixAdmin, ReadinessMo
       ActivationGroupID id, ActivationInstantiator group, long incarnation)
       throws ActivationException, RemoteException {
     admit("activeGroup");
-    daemon.registered().group(id).reported(daemon.prepared(group), incarnation);
+    daemon.groupRegistry().group(id).reported(daemon.prepareInstantiator(group), incarnation);
     return monitor.join();
   }
 
@@ -84,14 +84,14 @@ final class SystemService implements ActivationSystem, PhoenixAdmin, ReadinessMo
   public ActivationDesc setActivationDesc(ActivationID id, ActivationDesc desc)
       throws ActivationException, RemoteException {
     admit("setActivationDesc");
-    return daemon.registered().describeObject(ActivatorService.object(daemon, id).uid, desc);
+    return daemon.groupRegistry().setObjectDesc(ActivatorService.object(daemon, id).uid, desc);
   }
 
   @Override
   public ActivationGroupDesc setActivationGroupDesc(ActivationGroupID id, ActivationGroupDesc desc)
       throws ActivationException, RemoteException {
     admit("setActivationGroupDesc");
-    return daemon.registered().describeGroup(id, desc);
+    return daemon.groupRegistry().setGroupDesc(id, desc);
   }
 
   @Override
@@ -105,7 +105,7 @@ final class SystemService implements ActivationSystem, PhoenixAdmin, ReadinessMo
   public ActivationGroupDesc getActivationGroupDesc(ActivationGroupID id)
       throws ActivationException, RemoteException {
     admit("getActivationGroupDesc");
-    return daemon.registered().groupDesc(id);
+    return daemon.groupRegistry().groupDesc(id);
   }
 
   @Override
@@ -117,40 +117,40 @@ final class SystemService implements ActivationSystem, PhoenixAdmin, ReadinessMo
   @Override
   public Map<ActivationGroupID, ActivationGroupDesc> getActivationGroups() throws RemoteException {
     admit("getActivationGroups");
-    return daemon.registered().groupDescs();
+    return daemon.groupRegistry().groupDescs();
   }
 
   @Override
   public Map<ActivationID, ActivationDesc> getActivatableObjects(ActivationGroupID id)
       throws java.rmi.activation.UnknownGroupException, RemoteException {
     admit("getActivatableObjects");
-    return daemon.registered().objectDescs(id);
+    return daemon.groupRegistry().objectDescs(id);
   }
 
   @Override
-  public long workedMillis() throws RemoteException {
+  public long minReadyMillis() throws RemoteException {
     admit("workedMillis");
-    return daemon.configuration().restartPolicy().worked().toMillis();
+    return daemon.configuration().restartPolicy().minReadyTime().toMillis();
   }
 
   @Override
-  public void worked(ActivationID id, long incarnation)
+  public void reportStable(ActivationID id, long incarnation)
       throws UnknownObjectException, RemoteException {
     admit("worked");
-    ActivatorService.object(daemon, id).hasWorked(incarnation);
+    ActivatorService.object(daemon, id).setStable(incarnation);
   }
 
   @Override
   public List<GroupStatus> groupStatus() throws RemoteException {
     admit("groupStatus");
-    return daemon.registered().status();
+    return daemon.groupRegistry().status();
   }
 
   @Override
   public List<ActivationID> activeObjects(ActivationGroupID id)
       throws ActivationException, RemoteException {
     admit("activeObjects");
-    return daemon.registered().activeObjects(id);
+    return daemon.groupRegistry().activeObjects(id);
   }
 
   @Override
@@ -163,6 +163,6 @@ final class SystemService implements ActivationSystem, PhoenixAdmin, ReadinessMo
   @Override
   public boolean unregisterInactive(ActivationID id) throws ActivationException, RemoteException {
     admit("unregisterInactive");
-    return daemon.registered().unregisterInactive(ActivatorService.object(daemon, id));
+    return daemon.groupRegistry().unregisterInactive(ActivatorService.object(daemon, id));
   }
 }

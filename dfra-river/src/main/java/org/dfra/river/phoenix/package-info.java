@@ -9,9 +9,9 @@
  * </pre>
  *
  * <p>Enter at {@link org.dfra.river.phoenix.Phoenix} for the daemon's process, at {@link
- * org.dfra.river.phoenix.Daemon} for its logic, at {@link org.dfra.river.phoenix.GroupVm} for the
- * other side. Group virtual machines outlive the daemon: a restarted one reads its journal, takes
- * back the living and starts a new one only where the old one is proven dead.
+ * org.dfra.river.phoenix.PhoenixDaemon} for its logic, at {@link org.dfra.river.phoenix.GroupVm}
+ * for the other side. Group virtual machines outlive the daemon: a restarted one reads its journal,
+ * takes back the living and starts a new one only where the old one is proven dead.
  */
 @NullMarked
 package org.dfra.river.phoenix;

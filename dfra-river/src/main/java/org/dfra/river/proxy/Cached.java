@@ -15,11 +15,11 @@ final class Cached<T> implements Serializable {
 
   /** Asks for the constant. */
   @FunctionalInterface
-  interface Question<T> {
+  interface RemoteSupplier<T> {
     T ask() throws RemoteException;
   }
 
-  T get(Question<T> question) throws RemoteException {
+  T get(RemoteSupplier<T> question) throws RemoteException {
     @Nullable T known = value;
     if (known == null) {
       known = question.ask();

@@ -8,8 +8,8 @@ import org.dfra.geometry.Transform;
 import org.dfra.module.Diagnosis;
 import org.dfra.module.Identification;
 import org.dfra.module.Precondition;
-import org.dfra.river.remote.RemoteExamination;
-import org.dfra.river.remote.RemoteExamination.Sort;
+import org.dfra.river.remote.RemoteDiagnostics;
+import org.dfra.river.remote.RemoteDiagnostics.DiagnosticType;
 import org.dfra.river.remote.RemoteModule;
 import org.jspecify.annotations.Nullable;
 
@@ -62,8 +62,8 @@ public abstract class DeviceProxy<D extends Device> extends ChainableProxy<D> im
   @Override
   public final Diagnosis test(String name) throws RemoteException {
     D target = target();
-    return target instanceof RemoteExamination remote
-        ? examine(remote, Sort.TEST, name)
+    return target instanceof RemoteDiagnostics remote
+        ? examine(remote, DiagnosticType.TEST, name)
         : target.test(name);
   }
 
@@ -75,17 +75,17 @@ public abstract class DeviceProxy<D extends Device> extends ChainableProxy<D> im
   @Override
   public final Diagnosis recover(String name) throws RemoteException {
     D target = target();
-    return target instanceof RemoteExamination remote
-        ? examine(remote, Sort.RECOVERY, name)
+    return target instanceof RemoteDiagnostics remote
+        ? examine(remote, DiagnosticType.RECOVERY, name)
         : target.recover(name);
   }
 
   /** Hardware takes longer than a call may, so it is begun in one call and awaited in others. */
-  private static Diagnosis examine(RemoteExamination remote, Sort sort, String name)
+  private static Diagnosis examine(RemoteDiagnostics remote, DiagnosticType sort, String name)
       throws RemoteException {
-    UUID run = remote.beginExamination(sort, name);
+    UUID run = remote.startDiagnostic(sort, name);
     while (true) {
-      @Nullable Diagnosis found = remote.examination(run);
+      @Nullable Diagnosis found = remote.awaitDiagnosis(run);
       if (found != null) {
         return found;
       }

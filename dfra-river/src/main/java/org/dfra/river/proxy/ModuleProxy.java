@@ -15,10 +15,10 @@ import org.dfra.event.ModuleListener;
 import org.dfra.event.Subscription;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.ModuleLease;
-import org.dfra.module.History;
 import org.dfra.module.Identification;
 import org.dfra.module.LogLevel;
 import org.dfra.module.Module;
+import org.dfra.module.ModuleHistory;
 import org.dfra.module.Parameter;
 import org.dfra.module.Readiness;
 import org.dfra.river.remote.RemoteModule;
@@ -65,7 +65,7 @@ public abstract class ModuleProxy<M extends Module> implements Module, Administr
 
   /** Whom to call: the implementation where it lives here, the server elsewhere. */
   protected final M target() {
-    @Nullable Module local = LocalModules.find(id);
+    @Nullable Module local = LocalModuleRegistry.find(id);
     return kind.cast(local != null ? local : server);
   }
 
@@ -86,7 +86,7 @@ public abstract class ModuleProxy<M extends Module> implements Module, Administr
     while (true) {
       Duration left = Duration.ofNanos(Math.max(0, end - System.nanoTime()));
       Readiness readiness = target().awaitReadiness(left);
-      if (readiness.serves() || readiness.isHopeless() || System.nanoTime() - end >= 0) {
+      if (readiness.serves() || readiness.isFailedOrStopped() || System.nanoTime() - end >= 0) {
         return readiness;
       }
     }
@@ -101,22 +101,23 @@ public abstract class ModuleProxy<M extends Module> implements Module, Administr
   @Override
   public final Subscription subscribe(ModuleListener listener, DeliveryPolicy policy)
       throws RemoteException {
-    @Nullable Module local = LocalModules.find(id);
+    @Nullable Module local = LocalModuleRegistry.find(id);
     return local != null
         ? local.subscribe(listener, policy)
         : ProxySubscription.open(identification.path(), server, listener, policy);
   }
 
   @Override
-  public final ModuleLease use(Duration duration) throws LeaseRefusedException, RemoteException {
-    @Nullable Module local = LocalModules.find(id);
+  public final ModuleLease acquireLease(Duration duration)
+      throws LeaseRefusedException, RemoteException {
+    @Nullable Module local = LocalModuleRegistry.find(id);
     return local != null
-        ? local.use(duration)
+        ? local.acquireLease(duration)
         : ProxyLease.open(identification.path(), server, duration);
   }
 
   @Override
-  public final History history() throws RemoteException {
+  public final ModuleHistory history() throws RemoteException {
     return target().history();
   }
 

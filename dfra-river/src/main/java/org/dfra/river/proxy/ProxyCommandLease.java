@@ -7,27 +7,31 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandLease;
-import org.dfra.river.remote.effector.LeasedCommand;
+import org.dfra.river.remote.effector.GrantedCommandLease;
 import org.dfra.time.Scheduler;
 
-/** A commander's lease on an effector elsewhere, kept by a {@link Tenure} until it is lost. */
+/**
+ * A commander's lease on an effector elsewhere, kept by a {@link LeaseRenewer} until it is lost.
+ */
 public final class ProxyCommandLease implements CommandLease {
 
   /** Longer than a call's usual deadline of 2 s. */
   private static final Duration LONGEST_RETURN = Duration.ofSeconds(3);
 
-  private final Tenure tenure;
+  private final LeaseRenewer renewer;
   private final CommandKey key;
 
-  private ProxyCommandLease(Tenure tenure, CommandKey key) {
-    this.tenure = tenure;
+  private ProxyCommandLease(LeaseRenewer tenure, CommandKey key) {
+    this.renewer = tenure;
     this.key = key;
   }
 
   /** Renews a lease from now on; where it is lost it asks for no other. */
-  public static CommandLease keep(String path, LeasedCommand given, Duration duration) {
-    Tenure tenure =
-        new Tenure("command of " + path, duration.toMillis(), given.lease(), Scheduler.system());
+  public static CommandLease startRenewing(
+      String path, GrantedCommandLease given, Duration duration) {
+    LeaseRenewer tenure =
+        new LeaseRenewer(
+            "command of " + path, duration.toMillis(), given.lease(), Scheduler.system());
     tenure.start();
     return new ProxyCommandLease(tenure, given.key());
   }
@@ -39,12 +43,12 @@ public final class ProxyCommandLease implements CommandLease {
 
   @Override
   public Instant expiration() {
-    return tenure.expiration();
+    return renewer.expiration();
   }
 
   @Override
   public boolean isLive() {
-    return tenure.isLive();
+    return renewer.isLive();
   }
 
   /**
@@ -54,7 +58,7 @@ public final class ProxyCommandLease implements CommandLease {
   @Override
   public void close() {
     try {
-      tenure.end().get(LONGEST_RETURN.toMillis(), TimeUnit.MILLISECONDS);
+      renewer.cancel().get(LONGEST_RETURN.toMillis(), TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } catch (ExecutionException | TimeoutException e) {

@@ -6,25 +6,25 @@ import java.time.Instant;
 import net.jini.core.lease.Lease;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.ModuleLease;
-import org.dfra.river.remote.LeasedUse;
+import org.dfra.river.remote.GrantedModuleLease;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.time.Scheduler;
 
-/** A client's lease on a module elsewhere, kept by a {@link Tenure}. */
+/** A client's lease on a module elsewhere, kept by a {@link LeaseRenewer}. */
 final class ProxyLease implements ModuleLease {
 
-  private final Tenure tenure;
+  private final LeaseRenewer renewer;
 
-  private ProxyLease(Tenure tenure) {
-    this.tenure = tenure;
+  private ProxyLease(LeaseRenewer tenure) {
+    this.renewer = tenure;
   }
 
   /** Asks for a lease, and keeps it. */
   static ProxyLease open(String path, RemoteModule server, Duration duration)
       throws LeaseRefusedException, RemoteException {
     Lease first = register(server, duration);
-    Tenure tenure =
-        new Tenure(
+    LeaseRenewer tenure =
+        new LeaseRenewer(
             "use of " + path,
             () -> register(server, duration),
             duration.toMillis(),
@@ -36,7 +36,7 @@ final class ProxyLease implements ModuleLease {
 
   private static Lease register(RemoteModule server, Duration duration)
       throws LeaseRefusedException, RemoteException {
-    if (server.use(duration) instanceof LeasedUse leased) {
+    if (server.acquireLease(duration) instanceof GrantedModuleLease leased) {
       return leased.lease();
     }
     throw new RemoteException("the server gave no lease for its use");
@@ -44,16 +44,16 @@ final class ProxyLease implements ModuleLease {
 
   @Override
   public Instant expiration() {
-    return tenure.expiration();
+    return renewer.expiration();
   }
 
   @Override
   public boolean isLive() {
-    return tenure.isLive();
+    return renewer.isLive();
   }
 
   @Override
   public void close() {
-    tenure.close();
+    renewer.close();
   }
 }

@@ -15,13 +15,13 @@ import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Subscription;
+import org.dfra.event.delivery.DeliveryCounter;
 import org.dfra.event.delivery.DeliveryPool;
 import org.dfra.event.delivery.ListenerQueue;
-import org.dfra.event.delivery.Tally;
 import org.dfra.river.call.CallbackHost;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
-import org.dfra.river.remote.LeasedSubscription;
+import org.dfra.river.remote.GrantedSubscription;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.remote.RemoteModuleListener;
 import org.dfra.time.Scheduler;
@@ -40,22 +40,24 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
   /** JERI holds what it has exported weakly, so what is open is held here. */
   private static final Set<ProxySubscription> OPEN = ConcurrentHashMap.newKeySet();
 
-  private final Tally tally;
+  private final DeliveryCounter tally;
   private final ListenerQueue queue;
   private final Exporter exporter;
-  private final Tenure tenure;
+  private final LeaseRenewer tenure;
 
   private ProxySubscription(
       String path, RemoteModule server, ModuleListener listener, DeliveryPolicy policy)
       throws RemoteException {
-    this.tally = new Tally(listener);
+    this.tally = new DeliveryCounter(listener);
     // The server has chosen the kinds and kept the rate; here they must only not pile up.
     this.queue =
         new ListenerQueue(
             tally,
             new DeliveryPolicy(
-                EnumSet.allOf(DeliveryPolicy.Kind.class), policy.depth(), Double.POSITIVE_INFINITY),
-            ListenerQueue.NEVER,
+                EnumSet.allOf(DeliveryPolicy.EventKind.class),
+                policy.queueDepth(),
+                Double.POSITIVE_INFINITY),
+            ListenerQueue.NEVER_GIVE_UP,
             () -> {},
             DeliveryPool.shared(),
             Scheduler.system());
@@ -65,9 +67,9 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
     ModuleListener stub = (ModuleListener) exporter.export(this);
     OPEN.add(this);
     try {
-      LeasedSubscription first = register(server, stub, policy);
+      GrantedSubscription first = register(server, stub, policy);
       this.tenure =
-          new Tenure(
+          new LeaseRenewer(
               "subscription to " + path,
               () -> register(server, stub, policy).lease(),
               Lease.ANY,
@@ -95,7 +97,7 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
 
   private static String host(RemoteModule server) throws RemoteException {
     try {
-      return CallbackHost.towards(server);
+      return CallbackHost.addressReachableFrom(server);
     } catch (IOException e) {
       throw new ConnectIOException(
           "this machine finds no way to the server; name its own address with -D"
@@ -104,10 +106,10 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
     }
   }
 
-  private LeasedSubscription register(
+  private GrantedSubscription register(
       RemoteModule server, ModuleListener stub, DeliveryPolicy policy) throws RemoteException {
-    if (server.subscribe(stub, policy) instanceof LeasedSubscription leased) {
-      tally.begin(leased.numbers().stream().mapToLong(Long::longValue).toArray());
+    if (server.subscribe(stub, policy) instanceof GrantedSubscription leased) {
+      tally.startAfter(leased.sequenceNumbers().stream().mapToLong(Long::longValue).toArray());
       return leased;
     }
     throw new RemoteException("the server gave no lease for the listener");

@@ -2,7 +2,7 @@
  * Smart proxies: what clients hold. The third of the five classes.
  *
  * <pre>
- *   client --&gt; GPSProxy --same virtual machine--&gt; the implementation (LocalModules)
+ *   client --&gt; GPSProxy --same virtual machine--&gt; the implementation (LocalModuleRegistry)
  *                      \--anywhere else---------&gt; RemoteGPSSensor --&gt; GPSServer
  * </pre>
  *

@@ -28,13 +28,13 @@ public final class ReggieFields {
   }
 
   /** A field of a class, whatever its access. */
-  public static Field of(Class<?> type, String name) throws NoSuchFieldException {
+  public static Field accessible(Class<?> type, String name) throws NoSuchFieldException {
     Field field = type.getDeclaredField(name);
     field.setAccessible(true);
     return field;
   }
 
-  /** What a field that {@link #of} gave holds. */
+  /** What a field that {@link #accessible} gave holds. */
   static @Nullable Object value(Field field, Object of) {
     try {
       return field.get(of);

@@ -17,14 +17,14 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Reggie 2.2.2 offers no way to do this, so its fields are used. Thread-safe.
  */
-final class ReggieState implements RegistrationRules.Contents {
+final class ReggieState implements RegistrationRules.LiveRegistrations {
 
   /**
    * A service that reggie holds.
    *
    * @param item reggie's form of a service item
    */
-  record Listed(ServiceID id, Object item) {}
+  record StoredService(ServiceID id, Object item) {}
 
   private final ReadersWriter lock;
   private final Map<?, ?> services; // by ServiceID
@@ -51,18 +51,18 @@ final class ReggieState implements RegistrationRules.Contents {
     Class<?> service = Class.forName(type.getName() + "$SvcReg", false, loader);
     Class<?> listener = Class.forName(type.getName() + "$EventReg", false, loader);
     Class<?> items = Class.forName("com.sun.jini.reggie.Item", false, loader);
-    lock = (ReadersWriter) ReggieFields.of(type, "concurrentObj").get(reggie);
-    services = (Map<?, ?>) ReggieFields.of(type, "serviceByID").get(reggie);
-    listeners = (Map<?, ?>) ReggieFields.of(type, "eventByID").get(reggie);
-    attributes = (Map<?, ?>) ReggieFields.of(type, "serviceByAttr").get(reggie);
-    entryClasses = (List<?>) ReggieFields.of(type, "entryClasses").get(reggie);
-    objectType = ReggieFields.of(type, "objectServiceType");
-    serviceEnd = ReggieFields.of(service, "leaseExpiration");
-    listenerEnd = ReggieFields.of(listener, "leaseExpiration");
-    item = ReggieFields.of(service, "item");
-    id = ReggieFields.of(items, "serviceID");
-    proxy = ReggieFields.of(items, "service");
-    entries = ReggieFields.of(items, "attributeSets");
+    lock = (ReadersWriter) ReggieFields.accessible(type, "concurrentObj").get(reggie);
+    services = (Map<?, ?>) ReggieFields.accessible(type, "serviceByID").get(reggie);
+    listeners = (Map<?, ?>) ReggieFields.accessible(type, "eventByID").get(reggie);
+    attributes = (Map<?, ?>) ReggieFields.accessible(type, "serviceByAttr").get(reggie);
+    entryClasses = (List<?>) ReggieFields.accessible(type, "entryClasses").get(reggie);
+    objectType = ReggieFields.accessible(type, "objectServiceType");
+    serviceEnd = ReggieFields.accessible(service, "leaseExpiration");
+    listenerEnd = ReggieFields.accessible(listener, "leaseExpiration");
+    item = ReggieFields.accessible(service, "item");
+    id = ReggieFields.accessible(items, "serviceID");
+    proxy = ReggieFields.accessible(items, "service");
+    entries = ReggieFields.accessible(items, "attributeSets");
   }
 
   @Override
@@ -95,15 +95,15 @@ final class ReggieState implements RegistrationRules.Contents {
   }
 
   /** All services that it holds but for itself. */
-  List<Listed> services() {
-    List<Listed> all = new ArrayList<>();
+  List<StoredService> services() {
+    List<StoredService> all = new ArrayList<>();
     lock.readLock();
     try {
       for (Object each : services.values()) {
         Object held = item.get(each);
         if (serviceEnd.getLong(each) != Long.MAX_VALUE
             && id.get(held) instanceof ServiceID service) {
-          all.add(new Listed(service, held));
+          all.add(new StoredService(service, held));
         }
       }
     } catch (IllegalAccessException e) {
@@ -147,7 +147,7 @@ final class ReggieState implements RegistrationRules.Contents {
    * @param descriptor a client's; reggie's has the same hash
    * @return -1 if there is no table
    */
-  int attributeWidth(Object descriptor) {
+  int entryFieldCount(Object descriptor) {
     lock.readLock();
     try {
       @Nullable Object tables = attributes.get(descriptor);
@@ -180,15 +180,15 @@ final class ReggieState implements RegistrationRules.Contents {
    * Under which identifier reggie will register an item: its own, or that of the same proxy, which
    * it replaces.
    *
-   * @param asked reggie's form of a service item
+   * @param requested reggie's form of a service item
    * @return null for one that is free
    */
-  @Nullable ServiceID idOf(Object asked) {
+  @Nullable ServiceID effectiveId(Object requested) {
     try {
-      if (id.get(asked) instanceof ServiceID own) {
+      if (id.get(requested) instanceof ServiceID own) {
         return own;
       }
-      Object same = proxy.get(asked);
+      Object same = proxy.get(requested);
       if (same == null) {
         return null; // which reggie refuses
       }

@@ -15,14 +15,14 @@ import net.jini.core.lookup.ServiceRegistration;
 import net.jini.jeri.ServerCapabilities;
 import net.jini.jeri.tcp.TcpServerEndpoint;
 import org.dfra.directory.RegistrationRefusedException;
-import org.dfra.river.access.Caller;
 import org.dfra.river.access.GuardedDispatcher;
 import org.dfra.river.access.OwnAddresses;
+import org.dfra.river.access.RemoteCaller;
 import org.jspecify.annotations.Nullable;
 
 /**
  * A dispatcher in front of reggie that has {@link RegistrationRules} applied to every registration
- * before reggie sees it, and {@link ReggieArguments} to every call.
+ * before reggie sees it, and {@link ReggieArgumentValidator} to every call.
  *
  * <p>Where reggie was started from its snapshot, the origin of a registration is not known any
  * more. One whose entries name the robot counts as the robot's own; another one as made by the host
@@ -44,8 +44,8 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
   private final RegistrationPolicy policy;
   private final OwnAddresses own;
   private final ReggieState state;
-  private final EntryClaims claims;
-  private final ReggieArguments arguments;
+  private final RobotClaimReader claims;
+  private final ReggieArgumentValidator arguments;
   private final RegistrationRules rules; // guarded by this
   private boolean restored; // guarded by this
   private long logged = System.nanoTime() - LOG_AGAIN_NANOS; // guarded by this
@@ -73,9 +73,9 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
       this.own = OwnAddresses.exportedAt(host);
       this.state = new ReggieState(reggie);
       @Nullable ClassLoader its = ReggieFields.owner(reggie).getClassLoader();
-      EntryDescriptors descriptors = new EntryDescriptors(its);
-      this.claims = new EntryClaims(its, descriptors);
-      this.arguments = new ReggieArguments(its, state, descriptors);
+      EntryDescriptorReader descriptors = new EntryDescriptorReader(its);
+      this.claims = new RobotClaimReader(its, descriptors);
+      this.arguments = new ReggieArgumentValidator(its, state, descriptors);
     } catch (UnknownHostException e) {
       throw new ExportException(
           "host " + host + " is not known; export at an address of this machine", e);
@@ -115,15 +115,15 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
   private synchronized Object register(
       Remote impl, Method method, Object[] args, Collection context) throws Throwable {
     restore();
-    Source from = source(context);
+    RegistrationOrigin from = source(context);
     Object item = args[0];
     refusing(() -> arguments.check(method.getName(), args)); // others may have registered since
     boolean namesRobot = namesRobot(state.entries(item));
-    @Nullable ServiceID id = state.idOf(item);
+    @Nullable ServiceID id = state.effectiveId(item);
     long bytes = size(from, item);
     refusing(() -> rules.checkService(from, id, namesRobot, bytes));
     Object registration = super.invoke(impl, method, args, context);
-    rules.registered(from, ((ServiceRegistration) registration).getServiceID(), namesRobot, bytes);
+    rules.addService(from, ((ServiceRegistration) registration).getServiceID(), namesRobot, bytes);
     return registration;
   }
 
@@ -131,11 +131,11 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
   private synchronized Object listen(Remote impl, Method method, Object[] args, Collection context)
       throws Throwable {
     restore();
-    Source from = source(context);
+    RegistrationOrigin from = source(context);
     long bytes = size(from, args); // template, listener and what is handed back
     refusing(() -> rules.checkListener(from, bytes));
     Object registration = super.invoke(impl, method, args, context);
-    rules.listening(from, ((EventRegistration) registration).getID(), bytes);
+    rules.addListener(from, ((EventRegistration) registration).getID(), bytes);
     return registration;
   }
 
@@ -144,7 +144,7 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
   private synchronized Object change(Remote impl, Method method, Object[] args, Collection context)
       throws Throwable {
     restore();
-    Source from = source(context);
+    RegistrationOrigin from = source(context);
     refusing(() -> arguments.check(method.getName(), args)); // others may have registered since
     Object @Nullable [] entries = (Object[]) args[args.length - 1];
     boolean namesRobot =
@@ -156,13 +156,13 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
     long bytes = size(from, state.item(id), entries); // at most, since some may be replaced
     refusing(() -> rules.checkGrowth(from, id, bytes));
     Object result = super.invoke(impl, method, args, context);
-    rules.grown(id, size(from, state.item(id)));
+    rules.setServiceSize(id, size(from, state.item(id)));
     return result;
   }
 
   /** What the robot itself registers is not measured. */
-  private static long size(Source from, @Nullable Object... registered) {
-    return from.own() ? 0 : WrittenSize.of(registered);
+  private static long size(RegistrationOrigin from, @Nullable Object... registered) {
+    return from.isRobotHost() ? 0 : SerializedSize.of(registered);
   }
 
   private void refusing(Runnable check) {
@@ -188,34 +188,36 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
       return;
     }
     restored = true;
-    for (ReggieState.Listed each : state.services()) {
+    for (ReggieState.StoredService each : state.services()) {
       Object @Nullable [] entries = state.entries(each.item());
       boolean namesRobot = namesRobot(entries);
-      Source presumed = // the host is the registrant's own claim, so never the robot's
+      RegistrationOrigin presumed = // the host is the registrant's own claim, so never the robot's
           namesRobot
-              ? new Source(null, true)
-              : new Source(Caller.at(claims.host(entries)).address(), false);
-      rules.registered(presumed, each.id(), namesRobot, size(presumed, each.item()));
+              ? new RegistrationOrigin(null, true)
+              : new RegistrationOrigin(
+                  RemoteCaller.fromHost(claims.host(entries)).address(), false);
+      rules.addService(presumed, each.id(), namesRobot, size(presumed, each.item()));
     }
     for (long each : state.listeners()) {
-      rules.listening(new Source(null, false), each, 0);
+      rules.addListener(new RegistrationOrigin(null, false), each, 0);
     }
   }
 
   private boolean namesRobot(Object @Nullable [] entries) {
-    return !policy.robot().isEmpty() && claims.claim(entries, policy.robot());
+    return !policy.robot().isEmpty() && claims.anyNamesRobot(entries, policy.robot());
   }
 
   private boolean changesToRobot(Object @Nullable [] entries) {
-    return !policy.robot().isEmpty() && claims.claimByChange(entries, policy.robot());
+    return !policy.robot().isEmpty() && claims.changeMayNameRobot(entries, policy.robot());
   }
 
-  private Source source(Collection<?> context) {
-    return source(Caller.in(context));
+  private RegistrationOrigin source(Collection<?> context) {
+    return source(RemoteCaller.fromContext(context));
   }
 
-  private Source source(Caller caller) {
+  private RegistrationOrigin source(RemoteCaller caller) {
     @Nullable InetAddress address = caller.address();
-    return new Source(address, address != null && (own.contain(address) || policy.admits(address)));
+    return new RegistrationOrigin(
+        address, address != null && (own.contains(address) || policy.admits(address)));
   }
 }

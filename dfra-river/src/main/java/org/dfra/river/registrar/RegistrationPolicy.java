@@ -11,15 +11,15 @@ import org.dfra.river.access.AddressRange;
  *
  * @param robot name of the robot, whose modules register from its own computers only; empty for a
  *     registrar that belongs to no robot
- * @param from the robot's further computers besides the one that the registrar runs on
+ * @param robotHosts the robot's further computers besides the one that the registrar runs on
  */
-public record RegistrationPolicy(String robot, List<AddressRange> from) {
+public record RegistrationPolicy(String robot, List<AddressRange> robotHosts) {
 
   /** That of a registrar that belongs to no robot. */
   public static final RegistrationPolicy NO_ROBOT = new RegistrationPolicy("", List.of());
 
   public RegistrationPolicy {
-    from = List.copyOf(from);
+    robotHosts = List.copyOf(robotHosts);
   }
 
   /**
@@ -39,12 +39,12 @@ public record RegistrationPolicy(String robot, List<AddressRange> from) {
   }
 
   /** What {@link #of} reads as the further computers. */
-  public String fromText() {
-    return from.stream().map(AddressRange::toString).collect(Collectors.joining(","));
+  public String robotHostsText() {
+    return robotHosts.stream().map(AddressRange::toString).collect(Collectors.joining(","));
   }
 
   /** Whether an address is one of the further computers'. */
   boolean admits(InetAddress address) {
-    return from.stream().anyMatch(each -> each.contains(address));
+    return robotHosts.stream().anyMatch(each -> each.contains(address));
   }
 }

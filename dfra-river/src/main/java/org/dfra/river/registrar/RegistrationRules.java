@@ -19,10 +19,10 @@ import org.jspecify.annotations.Nullable;
  *   <li>While a registration lives, only the computer that made it replaces it. The robot's own
  *       computers may replace any.
  *   <li>The robot's service IDs and the robot's name are taken from its own computers only.
- *   <li>Other computers may have {@value #SERVICES_PER_ADDRESS} services and {@value
- *       #LISTENERS_PER_ADDRESS} listeners for each address, and {@value #FOREIGN_SERVICES} services
- *       and {@value #FOREIGN_LISTENERS} listeners in all. What each of them may take in memory is
- *       bounded, too, and so is what they take together.
+ *   <li>Other computers may have {@value #MAX_SERVICES_PER_ADDRESS} services and {@value
+ *       #MAX_LISTENERS_PER_ADDRESS} listeners for each address, and {@value #MAX_FOREIGN_SERVICES}
+ *       services and {@value #MAX_FOREIGN_LISTENERS} listeners in all. What each of them may take
+ *       in memory is bounded, too, and so is what they take together.
  * </ul>
  *
  * <p>Not thread-safe: the caller holds a lock from the check until the registration is noted, so
@@ -31,28 +31,28 @@ import org.jspecify.annotations.Nullable;
 final class RegistrationRules {
 
   /** How many services another computer may register. */
-  static final int SERVICES_PER_ADDRESS = 256;
+  static final int MAX_SERVICES_PER_ADDRESS = 256;
 
   /** How many services all other computers together may register. */
-  static final int FOREIGN_SERVICES = 2048;
+  static final int MAX_FOREIGN_SERVICES = 2048;
 
   /** How many listeners another computer may register. */
-  static final int LISTENERS_PER_ADDRESS = 128;
+  static final int MAX_LISTENERS_PER_ADDRESS = 128;
 
   /** How many listeners all other computers together may register. */
-  static final int FOREIGN_LISTENERS = 1024;
+  static final int MAX_FOREIGN_LISTENERS = 1024;
 
   /** Bytes of one service; a module of DFRA has about 5 kB. */
-  static final long SERVICE_BYTES = 64 << 10;
+  static final long MAX_SERVICE_BYTES = 64 << 10;
 
   /** Bytes of one listener with its template. */
-  static final long LISTENER_BYTES = 64 << 10;
+  static final long MAX_LISTENER_BYTES = 64 << 10;
 
   /** How many service IDs of the robot's modules are kept beyond their leases. */
-  static final int RESERVED = 1024;
+  static final int MAX_RESERVED_IDS = 1024;
 
   /** What the registrar holds. */
-  interface Contents {
+  interface LiveRegistrations {
 
     /** Those among some services whose leases live. */
     Set<ServiceID> liveServices(Set<ServiceID> among);
@@ -62,9 +62,9 @@ final class RegistrationRules {
   }
 
   private final String robot;
-  private final Contents contents;
-  private final Registrations<ServiceID> services;
-  private final Registrations<Long> listeners;
+  private final LiveRegistrations contents;
+  private final QuotaTable<ServiceID> services;
+  private final QuotaTable<Long> listeners;
 
   /** IDs of the robot's modules: nobody takes one while its module is down. */
   private final Set<ServiceID> reserved = new LinkedHashSet<>();
@@ -73,22 +73,22 @@ final class RegistrationRules {
    * @param robot name of the robot; empty for a registrar that belongs to no robot
    * @param contents what the registrar holds
    */
-  RegistrationRules(String robot, Contents contents) {
+  RegistrationRules(String robot, LiveRegistrations contents) {
     this.robot = robot;
     this.contents = contents;
     this.services =
-        new Registrations<>(
+        new QuotaTable<>(
             "services",
-            SERVICES_PER_ADDRESS,
-            FOREIGN_SERVICES,
-            SERVICE_BYTES,
+            MAX_SERVICES_PER_ADDRESS,
+            MAX_FOREIGN_SERVICES,
+            MAX_SERVICE_BYTES,
             contents::liveServices);
     this.listeners =
-        new Registrations<>(
+        new QuotaTable<>(
             "listeners",
-            LISTENERS_PER_ADDRESS,
-            FOREIGN_LISTENERS,
-            LISTENER_BYTES,
+            MAX_LISTENERS_PER_ADDRESS,
+            MAX_FOREIGN_LISTENERS,
+            MAX_LISTENER_BYTES,
             contents::liveListeners);
   }
 
@@ -101,8 +101,9 @@ final class RegistrationRules {
    * @param bytes what it takes
    * @throws RegistrationRefusedException if it is refused
    */
-  void checkService(Source from, @Nullable ServiceID id, boolean namesRobot, long bytes) {
-    if (from.own()) {
+  void checkService(
+      RegistrationOrigin from, @Nullable ServiceID id, boolean namesRobot, long bytes) {
+    if (from.isRobotHost()) {
       return;
     }
     checkEntries(from, namesRobot);
@@ -118,13 +119,13 @@ final class RegistrationRules {
    * @param bytes what it takes then, at most
    * @throws RegistrationRefusedException if that is too much
    */
-  void checkGrowth(Source from, ServiceID id, long bytes) {
-    if (!from.own()) {
+  void checkGrowth(RegistrationOrigin from, ServiceID id, long bytes) {
+    if (!from.isRobotHost()) {
       services.checkBounds(from, id, bytes);
     }
   }
 
-  private void checkId(Source from, ServiceID id) {
+  private void checkId(RegistrationOrigin from, ServiceID id) {
     if (reserved.contains(id)) {
       throw new RegistrationRefusedException(
           "service ID "
@@ -139,7 +140,7 @@ final class RegistrationRules {
     if (contents.liveServices(Set.of(id)).isEmpty()) {
       return;
     }
-    @Nullable Source holder = services.source(id);
+    @Nullable RegistrationOrigin holder = services.source(id);
     if (holder == null || !from.mayReplace(holder)) {
       throw new RegistrationRefusedException(
           "service ID "
@@ -158,8 +159,8 @@ final class RegistrationRules {
    * @param namesRobot whether they name the robot as the one that they belong to
    * @throws RegistrationRefusedException if they are refused
    */
-  void checkEntries(Source from, boolean namesRobot) {
-    if (!from.own() && namesRobot) {
+  void checkEntries(RegistrationOrigin from, boolean namesRobot) {
+    if (!from.isRobotHost() && namesRobot) {
       throw new RegistrationRefusedException(
           "entries that name robot "
               + robot
@@ -183,8 +184,8 @@ final class RegistrationRules {
    * @param bytes what it takes
    * @throws RegistrationRefusedException if it is refused
    */
-  void checkListener(Source from, long bytes) {
-    if (!from.own()) {
+  void checkListener(RegistrationOrigin from, long bytes) {
+    if (!from.isRobotHost()) {
       listeners.checkBounds(from, null, bytes);
     }
   }
@@ -195,29 +196,29 @@ final class RegistrationRules {
    * @param ofRobot whether it is a module of the robot
    * @param bytes what it takes
    */
-  void registered(Source from, ServiceID id, boolean ofRobot, long bytes) {
+  void addService(RegistrationOrigin from, ServiceID id, boolean ofRobot, long bytes) {
     services.put(id, from, bytes);
-    if (from.own() && ofRobot) {
+    if (from.isRobotHost() && ofRobot) {
       boolean unused = reserved.remove(id); // the newest comes last
       reserved.add(id);
-      if (reserved.size() > RESERVED) {
+      if (reserved.size() > MAX_RESERVED_IDS) {
         reserved.remove(reserved.iterator().next());
       }
     }
   }
 
   /** A service was changed, and takes so many bytes now. */
-  void grown(ServiceID id, long bytes) {
+  void setServiceSize(ServiceID id, long bytes) {
     services.resize(id, bytes);
   }
 
   /** A listener is registered, and takes so many bytes. */
-  void listening(Source from, long event, long bytes) {
+  void addListener(RegistrationOrigin from, long event, long bytes) {
     listeners.put(event, from, bytes);
   }
 
   /** How many services and listeners are noted, for tests. */
-  int noted() {
+  int trackedCount() {
     return services.noted.size() + listeners.noted.size();
   }
 
@@ -225,7 +226,7 @@ final class RegistrationRules {
    * Where registrations of one kind come from. What has ended is dropped when a bound is reached,
    * and when there are twice as many as were left the last time.
    */
-  private static final class Registrations<K> {
+  private static final class QuotaTable<K> {
 
     private static final int FEW = 64;
 
@@ -237,12 +238,12 @@ final class RegistrationRules {
     private final int inAll;
     private final long bytesOfOne;
     private final UnaryOperator<Set<K>> live;
-    private final Map<K, Noted> noted = new LinkedHashMap<>();
+    private final Map<K, TrackedRegistration> noted = new LinkedHashMap<>();
     private int next = FEW; // size at which it drops what has ended
 
-    private record Noted(Source source, long bytes) {}
+    private record TrackedRegistration(RegistrationOrigin source, long bytes) {}
 
-    Registrations(
+    QuotaTable(
         String kind, int perAddress, int inAll, long bytesOfOne, UnaryOperator<Set<K>> live) {
       this.kind = kind;
       this.perAddress = perAddress;
@@ -251,22 +252,22 @@ final class RegistrationRules {
       this.live = live;
     }
 
-    @Nullable Source source(K key) {
-      @Nullable Noted its = noted.get(key);
+    @Nullable RegistrationOrigin source(K key) {
+      @Nullable TrackedRegistration its = noted.get(key);
       return its == null ? null : its.source();
     }
 
-    void put(K key, Source from, long bytes) {
-      noted.put(key, new Noted(from, bytes));
+    void put(K key, RegistrationOrigin from, long bytes) {
+      noted.put(key, new TrackedRegistration(from, bytes));
       if (noted.size() >= next) {
         dropEnded();
       }
     }
 
     void resize(K key, long bytes) {
-      @Nullable Noted its = noted.get(key);
+      @Nullable TrackedRegistration its = noted.get(key);
       if (its != null) {
-        noted.put(key, new Noted(its.source(), bytes));
+        noted.put(key, new TrackedRegistration(its.source(), bytes));
       }
     }
 
@@ -277,7 +278,7 @@ final class RegistrationRules {
     }
 
     /** One that replaces another needs no more room than it takes beyond that. */
-    void checkBounds(Source from, @Nullable K replaced, long bytes) {
+    void checkBounds(RegistrationOrigin from, @Nullable K replaced, long bytes) {
       if (bytes > bytesOfOne) {
         throw new RegistrationRefusedException(
             refused(from) + bytes + " bytes > " + bytesOfOne + " allowed; register less");
@@ -291,18 +292,18 @@ final class RegistrationRules {
       }
     }
 
-    private String refused(Source from) {
+    private String refused(RegistrationOrigin from) {
       return "one more of the " + kind + " of " + from + " is refused: ";
     }
 
-    private @Nullable String fault(Source from, @Nullable K replaced, long bytes) {
+    private @Nullable String fault(RegistrationOrigin from, @Nullable K replaced, long bytes) {
       long foreign = 0;
       long same = 0;
       long foreignBytes = bytes;
       long sameBytes = bytes;
-      for (Map.Entry<K, Noted> each : noted.entrySet()) {
-        Source source = each.getValue().source();
-        if (!source.own() && !each.getKey().equals(replaced)) {
+      for (Map.Entry<K, TrackedRegistration> each : noted.entrySet()) {
+        RegistrationOrigin source = each.getValue().source();
+        if (!source.isRobotHost() && !each.getKey().equals(replaced)) {
           foreign++;
           foreignBytes += each.getValue().bytes();
           if (source.equals(from)) {

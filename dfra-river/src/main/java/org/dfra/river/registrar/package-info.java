@@ -4,8 +4,8 @@
  * <pre>
  *   register, notify, addAttributes, ... --&gt; RegistrarDispatcher --&gt; reggie
  *                                                |
- *     ReggieArguments: what no client would send |  ReggieState: what reggie holds now
- *          EntryClaims: robots that entries name |  EntryDescriptors: classes of entries
+ *     ReggieArgumentValidator: what no client would send |  ReggieState: what reggie holds now
+ *          RobotClaimReader: robots that entries name |  EntryDescriptorReader: classes of entries
  *                                                v
  *                                        RegistrationRules: service ID --&gt; computer, bytes
  * </pre>

@@ -71,7 +71,7 @@ public interface ModuleAdmin extends JoinAdmin, DestroyAdmin, Remote {
    * @return UTC
    */
   @Idempotent
-  Instant clock() throws RemoteException;
+  Instant hostTime() throws RemoteException;
 
   /**
    * {@inheritDoc}

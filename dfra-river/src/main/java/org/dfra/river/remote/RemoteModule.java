@@ -17,12 +17,12 @@ import org.dfra.module.Readiness;
 public interface RemoteModule extends Module, Remote, Administrable {
 
   /** The longest that one call waits at the server; proxies wait longer in several calls. */
-  Duration LONGEST_WAIT = Duration.ofSeconds(1);
+  Duration MAX_CALL_WAIT = Duration.ofSeconds(1);
 
   /**
    * {@inheritDoc}
    *
-   * <p>One call waits {@link #LONGEST_WAIT} at the longest, so that it ends before its deadline.
+   * <p>One call waits {@link #MAX_CALL_WAIT} at the longest, so that it ends before its deadline.
    */
   @Override
   @Idempotent
@@ -32,7 +32,7 @@ public interface RemoteModule extends Module, Remote, Administrable {
    * Registers a listener under a lease. One that is registered already is registered anew.
    *
    * @param listener a {@link RemoteModuleListener}
-   * @return a {@link LeasedSubscription}
+   * @return a {@link GrantedSubscription}
    * @throws IllegalArgumentException if the listener is not remote
    */
   @Override
@@ -41,8 +41,8 @@ public interface RemoteModule extends Module, Remote, Administrable {
   /**
    * {@inheritDoc}
    *
-   * @return a {@link LeasedUse}
+   * @return a {@link GrantedModuleLease}
    */
   @Override
-  ModuleLease use(Duration duration) throws LeaseRefusedException, RemoteException;
+  ModuleLease acquireLease(Duration duration) throws LeaseRefusedException, RemoteException;
 }

@@ -22,7 +22,7 @@ public abstract class DeviceServer<D extends Device> extends ChainableServer<D>
     implements RemoteDevice {
 
   /** Made when it is first wanted: clients call as soon as ModuleServer's constructor is over. */
-  private @Nullable ExaminationRuns examinations; // guarded by this
+  private @Nullable DiagnosticRunner examinations; // guarded by this
 
   /** See {@link ModuleServer#ModuleServer}. */
   protected DeviceServer(
@@ -45,10 +45,10 @@ public abstract class DeviceServer<D extends Device> extends ChainableServer<D>
     super(kind, base, id, data);
   }
 
-  private synchronized ExaminationRuns examinations() {
-    ExaminationRuns runs = examinations;
+  private synchronized DiagnosticRunner examinations() {
+    DiagnosticRunner runs = examinations;
     if (runs == null) {
-      runs = new ExaminationRuns(path(), module());
+      runs = new DiagnosticRunner(path(), module());
       examinations = runs;
     }
     return runs;
@@ -97,12 +97,12 @@ public abstract class DeviceServer<D extends Device> extends ChainableServer<D>
   }
 
   @Override
-  public final UUID beginExamination(Sort sort, String name) throws RemoteException {
-    return examinations().begin(sort, name);
+  public final UUID startDiagnostic(DiagnosticType sort, String name) throws RemoteException {
+    return examinations().startRun(sort, name);
   }
 
   @Override
-  public final @Nullable Diagnosis examination(UUID run) {
-    return examinations().await(run, LONGEST_WAIT);
+  public final @Nullable Diagnosis awaitDiagnosis(UUID run) {
+    return examinations().await(run, MAX_CALL_WAIT);
   }
 }

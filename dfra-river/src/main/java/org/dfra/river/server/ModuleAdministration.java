@@ -23,7 +23,7 @@ import net.jini.lookup.entry.ServiceControlled;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.lease.LeaseHandle;
 import org.dfra.lease.LeaseStatus;
-import org.dfra.river.proxy.HeldLeases;
+import org.dfra.river.proxy.HeldLeaseRegistry;
 import org.dfra.river.remote.ModuleAdmin;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -40,12 +40,12 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
   private static final long LAST_ANSWER_NANOS = TimeUnit.SECONDS.toNanos(2);
   private static final long LOOK_AGAIN_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
-  private final ModulePresence presence;
+  private final ModuleRegistration presence;
   private final ModuleImpl module;
   private final @Nullable ActivationID id;
   private final Exporter serverExporter;
   private final ModuleServer<?> server;
-  private final DriverEnd driverEnd;
+  private final DriverShutdown driverEnd;
   private final Exporter exporter;
   private @Nullable Remote stub; // guarded by this
 
@@ -57,13 +57,13 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
    * @param driverEnd the end of its driver
    */
   ModuleAdministration(
-      ModulePresence presence,
+      ModuleRegistration presence,
       ModuleImpl module,
       String host,
       @Nullable ActivationID id,
       Exporter serverExporter,
       ModuleServer<?> server,
-      DriverEnd driverEnd) {
+      DriverShutdown driverEnd) {
     this.presence = presence;
     this.module = module;
     this.id = id;
@@ -93,7 +93,7 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
       refuseItsOwn(each);
       all.add(each);
     }
-    presence.add(all);
+    presence.setAddedEntries(all);
   }
 
   @Override
@@ -102,7 +102,7 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
       refuseItsOwn(each);
     }
     Entry[] added = presence.added().toArray(Entry[]::new);
-    presence.add(List.of(LookupAttributes.modify(added, templates, changes, true)));
+    presence.setAddedEntries(List.of(LookupAttributes.modify(added, templates, changes, true)));
   }
 
   private static void refuseItsOwn(Entry entry) {
@@ -133,11 +133,11 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
     multicast(() -> presence.join().discovery().setGroups(groups));
   }
 
-  private interface Multicasting {
+  private interface DiscoveryChange {
     void run() throws IOException;
   }
 
-  private static void multicast(Multicasting body) throws RemoteException {
+  private static void multicast(DiscoveryChange body) throws RemoteException {
     try {
       body.run();
     } catch (IOException e) {
@@ -166,13 +166,13 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
   }
 
   @Override
-  public Instant clock() {
+  public Instant hostTime() {
     return Instant.now();
   }
 
   @Override
   public @Nullable String unreadiness() {
-    return module.unreadiness().orElse(null);
+    return module.notReadyReason().orElse(null);
   }
 
   @Override
@@ -182,7 +182,7 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
 
   @Override
   public Set<LeaseHandle> heldLeases() {
-    return HeldLeases.all();
+    return HeldLeaseRegistry.all();
   }
 
   @Override

@@ -33,7 +33,7 @@ public record ModuleIdentity(UUID id, Instant created) {
   }
 
   /** The one that is kept in a module's folder; empty where there is none that can be read. */
-  public static Optional<ModuleIdentity> kept(Path folder) {
+  public static Optional<ModuleIdentity> load(Path folder) {
     try {
       return read(folder);
     } catch (IOException e) {
@@ -48,7 +48,7 @@ public record ModuleIdentity(UUID id, Instant created) {
    * @throws IOException if there is one that cannot be read
    */
   static Optional<ModuleIdentity> read(Path folder) throws IOException {
-    Optional<byte[]> document = StateStore.in(folder).read(DOCUMENT);
+    Optional<byte[]> document = StateStore.inFolder(folder).read(DOCUMENT);
     if (document.isEmpty()) {
       return Optional.empty();
     }
@@ -69,10 +69,10 @@ public record ModuleIdentity(UUID id, Instant created) {
    *
    * @throws IOException if it cannot be written
    */
-  public void keep(Path folder) throws IOException {
-    if (!kept(folder).equals(Optional.of(this))) {
+  public void store(Path folder) throws IOException {
+    if (!load(folder).equals(Optional.of(this))) {
       String text = ID + "=" + id + "\n" + CREATED + "=" + created + "\n";
-      StateStore.in(folder).write(DOCUMENT, text.getBytes(StandardCharsets.UTF_8));
+      StateStore.inFolder(folder).write(DOCUMENT, text.getBytes(StandardCharsets.UTF_8));
     }
   }
 }

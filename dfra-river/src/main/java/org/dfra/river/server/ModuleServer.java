@@ -17,25 +17,25 @@ import net.jini.export.ProxyAccessor;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.directory.SelfDescription;
 import org.dfra.core.module.ModuleImpl;
-import org.dfra.core.robot.Ending;
+import org.dfra.core.robot.ResourceCloser;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Subscription;
-import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.lease.LeaseRole;
 import org.dfra.lease.ModuleLease;
-import org.dfra.module.History;
 import org.dfra.module.Identification;
 import org.dfra.module.LogLevel;
 import org.dfra.module.Module;
+import org.dfra.module.ModuleHistory;
 import org.dfra.module.Parameter;
 import org.dfra.module.Readiness;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.lease.ModuleLandlord;
 import org.dfra.river.phoenix.ReadinessSource;
-import org.dfra.river.proxy.LocalModules;
+import org.dfra.river.proxy.LocalModuleRegistry;
 import org.dfra.river.proxy.ModuleProxy;
-import org.dfra.river.remote.LeasedUse;
+import org.dfra.river.remote.GrantedModuleLease;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.server.Exporters.ServerSettings;
 import org.jspecify.annotations.Nullable;
@@ -62,10 +62,10 @@ public abstract class ModuleServer<M extends Module>
   private final ModuleImpl driver;
   private final Remote remote;
   private final ModuleLandlord landlord;
-  private final RemoteListeners listeners;
+  private final RemoteListenerRegistry listeners;
   private final ModuleAdministration administration;
   private final Deque<AutoCloseable> undo = new ArrayDeque<>(); // guarded by itself
-  private volatile @Nullable DriverEnd driverEnd; // once there is a driver
+  private volatile @Nullable DriverShutdown driverEnd; // once there is a driver
 
   /**
    * Step 1: the activation system constructs the server; the other five follow.
@@ -96,7 +96,7 @@ public abstract class ModuleServer<M extends Module>
       MarshalledObject<ModuleActivation> data)
       throws Exception {
     ModuleActivation activation = data.get();
-    ModuleParts parts = new ModuleParts(activation);
+    ModulePartFactory parts = new ModulePartFactory(activation);
     this.path = activation.module().path();
     this.id = activation.id();
     try {
@@ -104,26 +104,26 @@ public abstract class ModuleServer<M extends Module>
       Configuration configuration = parts.configuration();
 
       // Step 3: the driver, which may look for other modules.
-      undo.push(parts.neighbours());
+      undo.push(parts.directorySupplier());
       this.driver = parts.driver(ModuleLandlord.terms(configuration), kind, base);
-      DriverEnd end = new DriverEnd(driver);
+      DriverShutdown end = new DriverShutdown(driver);
       undo.push(end);
       this.driverEnd = end;
       this.module = kind.cast(driver);
       driver.start();
-      LocalModules.enter(activation.id(), driver);
-      undo.push(() -> LocalModules.leave(activation.id(), driver));
+      LocalModuleRegistry.register(activation.id(), driver);
+      undo.push(() -> LocalModuleRegistry.unregister(activation.id(), driver));
 
       // Step 4: the proxy, and before it the landlord, since clients may come at once.
       Exporter exporter =
-          ModuleParts.exporter(configuration, new ServerSettings(id, activation.host()));
+          ModulePartFactory.exporter(configuration, new ServerSettings(id, activation.host()));
       this.landlord =
           new ModuleLandlord(
               path,
               driver.leases(),
               Exporters.jeri(activation.host(), DEADLINE_MILLIS),
               activation.host());
-      this.listeners = new RemoteListeners(driver, landlord, activation.host());
+      this.listeners = new RemoteListenerRegistry(driver, landlord, activation.host());
       landlord.start();
       undo.push(landlord);
       this.remote = exporter.export(this);
@@ -132,8 +132,8 @@ public abstract class ModuleServer<M extends Module>
           parts.proxy(kind, (RemoteModule) remote, activation.id(), driver.identification());
 
       // Step 5: discovery and join.
-      ModulePresence presence =
-          new ModulePresence(
+      ModuleRegistration presence =
+          new ModuleRegistration(
               new SelfDescription(
                   driver,
                   activation.host(),
@@ -148,25 +148,25 @@ public abstract class ModuleServer<M extends Module>
           new ModuleAdministration(presence, driver, activation.host(), id, exporter, this, end);
       undo.push(administration);
       if (id != null) { // elsewhere the process is not this module's
-        undo.push(EndOfProcess.ends(this));
+        undo.push(ModuleShutdownHook.register(this));
       }
     } catch (Exception e) { // a driver's, a configuration's or River's; all name the place
-      ConfigurationException fault = parts.placed(e);
-      undoAll().addTo(fault);
+      ConfigurationException fault = parts.withLocation(e);
+      undoAll().addSuppressedTo(fault);
       throw fault;
     } catch (Error e) {
-      undoAll().addTo(e);
+      undoAll().addSuppressedTo(e);
       throw e;
     }
   }
 
   /** Undoes what was done, last first; but what moves the robot before all else. */
-  private Ending undoAll() {
-    Ending ending = new Ending(path);
+  private ResourceCloser undoAll() {
+    ResourceCloser ending = new ResourceCloser(path);
     halt();
     synchronized (undo) {
       while (!undo.isEmpty()) {
-        ending.end(undo.pop());
+        ending.close(undo.pop());
       }
     }
     return ending;
@@ -179,7 +179,7 @@ public abstract class ModuleServer<M extends Module>
    * by {@link #close}.
    */
   public final void halt() {
-    @Nullable DriverEnd end = driverEnd;
+    @Nullable DriverShutdown end = driverEnd;
     if (end != null) {
       end.halt();
     }
@@ -196,7 +196,7 @@ public abstract class ModuleServer<M extends Module>
    */
   @Override
   public final void close() {
-    undoAll().orThrow(IllegalStateException::new);
+    undoAll().throwIfFailed(IllegalStateException::new);
   }
 
   /** The module's path, {@code robot/name}. */
@@ -216,9 +216,9 @@ public abstract class ModuleServer<M extends Module>
 
   /** Grants the client whose call is under way a lease; see {@link ModuleLandlord#grant}. */
   protected final Lease grant(
-      Duration duration, Holder holder, Runnable whenOver, Runnable whenCancelled)
+      Duration duration, LeaseRole holder, Runnable onExpired, Runnable onCancelled)
       throws LeaseRefusedException {
-    return landlord.grant(duration.toMillis(), holder, whenOver, whenCancelled);
+    return landlord.grant(duration.toMillis(), holder, onExpired, onCancelled);
   }
 
   /** Where the call under way on this thread came from, for people. */
@@ -256,7 +256,7 @@ public abstract class ModuleServer<M extends Module>
 
   @Override
   public final Readiness awaitReadiness(Duration patience) throws RemoteException {
-    return module.awaitReadiness(patience.compareTo(LONGEST_WAIT) < 0 ? patience : LONGEST_WAIT);
+    return module.awaitReadiness(patience.compareTo(MAX_CALL_WAIT) < 0 ? patience : MAX_CALL_WAIT);
   }
 
   @Override
@@ -265,12 +265,12 @@ public abstract class ModuleServer<M extends Module>
   }
 
   @Override
-  public final ModuleLease use(Duration duration) throws LeaseRefusedException {
-    return new LeasedUse(grant(duration, Holder.CLIENT, () -> {}, () -> {}));
+  public final ModuleLease acquireLease(Duration duration) throws LeaseRefusedException {
+    return new GrantedModuleLease(grant(duration, LeaseRole.CLIENT, () -> {}, () -> {}));
   }
 
   @Override
-  public final History history() throws RemoteException {
+  public final ModuleHistory history() throws RemoteException {
     return module.history();
   }
 

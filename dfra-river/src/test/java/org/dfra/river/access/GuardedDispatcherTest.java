@@ -284,9 +284,9 @@ class GuardedDispatcherTest {
   @Test
   void aCallerWithoutAnAddressMayNotAdminister() throws Exception {
     AdministrationPolicy policy = AdministrationPolicy.exportedAt(ROBOT);
-    assertThat(policy.allows(new Caller(null))).isFalse();
-    assertThat(policy.allows(new Caller(InetAddress.getByName(ROBOT)))).isTrue();
-    assertThat(Caller.current()).as("no remote call is in progress").isEmpty();
+    assertThat(policy.allows(new RemoteCaller(null))).isFalse();
+    assertThat(policy.allows(new RemoteCaller(InetAddress.getByName(ROBOT)))).isTrue();
+    assertThat(RemoteCaller.current()).as("no remote call is in progress").isEmpty();
   }
 
   /** Sockets that connect from one address. */

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class OwnAddressesTest {
 
   private static boolean isOwn(String host, String address) throws Exception {
-    return OwnAddresses.exportedAt(host).contain(InetAddress.getByName(address));
+    return OwnAddresses.exportedAt(host).contains(InetAddress.getByName(address));
   }
 
   @ParameterizedTest
@@ -41,8 +41,8 @@ class OwnAddressesTest {
     assertThat(isOwn("192.0.2.1", "203.0.113.77")).as("another computer").isFalse();
     List<InetAddress> all =
         NetworkInterface.networkInterfaces().flatMap(NetworkInterface::inetAddresses).toList();
-    assertThat(all).isNotEmpty().allMatch(OwnAddresses.exportedAt("192.0.2.1")::contain);
-    assertThat(all).allMatch(OwnAddresses.exportedAt(null)::contain);
+    assertThat(all).isNotEmpty().allMatch(OwnAddresses.exportedAt("192.0.2.1")::contains);
+    assertThat(all).allMatch(OwnAddresses.exportedAt(null)::contains);
   }
 
   @Test
@@ -59,7 +59,7 @@ class OwnAddressesTest {
     int other = NetworkInterface.getByInetAddress(InetAddress.getLoopbackAddress()).getIndex();
     InetAddress elsewhere = Inet6Address.getByAddress(null, own.getAddress(), other);
     OwnAddresses addresses = OwnAddresses.ofThisComputer();
-    assertThat(addresses.contain(own)).isTrue();
-    assertThat(addresses.contain(elsewhere)).isFalse();
+    assertThat(addresses.contains(own)).isTrue();
+    assertThat(addresses.contains(elsewhere)).isFalse();
   }
 }

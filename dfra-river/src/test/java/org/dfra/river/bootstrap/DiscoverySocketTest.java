@@ -52,7 +52,7 @@ class DiscoverySocketTest {
   @Test
   void theConnectionOfAClientThatSendsNothingEndsByItself() throws Exception {
     String host = LOOPBACK.getHostAddress();
-    try (ServerSocket server = new DiscoverySockets(host).createServerSocket(0);
+    try (ServerSocket server = new DiscoveryServerSocketFactory(host).createServerSocket(0);
         Socket client = new Socket(LOOPBACK, server.getLocalPort())) {
       sockets.add(server.accept());
       TimerTasks.runDue(DiscoverySocket.ENDS, LIFE);
@@ -63,7 +63,8 @@ class DiscoverySocketTest {
   @Test
   void theConnectionToAClientThatTakesNoAnswerEndsByItself() throws Exception {
     try (ServerSocket client = new ServerSocket(0, 1, LOOPBACK)) {
-      sockets.add(new AnsweringSockets().createSocket(LOOPBACK, client.getLocalPort()));
+      sockets.add(
+          new DiscoveryResponseSocketFactory().createSocket(LOOPBACK, client.getLocalPort()));
       try (Socket accepted = client.accept()) {
         TimerTasks.runDue(DiscoverySocket.ENDS, LIFE);
         assertIsEnded(accepted);
@@ -76,7 +77,7 @@ class DiscoverySocketTest {
   void aClientThatCannotBeConnectedToIsGivenUpSoon() throws Exception {
     try (ServerSocket full = new ServerSocket(0, 1, LOOPBACK)) {
       assumeTrue(isFilled(full), "the system takes any number of connections");
-      AnsweringSockets answering = new AnsweringSockets();
+      DiscoveryResponseSocketFactory answering = new DiscoveryResponseSocketFactory();
       assertThatThrownBy(() -> sockets.add(answering.createSocket(LOOPBACK, full.getLocalPort())))
           .isInstanceOf(SocketTimeoutException.class);
     }

@@ -19,13 +19,13 @@ class DownloadJarsTest {
     Path b = Files.createFile(dl.resolve("b.jar"));
     Path a = Files.createFile(dl.resolve("a.jar"));
     Files.createFile(dl.resolve("readme.txt"));
-    assertThat(DownloadJars.in(lib.toString())).containsExactly(a, b);
-    assertThat(DownloadJars.in(null)).as("a part of another program").isEmpty();
+    assertThat(DownloadJars.listJars(lib.toString())).containsExactly(a, b);
+    assertThat(DownloadJars.listJars(null)).as("a part of another program").isEmpty();
   }
 
   @Test
   void areMissedByName() {
-    assertThatThrownBy(() -> DownloadJars.in(lib.toString()))
+    assertThatThrownBy(() -> DownloadJars.listJars(lib.toString()))
         .isInstanceOf(IOException.class)
         .hasMessage(
             "there is no jar for clients to download in "

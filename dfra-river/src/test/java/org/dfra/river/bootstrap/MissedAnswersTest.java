@@ -25,8 +25,8 @@ import org.dfra.core.config.Place;
 import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.river.bootstrap.BringUpStep.Kind;
-import org.dfra.river.bootstrap.Inventory.ServiceGroup;
-import org.dfra.river.bootstrap.RobotBootstrap.Service;
+import org.dfra.river.bootstrap.PhoenixInventory.ServiceGroup;
+import org.dfra.river.bootstrap.RobotBootstrap.ServiceReference;
 import org.dfra.river.phoenix.Phoenix;
 import org.dfra.river.server.ModuleActivation;
 import org.dfra.river.server.ModuleIdentity;
@@ -81,23 +81,25 @@ class MissedAnswersTest {
   private final AtomicLong nanos = new AtomicLong();
   private final List<BringUpStep> steps = new ArrayList<>();
 
-  private Patience patience() {
-    return new Patience(TIME, nanos::get, () -> nanos.addAndGet(TimeUnit.MILLISECONDS.toNanos(50)));
+  private RetryDeadline patience() {
+    return new RetryDeadline(
+        TIME, nanos::get, () -> nanos.addAndGet(TimeUnit.MILLISECONDS.toNanos(50)));
   }
 
-  private List<Service> bringUp(PlayedPhoenix phoenix) throws Exception {
-    Patience patience = patience();
+  private List<ServiceReference> bringUp(PlayedPhoenix phoenix) throws Exception {
+    RetryDeadline patience = patience();
     BringUp.ModuleSettings settings =
         new BringUp.ModuleSettings() {
           @Override
-          public ModuleActivation of(ModuleDescription module, ModuleIdentity identity) {
+          public ModuleActivation activationData(
+              ModuleDescription module, ModuleIdentity identity) {
             return new ModuleActivation(
                 module, identity.id(), identity.created(), "127.0.0.1", List.of(), List.of());
           }
 
           @Override
-          public Path folder(ModuleDescription module) {
-            return RobotBootstrap.folder(folder, "r", module.name());
+          public Path stateFolder(ModuleDescription module) {
+            return RobotBootstrap.moduleStateFolder(folder, "r", module.name());
           }
         };
     return new BringUp(
@@ -115,7 +117,9 @@ class MissedAnswersTest {
   @Test
   void aRobotIsBroughtUpAndDownThoughEveryQuestionMissesItsFirstAnswers() throws Exception {
     PlayedPhoenix phoenix = new PlayedPhoenix(MISSES);
-    assertThat(bringUp(phoenix)).extracting(Service::name).containsExactly("r/registrar", "r/gps");
+    assertThat(bringUp(phoenix))
+        .extracting(ServiceReference::name)
+        .containsExactly("r/registrar", "r/gps");
     assertThat(steps)
         .extracting(BringUpStep::name, BringUpStep::kind)
         .containsExactly(tuple("r/registrar", Kind.STARTED), tuple("r/gps", Kind.STARTED));
@@ -135,10 +139,11 @@ class MissedAnswersTest {
   @Test
   void theStatusIsReadThoughEveryQuestionMissesItsFirstAnswers() throws Exception {
     PlayedPhoenix phoenix = new PlayedPhoenix(0);
-    List<Service> unused = bringUp(phoenix);
+    List<ServiceReference> unused = bringUp(phoenix);
     phoenix.miss(MISSES);
-    assertThat(Inventory.of(phoenix.calls(folder).admin(), patience()))
-        .extracting(ServiceGroup::name, ServiceGroup::registrarRuns, ServiceGroup::running)
+    assertThat(PhoenixInventory.groups(phoenix.calls(folder).admin(), patience()))
+        .extracting(
+            ServiceGroup::name, ServiceGroup::isRegistrarRunning, ServiceGroup::runningModules)
         .containsExactly(tuple("lookup", true, Set.of()), tuple("one", false, Set.of("gps")));
     assertThat(phoenix.calls("groupStatus")).isGreaterThan(MISSES);
   }

@@ -126,8 +126,8 @@ final class PlayedPhoenix {
    *
    * @param state stands for phoenix's state folder
    */
-  PhoenixCalls calls(Path state) {
-    return new PhoenixCalls((ActivationSystem) proxy, (PhoenixAdmin) proxy, state);
+  PhoenixClient calls(Path state) {
+    return new PhoenixClient((ActivationSystem) proxy, (PhoenixAdmin) proxy, state);
   }
 
   /** Names of the groups that are registered, {@code robot.group}. */

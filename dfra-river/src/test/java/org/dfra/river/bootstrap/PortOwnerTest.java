@@ -45,25 +45,25 @@ class PortOwnerTest {
   @Test
   void listenersAreToldApartByAddressAndPort() throws Exception {
     Files.writeString(proc.resolve("net/tcp6"), TCP6);
-    assertThat(owners.of("127.0.0.1", 1198)).hasValue(1000);
-    assertThat(owners.of("127.0.0.2", 1198)).hasValue(1001);
-    assertThat(owners.of("127.0.0.9", 1199)).as("at all addresses").hasValue(65534);
-    assertThat(owners.of("127.0.0.3", 1198)).as("a connection").isEmpty();
-    assertThat(owners.of("127.0.0.4", 1198)).as("IPv4 in IPv6").hasValue(1004);
-    assertThat(owners.of("127.0.0.9", 1200)).as("at all addresses of IPv6").hasValue(1005);
-    assertThat(owners.of("127.0.0.1", 1201)).isEmpty();
+    assertThat(owners.uidOf("127.0.0.1", 1198)).hasValue(1000);
+    assertThat(owners.uidOf("127.0.0.2", 1198)).hasValue(1001);
+    assertThat(owners.uidOf("127.0.0.9", 1199)).as("at all addresses").hasValue(65534);
+    assertThat(owners.uidOf("127.0.0.3", 1198)).as("a connection").isEmpty();
+    assertThat(owners.uidOf("127.0.0.4", 1198)).as("IPv4 in IPv6").hasValue(1004);
+    assertThat(owners.uidOf("127.0.0.9", 1200)).as("at all addresses of IPv6").hasValue(1005);
+    assertThat(owners.uidOf("127.0.0.1", 1201)).isEmpty();
   }
 
   @Test
   void withoutATableNothingIsKnown() {
-    assertThat(new PortOwner(proc.resolve("none"), proc).of("127.0.0.1", 1198)).isEmpty();
-    assertThat(new PortOwner(proc, proc.resolve("none")).name(7)).isEqualTo("7");
+    assertThat(new PortOwner(proc.resolve("none"), proc).uidOf("127.0.0.1", 1198)).isEmpty();
+    assertThat(new PortOwner(proc, proc.resolve("none")).userName(7)).isEqualTo("7");
   }
 
   @Test
   void usersHaveNamesWhereTheyAreListed() {
-    assertThat(owners.name(1000)).isEqualTo("a");
-    assertThat(owners.name(1001)).isEqualTo("1001");
+    assertThat(owners.userName(1000)).isEqualTo("a");
+    assertThat(owners.userName(1001)).isEqualTo("1001");
   }
 
   @Test
@@ -71,7 +71,7 @@ class PortOwnerTest {
     assumeTrue(Files.exists(Path.of("/proc/net/tcp")), "only Linux tells who listens");
     int own = (Integer) Files.getAttribute(Path.of("/proc/self"), "unix:uid");
     try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))) {
-      assertThat(PortOwner.system().of("127.0.0.1", socket.getLocalPort())).hasValue(own);
+      assertThat(PortOwner.system().uidOf("127.0.0.1", socket.getLocalPort())).hasValue(own);
     }
   }
 }

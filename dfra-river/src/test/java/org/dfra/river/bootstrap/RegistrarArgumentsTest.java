@@ -25,15 +25,15 @@ class RegistrarArgumentsTest {
     List<String> older = of("127.0.0.1", 4160);
     older.set(0, "jar:file:/dfra/.dfra/jars/1/lib/dfra-river.jar!/org/dfra/registrar.config");
     assertThat(older.get(0)).isNotEqualTo(of("127.0.0.1", 4160).get(0));
-    assertThat(RegistrarArguments.atStart(older))
-        .isEqualTo(RegistrarArguments.atStart(of("127.0.0.1", 4161)));
+    assertThat(RegistrarArguments.startupOnly(older))
+        .isEqualTo(RegistrarArguments.startupOnly(of("127.0.0.1", 4161)));
   }
 
   @Test
   void anotherComputerOfTheRobotNeedsANewStart() {
     List<String> arguments = of("127.0.0.1", 4160, "10.0.0.7", "fd00::/8");
-    assertThat(RegistrarArguments.atStart(arguments))
-        .isNotEqualTo(RegistrarArguments.atStart(of("127.0.0.1", 4160)))
+    assertThat(RegistrarArguments.startupOnly(arguments))
+        .isNotEqualTo(RegistrarArguments.startupOnly(of("127.0.0.1", 4160)))
         .contains(
             "com.sun.jini.reggie.robot=\"atrv1\"",
             "com.sun.jini.reggie.moduleHosts=\"10.0.0.7/32,fd00:0:0:0:0:0:0:0/8\"");
@@ -41,7 +41,7 @@ class RegistrarArgumentsTest {
 
   @Test
   void anotherHostNeedsANewStart() {
-    assertThat(RegistrarArguments.atStart(of("127.0.0.1", 4160)))
-        .isNotEqualTo(RegistrarArguments.atStart(of("127.0.0.2", 4160)));
+    assertThat(RegistrarArguments.startupOnly(of("127.0.0.1", 4160)))
+        .isNotEqualTo(RegistrarArguments.startupOnly(of("127.0.0.2", 4160)));
   }
 }

@@ -34,14 +34,15 @@ class RegistrarListenersTest {
   private static final Duration LINGER = Duration.ofSeconds(36);
 
   private final SteppedTime time = new SteppedTime();
-  private final RegistrarListeners listeners =
-      new RegistrarListeners(ROBOT, CallbackPeersFixture.by(time));
+  private final EventListenerPreparer listeners =
+      new EventListenerPreparer(ROBOT, CallbackPeersFixture.by(time));
 
   /** A listener in the stranger's process that listens at this port. */
   private static RemoteEventListener listener(int port) {
     return (RemoteEventListener)
         DeadlineILFactory.proxy(
-            new BasicObjectEndpoint(Endpoints.at(STRANGER, port), UuidFactory.generate(), false),
+            new BasicObjectEndpoint(
+                Endpoints.tcpClient(STRANGER, port), UuidFactory.generate(), false),
             Duration.ofSeconds(2),
             RemoteEventListener.class.getClassLoader(),
             RemoteEventListener.class);
@@ -77,7 +78,7 @@ class RegistrarListenersTest {
 
   @Test
   void processesOfListenersThatAreNotRegisteredAnyMoreMakeRoomForOthers() throws Exception {
-    listeners.begin();
+    listeners.startTracking();
     Object kept = register(7001);
     registerProcesses(7002, PROCESSES - 1);
     assertIsFull(7100);

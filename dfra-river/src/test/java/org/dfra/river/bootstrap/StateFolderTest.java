@@ -34,13 +34,13 @@ class StateFolderTest {
   @Test
   void withoutAnIdentityNobodyAnswers() throws Exception {
     PhoenixProcess phoenix = phoenix(temp.resolve("none"));
-    assertThat(phoenix.answers()).isFalse();
+    assertThat(phoenix.isResponding()).isFalse();
     assertThatExceptionOfType(ConnectException.class).isThrownBy(phoenix::admin);
-    phoenix.requireOwn();
+    phoenix.requireOwnedByUser();
     assertThat(temp).isEmptyDirectory();
   }
 
   private static PhoenixProcess phoenix(Path state) throws IOException {
-    return new PhoenixProcess("127.0.0.1", FreePorts.next(), -1, state);
+    return new PhoenixProcess("127.0.0.1", FreePorts.allocate(), -1, state);
   }
 }

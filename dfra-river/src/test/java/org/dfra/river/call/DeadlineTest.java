@@ -173,7 +173,7 @@ class DeadlineTest {
     assertThatExceptionOfType(DeadlineExceededException.class)
         .isThrownBy(
             () -> {
-              for (int i = 0; i <= SilentPeers.LIMIT; i++) {
+              for (int i = 0; i <= UnresponsivePeers.MAX_BLOCKED_THREADS; i++) {
                 service.echo("x");
               }
             })
@@ -298,7 +298,8 @@ class DeadlineTest {
   private static Service proxy(int port, long deadlineMillis) {
     return (Service)
         DeadlineILFactory.proxy(
-            new BasicObjectEndpoint(Endpoints.at("127.0.0.1", port), UuidFactory.generate(), false),
+            new BasicObjectEndpoint(
+                Endpoints.tcpClient("127.0.0.1", port), UuidFactory.generate(), false),
             Duration.ofMillis(deadlineMillis),
             DeadlineTest.class.getClassLoader(),
             Service.class,
@@ -307,23 +308,23 @@ class DeadlineTest {
 
   @Test
   void silentPeersCountUpAndDown() {
-    SilentPeers peers = new SilentPeers();
-    assertThat(peers.held("a")).isZero();
-    peers.hold("a");
-    peers.hold("a");
-    peers.hold("b");
-    assertThat(peers.held("a")).isEqualTo(2);
-    peers.letGo("a");
-    peers.letGo("a");
-    peers.letGo("a");
-    assertThat(peers.held("a")).isZero();
-    assertThat(peers.held("b")).isEqualTo(1);
+    UnresponsivePeers peers = new UnresponsivePeers();
+    assertThat(peers.blockedThreads("a")).isZero();
+    peers.addBlockedThread("a");
+    peers.addBlockedThread("a");
+    peers.addBlockedThread("b");
+    assertThat(peers.blockedThreads("a")).isEqualTo(2);
+    peers.removeBlockedThread("a");
+    peers.removeBlockedThread("a");
+    peers.removeBlockedThread("a");
+    assertThat(peers.blockedThreads("a")).isZero();
+    assertThat(peers.blockedThreads("b")).isEqualTo(1);
   }
 
   @Test
   void threadsThatAPeerHeldAreLetGoWhenItAnswers() throws Exception {
     Service service = export(100);
-    for (int i = 0; i < SilentPeers.LIMIT / 2; i++) {
+    for (int i = 0; i < UnresponsivePeers.MAX_BLOCKED_THREADS / 2; i++) {
       assertThatExceptionOfType(DeadlineExceededException.class).isThrownBy(service::block);
     }
     release.countDown();

@@ -9,7 +9,7 @@ public final class CallbackPeersFixture {
   private CallbackPeersFixture() {}
 
   /** Peers that share nothing with those of this virtual machine, and live by this time. */
-  public static CallbackPeers by(Scheduler time) {
-    return new CallbackPeers(new DeliveryPool(1, time), time);
+  public static CallbackLimiter by(Scheduler time) {
+    return new CallbackLimiter(new DeliveryPool(1, time), time);
   }
 }

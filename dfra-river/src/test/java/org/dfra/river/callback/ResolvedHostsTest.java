@@ -32,7 +32,7 @@ class ResolvedHostsTest {
 
   private boolean isOwn(String address) throws UnknownHostException {
     InetAddress caller = InetAddress.getByName(address);
-    return hosts.of(NAME).map(own -> own.contain(caller)).orElse(false);
+    return hosts.addressesOf(NAME).map(own -> own.contains(caller)).orElse(false);
   }
 
   private void runLookUp() {
@@ -41,8 +41,8 @@ class ResolvedHostsTest {
 
   @Test
   void answersAtOnceAndLooksUpElsewhere() throws Exception {
-    assertThat(hosts.of(NAME)).as("nobody has looked it up yet").isEmpty();
-    assertThat(hosts.of(NAME)).isEmpty();
+    assertThat(hosts.addressesOf(NAME)).as("nobody has looked it up yet").isEmpty();
+    assertThat(hosts.addressesOf(NAME)).isEmpty();
     assertThat(asked).as("on the thread that asked").hasValue(0);
     assertThat(lookUps).as("one for all that ask").hasSize(1);
     runLookUp();
@@ -56,13 +56,13 @@ class ResolvedHostsTest {
   void keepsWhatItKnowsUntilAnotherAnswerComes() throws Exception {
     assertThat(isOwn("127.1.2.3")).isFalse();
     runLookUp();
-    now += ResolvedHosts.KNOWN_FOR.toNanos();
+    now += ResolvedHosts.REFRESH_INTERVAL.toNanos();
     stands = "";
     assertThat(isOwn("127.1.2.3")).isTrue();
     runLookUp();
     assertThat(isOwn("127.1.2.3")).as("the name server is away").isTrue();
     assertThat(lookUps).as("looked up again later only").isEmpty();
-    now += ResolvedHosts.UNKNOWN_FOR.toNanos();
+    now += ResolvedHosts.RETRY_INTERVAL.toNanos();
     stands = "127.1.2.4";
     assertThat(isOwn("127.1.2.3")).isTrue();
     runLookUp();
@@ -77,7 +77,7 @@ class ResolvedHostsTest {
     runLookUp();
     assertThat(isOwn("127.1.2.3")).isFalse();
     assertThat(lookUps).isEmpty();
-    now += ResolvedHosts.UNKNOWN_FOR.toNanos();
+    now += ResolvedHosts.RETRY_INTERVAL.toNanos();
     stands = "127.1.2.3";
     assertThat(isOwn("127.1.2.3")).isFalse();
     runLookUp();
@@ -86,8 +86,8 @@ class ResolvedHostsTest {
 
   @Test
   void looksNoAddressInDigitsUp() {
-    assertThat(hosts.of("127.1.2.3")).isPresent();
-    assertThat(hosts.of("::1")).isPresent();
+    assertThat(hosts.addressesOf("127.1.2.3")).isPresent();
+    assertThat(hosts.addressesOf("::1")).isPresent();
     assertThat(lookUps).isEmpty();
     assertThat(asked).hasValue(0);
   }

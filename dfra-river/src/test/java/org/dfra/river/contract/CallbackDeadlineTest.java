@@ -67,7 +67,8 @@ class CallbackDeadlineTest {
   private ModuleListener stock(RemoteModuleListener listener) throws Exception {
     Exporter exporter =
         new BasicJeriExporter(
-            TcpServerEndpoint.getInstance(HOST, stockPort, null, Endpoints.sockets(HOST)),
+            TcpServerEndpoint.getInstance(
+                HOST, stockPort, null, Endpoints.serverSocketFactory(HOST)),
             new BasicILFactory(),
             false,
             false);
@@ -97,7 +98,7 @@ class CallbackDeadlineTest {
 
   @BeforeEach
   void choosePort() throws IOException {
-    stockPort = FreePorts.next();
+    stockPort = FreePorts.allocate();
   }
 
   @Test

@@ -12,7 +12,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import org.dfra.event.DeliveryPolicy;
-import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.DeliveryPolicy.EventKind;
 import org.dfra.event.ModuleEvent.NewReading;
 import org.dfra.event.Subscription;
 import org.dfra.flow.effector.BrakeEngagedException;
@@ -22,9 +22,9 @@ import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.DriveCommand.Brake;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.effector.DriveState;
-import org.dfra.lease.Holder;
 import org.dfra.lease.LeaseHandle;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.lease.LeaseRole;
 import org.dfra.lease.LeaseStatus;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
@@ -39,32 +39,32 @@ abstract class EffectorContract extends EmergencyStopContract {
 
   @Test
   void obeysItsCommanderInOrder() throws Exception {
-    try (CommandLease lease = effector().command(LEASE)) {
+    try (CommandLease lease = effector().acquireCommandLease(LEASE)) {
       assertThat(lease.isLive()).isTrue();
-      effector().obey(lease.key(), AHEAD);
-      effector().obey(lease.key(), new Velocity(4, 4));
-      effector().obey(lease.key(), new Brake(true));
-      effector().obey(lease.key(), new Brake(false));
-      effector().obey(lease.key(), Velocity.ZERO);
+      effector().execute(lease.key(), AHEAD);
+      effector().execute(lease.key(), new Velocity(4, 4));
+      effector().execute(lease.key(), new Brake(true));
+      effector().execute(lease.key(), new Brake(false));
+      effector().execute(lease.key(), Velocity.ZERO);
       assertThat(driver().told)
           .containsExactly(
               TURNED, "turn 1.0 1.0", "halt", "brake true", "brake false", "turn 0.0 0.0");
-      DriveState state = effector().drive();
+      DriveState state = effector().driveState();
       assertThat(state.commander()).isEqualTo(commander());
       assertThat(state.velocity()).isEqualTo(Velocity.ZERO);
-      assertThat(state.brake()).isFalse();
+      assertThat(state.parkingBrakeEngaged()).isFalse();
     }
   }
 
   @Test
   void refusesWhoHoldsNoKey() throws Exception {
     CommandKey invented = new CommandKey(UUID.randomUUID());
-    assertThatThrownBy(() -> effector().obey(invented, AHEAD))
+    assertThatThrownBy(() -> effector().execute(invented, AHEAD))
         .isInstanceOf(CommandRefusedException.class)
         .hasMessage(
             PATH + " has no commander, and this key counts no longer; ask it for a command lease");
-    try (CommandLease lease = effector().command(LEASE)) {
-      assertThatThrownBy(() -> effector().obey(invented, AHEAD))
+    try (CommandLease lease = effector().acquireCommandLease(LEASE)) {
+      assertThatThrownBy(() -> effector().execute(invented, AHEAD))
           .isInstanceOf(CommandRefusedException.class)
           .hasMessageStartingWith(PATH + " is commanded by " + commander() + " since ")
           .hasMessageNotContaining(lease.key().secret().toString());
@@ -74,24 +74,24 @@ abstract class EffectorContract extends EmergencyStopContract {
 
   @Test
   void refusesASecondCommanderAndNamesTheFirst() throws Exception {
-    try (CommandLease lease = effector().command(LEASE)) {
+    try (CommandLease lease = effector().acquireCommandLease(LEASE)) {
       LeaseHandle handle = driver().leases().leases().get(0).handle();
-      assertThatThrownBy(() -> effector().command(LEASE))
+      assertThatThrownBy(() -> effector().acquireCommandLease(LEASE))
           .isInstanceOf(LeaseRefusedException.class)
           .hasMessageStartingWith(PATH + " is commanded by " + commander() + " since ")
           .hasMessageContaining("have its lease " + handle + " revoked");
-      effector().obey(lease.key(), AHEAD);
+      effector().execute(lease.key(), AHEAD);
       assertThat(driver().told).as("the first is not disturbed").containsExactly(TURNED);
     }
   }
 
   @Test
   void countsItsCommanderAsOne() throws Exception {
-    try (CommandLease lease = effector().command(LEASE)) {
+    try (CommandLease lease = effector().acquireCommandLease(LEASE)) {
       assertThat(driver().leases().leases())
           .singleElement()
-          .extracting(LeaseStatus::holder)
-          .isEqualTo(Holder.COMMANDER);
+          .extracting(LeaseStatus::role)
+          .isEqualTo(LeaseRole.COMMANDER);
       assertThat(effector().readiness()).isEqualTo(Readiness.ACTIVE);
       assertThat(lease.expiration()).isAfter(java.time.Instant.now());
     }
@@ -103,40 +103,40 @@ abstract class EffectorContract extends EmergencyStopContract {
   void aClosedLeaseHaltsTheWheelsAndFreesTheHelmBeforeItReturns() throws Exception {
     for (int i = 0; i < 20; i++) {
       driver().told.clear();
-      CommandLease lease = effector().command(LEASE);
-      effector().obey(lease.key(), AHEAD);
+      CommandLease lease = effector().acquireCommandLease(LEASE);
+      effector().execute(lease.key(), AHEAD);
       lease.close();
       lease.close();
       assertThat(lease.isLive()).isFalse();
       assertThat(driver().told).containsExactly(TURNED, "halt");
-      assertThatThrownBy(() -> effector().obey(lease.key(), AHEAD))
+      assertThatThrownBy(() -> effector().execute(lease.key(), AHEAD))
           .isInstanceOf(CommandRefusedException.class);
     }
   }
 
   @Test
   void aRevokedLeaseHaltsTheWheelsAndItsHolderHearsOfIt() throws Exception {
-    CommandLease lease = effector().command(LEASE);
-    effector().obey(lease.key(), AHEAD);
+    CommandLease lease = effector().acquireCommandLease(LEASE);
+    effector().execute(lease.key(), AHEAD);
     assertThat(driver().leases().revoke(driver().leases().leases().get(0).handle())).isTrue();
     assertThat(driver().told).containsExactly(TURNED, "halt");
-    assertThatThrownBy(() -> effector().obey(lease.key(), AHEAD))
+    assertThatThrownBy(() -> effector().execute(lease.key(), AHEAD))
         .isInstanceOf(CommandRefusedException.class);
     await().atMost(PATIENCE).until(() -> !lease.isLive());
-    try (CommandLease next = effector().command(LEASE)) {
+    try (CommandLease next = effector().acquireCommandLease(LEASE)) {
       lease.close();
-      effector().obey(next.key(), AHEAD);
+      effector().execute(next.key(), AHEAD);
       assertThat(driver().told).as("the old holder's close").endsWith("halt", TURNED);
     }
   }
 
   @Test
   void aModuleThatEndsHaltsTheWheelsBeforeItClosesItsDevice() throws Exception {
-    CommandLease lease = effector().command(LEASE);
-    effector().obey(lease.key(), AHEAD);
+    CommandLease lease = effector().acquireCommandLease(LEASE);
+    effector().execute(lease.key(), AHEAD);
     end();
     assertThat(driver().told).containsExactly(TURNED, "halt", "closed");
-    assertThatThrownBy(() -> effector().obey(lease.key(), AHEAD))
+    assertThatThrownBy(() -> effector().execute(lease.key(), AHEAD))
         .isInstanceOfAny(CommandRefusedException.class, RemoteException.class);
     assertThat(driver().told).containsExactly(TURNED, "halt", "closed");
     lease.close();
@@ -145,39 +145,39 @@ abstract class EffectorContract extends EmergencyStopContract {
 
   @Test
   void silenceHaltsTheWheelsAndIsCounted() throws Exception {
-    try (CommandLease lease = effector().command(LEASE)) {
-      effector().obey(lease.key(), AHEAD);
+    try (CommandLease lease = effector().acquireCommandLease(LEASE)) {
+      effector().execute(lease.key(), AHEAD);
       await().atMost(PATIENCE).until(this::hasFallenSilent);
       assertThat(driver().told).containsExactly(TURNED, "halt");
-      assertThat(effector().drive().velocity()).isEqualTo(Velocity.ZERO);
+      assertThat(effector().driveState().velocity()).isEqualTo(Velocity.ZERO);
       assertThat(lease.isLive()).as("it still commands").isTrue();
-      effector().obey(lease.key(), AHEAD);
+      effector().execute(lease.key(), AHEAD);
       assertThat(driver().told).startsWith(TURNED, "halt", TURNED);
     }
   }
 
   private boolean hasFallenSilent() throws RemoteException {
     driver().look();
-    return effector().drive().silences() == 1;
+    return effector().driveState().commandTimeouts() == 1;
   }
 
   @Test
   void refusesToMoveWithItsBrakeSet() throws Exception {
-    try (CommandLease lease = effector().command(LEASE)) {
-      effector().obey(lease.key(), new Brake(true));
-      assertThatThrownBy(() -> effector().obey(lease.key(), AHEAD))
+    try (CommandLease lease = effector().acquireCommandLease(LEASE)) {
+      effector().execute(lease.key(), new Brake(true));
+      assertThatThrownBy(() -> effector().execute(lease.key(), AHEAD))
           .isInstanceOf(BrakeEngagedException.class)
           .hasMessage(PATH + " has its brake set, and does not move until that is released");
       assertThat(driver().told).containsExactly("halt", "brake true");
-      assertThat(effector().drive().brake()).isTrue();
+      assertThat(effector().driveState().parkingBrakeEngaged()).isTrue();
     }
   }
 
   @Test
   void doesNotObeyWhileItDoesNotServe() throws Exception {
-    try (CommandLease lease = effector().command(LEASE)) {
+    try (CommandLease lease = effector().acquireCommandLease(LEASE)) {
       driver().lose();
-      assertThatThrownBy(() -> effector().obey(lease.key(), AHEAD))
+      assertThatThrownBy(() -> effector().execute(lease.key(), AHEAD))
           .isInstanceOf(NotReadyException.class)
           .hasMessageStartingWith(PATH + " is INITIALIZING: it cannot obey ");
       assertThat(driver().told).isEmpty();
@@ -192,11 +192,11 @@ abstract class EffectorContract extends EmergencyStopContract {
         "PT0S | lease 0 s is not above 0; ask for 30 s or less",
       })
   void aRefusedLeaseLeavesTheHelmFree(Duration asked, String sentence) throws Exception {
-    assertThatThrownBy(() -> effector().command(asked))
+    assertThatThrownBy(() -> effector().acquireCommandLease(asked))
         .isInstanceOf(LeaseRefusedException.class)
         .hasMessage(PATH + ": " + sentence);
     assertThat(driver().told).as("there was no commander to lose").isEmpty();
-    effector().command(LEASE).close();
+    effector().acquireCommandLease(LEASE).close();
   }
 
   @Test
@@ -210,9 +210,9 @@ abstract class EffectorContract extends EmergencyStopContract {
                         heard.add((DriveState) reading.reading());
                       }
                     },
-                    DeliveryPolicy.keepLast(100).only(Kind.READING));
-        CommandLease lease = effector().command(LEASE)) {
-      effector().obey(lease.key(), AHEAD);
+                    DeliveryPolicy.keepLast(100).withKinds(EventKind.READING));
+        CommandLease lease = effector().acquireCommandLease(LEASE)) {
+      effector().execute(lease.key(), AHEAD);
       lease.close();
       await().atMost(PATIENCE).until(() -> heard.size() >= 2);
     }
@@ -240,7 +240,7 @@ abstract class EffectorContract extends EmergencyStopContract {
 
   private void ask(List<CommandLease> granted) {
     try {
-      granted.add(effector().command(LEASE));
+      granted.add(effector().acquireCommandLease(LEASE));
     } catch (LeaseRefusedException e) {
       assertThat(e).hasMessageStartingWith(PATH + " is commanded by ");
     } catch (RemoteException e) {
@@ -251,16 +251,16 @@ abstract class EffectorContract extends EmergencyStopContract {
   @Test
   void noCommandOfAnOldKeyIsObeyedOnceAnotherCommands() throws Exception {
     for (int i = 1; i <= 20; i++) {
-      CommandLease lease = effector().command(LEASE);
+      CommandLease lease = effector().acquireCommandLease(LEASE);
       String mine = "turn " + i * 1e-3 + " 0.0";
       CompletableFuture<Void> commanding = CompletableFuture.runAsync(() -> commandOn(lease.key()));
       Velocity velocity = new Velocity(i * 1e-3, 0);
-      effector().obey(lease.key(), velocity);
+      effector().execute(lease.key(), velocity);
       assertThat(driver().told).contains(mine);
       lease.close();
       driver().told.clear();
-      try (CommandLease next = effector().command(LEASE)) {
-        effector().obey(next.key(), AHEAD);
+      try (CommandLease next = effector().acquireCommandLease(LEASE)) {
+        effector().execute(next.key(), AHEAD);
         commanding.get(20, TimeUnit.SECONDS);
         assertThat(driver().told).as("of commander %d", i).containsExactly(TURNED);
       }

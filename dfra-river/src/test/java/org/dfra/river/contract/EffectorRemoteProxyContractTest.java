@@ -19,12 +19,12 @@ import org.dfra.flow.effector.DriveCommand;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.effector.DriveEffector;
 import org.dfra.flow.effector.DriveState;
-import org.dfra.flow.effector.StopState;
-import org.dfra.lease.Holder;
+import org.dfra.flow.effector.EmergencyStopState;
+import org.dfra.lease.LeaseRole;
 import org.dfra.lease.LeaseStatus;
 import org.dfra.river.proxy.effector.DriveProxy;
 import org.dfra.river.remote.ModuleAdmin;
-import org.dfra.river.remote.effector.LeasedCommand;
+import org.dfra.river.remote.effector.GrantedCommandLease;
 import org.dfra.river.remote.effector.RemoteDriveEffector;
 import org.dfra.river.server.effector.DriveServer;
 import org.jspecify.annotations.Nullable;
@@ -74,38 +74,38 @@ class EffectorRemoteProxyContractTest extends EffectorContract {
   @Test
   void aCommanderThatDiedLosesTheHelmWhenItsLeaseRunsOut() throws Exception {
     RemoteDriveEffector remote = (RemoteDriveEffector) server.getProxy();
-    CommandLease dead = remote.command(UNRENEWED); // what a proxy would renew
-    assertThat(dead).isInstanceOf(LeasedCommand.class);
-    remote.obey(dead.key(), new Velocity(0.5, 0));
+    CommandLease dead = remote.acquireCommandLease(UNRENEWED); // what a proxy would renew
+    assertThat(dead).isInstanceOf(GrantedCommandLease.class);
+    remote.execute(dead.key(), new Velocity(0.5, 0));
     await().atMost(PATIENCE).until(() -> driver().leases().leases().isEmpty());
-    await().atMost(PATIENCE).until(() -> driver().drive().commander() == null);
+    await().atMost(PATIENCE).until(() -> driver().driveState().commander() == null);
     assertThat(driver().told).startsWith("turn 0.5 0.0", "halt");
-    assertThatThrownBy(() -> remote.obey(dead.key(), new Velocity(0.5, 0)))
+    assertThatThrownBy(() -> remote.execute(dead.key(), new Velocity(0.5, 0)))
         .isInstanceOf(CommandRefusedException.class);
-    proxy.command(Duration.ofSeconds(10)).close();
+    proxy.acquireCommandLease(Duration.ofSeconds(10)).close();
   }
 
   @Test
   void aClientThatCallsTheServerWithoutAProxyStopsItWithAnyName() throws Exception {
     RemoteDriveEffector remote = (RemoteDriveEffector) server.getProxy();
-    assertThat(remote.emergencyStop(null).by()).isEqualTo("somebody");
-    assertThat(remote.releaseStop(null).latched()).isFalse();
-    StopState stopped = remote.emergencyStop("\ud800" + "x".repeat(100_000));
+    assertThat(remote.emergencyStop(null).requester()).isEqualTo("somebody");
+    assertThat(remote.releaseEmergencyStop(null).latched()).isFalse();
+    EmergencyStopState stopped = remote.emergencyStop("\ud800" + "x".repeat(100_000));
     assertThat(stopped.latched()).isTrue();
-    assertThat(stopped.by()).isEqualTo("x".repeat(120) + "…");
-    await().atMost(PATIENCE).until(() -> remote.stopState().resting());
+    assertThat(stopped.requester()).isEqualTo("x".repeat(120) + "…");
+    await().atMost(PATIENCE).until(() -> remote.emergencyStopState().haltCommanded());
     assertThat(driver().told).containsOnly("halt");
   }
 
   @Test
   void aLivingCommandersLeaseIsRenewed() throws Exception {
-    try (CommandLease lease = proxy.command(Duration.ofSeconds(10))) {
+    try (CommandLease lease = proxy.acquireCommandLease(Duration.ofSeconds(10))) {
       Instant first = lease.expiration();
       await()
           .atMost(PATIENCE)
           .untilAsserted(
               () -> assertThat(lease.expiration()).isAfter(first.plus(Duration.ofSeconds(2))));
-      proxy.obey(lease.key(), new Velocity(0.1, 0));
+      proxy.execute(lease.key(), new Velocity(0.1, 0));
       assertThat(lease.isLive()).isTrue();
     }
   }
@@ -113,7 +113,7 @@ class EffectorRemoteProxyContractTest extends EffectorContract {
   @Test
   void aLeaseThatWasLostDoesNotComeBack() throws Exception {
     RemoteDriveEffector remote = (RemoteDriveEffector) server.getProxy();
-    AtomicReference<LeasedCommand> granted = new AtomicReference<>();
+    AtomicReference<GrantedCommandLease> granted = new AtomicReference<>();
     RemoteDriveEffector seen =
         (RemoteDriveEffector)
             Proxy.newProxyInstance(
@@ -121,26 +121,26 @@ class EffectorRemoteProxyContractTest extends EffectorContract {
                 new Class<?>[] {RemoteDriveEffector.class},
                 (self, method, arguments) -> {
                   Object result = method.invoke(remote, arguments);
-                  if (result instanceof LeasedCommand command) {
+                  if (result instanceof GrantedCommandLease command) {
                     granted.set(command);
                   }
                   return result;
                 });
     CommandLease lease =
         new DriveProxy(seen, UUID.randomUUID(), proxy.identification())
-            .command(Duration.ofSeconds(10));
+            .acquireCommandLease(Duration.ofSeconds(10));
     granted.get().lease().cancel(); // the server knows it no more, its holder still renews it
     await().atMost(PATIENCE).until(() -> !lease.isLive());
     assertThat(driver().leases().leases()).isEmpty();
-    assertThat(driver().drive().commander()).isNull();
+    assertThat(driver().driveState().commander()).isNull();
   }
 
   @Test
   void whoCommandsFromWhereIsListedAndCanBeRevokedByAdministrators() throws Exception {
     ModuleAdmin admin = (ModuleAdmin) proxy.getAdmin();
-    CommandLease lease = proxy.command(Duration.ofSeconds(10));
+    CommandLease lease = proxy.acquireCommandLease(Duration.ofSeconds(10));
     LeaseStatus listed = admin.leases().get(0);
-    assertThat(listed.holder()).isEqualTo(Holder.COMMANDER);
+    assertThat(listed.role()).isEqualTo(LeaseRole.COMMANDER);
     assertThat(listed.host()).isEqualTo("127.0.0.1");
     assertThat(admin.revoke(listed.handle())).isTrue();
     assertThat(driver().told).containsExactly("halt");
@@ -149,15 +149,15 @@ class EffectorRemoteProxyContractTest extends EffectorContract {
 
   @Test
   void aCommanderInItsOwnVirtualMachineAndOneElsewhereExcludeEachOther() throws Exception {
-    try (CommandLease far = proxy.command(Duration.ofSeconds(10))) {
-      assertThatThrownBy(() -> driver().command(Duration.ofSeconds(10)))
+    try (CommandLease far = proxy.acquireCommandLease(Duration.ofSeconds(10))) {
+      assertThatThrownBy(() -> driver().acquireCommandLease(Duration.ofSeconds(10)))
           .hasMessageContaining("is commanded by a client at 127.0.0.1");
-      driver().obey(far.key(), new Velocity(0.1, 0)); // whoever knows the key commands
+      driver().execute(far.key(), new Velocity(0.1, 0)); // whoever knows the key commands
     }
-    try (CommandLease near = driver().command(Duration.ofSeconds(10))) {
-      assertThatThrownBy(() -> proxy.command(Duration.ofSeconds(10)))
+    try (CommandLease near = driver().acquireCommandLease(Duration.ofSeconds(10))) {
+      assertThatThrownBy(() -> proxy.acquireCommandLease(Duration.ofSeconds(10)))
           .hasMessageContaining("is commanded by a module in its own virtual machine");
-      proxy.obey(near.key(), new Velocity(0.2, 0));
+      proxy.execute(near.key(), new Velocity(0.2, 0));
     }
     assertThat(driver().told).containsExactly("turn 0.1 0.0", "halt", "turn 0.2 0.0", "halt");
   }
@@ -187,35 +187,35 @@ class EffectorRemoteProxyContractTest extends EffectorContract {
     protected void onClose() {}
 
     @Override
-    protected java.util.List<? extends org.dfra.persona.Attributes> traits() {
+    protected java.util.List<? extends org.dfra.persona.Attributes> deviceAttributes() {
       return java.util.List.of();
     }
 
     @Override
-    public CommandLease command(Duration duration) {
+    public CommandLease acquireCommandLease(Duration duration) {
       throw new UnsupportedOperationException();
     }
 
     @Override
-    public void obey(CommandKey key, DriveCommand command) {}
+    public void execute(CommandKey key, DriveCommand command) {}
 
     @Override
-    public StopState emergencyStop(@Nullable String by) {
-      return StopState.NEVER;
+    public EmergencyStopState emergencyStop(@Nullable String by) {
+      return EmergencyStopState.NEVER;
     }
 
     @Override
-    public StopState releaseStop(@Nullable String by) {
-      return StopState.NEVER;
+    public EmergencyStopState releaseEmergencyStop(@Nullable String by) {
+      return EmergencyStopState.NEVER;
     }
 
     @Override
-    public StopState stopState() {
-      return StopState.NEVER;
+    public EmergencyStopState emergencyStopState() {
+      return EmergencyStopState.NEVER;
     }
 
     @Override
-    public DriveState drive() throws RemoteException {
+    public DriveState driveState() throws RemoteException {
       throw new UnsupportedOperationException();
     }
   }

@@ -14,20 +14,20 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.dfra.core.config.Parameters;
 import org.dfra.event.DeliveryPolicy;
-import org.dfra.event.DeliveryPolicy.Kind;
-import org.dfra.event.ModuleEvent.IncidentNoted;
+import org.dfra.event.DeliveryPolicy.EventKind;
+import org.dfra.event.ModuleEvent.IncidentRecorded;
 import org.dfra.event.Subscription;
 import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandLease;
+import org.dfra.flow.effector.CommandRefusedByEmergencyStopException;
 import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.effector.DriveEffector;
-import org.dfra.flow.effector.StopState;
-import org.dfra.flow.effector.StoppedCommandException;
-import org.dfra.flow.effector.StoppedLeaseException;
+import org.dfra.flow.effector.EmergencyStopState;
+import org.dfra.flow.effector.LeaseRefusedByEmergencyStopException;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.Incident;
-import org.dfra.persona.StopAttributes;
+import org.dfra.persona.EmergencyStopAttributes;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -59,23 +59,23 @@ abstract class EmergencyStopContract {
   abstract String commander();
 
   /** Stops it, and waits for what a busy machine may not get done in half a second. */
-  private StopState stop(String by) throws Exception {
+  private EmergencyStopState stop(String by) throws Exception {
     assertThat(effector().emergencyStop(by).latched()).isTrue();
-    await().atMost(PATIENCE).until(() -> effector().stopState().resting());
-    return effector().stopState();
+    await().atMost(PATIENCE).until(() -> effector().emergencyStopState().haltCommanded());
+    return effector().emergencyStopState();
   }
 
   @Test
   void whoeverStopsItHaltsTheWheelsAndItsCommanderHasLostThem() throws Exception {
-    CommandLease lease = effector().command(LEASE);
-    effector().obey(lease.key(), AHEAD);
-    StopState stopped = stop("ops");
+    CommandLease lease = effector().acquireCommandLease(LEASE);
+    effector().execute(lease.key(), AHEAD);
+    EmergencyStopState stopped = stop("ops");
     assertThat(driver().told).containsExactly(TURNED, "halt");
-    assertThat(stopped.by()).isEqualTo("ops");
+    assertThat(stopped.requester()).isEqualTo("ops");
     assertThat(stopped.since()).isBeforeOrEqualTo(java.time.Instant.now());
     assertThat(stopped.age()).as("how long ago, by time that nobody sets").isNotNull();
     assertThat(stopped.fault()).isNull();
-    assertThat(effector().drive().commander()).isNull();
+    assertThat(effector().driveState().commander()).isNull();
     assertThat(driver().leases().leases()).isEmpty();
     await().atMost(PATIENCE).until(() -> !lease.isLive());
     String sentence =
@@ -84,22 +84,22 @@ abstract class EmergencyStopContract {
             + stopped.since()
             + ", by ops, and obeys nobody; when it is safe, release it: ./dfra stop --release"
             + " atrv1";
-    assertThatThrownBy(() -> effector().obey(lease.key(), AHEAD))
-        .isInstanceOf(StoppedCommandException.class)
+    assertThatThrownBy(() -> effector().execute(lease.key(), AHEAD))
+        .isInstanceOf(CommandRefusedByEmergencyStopException.class)
         .hasMessage(sentence);
-    assertThatThrownBy(() -> effector().command(LEASE))
-        .isInstanceOf(StoppedLeaseException.class)
+    assertThatThrownBy(() -> effector().acquireCommandLease(LEASE))
+        .isInstanceOf(LeaseRefusedByEmergencyStopException.class)
         .hasMessage(sentence);
     assertThat(driver().told).containsExactly(TURNED, "halt");
   }
 
   @Test
   void whoCommandedItIsToldOfTheStopAlsoAfterItsRelease() throws Exception {
-    CommandLease lease = effector().command(LEASE);
+    CommandLease lease = effector().acquireCommandLease(LEASE);
     stop("ops");
-    effector().releaseStop("the chief");
-    assertThatThrownBy(() -> effector().obey(lease.key(), AHEAD))
-        .isInstanceOf(StoppedCommandException.class)
+    effector().releaseEmergencyStop("the chief");
+    assertThatThrownBy(() -> effector().execute(lease.key(), AHEAD))
+        .isInstanceOf(CommandRefusedByEmergencyStopException.class)
         .hasMessage(
             PATH
                 + " was stopped for an emergency while this key commanded it, and was released"
@@ -109,18 +109,20 @@ abstract class EmergencyStopContract {
 
   @Test
   void staysStoppedUntilItIsReleasedAndDoesNotMoveByThat() throws Exception {
-    assertThat(effector().stopState()).isEqualTo(StopState.NEVER);
-    assertThat(effector().releaseStop("ops")).as("nothing to release").isEqualTo(StopState.NEVER);
-    StopState first = stop("ops");
+    assertThat(effector().emergencyStopState()).isEqualTo(EmergencyStopState.NEVER);
+    assertThat(effector().releaseEmergencyStop("ops"))
+        .as("nothing to release")
+        .isEqualTo(EmergencyStopState.NEVER);
+    EmergencyStopState first = stop("ops");
     assertThat(stop("another")).as("who was first is kept").isEqualTo(first);
     driver().told.clear();
-    StopState released = effector().releaseStop("the chief");
+    EmergencyStopState released = effector().releaseEmergencyStop("the chief");
     assertThat(released.latched()).isFalse();
-    assertThat(released.by()).isEqualTo("the chief");
-    assertThat(effector().stopState()).isEqualTo(released);
+    assertThat(released.requester()).isEqualTo("the chief");
+    assertThat(effector().emergencyStopState()).isEqualTo(released);
     assertThat(driver().told).isEmpty();
-    try (CommandLease lease = effector().command(LEASE)) {
-      effector().obey(lease.key(), AHEAD);
+    try (CommandLease lease = effector().acquireCommandLease(LEASE)) {
+      effector().execute(lease.key(), AHEAD);
       assertThat(driver().told).containsExactly(TURNED);
     }
   }
@@ -139,14 +141,14 @@ abstract class EmergencyStopContract {
             new Name(longerThanAnyRequest, "x".repeat(120) + "…"));
     for (Name name : names) {
       driver().told.clear();
-      StopState stopped = effector().emergencyStop(name.given());
+      EmergencyStopState stopped = effector().emergencyStop(name.given());
       assertThat(stopped.latched()).as(name.kept()).isTrue();
-      assertThat(stopped.by()).isEqualTo(name.kept());
-      await().atMost(PATIENCE).until(() -> effector().stopState().resting());
+      assertThat(stopped.requester()).isEqualTo(name.kept());
+      await().atMost(PATIENCE).until(() -> effector().emergencyStopState().haltCommanded());
       assertThat(driver().told).as(name.kept()).containsExactly("halt");
-      StopState released = effector().releaseStop(name.given());
+      EmergencyStopState released = effector().releaseEmergencyStop(name.given());
       assertThat(released.latched()).as(name.kept()).isFalse();
-      assertThat(released.by()).isEqualTo(name.kept());
+      assertThat(released.requester()).isEqualTo(name.kept());
     }
   }
 
@@ -155,7 +157,7 @@ abstract class EmergencyStopContract {
     driver().lose();
     assertThat(stop("ops").latched()).isTrue();
     assertThat(driver().told).containsExactly("halt");
-    assertThatThrownBy(() -> effector().command(LEASE))
+    assertThatThrownBy(() -> effector().acquireCommandLease(LEASE))
         .isInstanceOf(LeaseRefusedException.class)
         .hasMessageContaining("is stopped for an emergency");
   }
@@ -167,21 +169,22 @@ abstract class EmergencyStopContract {
         effector()
             .subscribe(
                 delivery -> {
-                  if (delivery.event() instanceof IncidentNoted noted) {
+                  if (delivery.event() instanceof IncidentRecorded noted) {
                     heard.add(noted.incident());
                   }
                 },
-                DeliveryPolicy.keepLast(100).only(Kind.INCIDENT))) {
-      StopState stopped = stop("ops");
-      assertThat(driver().attributes()).contains(new StopAttributes(true, "ops", stopped.since()));
-      effector().releaseStop("the chief");
+                DeliveryPolicy.keepLast(100).withKinds(EventKind.INCIDENT))) {
+      EmergencyStopState stopped = stop("ops");
+      assertThat(driver().attributes())
+          .contains(new EmergencyStopAttributes(true, "ops", stopped.since()));
+      effector().releaseEmergencyStop("the chief");
       await().atMost(PATIENCE).until(() -> heard.size() >= 2);
     }
     assertThat(heard)
         .extracting(Incident::kind)
         .containsExactly(Incident.Kind.EMERGENCY_STOP, Incident.Kind.RELEASE);
     assertThat(heard)
-        .extracting(Incident::what)
+        .extracting(Incident::description)
         .containsExactly(
             "it was stopped for an emergency, by ops",
             "it was released from its emergency stop, by the chief");
@@ -190,23 +193,24 @@ abstract class EmergencyStopContract {
 
   @Test
   void getsThroughWhileACommandIsHeldUpInTheDriver() throws Exception {
-    CommandLease lease = effector().command(LEASE);
+    CommandLease lease = effector().acquireCommandLease(LEASE);
     CountDownLatch holder = new CountDownLatch(1);
     driver().turnHeldUp = holder;
     CompletableFuture<Void> heldUp = CompletableFuture.runAsync(() -> commandOn(lease.key()));
     try {
       await().atMost(PATIENCE).until(() -> !driver().told.isEmpty());
-      StopState stopped = effector().emergencyStop("ops");
+      EmergencyStopState stopped = effector().emergencyStop("ops");
       assertThat(stopped.latched()).isTrue();
-      assertThat(stopped.resting()).isFalse();
+      assertThat(stopped.haltCommanded()).isFalse();
       assertThat(stopped.fault()).startsWith("its driver is held up");
       await().atMost(PATIENCE).until(() -> driver().told.contains("halt"));
-      assertThatThrownBy(() -> effector().command(LEASE)).isInstanceOf(LeaseRefusedException.class);
+      assertThatThrownBy(() -> effector().acquireCommandLease(LEASE))
+          .isInstanceOf(LeaseRefusedException.class);
     } finally {
       holder.countDown();
     }
     heldUp.get(20, TimeUnit.SECONDS);
-    await().atMost(PATIENCE).until(() -> effector().stopState().resting());
+    await().atMost(PATIENCE).until(() -> effector().emergencyStopState().haltCommanded());
     assertThat(driver().told).startsWith("turn 0.9 0.0", "halt", "halt");
     assertThat(driver().told.subList(1, driver().told.size()))
         .as("a command that returns too late is halted for that as well")
@@ -217,7 +221,7 @@ abstract class EmergencyStopContract {
   void commandOn(CommandKey key) {
     try {
       while (true) {
-        effector().obey(key, new Velocity(0.9, 0));
+        effector().execute(key, new Velocity(0.9, 0));
       }
     } catch (CommandRefusedException e) {
       // its time is over

@@ -22,7 +22,7 @@ final class HeldScheduler implements Scheduler {
   }
 
   @Override
-  public Task after(long nanos, Runnable task) {
+  public ScheduledTask after(long nanos, Runnable task) {
     if (nanos > SOON_NANOS) {
       return real.after(nanos, task);
     }

@@ -12,16 +12,16 @@ import java.util.Set;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
-import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.DeliveryPolicy.EventKind;
 import org.dfra.event.ModuleEvent;
 import org.dfra.event.Subscription;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.ModuleLease;
 import org.dfra.module.Diagnosis;
-import org.dfra.module.History;
 import org.dfra.module.Incident;
 import org.dfra.module.LogLevel;
+import org.dfra.module.ModuleHistory;
 import org.dfra.module.Parameter;
 import org.dfra.module.Readiness;
 import org.junit.jupiter.api.Test;
@@ -44,9 +44,11 @@ abstract class ModuleContract {
   /** Its driver, which the test plays. */
   abstract ScriptedGps driver();
 
-  private static final DeliveryPolicy READINGS = DeliveryPolicy.keepLast(100).only(Kind.READING);
+  private static final DeliveryPolicy READINGS =
+      DeliveryPolicy.keepLast(100).withKinds(EventKind.READING);
   private static final DeliveryPolicy OTHERS =
-      DeliveryPolicy.keepLast(100).only(Kind.READINESS, Kind.PARAMETER, Kind.INCIDENT);
+      DeliveryPolicy.keepLast(100)
+          .withKinds(EventKind.READINESS, EventKind.PARAMETER, EventKind.INCIDENT);
 
   @Test
   void saysWhoItIsAndServes() throws Exception {
@@ -86,12 +88,12 @@ abstract class ModuleContract {
           .extracting(Delivery::event)
           .containsExactly(
               new ModuleEvent.ReadinessChanged(Readiness.READY, Readiness.INITIALIZING),
-              new ModuleEvent.IncidentNoted(last(module().history())),
+              new ModuleEvent.IncidentRecorded(last(module().history())),
               new ModuleEvent.ParameterChanged("rate", "5"));
     }
   }
 
-  private static Incident last(History history) {
+  private static Incident last(ModuleHistory history) {
     return history.recent().get(history.recent().size() - 1);
   }
 
@@ -102,7 +104,7 @@ abstract class ModuleContract {
     try (Subscription subscription =
         module()
             .subscribe(
-                ear, new DeliveryPolicy(Set.of(Kind.READING), 3, Double.POSITIVE_INFINITY))) {
+                ear, new DeliveryPolicy(Set.of(EventKind.READING), 3, Double.POSITIVE_INFINITY))) {
       driver().solve(0);
       ear.await(1);
       for (int i = 1; i <= 20; i++) {
@@ -123,7 +125,7 @@ abstract class ModuleContract {
     Ear ear = new Ear();
     long began = System.nanoTime();
     try (Subscription subscription =
-        module().subscribe(ear, new DeliveryPolicy(Set.of(Kind.READING), 1, 20))) {
+        module().subscribe(ear, new DeliveryPolicy(Set.of(EventKind.READING), 1, 20))) {
       for (int i = 0; i < 100; i++) {
         driver().solve(i * 0.5);
       }
@@ -178,10 +180,10 @@ abstract class ModuleContract {
   @Test
   void isActiveWhileItHasClients() throws Exception {
     Instant asked = Instant.now();
-    ModuleLease first = module().use(Duration.ofSeconds(30));
+    ModuleLease first = module().acquireLease(Duration.ofSeconds(30));
     assertThat(first.expiration())
         .isBetween(asked.plusSeconds(28), Instant.now().plusSeconds(32)); // 30, within 2
-    ModuleLease second = module().use(Duration.ofSeconds(20));
+    ModuleLease second = module().acquireLease(Duration.ofSeconds(20));
     assertThat(first.isLive()).isTrue();
     assertThat(module().readiness()).isEqualTo(Readiness.ACTIVE);
     assertThat(driver().clients).isEqualTo(2);
@@ -205,7 +207,7 @@ abstract class ModuleContract {
         "PT-1S | lease -1 s is not above 0; ask for 30 s or less"
       })
   void refusesALeaseItDoesNotGrant(Duration asked, String sentence) {
-    assertThatThrownBy(() -> module().use(asked))
+    assertThatThrownBy(() -> module().acquireLease(asked))
         .isInstanceOf(LeaseRefusedException.class)
         .hasMessage(PATH + ": " + sentence);
     assertThat(driver().leases().clients()).isZero();
@@ -216,11 +218,11 @@ abstract class ModuleContract {
     driver().lose();
     driver().find();
     driver().stumble();
-    History history = module().history();
+    ModuleHistory history = module().history();
     assertThat(history.activations()).isEqualTo(1);
     assertThat(history.failures()).isEqualTo(1);
     assertThat(history.exceptions()).isEqualTo(1);
-    assertThat(history.served()).isPositive();
+    assertThat(history.servingTime()).isPositive();
     assertThat(history.meanTimeBetweenFailures()).isPresent();
     assertThat(history.recent())
         .extracting(Incident::kind)
@@ -229,7 +231,7 @@ abstract class ModuleContract {
             Incident.Kind.FAILURE,
             Incident.Kind.RECOVERY,
             Incident.Kind.EXCEPTION);
-    assertThat(history.recent().get(1).what()).isEqualTo("its cable was cut");
+    assertThat(history.recent().get(1).description()).isEqualTo("its cable was cut");
   }
 
   @Test
@@ -271,7 +273,7 @@ abstract class ModuleContract {
     Diagnosis slow = module().test("slow");
     assertThat(slow.passed()).isFalse();
     assertThat(slow.finding()).isEqualTo("it was slow");
-    assertThat(slow.took()).isGreaterThan(Duration.ofSeconds(2));
+    assertThat(slow.duration()).isGreaterThan(Duration.ofSeconds(2));
     assertThat(module().test("broken").finding())
         .isEqualTo("it could not be done: java.lang.IllegalStateException: no such wire");
   }

@@ -2,11 +2,11 @@ package org.dfra.river.contract;
 
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
-import org.dfra.core.log.LogLevels;
+import org.dfra.core.log.LogLevelControl;
 import org.dfra.module.LogLevel;
 
 /** Levels of loggers that do not log. */
-public final class RememberedLevels implements LogLevels {
+public final class RememberedLevels implements LogLevelControl {
 
   private static final Map<String, LogLevel> LEVELS = new ConcurrentHashMap<>();
 

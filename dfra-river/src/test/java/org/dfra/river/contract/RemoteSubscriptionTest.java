@@ -19,14 +19,14 @@ import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Subscription;
-import org.dfra.lease.Holder;
+import org.dfra.lease.LeaseRole;
 import org.dfra.lease.LeaseStatus;
 import org.dfra.lease.ModuleLease;
 import org.dfra.module.Incident;
 import org.dfra.module.Readiness;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
-import org.dfra.river.proxy.LeaseReturns;
+import org.dfra.river.proxy.PendingLeaseCancellations;
 import org.dfra.river.proxy.sensor.GPSProxy;
 import org.dfra.river.remote.ModuleAdmin;
 import org.dfra.river.remote.RemoteModuleListener;
@@ -69,7 +69,7 @@ class RemoteSubscriptionTest {
     Ear ear = new Ear();
     try (StallProbe probe = StallProbe.start();
         Subscription subscription = proxy.subscribe(ear, DeliveryPolicy.latestReading());
-        ModuleLease lease = proxy.use(Duration.ofSeconds(30))) {
+        ModuleLease lease = proxy.acquireLease(Duration.ofSeconds(30))) {
       gps().solve(1);
       ear.await(1);
 
@@ -116,7 +116,7 @@ class RemoteSubscriptionTest {
     try (StallProbe probe = StallProbe.start()) {
       // What a client's proxy would renew, nobody renews.
       Subscription unused = remote.subscribe(stub, DeliveryPolicy.latestReading());
-      ModuleLease unrenewed = remote.use(Duration.ofSeconds(3));
+      ModuleLease unrenewed = remote.acquireLease(Duration.ofSeconds(3));
       StallProbe.Stopwatch granted = probe.stopwatch();
       assertThat(gps().leases().clients()).isEqualTo(2);
       assertThat(gps().events().entries()).hasSize(1);
@@ -140,14 +140,14 @@ class RemoteSubscriptionTest {
     ModuleAdmin admin = (ModuleAdmin) proxy.getAdmin();
     Ear ear = new Ear();
     try (Subscription subscription = proxy.subscribe(ear, DeliveryPolicy.latestReading());
-        ModuleLease lease = proxy.use(Duration.ofSeconds(30))) {
+        ModuleLease lease = proxy.acquireLease(Duration.ofSeconds(30))) {
       gps().solve(1);
       ear.await(1);
       assertThat(admin.leases())
           .hasSize(2)
           .allSatisfy(
               each -> {
-                assertThat(each.holder()).isEqualTo(Holder.CLIENT);
+                assertThat(each.role()).isEqualTo(LeaseRole.CLIENT);
                 assertThat(each.host()).isEqualTo("127.0.0.1");
                 assertThat(each.remaining()).isBetween(Duration.ZERO, Duration.ofSeconds(30));
               });
@@ -170,11 +170,11 @@ class RemoteSubscriptionTest {
     server.set(Served.serve(UUID.randomUUID(), null, null));
     GPSProxy proxy = proxy();
     Subscription subscription = proxy.subscribe(new Ear(), DeliveryPolicy.latestReading());
-    ModuleLease lease = proxy.use(Duration.ofSeconds(30));
+    ModuleLease lease = proxy.acquireLease(Duration.ofSeconds(30));
     assertThat(gps().leases().clients()).isEqualTo(2);
     subscription.close();
     lease.close();
-    assertThat(LeaseReturns.await(PATIENCE)).isTrue();
+    assertThat(PendingLeaseCancellations.await(PATIENCE)).isTrue();
     assertThat(gps().leases().clients()).isZero();
     assertThat(subscription.isOpen()).isFalse();
   }

@@ -56,7 +56,7 @@ public final class ScriptedDrive extends DriveImpl {
 
   @Override
   protected void onStart() {
-    become(Readiness.READY);
+    transitionTo(Readiness.READY);
   }
 
   @Override
@@ -65,8 +65,8 @@ public final class ScriptedDrive extends DriveImpl {
   }
 
   @Override
-  protected void turn(Velocity wanted) {
-    told.add("turn " + wanted.speed() + " " + wanted.turnRate());
+  protected void setVelocity(Velocity wanted) {
+    told.add("turn " + wanted.speed() + " " + wanted.yawRate());
     CountDownLatch holder = turnHeldUp;
     try {
       if (holder != null) {
@@ -93,7 +93,7 @@ public final class ScriptedDrive extends DriveImpl {
   }
 
   void lose() {
-    become(Readiness.INITIALIZING, "its cable was cut");
-    forgotten(false);
+    transitionTo(Readiness.INITIALIZING, "its cable was cut");
+    deviceReset(false);
   }
 }

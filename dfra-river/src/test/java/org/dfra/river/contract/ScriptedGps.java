@@ -6,9 +6,9 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
-import org.dfra.core.module.Examinations.Finding;
+import org.dfra.core.module.Diagnostics.DiagnosticFinding;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.core.module.ParameterTable.Range;
+import org.dfra.core.module.ParameterTable.NumberRange;
 import org.dfra.core.module.SensorImpl;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.flow.sensor.GpsFix;
@@ -35,32 +35,37 @@ public final class ScriptedGps extends SensorImpl implements GPSSensor {
         "1",
         List.of("GpsFix"),
         List.of(new Precondition("temperature", -40, 85, "°C")));
-    declared()
-        .number("rate", "between positions", Range.whole(1, 255, "s"), () -> rate, r -> rate = r);
-    declared().show("serial", "its serial number", () -> "42");
-    examinations().test("quick", () -> new Finding(true, "it is quick"));
-    examinations()
-        .test(
+    parameterTable()
+        .declareNumber(
+            "rate",
+            "between positions",
+            NumberRange.isInteger(1, 255, "s"),
+            () -> rate,
+            r -> rate = r);
+    parameterTable().declareReadOnly("serial", "its serial number", () -> "42");
+    diagnostics().addTest("quick", () -> new DiagnosticFinding(true, "it is quick"));
+    diagnostics()
+        .addTest(
             "slow",
             () -> {
               // longer than any call may last, which is what is tested
               LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(2500));
-              return new Finding(false, "it was slow");
+              return new DiagnosticFinding(false, "it was slow");
             });
-    examinations()
-        .test(
+    diagnostics()
+        .addTest(
             "broken",
             () -> {
               throw new IllegalStateException("no such wire");
             });
-    examinations()
-        .recovery(
+    diagnostics()
+        .addRecovery(
             "kick",
             () -> {
-              become(Readiness.FAILED, "it was kicked");
-              become(Readiness.INITIALIZING);
-              become(Readiness.READY);
-              return new Finding(true, "it runs again");
+              transitionTo(Readiness.FAILED, "it was kicked");
+              transitionTo(Readiness.INITIALIZING);
+              transitionTo(Readiness.READY);
+              return new DiagnosticFinding(true, "it runs again");
             });
     LAST.put(context.path(), this);
   }
@@ -72,33 +77,33 @@ public final class ScriptedGps extends SensorImpl implements GPSSensor {
 
   @Override
   protected void onStart() {
-    become(Readiness.READY);
+    transitionTo(Readiness.READY);
   }
 
   @Override
   protected void onClose() {}
 
   @Override
-  protected void onClients(int number) {
+  protected void onClientCount(int number) {
     clients = number;
   }
 
   /** A satellite solution comes in. */
   void solve(double latitude) {
     position = new GeoPosition(latitude, 7, 50);
-    tell(fix());
+    publish(fix());
   }
 
   void lose() {
-    become(Readiness.INITIALIZING, "its cable was cut");
+    transitionTo(Readiness.INITIALIZING, "its cable was cut");
   }
 
   void find() {
-    become(Readiness.READY);
+    transitionTo(Readiness.READY);
   }
 
   void stumble() {
-    survived(new IllegalStateException("garbage on the line"));
+    recordException(new IllegalStateException("garbage on the line"));
   }
 
   @Override

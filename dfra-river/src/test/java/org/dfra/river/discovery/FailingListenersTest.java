@@ -85,7 +85,7 @@ class FailingListenersTest {
                 Map.of(MulticastSettings.COMPONENT + ".multicastInterfaces", () -> none)));
     BlockingQueue<MulticastSocket> working = new LinkedBlockingQueue<>();
     BlockingQueue<byte[]> received = new LinkedBlockingQueue<>();
-    AnnouncementListener.Opening opening =
+    AnnouncementListener.SocketOpener opening =
         () -> {
           int number = opened.incrementAndGet();
           if (number == 1) {
@@ -121,7 +121,7 @@ class FailingListenersTest {
     BlockingQueue<Integer> ports = new LinkedBlockingQueue<>();
     BlockingQueue<Integer> responses = new LinkedBlockingQueue<>();
     AtomicInteger responded = new AtomicInteger();
-    ResponseListener.Opening opening =
+    ResponseListener.ServerSocketOpener opening =
         port -> {
           if (opened.incrementAndGet() == 1) {
             ServerSocket cut = new CutServerSocket();
@@ -160,7 +160,7 @@ class FailingListenersTest {
   void responsesAreReceivedAtAnotherPortWhereThatIsTaken() throws Exception {
     BlockingQueue<ServerSocket> working = new LinkedBlockingQueue<>();
     BlockingQueue<String> responses = new LinkedBlockingQueue<>();
-    ResponseListener.Opening opening =
+    ResponseListener.ServerSocketOpener opening =
         port -> {
           if (opened.incrementAndGet() == 1) {
             return new CutServerSocket();
@@ -207,7 +207,7 @@ class FailingListenersTest {
       }
       threads.checks().execute(() -> begun.add("answers"));
       assertThat(next(begun)).isEqualTo("answers");
-      assertThat(threads.checks().getMaximumPoolSize()).isEqualTo(AnnouncedHosts.PROBES);
+      assertThat(threads.checks().getMaximumPoolSize()).isEqualTo(DiscoveryCandidates.PROBES);
     } finally {
       threads.end();
     }

@@ -131,7 +131,7 @@ class MulticastSearchTest {
     for (int i = 0; i < 10; i++) {
       announce(server, HONEST.getServiceID(), GROUP);
     }
-    assertThat(search.holds(HONEST.getServiceID())).isTrue();
+    assertThat(search.isDiscovered(HONEST.getServiceID())).isTrue();
     assertThat(server.asked()).isEqualTo(1);
     assertThat(events).isEmpty();
   }
@@ -146,7 +146,7 @@ class MulticastSearchTest {
     announce(server, HONEST.getServiceID(), GROUP);
     assertThat(event()).isEqualTo("found " + HONEST.getServiceID());
     assertThat(other.asked()).isZero();
-    assertThat(search.holds(new ServiceID(0, 9))).isFalse();
+    assertThat(search.isDiscovered(new ServiceID(0, 9))).isFalse();
   }
 
   @Test
@@ -171,7 +171,7 @@ class MulticastSearchTest {
       announce(server, HONEST.getServiceID(), GROUP);
       assertThat(event()).isEqualTo("found " + HONEST.getServiceID());
       assertThat(Duration.ofNanos(System.nanoTime() - began)).isLessThan(Duration.ofSeconds(5));
-      assertThat(stalling.asked()).isLessThanOrEqualTo(AnnouncedHosts.PROBES);
+      assertThat(stalling.asked()).isLessThanOrEqualTo(DiscoveryCandidates.PROBES);
     } finally {
       over.countDown();
     }
@@ -183,7 +183,7 @@ class MulticastSearchTest {
     announce(server, HONEST.getServiceID(), GROUP);
     assertThat(event()).startsWith("found");
     search.discard(last);
-    assertThat(search.holds(HONEST.getServiceID())).isFalse();
+    assertThat(search.isDiscovered(HONEST.getServiceID())).isFalse();
     assertThat(event()).isEqualTo("found " + HONEST.getServiceID());
     assertThat(server.asked()).isEqualTo(2);
   }
@@ -199,10 +199,10 @@ class MulticastSearchTest {
     LocatedRegistrar first = last;
     announce(server, HONEST.getServiceID(), GROUP);
     assertThat(event()).isEqualTo("found " + HONEST.getServiceID());
-    assertThat(last.place()).isEqualTo(server.host() + ":" + server.port());
-    assertThat(search.holds(last)).isTrue();
+    assertThat(last.hostAndPort()).isEqualTo(server.host() + ":" + server.port());
+    assertThat(search.isDiscovered(last)).isTrue();
     search.discard(first);
-    assertThat(search.holds(last)).as("after the stranger's is discarded").isTrue();
+    assertThat(search.isDiscovered(last)).as("after the stranger's is discarded").isTrue();
   }
 
   @Test
@@ -233,7 +233,7 @@ class MulticastSearchTest {
         .as("it is found already")
         .isTrue();
     assertThat(found.isRoomFor(HONEST.at("127.0.0.1", 1))).isTrue();
-    for (int i = found.all().size(); i < FoundRegistrars.MOST; i++) {
+    for (int i = found.all().size(); i < FoundRegistrars.MAX_REGISTRARS; i++) {
       LocatedRegistrar each = new FakeRegistrar(7, "more " + i).at("127.0.1." + i, 1);
       assertThat(found.add(new FoundRegistrar(each, "127.0.1." + i, List.of(), 0))).isTrue();
     }

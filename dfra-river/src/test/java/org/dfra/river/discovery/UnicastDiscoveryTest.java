@@ -22,7 +22,7 @@ import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import net.jini.core.lookup.ServiceRegistrar;
-import org.dfra.river.discovery.UnicastDiscovery.Answer;
+import org.dfra.river.discovery.UnicastDiscovery.DiscoveryResponse;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -38,7 +38,7 @@ class UnicastDiscoveryTest {
 
   @Test
   void findsALookupServiceAndItsGroups() throws Exception {
-    Answer answer = ask(AnsweringServer.answer(HONEST, List.of("field", "yard")));
+    DiscoveryResponse answer = ask(AnsweringServer.answer(HONEST, List.of("field", "yard")));
     assertThat(answer.registrar().getServiceID()).isEqualTo(HONEST.getServiceID());
     assertThat(answer.groups()).containsExactly("field", "yard");
   }
@@ -118,7 +118,7 @@ class UnicastDiscoveryTest {
                 out.write(chunk);
               }
             })) {
-      assertThatThrownBy(() -> UnicastDiscovery.ask(server.host(), server.port(), PATIENCE))
+      assertThatThrownBy(() -> UnicastDiscovery.discover(server.host(), server.port(), PATIENCE))
           .isInstanceOf(IOException.class)
           .hasMessageContaining("bytes allowed");
     }
@@ -140,7 +140,7 @@ class UnicastDiscoveryTest {
         AnsweringServer slow = new AnsweringServer(out -> drip(whole, out))) {
       for (AnsweringServer server : List.of(silent, slow)) {
         long began = System.nanoTime();
-        assertThatThrownBy(() -> UnicastDiscovery.ask(server.host(), server.port(), BRIEF))
+        assertThatThrownBy(() -> UnicastDiscovery.discover(server.host(), server.port(), BRIEF))
             .isInstanceOf(IOException.class);
         assertThat(Duration.ofNanos(System.nanoTime() - began)).isLessThan(Duration.ofSeconds(10));
       }
@@ -153,13 +153,13 @@ class UnicastDiscoveryTest {
   void reportsThatNobodyListens() throws Exception {
     AnsweringServer server = new AnsweringServer(out -> {});
     server.close();
-    assertThatThrownBy(() -> UnicastDiscovery.ask(server.host(), server.port(), PATIENCE))
+    assertThatThrownBy(() -> UnicastDiscovery.discover(server.host(), server.port(), PATIENCE))
         .isInstanceOf(ConnectException.class);
   }
 
-  private static Answer ask(byte[] answer) throws Exception {
+  private static DiscoveryResponse ask(byte[] answer) throws Exception {
     try (AnsweringServer server = new AnsweringServer(out -> out.write(answer))) {
-      return UnicastDiscovery.ask(server.host(), server.port(), PATIENCE);
+      return UnicastDiscovery.discover(server.host(), server.port(), PATIENCE);
     }
   }
 

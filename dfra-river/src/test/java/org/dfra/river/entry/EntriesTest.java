@@ -97,12 +97,13 @@ class EntriesTest {
   @ParameterizedTest
   @MethodSource("sets")
   void whatGoesOutComesBack(List<Attributes> records) {
-    assertThat(Entries.records(Entries.of(records))).containsExactlyInAnyOrderElementsOf(records);
+    assertThat(Entries.toAttributes(Entries.toEntries(records)))
+        .containsExactlyInAnyOrderElementsOf(records);
   }
 
   @Test
   void aSensorsRecordsShareOneEntryThatAlsoMatchesTemplatesForModules() {
-    Entry[] entries = Entries.of(List.of(CHAIN, SENSOR, MODULE, GPS));
+    Entry[] entries = Entries.toEntries(List.of(CHAIN, SENSOR, MODULE, GPS));
     assertThat(entries).hasSize(2);
     assertThat(entries[0]).isInstanceOf(SensorEntry.class).isInstanceOf(ModuleEntry.class);
     assertThat(((SensorEntry) entries[0]).name).isEqualTo("gps_front");
@@ -113,8 +114,8 @@ class EntriesTest {
   @ParameterizedTest
   @MethodSource("sets")
   void equalRecordsHaveEqualBytesFieldByField(List<Attributes> records) throws Exception {
-    Entry[] one = Entries.of(records);
-    Entry[] other = Entries.of(Entries.records(one));
+    Entry[] one = Entries.toEntries(records);
+    Entry[] other = Entries.toEntries(Entries.toAttributes(one));
     for (int i = 0; i < one.length; i++) {
       for (Field field : one[i].getClass().getFields()) {
         if (!Modifier.isStatic(field.getModifiers())) {
@@ -153,7 +154,7 @@ class EntriesTest {
     RecordEntry notAttributes = new RecordEntry();
     notAttributes.type = "java.lang.Runtime";
     notAttributes.values = List.of();
-    RecordEntry damaged = (RecordEntry) Entries.of(List.of(LASER))[0];
+    RecordEntry damaged = (RecordEntry) Entries.toEntries(List.of(LASER))[0];
     damaged.values = List.of("beams=many");
     SensorEntry half = new SensorEntry();
     half.robot = "atrv1";
@@ -161,8 +162,8 @@ class EntriesTest {
     Entry[] entries = {
       new Name("x"), null, strange, notAttributes, damaged, half, new RecordEntry(), new GPSEntry()
     };
-    assertThat(Entries.records(entries)).isEmpty();
-    assertThat(Entries.records(null)).isEmpty();
+    assertThat(Entries.toAttributes(entries)).isEmpty();
+    assertThat(Entries.toAttributes(null)).isEmpty();
   }
 
   /** To compute the hash code of a stranger's lists of lists could take for ever. */
@@ -180,10 +181,10 @@ class EntriesTest {
     ChainableEntry entry = new ChainableEntry();
     entry.inputs = texts(list);
     entry.outputs = new ArrayList<>();
-    assertThat(Entries.records(new Entry[] {entry})).isEmpty();
+    assertThat(Entries.toAttributes(new Entry[] {entry})).isEmpty();
     assertThat(isHashed).isFalse();
     entry.inputs = texts("a");
-    assertThat(Entries.records(new Entry[] {entry}))
+    assertThat(Entries.toAttributes(new Entry[] {entry}))
         .containsExactly(new ChainAttributes(List.of("a"), List.of()));
   }
 
@@ -196,14 +197,14 @@ class EntriesTest {
   @Test
   void aModuleWithoutHostOrStateIsLeftOut() {
     for (String field : List.of("host", "state")) {
-      ModuleEntry entry = (ModuleEntry) Entries.of(List.of(MODULE))[0];
-      assertThat(Entries.records(new Entry[] {entry})).containsExactly(MODULE);
+      ModuleEntry entry = (ModuleEntry) Entries.toEntries(List.of(MODULE))[0];
+      assertThat(Entries.toAttributes(new Entry[] {entry})).containsExactly(MODULE);
       if (field.equals("host")) {
         entry.host = null;
       } else {
         entry.state = null;
       }
-      assertThat(Entries.records(new Entry[] {entry})).as("without %s", field).isEmpty();
+      assertThat(Entries.toAttributes(new Entry[] {entry})).as("without %s", field).isEmpty();
     }
   }
 
@@ -212,21 +213,21 @@ class EntriesTest {
     RecordEntry disguised = new RecordEntry();
     disguised.type = PersonaAttributes.class.getName();
     disguised.values = List.of("robot=atrv1", "role=scout");
-    assertThat(Entries.records(new Entry[] {disguised})).isEmpty();
+    assertThat(Entries.toAttributes(new Entry[] {disguised})).isEmpty();
   }
 
   @Test
   void aRecordOfALaterReleaseIsReadWithoutWhatIsNew() {
-    RecordEntry later = (RecordEntry) Entries.of(List.of(LASER))[0];
+    RecordEntry later = (RecordEntry) Entries.toEntries(List.of(LASER))[0];
     List<String> values = new ArrayList<>(List.of("news=yes"));
     values.addAll(later.values);
     later.values = values;
-    assertThat(Entries.records(new Entry[] {later})).containsExactly(LASER);
+    assertThat(Entries.toAttributes(new Entry[] {later})).containsExactly(LASER);
   }
 
   @Test
   void twoRecordsOfOneTypeAreRefused() {
-    assertThatThrownBy(() -> Entries.of(List.of(CHAIN, CHAIN)))
+    assertThatThrownBy(() -> Entries.toEntries(List.of(CHAIN, CHAIN)))
         .hasMessage("there are two records of type ChainAttributes; give one");
   }
 
@@ -234,10 +235,10 @@ class EntriesTest {
 
   @Test
   void aRecordThatNoEntryCanHoldIsRefused() {
-    assertThatThrownBy(() -> Entries.of(List.of(new OddAttributes(new Thread()))))
+    assertThatThrownBy(() -> Entries.toEntries(List.of(new OddAttributes(new Thread()))))
         .hasMessageStartingWith("OddAttributes.thread is a Thread; an attribute is a text");
     Attributes noRecord = new Attributes() {};
-    assertThatThrownBy(() -> Entries.of(Arrays.asList(noRecord)))
+    assertThatThrownBy(() -> Entries.toEntries(Arrays.asList(noRecord)))
         .hasMessageEndingWith("is no record; attributes are records");
   }
 }

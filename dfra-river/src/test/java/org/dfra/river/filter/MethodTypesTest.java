@@ -55,7 +55,7 @@ import org.dfra.geometry.Leg;
 import org.dfra.lease.LeaseHandle;
 import org.dfra.module.LogLevel;
 import org.dfra.river.call.DeadlineILFactory;
-import org.dfra.river.remote.RemoteExamination;
+import org.dfra.river.remote.RemoteDiagnostics;
 import org.dfra.river.remote.RemoteModule;
 import org.junit.jupiter.api.Test;
 
@@ -119,7 +119,7 @@ class MethodTypesTest {
       new HashMap<>(Map.of("c", new int[] {1})),
       new Mode[] {Mode.ON, Mode.OFF}
     };
-    assertThat(types("closed").isOpen()).isFalse();
+    assertThat(types("closed").acceptsUndeclaredTypes()).isFalse();
     assertThat(call(method("closed"), honest)).hasSize(honest.length);
     assertThat(call(method("closed"), new Square(Mode.ON))).hasSize(1);
     assertThat(call(method("wild"), List.of(new Square(Mode.OFF)))).hasSize(1);
@@ -153,7 +153,7 @@ class MethodTypesTest {
   @Test
   void parametersWithKindsUnknownTakeAllThatIsAllowed() throws Exception {
     for (String name : List.of("any", "inside", "replaced", "unfinished")) {
-      assertThat(types(name).isOpen()).as(name).isTrue();
+      assertThat(types(name).acceptsUndeclaredTypes()).as(name).isTrue();
       assertThat(call(method(name), new Other("a"), Set.of("b"))).hasSize(2);
       assertThatThrownBy(
               () -> call(method(name), new javax.management.BadAttributeValueExpException("x")))
@@ -215,10 +215,12 @@ class MethodTypesTest {
             RemoteModule.class.getMethod("use", Duration.class),
             RemoteModule.class.getMethod("awaitReadiness", Duration.class),
             RemoteModule.class.getMethod("setParameter", String.class, String.class),
-            RemoteExamination.class.getMethod(
-                "beginExamination", RemoteExamination.Sort.class, String.class));
+            RemoteDiagnostics.class.getMethod(
+                "beginExamination", RemoteDiagnostics.DiagnosticType.class, String.class));
     for (Method method : closed) {
-      assertThat(MethodTypes.of(method, CONFIGURED).isOpen()).as("%s", method).isFalse();
+      assertThat(MethodTypes.of(method, CONFIGURED).acceptsUndeclaredTypes())
+          .as("%s", method)
+          .isFalse();
     }
   }
 
@@ -236,7 +238,7 @@ class MethodTypesTest {
     List<Object> commands =
         List.of(
             new DriveCommand.Velocity(0.5, 0.1),
-            new PanTiltCommand.Point(0.1, 0.2, 0.3),
+            new PanTiltCommand.PointAt(0.1, 0.2, 0.3),
             new FlightCommand.Arm(),
             new FlightCommand.TakeOff(10));
     List<Object> goals =
@@ -252,7 +254,8 @@ class MethodTypesTest {
     samples.put(LeaseHandle.class, List.of(new LeaseHandle(UUID.randomUUID())));
     samples.put(Duration.class, List.of(Duration.ofSeconds(1)));
     samples.put(LogLevel.class, List.of(LogLevel.DEBUG));
-    samples.put(RemoteExamination.Sort.class, List.of(RemoteExamination.Sort.TEST));
+    samples.put(
+        RemoteDiagnostics.DiagnosticType.class, List.of(RemoteDiagnostics.DiagnosticType.TEST));
     samples.put(List.class, List.of(List.of("a", "b"), new ArrayList<>(List.of("a"))));
     samples.put(GeoPosition.class, List.of(place));
     samples.put(Leg.class, List.of(new Leg(place, place)));
@@ -268,7 +271,7 @@ class MethodTypesTest {
         DeliveryPolicy.class,
         List.of(
             DeliveryPolicy.latestReading(),
-            new DeliveryPolicy(EnumSet.allOf(DeliveryPolicy.Kind.class), 10, 5)));
+            new DeliveryPolicy(EnumSet.allOf(DeliveryPolicy.EventKind.class), 10, 5)));
     samples.put(
         Delivery.class,
         List.of(

@@ -94,27 +94,29 @@ class SerialFiltersTest {
       byte[] file = Payload.bytes(new byte[8 << 20]); // more than an array from the network has
       refused("large, plain", () -> plain(file).readObject());
       assertThat(SerialFilters.guardStored(plain(file)).readObject()).isNotNull();
-      assertThat(SerialFilters.<Object, Exception>readingStored(() -> plain(file).readObject()))
+      assertThat(SerialFilters.<Object, Exception>readStored(() -> plain(file).readObject()))
           .isNotNull();
       refused("large, after a scope", () -> plain(file).readObject());
       byte[] answer = Payload.bytes(new byte[80 << 10]);
       assertThat(plain(answer).readObject()).isNotNull();
       refused(
           "large, an answer to discovery",
-          () -> SerialFilters.<Object, Exception>readingAnswer(() -> plain(answer).readObject()));
+          () ->
+              SerialFilters.<Object, Exception>readDiscoveryResponse(
+                  () -> plain(answer).readObject()));
       refused(
           "large, marshalled in an answer",
           () -> {
             MarshalledInstance inner = forged(answer);
-            return SerialFilters.<Object, Exception>readingAnswer(() -> inner.get(false));
+            return SerialFilters.<Object, Exception>readDiscoveryResponse(() -> inner.get(false));
           });
       Object afterInner =
-          SerialFilters.<Object, Exception>readingStored(
+          SerialFilters.<Object, Exception>readStored(
               () -> {
                 refused(
                     "large, an answer within a file",
                     () ->
-                        SerialFilters.<Object, Exception>readingAnswer(
+                        SerialFilters.<Object, Exception>readDiscoveryResponse(
                             () -> plain(answer).readObject()));
                 return plain(file).readObject(); // the outer scope again
               });

@@ -162,7 +162,7 @@ class StreamDifferenceTest implements ObjectStreamConstants {
   @Test
   void onlySoManyClassesAreLookedForInVain() throws Exception {
     Forged forged = new Forged();
-    for (int i = 0; i <= LocalRecords.UNKNOWN; i++) {
+    for (int i = 0; i <= LocalRecordClasses.UNKNOWN; i++) {
       String name = "elsewhere.Unknown" + i;
       forged.describe(TC_OBJECT, name, 1, SC_SERIALIZABLE | SC_WRITE_METHOD, 0).described();
       forged.out.writeByte(TC_ENDBLOCKDATA);

@@ -54,7 +54,7 @@ class ClassServerTest {
             "httpmd://" + HOST + ":" + server.port() + "/a.jar;sha-256=" + Digests.sha256(JAR))
         .isEqualTo(server.codebase());
     CodebaseUrl url = CodebaseUrl.parse(server.codebase()).get(0);
-    assertThat(new JarDownload(CodeLimits.DEFAULT).fetch(url)).isEqualTo(JAR);
+    assertThat(new JarDownload(DownloadLimits.DEFAULT).fetch(url)).isEqualTo(JAR);
   }
 
   @Test

@@ -107,13 +107,13 @@ class CodeRefusalTest extends ServedJarFixture {
     assertRefused(
         new VerifiedClassProvider(
             new CodeTrust(
-                Set.of(), pinned, new CodeLimits(100, 1 << 20, 100, Duration.ofSeconds(5)))),
+                Set.of(), pinned, new DownloadLimits(100, 1 << 20, 100, Duration.ofSeconds(5)))),
         codebase,
         "the jar is longer than 100 bytes");
     assertRefused(
         new VerifiedClassProvider(
             new CodeTrust(
-                Set.of(), pinned, new CodeLimits(1 << 20, 500, 100, Duration.ofSeconds(5)))),
+                Set.of(), pinned, new DownloadLimits(1 << 20, 500, 100, Duration.ofSeconds(5)))),
         codebase,
         "it unpacks to more than 500 bytes");
   }
@@ -150,7 +150,7 @@ class CodeRefusalTest extends ServedJarFixture {
       server.start();
       String codebase =
           "httpmd://" + HOST + ":" + trickling.getLocalPort() + "/a.jar;sha-256=" + "0".repeat(64);
-      CodeLimits brief = new CodeLimits(1 << 20, 1 << 20, 100, Duration.ofMillis(300));
+      DownloadLimits brief = new DownloadLimits(1 << 20, 1 << 20, 100, Duration.ofMillis(300));
       VerifiedClassProvider provider =
           new VerifiedClassProvider(new CodeTrust(Set.of(), Set.of(digest(codebase)), brief));
       assertThatThrownBy(() -> load(provider, codebase))

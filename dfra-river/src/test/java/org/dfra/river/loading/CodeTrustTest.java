@@ -41,7 +41,7 @@ class CodeTrustTest {
     assertThat(trust.signers())
         .containsExactlyInAnyOrder(inStore.certificate(), inFolder.certificate());
     assertThat(trust.pinned()).containsExactly("ab".repeat(32));
-    assertThat(trust.limits()).isEqualTo(new CodeLimits(1000, 2000, 3, Duration.ofMillis(400)));
+    assertThat(trust.limits()).isEqualTo(new DownloadLimits(1000, 2000, 3, Duration.ofMillis(400)));
   }
 
   @Test

@@ -43,7 +43,8 @@ class HttpListenerTest {
   void listen() throws IOException {
     listener =
         new HttpListener(
-            new InetSocketAddress(LOOPBACK, 0), path -> new HttpAnswers.Answer(200, Map.of(), big));
+            new InetSocketAddress(LOOPBACK, 0),
+            path -> new HttpResponder.HttpReply(200, Map.of(), big));
   }
 
   @AfterEach

@@ -97,13 +97,13 @@ abstract class ServedJarFixture {
   /** One that trusts a codebase's digest, and nothing else. */
   static VerifiedClassProvider pinning(String codebase) {
     return new VerifiedClassProvider(
-        new CodeTrust(Set.of(), Set.of(digest(codebase)), CodeLimits.DEFAULT));
+        new CodeTrust(Set.of(), Set.of(digest(codebase)), DownloadLimits.DEFAULT));
   }
 
   /** One that trusts what a key has signed, and nothing else. */
   static VerifiedClassProvider trusting(SignerKey key) {
     return new VerifiedClassProvider(
-        new CodeTrust(Set.of(key.certificate()), Set.of(), CodeLimits.DEFAULT));
+        new CodeTrust(Set.of(key.certificate()), Set.of(), DownloadLimits.DEFAULT));
   }
 
   /** Serves the jar as it is now, until the test ends; its codebase. */

@@ -50,15 +50,16 @@ class DiscoveryTest {
 
   /** Begins, and waits until each locator was answered. */
   private void discover(String... locators) throws Exception {
-    discovery = Discovery.begin(List.of(), List.of(locators), RETRY, EmptyConfiguration.INSTANCE);
+    discovery = Discovery.start(List.of(), List.of(locators), RETRY, EmptyConfiguration.INSTANCE);
     await()
         .atMost(PATIENCE)
-        .until(() -> discovery.atLocators().values().stream().allMatch(Optional::isPresent));
+        .until(
+            () -> discovery.registrarsByLocator().values().stream().allMatch(Optional::isPresent));
   }
 
   private List<String> places() {
     return Arrays.stream(discovery.getRegistrars())
-        .map(each -> "jini://" + ((LocatedRegistrar) each).place())
+        .map(each -> "jini://" + ((LocatedRegistrar) each).hostAndPort())
         .toList();
   }
 

@@ -180,10 +180,10 @@ class ExecPolicyTest {
 
   @Test
   void standardListsCanBeExtendedInAConfiguration() {
-    assertThat(StandardPermissions.options(new String[] {"-Xlog:*"}))
+    assertThat(StandardExecPermissions.options(new String[] {"-Xlog:*"}))
         .contains("-Xmx*", "-Xlog:*")
-        .hasSize(StandardPermissions.OPTIONS.size() + 1);
-    assertThat(StandardPermissions.properties(new String[] {"mine=*"}))
+        .hasSize(StandardExecPermissions.OPTIONS.size() + 1);
+    assertThat(StandardExecPermissions.properties(new String[] {"mine=*"}))
         .contains("dfra.time=*", "mine=*");
   }
 

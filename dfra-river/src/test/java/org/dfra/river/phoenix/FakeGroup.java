@@ -13,7 +13,7 @@ import net.jini.jeri.BasicJeriExporter;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.phoenix.stop.GroupStop;
-import org.dfra.river.phoenix.stop.GroupStopAnswer;
+import org.dfra.river.phoenix.stop.GroupStopResult;
 
 /** Plays the part of a group's virtual machine; each object it makes is a proxy of itself. */
 final class FakeGroup implements ActivationInstantiator, GroupStop, AutoCloseable {
@@ -25,14 +25,14 @@ final class FakeGroup implements ActivationInstantiator, GroupStop, AutoCloseabl
 
   /** What happens when its effectors are to be stopped. */
   interface Stopping {
-    GroupStopAnswer run(String by) throws RemoteException;
+    GroupStopResult run(String by) throws RemoteException;
   }
 
   final AtomicInteger made = new AtomicInteger();
   final AtomicInteger ordered = new AtomicInteger();
   final ActivationInstantiator proxy;
   volatile Making making = () -> {};
-  volatile Stopping stopping = by -> GroupStopAnswer.NONE;
+  volatile Stopping stopping = by -> GroupStopResult.NONE;
   private final BasicJeriExporter exporter =
       new BasicJeriExporter(
           Endpoints.tcp("127.0.0.1", 0), new DeadlineILFactory(20_000L), false, true);
@@ -54,7 +54,7 @@ final class FakeGroup implements ActivationInstantiator, GroupStop, AutoCloseabl
   }
 
   @Override
-  public GroupStopAnswer emergencyStop(String by) throws RemoteException {
+  public GroupStopResult emergencyStop(String by) throws RemoteException {
     ordered.incrementAndGet();
     return stopping.run(by);
   }

@@ -39,7 +39,7 @@ final class InVmPhoenix implements AutoCloseable {
    */
   InVmPhoenix(Path folder) throws IOException {
     this.folder = folder;
-    this.port = FreePorts.next();
+    this.port = FreePorts.allocate();
     Path script = folder.resolve("idle.sh");
     Files.writeString(script, "#!/bin/sh\nexec sleep 300\n");
     Files.setPosixFilePermissions(script, PosixFilePermissions.fromString("rwx------"));
@@ -79,7 +79,7 @@ final class InVmPhoenix implements AutoCloseable {
 
   /** Its next start is at another address. */
   InVmPhoenix moves() throws IOException {
-    port = FreePorts.next();
+    port = FreePorts.allocate();
     return this;
   }
 
@@ -89,7 +89,7 @@ final class InVmPhoenix implements AutoCloseable {
   }
 
   StopService stopService() {
-    return StopLocator.at("127.0.0.1", port, PATIENCE);
+    return StopLocator.proxyAt("127.0.0.1", port, PATIENCE);
   }
 
   private Path journal() {

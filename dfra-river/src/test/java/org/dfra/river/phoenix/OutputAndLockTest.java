@@ -26,7 +26,7 @@ class OutputAndLockTest {
   @Test
   void fullOutputMovesOnAndOnlySoManyAreKept() throws Exception {
     Path file = temp.resolve("g.log");
-    try (RotatingOutput out = new RotatingOutput(file, 10, 2)) {
+    try (RotatingFileOutputStream out = new RotatingFileOutputStream(file, 10, 2)) {
       for (String line : List.of("aaaaaaa\n", "bbbbbbb\n", "ccc\n", "ddd\n", "eeeeeee\n")) {
         out.write(line.getBytes(StandardCharsets.UTF_8));
       }
@@ -43,7 +43,7 @@ class OutputAndLockTest {
   void outputOfAFormerProcessStaysAndCounts() throws Exception {
     Path file = temp.resolve("g.log");
     Files.writeString(file, "former\n");
-    try (RotatingOutput out = new RotatingOutput(file, 12, 1)) {
+    try (RotatingFileOutputStream out = new RotatingFileOutputStream(file, 12, 1)) {
       out.write("new\n".getBytes(StandardCharsets.UTF_8));
       assertThat(file).hasContent("former\nnew\n");
       out.write("more\n".getBytes(StandardCharsets.UTF_8));
@@ -55,7 +55,7 @@ class OutputAndLockTest {
   @Test
   void lineLongerThanTheLimitIsWrittenWhole() throws Exception {
     Path file = temp.resolve("g.log");
-    try (RotatingOutput out = new RotatingOutput(file, 3, 1)) {
+    try (RotatingFileOutputStream out = new RotatingFileOutputStream(file, 3, 1)) {
       out.write("0123456789".getBytes(StandardCharsets.UTF_8));
     }
     assertThat(file).hasContent("0123456789");
@@ -65,7 +65,7 @@ class OutputAndLockTest {
   void rotationThatFailsLosesNothingPrintedLater() throws Exception {
     Path file = temp.resolve("g.log");
     Files.createDirectories(temp.resolve("g.log.1").resolve("in the way"));
-    try (RotatingOutput out = new RotatingOutput(file, 5, 1)) {
+    try (RotatingFileOutputStream out = new RotatingFileOutputStream(file, 5, 1)) {
       out.write("aaaa".getBytes(StandardCharsets.UTF_8));
       assertThatExceptionOfType(IOException.class)
           .isThrownBy(() -> out.write("bbbb".getBytes(StandardCharsets.UTF_8)));
@@ -78,36 +78,36 @@ class OutputAndLockTest {
   @Test
   void lockIsForOneAndIsFreeWhenClosed() throws Exception {
     Path file = temp.resolve("g.lock");
-    try (GroupLock lock = GroupLock.take(file, "this group")) {
+    try (ProcessLock lock = ProcessLock.acquire(file, "this group")) {
       assertThat(lock).isNotNull();
       assertThat(file).hasContent(Long.toString(ProcessHandle.current().pid()));
       assertThatExceptionOfType(IOException.class)
-          .isThrownBy(() -> GroupLock.take(file, "this group").close())
+          .isThrownBy(() -> ProcessLock.acquire(file, "this group").close())
           .withMessage(
               "process %s of user %s still owns this group (it holds %s); a second one is refused"
                   + " until that one has ended",
               ProcessHandle.current().pid(), PrivateFiles.user().getName(), file);
     }
-    GroupLock.take(file, "this group").close();
+    ProcessLock.acquire(file, "this group").close();
   }
 
   @Test
   void lockFileIsItsOwnersOnlyAlsoWhereAFormerVersionMadeIt() throws Exception {
     Path made = temp.resolve("made.lock");
-    GroupLock.take(made, "this group").close();
+    ProcessLock.acquire(made, "this group").close();
     assertThat(mode(made)).isEqualTo("rw-------");
 
     Path former = temp.resolve("former.lock");
     Files.writeString(former, "1");
     Files.setPosixFilePermissions(former, PosixFilePermissions.fromString("rw-r--r--"));
-    GroupLock.take(former, "this group").close();
+    ProcessLock.acquire(former, "this group").close();
     assertThat(mode(former)).isEqualTo("rw-------");
   }
 
   @Test
   void outputIsItsOwnersOnlyAlsoAfterItMovedOn() throws Exception {
     Path file = temp.resolve("g.log");
-    try (RotatingOutput out = new RotatingOutput(file, 3, 1)) {
+    try (RotatingFileOutputStream out = new RotatingFileOutputStream(file, 3, 1)) {
       out.write("aaa".getBytes(StandardCharsets.UTF_8));
       out.write("bbb".getBytes(StandardCharsets.UTF_8));
     }

@@ -93,12 +93,12 @@ class PhoenixReferenceTest {
   @Test
   void namesTheExitCodesAndTheMarks() throws IOException {
     assertThat(Files.readString(REFERENCE))
-        .contains("\n| " + GroupVm.NOT_TOLD + " |")
-        .contains("\n| " + GroupVm.OWNED + " |")
-        .contains("\n| " + GroupVm.REFUSED + " |")
-        .contains("`" + GroupProcess.MARK + "`")
-        .contains("`" + GroupProcess.LOCK + "`")
-        .contains("`" + GroupProcess.OUTPUT + "`")
+        .contains("\n| " + GroupVm.EXIT_NO_GROUP + " |")
+        .contains("\n| " + GroupVm.EXIT_LOCKED + " |")
+        .contains("\n| " + GroupVm.EXIT_REFUSED + " |")
+        .contains("`" + GroupProcess.GROUP_PROPERTY + "`")
+        .contains("`" + GroupProcess.LOCK_PROPERTY + "`")
+        .contains("`" + GroupProcess.OUTPUT_PROPERTY + "`")
         .contains("`" + Phoenix.GROUP_NAME + "`")
         .contains("port " + PhoenixConfiguration.DEFAULT_PORT);
   }

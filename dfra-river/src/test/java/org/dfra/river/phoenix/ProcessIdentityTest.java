@@ -44,7 +44,7 @@ class ProcessIdentityTest {
     ProcessIdentity identity = ProcessIdentity.of(child.toHandle());
     assertThat(identity.isAlive()).isTrue();
     assertThat(identity).isEqualTo(ProcessIdentity.of(child.toHandle()));
-    assertThat(identity.awaitDeath(Duration.ofMillis(50))).as("ended within 50 ms").isFalse();
+    assertThat(identity.awaitExit(Duration.ofMillis(50))).as("ended within 50 ms").isFalse();
   }
 
   @Test
@@ -59,7 +59,7 @@ class ProcessIdentityTest {
     ProcessIdentity former = new ProcessIdentity(child.pid(), "tick 1 of boot before");
     assertThat(former.isAlive()).isFalse();
     former.destroy(true);
-    assertThat(former.awaitDeath(Duration.ZERO)).isTrue();
+    assertThat(former.awaitExit(Duration.ZERO)).isTrue();
     assertThat(child.isAlive()).as("the process that has the number now").isTrue();
   }
 
@@ -67,7 +67,7 @@ class ProcessIdentityTest {
   void killedProcessIsDeadAndItsDeathAwaited() {
     ProcessIdentity identity = ProcessIdentity.of(child.toHandle());
     identity.destroy(true);
-    assertThat(identity.awaitDeath(Duration.ofSeconds(10))).isTrue();
+    assertThat(identity.awaitExit(Duration.ofSeconds(10))).isTrue();
     assertThat(identity.isAlive()).isFalse();
     identity.destroy(true); // of no consequence
   }
@@ -82,9 +82,9 @@ class ProcessIdentityTest {
         .until(() -> Files.readString(stat).matches("(?s).*\\) T .*"));
     ProcessIdentity identity = ProcessIdentity.of(child.toHandle());
     identity.destroy(false);
-    assertThat(identity.awaitDeath(Duration.ofMillis(100))).as("ended though stopped").isFalse();
+    assertThat(identity.awaitExit(Duration.ofMillis(100))).as("ended though stopped").isFalse();
     identity.destroy(true);
-    assertThat(identity.awaitDeath(Duration.ofSeconds(10))).isTrue();
+    assertThat(identity.awaitExit(Duration.ofSeconds(10))).isTrue();
   }
 
   @Test
@@ -149,7 +149,7 @@ class ProcessIdentityTest {
           open.add(new FileInputStream("/dev/null"));
         }
       } catch (FileNotFoundException e) { // too many open files
-        said.add("a time says its boot when starved: " + time.onThisComputer().contains("(boot "));
+        said.add("a time says its boot when starved: " + time.toHostText().contains("(boot "));
         said.add("alive when starved: " + living.isAlive());
         said.add("dead when starved: " + !dead.isAlive());
         living.destroy(true);
@@ -170,9 +170,9 @@ class ProcessIdentityTest {
       for (FileInputStream each : open) {
         each.close();
       }
-      said.add("a time says its boot when fed: " + time.onThisComputer().contains("(boot "));
+      said.add("a time says its boot when fed: " + time.toHostText().contains("(boot "));
       living.destroy(true);
-      said.add("ended when fed: " + living.awaitDeath(Duration.ofSeconds(20)));
+      said.add("ended when fed: " + living.awaitExit(Duration.ofSeconds(20)));
       said.forEach(System.out::println);
     }
   }

@@ -53,40 +53,40 @@ class RestartPolicyTest {
 
   @Test
   void firstCrashCostsNoDelayAndFurtherOnesMore() {
-    history.crashed("ended", false);
+    history.recordCrash("ended", false);
     assertThat(history.restartDelay()).contains(Duration.ZERO);
-    history.crashed("ended", false);
+    history.recordCrash("ended", false);
     assertThat(history.restartDelay()).contains(Duration.ofMillis(100));
-    history.crashed("ended again", false);
+    history.recordCrash("ended again", false);
     assertThat(history.restartDelay()).contains(Duration.ofMillis(200));
-    assertThat(history.last()).contains("ended again");
-    assertThat(history.heldOffFor()).isEmpty();
+    assertThat(history.lastCrash()).contains("ended again");
+    assertThat(history.remainingHoldOff()).isEmpty();
   }
 
   @Test
   void crashLoopIsHeldOffAndNotForEver() {
     for (int crash = 0; crash < 4; crash++) {
-      history.crashed("ended", false);
+      history.recordCrash("ended", false);
     }
     assertThat(history.restartDelay()).as("at the limit nobody starts it").isEmpty();
-    assertThat(history.heldOffFor()).contains(Duration.ofSeconds(30));
+    assertThat(history.remainingHoldOff()).contains(Duration.ofSeconds(30));
     time.pass(Duration.ofMillis(29_999));
-    assertThat(history.heldOffFor()).isPresent();
+    assertThat(history.remainingHoldOff()).isPresent();
     time.pass(Duration.ofMillis(1));
-    assertThat(history.heldOffFor()).as("after the hold-off a call may start it").isEmpty();
-    history.crashed("ended", false);
-    assertThat(history.heldOffFor())
+    assertThat(history.remainingHoldOff()).as("after the hold-off a call may start it").isEmpty();
+    history.recordCrash("ended", false);
+    assertThat(history.remainingHoldOff())
         .as("a crash while the others still count holds it off again")
         .contains(Duration.ofSeconds(30));
   }
 
   @Test
   void oldCrashesNoLongerCountButStayInTheTotal() {
-    history.crashed("ended", false);
-    history.crashed("ended", false);
+    history.recordCrash("ended", false);
+    history.recordCrash("ended", false);
     time.pass(Duration.ofSeconds(61));
     assertThat(history.recentCount()).isZero();
-    history.crashed("ended", false);
+    history.recordCrash("ended", false);
     assertThat(history.restartDelay()).contains(Duration.ZERO);
     assertThat(history.total()).isEqualTo(3);
   }
@@ -95,41 +95,41 @@ class RestartPolicyTest {
   void whatHadWorkedIsRestartedAtOnceHoweverOftenItIsKilled() {
     for (int crash = 0; crash < 100; crash++) {
       time.pass(Duration.ofSeconds(5));
-      history.crashed("ended (exit code 137)", true);
+      history.recordCrash("ended (exit code 137)", true);
       assertThat(history.restartDelay()).as("after crash %d", crash).contains(Duration.ZERO);
-      assertThat(history.heldOffFor()).isEmpty();
+      assertThat(history.remainingHoldOff()).isEmpty();
     }
     assertThat(history.total()).isEqualTo(100);
     assertThat(history.recentCount()).as("crashes within a minute").isBetween(12, 13);
-    history.crashed("ended (exit code 137)", false);
+    history.recordCrash("ended (exit code 137)", false);
     assertThat(history.restartDelay())
         .as("the first that had not worked for long")
         .contains(Duration.ZERO);
-    history.crashed("ended (exit code 137)", false);
+    history.recordCrash("ended (exit code 137)", false);
     assertThat(history.restartDelay()).contains(Duration.ofMillis(100));
   }
 
   @Test
   void whoIsAskedToEndIsDelayedButNeverHeldOff() {
     for (int end = 0; end < 20; end++) {
-      history.askedToEnd(false);
-      assertThat(history.heldOffFor()).isEmpty();
+      history.recordRequestedExit(false);
+      assertThat(history.remainingHoldOff()).isEmpty();
     }
     assertThat(history.total()).isZero();
     assertThat(history.recentCount()).isZero();
     assertThat(history.restartDelay().orElseThrow()).isPositive();
-    history.askedToEnd(true);
+    history.recordRequestedExit(true);
     assertThat(history.restartDelay()).contains(Duration.ZERO);
   }
 
   @Test
   void workingInBetweenDoesNotHideACrashLoop() {
     for (int crash = 0; crash < 3; crash++) {
-      history.crashed("ended", false);
+      history.recordCrash("ended", false);
     }
-    history.crashed("ended", true);
+    history.recordCrash("ended", true);
     assertThat(history.restartDelay()).contains(Duration.ZERO);
-    history.crashed("ended", false);
-    assertThat(history.heldOffFor()).contains(Duration.ofSeconds(30));
+    history.recordCrash("ended", false);
+    assertThat(history.remainingHoldOff()).contains(Duration.ofSeconds(30));
   }
 }

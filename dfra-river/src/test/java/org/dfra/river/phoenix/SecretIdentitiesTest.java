@@ -31,9 +31,11 @@ class SecretIdentitiesTest {
     SecretIdentities first = SecretIdentities.in(folder);
     assertThat(SecretIdentities.in(folder)).isEqualTo(first);
     assertThat(SecretIdentities.read(folder.resolve("identity"))).isEqualTo(first);
-    assertThat(Identities.system(folder.toString())).isEqualTo(first.system());
-    assertThat(Identities.monitor(folder.toString())).isEqualTo(first.monitor());
-    assertThat(first.system()).isNotEqualTo(first.monitor()).isNotEqualTo(Identities.ACTIVATOR);
+    assertThat(PhoenixIdentities.system(folder.toString())).isEqualTo(first.system());
+    assertThat(PhoenixIdentities.monitor(folder.toString())).isEqualTo(first.monitor());
+    assertThat(first.system())
+        .isNotEqualTo(first.monitor())
+        .isNotEqualTo(PhoenixIdentities.ACTIVATOR);
 
     assertThat(SecretIdentities.in(temp.resolve("other"))).isNotEqualTo(first);
     assertThat(first.toString()).doesNotContain(first.system().toString());
@@ -52,7 +54,7 @@ class SecretIdentitiesTest {
     }
     String text =
         "org.dfra.river.phoenix { persistenceDirectory = \"%s\"; port = %d; }"
-            .formatted(folder, FreePorts.next());
+            .formatted(folder, FreePorts.allocate());
     assertThatExceptionOfType(IOException.class)
         .isThrownBy(
             () -> Phoenix.start(new ConfigurationFile(new StringReader(text), new String[0])))
@@ -97,8 +99,8 @@ class SecretIdentitiesTest {
       assertThat(phoenix.admin().groupStatus()).isEmpty();
       for (var identity :
           new net.jini.id.Uuid[] {
-            Identities.ACTIVATOR, // well known
-            Identities.uuid(
+            PhoenixIdentities.ACTIVATOR, // well known
+            PhoenixIdentities.uuid(
                 "6f0bd0a8-27c5-4d0e-9d3a-5e6d1c0c4a12"), // well known in versions before
             SecretIdentities.fresh().system()
           }) {
@@ -106,7 +108,7 @@ class SecretIdentitiesTest {
             (PhoenixAdmin)
                 DeadlineILFactory.proxy(
                     new BasicObjectEndpoint(
-                        Endpoints.at("127.0.0.1", phoenix.port()), identity, false),
+                        Endpoints.tcpClient("127.0.0.1", phoenix.port()), identity, false),
                     Duration.ofSeconds(5),
                     getClass().getClassLoader(),
                     PhoenixAdmin.class);

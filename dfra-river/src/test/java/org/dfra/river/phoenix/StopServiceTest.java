@@ -12,10 +12,10 @@ import java.util.List;
 import java.util.UUID;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Future;
-import org.dfra.flow.effector.StopState;
+import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.river.phoenix.GroupStatus.State;
-import org.dfra.river.phoenix.stop.EffectorStop;
-import org.dfra.river.phoenix.stop.GroupStopAnswer;
+import org.dfra.river.phoenix.stop.EffectorStopResult;
+import org.dfra.river.phoenix.stop.GroupStopResult;
 import org.dfra.river.phoenix.stop.StopReport;
 import org.dfra.river.phoenix.stop.UnconfirmedGroup;
 import org.junit.jupiter.api.AfterEach;
@@ -27,8 +27,8 @@ import org.junit.jupiter.api.Timeout;
 class StopServiceTest extends GroupFixture {
 
   private static final UUID ID = new UUID(1, 2);
-  private static final StopState STOPPED =
-      new StopState(true, "ops", Instant.parse("2026-11-21T12:00:00Z"), true, null);
+  private static final EmergencyStopState STOPPED =
+      new EmergencyStopState(true, "ops", Instant.parse("2026-11-21T12:00:00Z"), true, null);
 
   private final CountDownLatch goesOn = new CountDownLatch(1);
 
@@ -37,12 +37,13 @@ class StopServiceTest extends GroupFixture {
     goesOn.countDown();
   }
 
-  private static EffectorStop stop(String path) {
-    return new EffectorStop(ID, path, false, STOPPED, null);
+  private static EffectorStopResult stop(String path) {
+    return new EffectorStopResult(ID, path, false, STOPPED, null);
   }
 
-  private static GroupStopAnswer answer(ActivationID object, String path) {
-    return new GroupStopAnswer(List.of(new GroupStopAnswer.Stopped(object, stop(path))), List.of());
+  private static GroupStopResult answer(ActivationID object, String path) {
+    return new GroupStopResult(
+        List.of(new GroupStopResult.EffectorAnswer(object, stop(path))), List.of());
   }
 
   /** A group with a name and one object, whose process has reported. */
@@ -62,13 +63,13 @@ class StopServiceTest extends GroupFixture {
     return fake;
   }
 
-  private GroupStopAnswer hang() throws RemoteException {
+  private GroupStopResult hang() throws RemoteException {
     try {
       goesOn.await();
     } catch (InterruptedException e) {
       throw new RemoteException("interrupted", e);
     }
-    return GroupStopAnswer.NONE;
+    return GroupStopResult.NONE;
   }
 
   @Test
@@ -119,10 +120,10 @@ class StopServiceTest extends GroupFixture {
         by ->
             fake.made.get() == 0
                 ? answer(drive, "eta/drive")
-                : new GroupStopAnswer(
+                : new GroupStopResult(
                     List.of(
-                        new GroupStopAnswer.Stopped(drive, stop("eta/drive")),
-                        new GroupStopAnswer.Stopped(sleeping, stop("eta/head"))),
+                        new GroupStopResult.EffectorAnswer(drive, stop("eta/drive")),
+                        new GroupStopResult.EffectorAnswer(sleeping, stop("eta/head"))),
                     List.of());
 
     StopReport first = phoenix.stopService().emergencyStop(List.of(), "ops");
@@ -143,7 +144,7 @@ class StopServiceTest extends GroupFixture {
     FakeGroup fake = active("eta.wheels", wheels, drive, 1);
     fake.stopping =
         by -> {
-          GroupStopAnswer unused = hang();
+          GroupStopResult unused = hang();
           return answer(drive, "eta/drive");
         };
     List<Future<StopReport>> calls = new ArrayList<>();

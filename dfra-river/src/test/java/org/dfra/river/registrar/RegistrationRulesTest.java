@@ -14,9 +14,9 @@ import org.junit.jupiter.api.Test;
 
 class RegistrationRulesTest {
 
-  private static final Source OWN = new Source(null, true);
-  private static final Source ALLY = foreign(2);
-  private static final Source STRANGER = foreign(66);
+  private static final RegistrationOrigin OWN = new RegistrationOrigin(null, true);
+  private static final RegistrationOrigin ALLY = foreign(2);
+  private static final RegistrationOrigin STRANGER = foreign(66);
   private static final ServiceID DRIVE = new ServiceID(1, 1);
 
   /** Bytes. */
@@ -27,7 +27,7 @@ class RegistrationRulesTest {
   private final RegistrationRules rules =
       new RegistrationRules(
           "eta",
-          new RegistrationRules.Contents() {
+          new RegistrationRules.LiveRegistrations() {
             @Override
             public Set<ServiceID> liveServices(Set<ServiceID> among) {
               return both(among, services);
@@ -45,23 +45,23 @@ class RegistrationRulesTest {
     return both;
   }
 
-  private static Source foreign(int last) {
+  private static RegistrationOrigin foreign(int last) {
     try {
       byte[] address = {10, 0, (byte) (last >> 8), (byte) last};
-      return new Source(InetAddress.getByAddress(address), false);
+      return new RegistrationOrigin(InetAddress.getByAddress(address), false);
     } catch (UnknownHostException e) {
       throw new AssertionError(e);
     }
   }
 
-  private void register(Source from, ServiceID id, boolean namesRobot) {
+  private void register(RegistrationOrigin from, ServiceID id, boolean namesRobot) {
     register(from, id, namesRobot, USUAL);
   }
 
-  private void register(Source from, ServiceID id, boolean namesRobot, long bytes) {
+  private void register(RegistrationOrigin from, ServiceID id, boolean namesRobot, long bytes) {
     rules.checkService(from, id, namesRobot, bytes);
     boolean unused = services.add(id);
-    rules.registered(from, id, namesRobot, bytes);
+    rules.addService(from, id, namesRobot, bytes);
   }
 
   private void end(ServiceID id) {
@@ -97,7 +97,7 @@ class RegistrationRulesTest {
 
   @Test
   void twoUnknownAddressesAreNotTheSameComputer() {
-    Source unknown = new Source(null, false);
+    RegistrationOrigin unknown = new RegistrationOrigin(null, false);
     register(unknown, DRIVE, false);
     assertRefused(() -> register(unknown, DRIVE, false), "an unknown address");
   }
@@ -122,19 +122,20 @@ class RegistrationRulesTest {
 
   @Test
   void theNewestServiceIdsOfTheRobotAreKept() {
-    for (int i = 0; i <= RegistrationRules.RESERVED; i++) {
+    for (int i = 0; i <= RegistrationRules.MAX_RESERVED_IDS; i++) {
       ServiceID id = new ServiceID(3, i);
       register(OWN, id, true);
       end(id);
     }
     register(STRANGER, new ServiceID(3, 0), false);
     assertRefused(
-        () -> register(STRANGER, new ServiceID(3, RegistrationRules.RESERVED), false), "eta");
+        () -> register(STRANGER, new ServiceID(3, RegistrationRules.MAX_RESERVED_IDS), false),
+        "eta");
   }
 
   @Test
   void anAddressHasSoManyServicesAndOthersStillMay() {
-    for (int i = 0; i < RegistrationRules.SERVICES_PER_ADDRESS; i++) {
+    for (int i = 0; i < RegistrationRules.MAX_SERVICES_PER_ADDRESS; i++) {
       register(STRANGER, new ServiceID(4, i), false);
     }
     assertRefused(() -> register(STRANGER, DRIVE, false), "services", "10.0.0.66", "256 allowed");
@@ -148,18 +149,18 @@ class RegistrationRulesTest {
 
   @Test
   void allOtherComputersTogetherHaveSoManyAndTheRobotAnyNumber() {
-    for (int i = 0; i < RegistrationRules.FOREIGN_SERVICES; i++) {
+    for (int i = 0; i < RegistrationRules.MAX_FOREIGN_SERVICES; i++) {
       register(foreign(1000 + i / 100), new ServiceID(5, i), false);
     }
     assertRefused(() -> register(ALLY, DRIVE, false), "all other computers", "2048 allowed");
-    for (int i = 0; i < RegistrationRules.SERVICES_PER_ADDRESS + 1; i++) {
+    for (int i = 0; i < RegistrationRules.MAX_SERVICES_PER_ADDRESS + 1; i++) {
       register(OWN, new ServiceID(6, i), true);
     }
   }
 
   @Test
   void listenersAreBoundedTheSameWay() {
-    for (long i = 0; i < RegistrationRules.LISTENERS_PER_ADDRESS; i++) {
+    for (long i = 0; i < RegistrationRules.MAX_LISTENERS_PER_ADDRESS; i++) {
       listen(STRANGER, i);
     }
     assertRefused(
@@ -169,7 +170,7 @@ class RegistrationRulesTest {
     assertThat(listeners.remove(5L)).isTrue();
     listen(STRANGER, 1002);
     assertRefused(() -> rules.checkListener(STRANGER, USUAL), "128 allowed");
-    for (int i = 0; listeners.size() < RegistrationRules.FOREIGN_LISTENERS + 1; i++) {
+    for (int i = 0; listeners.size() < RegistrationRules.MAX_FOREIGN_LISTENERS + 1; i++) {
       listen(foreign(2000 + i / 100), 2000 + i);
     }
     assertRefused(() -> rules.checkListener(foreign(4000), USUAL), "1024 allowed");
@@ -178,7 +179,7 @@ class RegistrationRulesTest {
 
   @Test
   void oneServiceIsNoLargerThanItMayBe() {
-    long most = RegistrationRules.SERVICE_BYTES;
+    long most = RegistrationRules.MAX_SERVICE_BYTES;
     register(STRANGER, DRIVE, false, most);
     assertRefused(
         () -> register(STRANGER, DRIVE, false, most + 1), "services", "65537 bytes > 65536");
@@ -187,32 +188,32 @@ class RegistrationRulesTest {
     register(OWN, DRIVE, true, most + 1);
     rules.checkGrowth(OWN, DRIVE, most + 1);
     assertRefused(
-        () -> rules.checkListener(STRANGER, RegistrationRules.LISTENER_BYTES + 1), "listeners");
+        () -> rules.checkListener(STRANGER, RegistrationRules.MAX_LISTENER_BYTES + 1), "listeners");
   }
 
   @Test
   void largeServicesAreFewerAndOthersStillMay() {
-    int many = RegistrationRules.SERVICES_PER_ADDRESS / 8;
+    int many = RegistrationRules.MAX_SERVICES_PER_ADDRESS / 8;
     for (int i = 0; i < many; i++) {
-      register(STRANGER, new ServiceID(8, i), false, RegistrationRules.SERVICE_BYTES);
+      register(STRANGER, new ServiceID(8, i), false, RegistrationRules.MAX_SERVICE_BYTES);
     }
     assertRefused(() -> register(STRANGER, DRIVE, false), "10.0.0.66", "bytes from that address");
     register(STRANGER, new ServiceID(8, 1), false); // in place of its own
-    rules.grown(new ServiceID(8, 2), USUAL);
+    rules.setServiceSize(new ServiceID(8, 2), USUAL);
     register(STRANGER, DRIVE, false);
     for (int i = 0; i <= 7 * many; i++) {
-      Source other = foreign(3000 + i / many);
-      register(other, new ServiceID(9, i), false, RegistrationRules.SERVICE_BYTES);
+      RegistrationOrigin other = foreign(3000 + i / many);
+      register(other, new ServiceID(9, i), false, RegistrationRules.MAX_SERVICE_BYTES);
     }
     assertRefused(
-        () -> register(ALLY, new ServiceID(1, 2), false, RegistrationRules.SERVICE_BYTES),
+        () -> register(ALLY, new ServiceID(1, 2), false, RegistrationRules.MAX_SERVICE_BYTES),
         "bytes from all other computers");
   }
 
-  private void listen(Source from, long event) {
+  private void listen(RegistrationOrigin from, long event) {
     rules.checkListener(from, USUAL);
     listeners.add(event);
-    rules.listening(from, event, USUAL);
+    rules.addListener(from, event, USUAL);
   }
 
   @Test
@@ -224,6 +225,6 @@ class RegistrationRulesTest {
       listen(OWN, i);
       listeners.clear();
     }
-    assertThat(rules.noted()).isLessThan(200);
+    assertThat(rules.trackedCount()).isLessThan(200);
   }
 }

@@ -16,7 +16,7 @@ import java.time.Instant;
 import java.util.Collections;
 import java.util.List;
 import net.jini.core.lease.Lease;
-import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.DeliveryPolicy.EventKind;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -24,7 +24,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** What a server gives lasts as long as it was granted, however the clock is set. */
 class LeasedTest {
 
-  private static final List<Long> NUMBERS = Collections.nCopies(Kind.values().length, 0L);
+  private static final List<Long> NUMBERS = Collections.nCopies(EventKind.values().length, 0L);
 
   private Instant wall = Instant.parse("2026-11-23T00:00:00Z");
   private long nanos = Long.MAX_VALUE - 5_000_000_000L; // overflows soon
@@ -49,9 +49,9 @@ class LeasedTest {
   @ParameterizedTest
   @ValueSource(longs = {3600, -3600})
   void aClockThatIsSetNeitherEndsNorProlongsThem(long step) {
-    LeasedUse use = new LeasedUse(lease, () -> wall, () -> nanos);
-    LeasedSubscription subscription =
-        new LeasedSubscription(lease, 1, NUMBERS, () -> wall, () -> nanos);
+    GrantedModuleLease use = new GrantedModuleLease(lease, () -> wall, () -> nanos);
+    GrantedSubscription subscription =
+        new GrantedSubscription(lease, 1, NUMBERS, () -> wall, () -> nanos);
     wall = wall.plusSeconds(step);
     pass(Duration.ofMillis(9_999));
     assertThat(use.isLive()).isTrue();
@@ -63,7 +63,7 @@ class LeasedTest {
 
   @Test
   void oneThatSomebodyHasRenewedLastsAsLongAgain() {
-    LeasedUse use = new LeasedUse(lease, () -> wall, () -> nanos);
+    GrantedModuleLease use = new GrantedModuleLease(lease, () -> wall, () -> nanos);
     pass(Duration.ofSeconds(9));
     expiration = wall.plusSeconds(10).toEpochMilli();
     assertThat(use.isLive()).isTrue();
@@ -76,19 +76,19 @@ class LeasedTest {
   @Test
   void oneThatWasGrantedForEverIsLive() {
     expiration = Lease.FOREVER;
-    assertThat(new LeasedUse(lease, () -> wall, () -> nanos).isLive()).isTrue();
+    assertThat(new GrantedModuleLease(lease, () -> wall, () -> nanos).isLive()).isTrue();
   }
 
   @Test
   void whatArrivesCountsFromItsArrival() throws Exception {
     Lease given = serializable(System.currentTimeMillis() + 600_000);
-    assertThat(arrived(new LeasedUse(given)).isLive()).isTrue();
-    LeasedSubscription subscription = arrived(new LeasedSubscription(given, 7, NUMBERS));
+    assertThat(arrived(new GrantedModuleLease(given)).isLive()).isTrue();
+    GrantedSubscription subscription = arrived(new GrantedSubscription(given, 7, NUMBERS));
     assertThat(subscription.isOpen()).isTrue();
     assertThat(subscription.epoch()).isEqualTo(7);
-    assertThat(subscription.numbers()).isEqualTo(NUMBERS);
-    assertThat(arrived(new LeasedUse(serializable(0))).isLive()).isFalse();
-    assertThatThrownBy(() -> new LeasedUse(null)).isInstanceOf(NullPointerException.class);
+    assertThat(subscription.sequenceNumbers()).isEqualTo(NUMBERS);
+    assertThat(arrived(new GrantedModuleLease(serializable(0))).isLive()).isFalse();
+    assertThatThrownBy(() -> new GrantedModuleLease(null)).isInstanceOf(NullPointerException.class);
   }
 
   @SuppressWarnings("unchecked")

@@ -57,7 +57,7 @@ class DeactivationTest {
 
     @Override
     protected void onStart() {
-      become(Readiness.READY);
+      transitionTo(Readiness.READY);
     }
 
     @Override
@@ -75,7 +75,7 @@ class DeactivationTest {
     }
 
     @Override
-    protected void turn(Velocity wanted) {}
+    protected void setVelocity(Velocity wanted) {}
 
     @Override
     protected void halt() {}

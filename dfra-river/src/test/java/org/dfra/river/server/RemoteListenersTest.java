@@ -29,7 +29,7 @@ import org.dfra.river.call.Endpoints;
 import org.dfra.river.contract.ScriptedGps;
 import org.dfra.river.fixture.SteppedTime;
 import org.dfra.river.lease.ModuleLandlord;
-import org.dfra.river.remote.LeasedSubscription;
+import org.dfra.river.remote.GrantedSubscription;
 import org.dfra.river.remote.RemoteModuleListener;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -68,13 +68,14 @@ class RemoteListenersTest {
               Parameters.of("atrv1/gps_of_many", Map.of()),
               InstantSource.system(),
               StateStore.inMemory(),
-              LeaseTerms.USUAL,
+              LeaseTerms.DEFAULT,
               new SteppedTime()));
 
   private final ModuleLandlord landlord =
       new ModuleLandlord("atrv1/gps_of_many", driver.leases(), new LocalExporter(), ROBOT);
 
-  private final RemoteListeners listeners = new RemoteListeners(driver, landlord, ROBOT);
+  private final RemoteListenerRegistry listeners =
+      new RemoteListenerRegistry(driver, landlord, ROBOT);
 
   @BeforeEach
   void start() throws RemoteException {
@@ -88,16 +89,17 @@ class RemoteListenersTest {
   }
 
   /** A client at an address subscribes one more listener, always of the same process. */
-  private LeasedSubscription subscribe(String client) throws UnknownHostException {
+  private GrantedSubscription subscribe(String client) throws UnknownHostException {
     InetAddress address = InetAddress.getByName(client);
     RemoteModuleListener listener =
         (RemoteModuleListener)
             DeadlineILFactory.proxy(
-                new BasicObjectEndpoint(Endpoints.at(client, 7001), UuidFactory.generate(), false),
+                new BasicObjectEndpoint(
+                    Endpoints.tcpClient(client, 7001), UuidFactory.generate(), false),
                 Duration.ofSeconds(2),
                 RemoteModuleListener.class.getClassLoader(),
                 RemoteModuleListener.class);
-    AtomicReference<LeasedSubscription> granted = new AtomicReference<>();
+    AtomicReference<GrantedSubscription> granted = new AtomicReference<>();
     ServerContext.doWithServerContext(
         () -> granted.set(listeners.add(listener, DeliveryPolicy.latestReading())),
         List.of((ClientHost) () -> address));
@@ -106,7 +108,7 @@ class RemoteListenersTest {
 
   @Test
   void anAddressHasOnlySoManyListenersAtAModule() throws Exception {
-    List<LeasedSubscription> held = new ArrayList<>();
+    List<GrantedSubscription> held = new ArrayList<>();
     for (int i = 0; i < PER_ADDRESS; i++) {
       held.add(subscribe(STRANGER));
     }

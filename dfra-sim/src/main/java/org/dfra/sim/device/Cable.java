@@ -33,7 +33,7 @@ public final class Cable {
   private boolean pulled;
   private UnaryOperator<byte[]> toDevice = SOUND;
   private UnaryOperator<byte[]> fromDevice = SOUND;
-  private @Nullable UartLine line; // to the device; null until it has been on a line
+  private @Nullable UartLine channel; // to the device; null until it has been on a line
   private int portBaud; // of the computer's port; 0 where that follows the device
   private final ByteBuffer chunk = ByteBuffer.allocate(CHUNK); // looks are many
 
@@ -42,13 +42,13 @@ public final class Cable {
   }
 
   /** Pulls it out: the computer loses its link and gets no other until it is restored. */
-  public synchronized void pull() {
+  public synchronized void unplug() {
     set(true, NOTHING, NOTHING);
-    line = null; // what was on it
+    channel = null; // what was on it
   }
 
   /** Has nothing come through, as from a device that hangs. */
-  public synchronized void silence() {
+  public synchronized void mute() {
     set(false, NOTHING, NOTHING);
   }
 
@@ -58,8 +58,8 @@ public final class Cable {
    * @param seed the same damage for the same bytes and seed
    * @param share of the bytes that are damaged, 0 to 1
    */
-  public synchronized void garble(long seed, double share) {
-    set(false, new Garbling(seed, share)::of, new Garbling(~seed, share)::of);
+  public synchronized void corruptBytes(long seed, double share) {
+    set(false, new ByteCorrupter(seed, share)::corrupt, new ByteCorrupter(~seed, share)::corrupt);
   }
 
   /**
@@ -68,8 +68,8 @@ public final class Cable {
    *
    * @param seed the same storms for the same pieces and seed
    */
-  public synchronized void storm(long seed) {
-    set(false, SOUND, new Storm(seed)::before);
+  public synchronized void injectNoiseBursts(long seed) {
+    set(false, SOUND, new NoiseBurstInjector(seed)::withNoise);
   }
 
   /** Makes it sound again. */
@@ -85,7 +85,7 @@ public final class Cable {
    */
   public synchronized void replace(SerialDevice next) {
     device = next;
-    line = null;
+    channel = null;
   }
 
   private void set(boolean isPulled, UnaryOperator<byte[]> there, UnaryOperator<byte[]> back) {
@@ -130,8 +130,8 @@ public final class Cable {
   }
 
   /** Whether what the computer does not take at once is kept for it. */
-  synchronized boolean keepsBytes() {
-    return device.keepsBytes();
+  synchronized boolean buffersOutput() {
+    return device.buffersOutput();
   }
 
   /** Takes bytes from the computer; they are under way from {@code now} on. */
@@ -144,10 +144,10 @@ public final class Cable {
       receive(bytes, now);
       return;
     }
-    UartLine used = line == null ? new UartLine(baud) : line;
+    UartLine used = channel == null ? new UartLine(baud) : channel;
     used.setBaud(portBaud == 0 ? baud : portBaud);
     used.send(bytes, now);
-    line = used;
+    channel = used;
   }
 
   /**
@@ -155,8 +155,8 @@ public final class Cable {
    * computer what is returned.
    */
   synchronized byte[] pass(Instant now) {
-    if (line != null) {
-      line.take(chunk.clear(), now);
+    if (channel != null) {
+      channel.drainTo(chunk.clear(), now);
       receive(taken(chunk), now);
     }
     chunk.clear();
@@ -167,7 +167,7 @@ public final class Cable {
 
   /** What is read at a speed of what was sent at another; 0 is the other's. */
   private static byte[] read(byte[] bytes, int sentAt, int readAt) {
-    return sentAt == 0 || readAt == 0 ? bytes : Misreading.of(bytes, sentAt, readAt);
+    return sentAt == 0 || readAt == 0 ? bytes : BaudMismatch.of(bytes, sentAt, readAt);
   }
 
   private void receive(byte[] bytes, Instant now) {

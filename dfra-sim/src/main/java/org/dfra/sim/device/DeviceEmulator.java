@@ -23,9 +23,9 @@ import org.jspecify.annotations.Nullable;
  * 3 s, so that a computer that fell off the network finds its device again; beside a client that
  * sends, a new one is disconnected at once, so that a stranger cannot cut off the driver. Bytes
  * that come out while there is no client, or while the client does not read, are lost, as on a
- * serial line; a device that {@linkplain SerialDevice#keepsBytes keeps} them is asked for more when
- * the client has taken what came before. What comes from the client is paced as by the device's
- * line too. While the {@link #cable} is pulled, no connection lasts.
+ * serial line; a device that {@linkplain SerialDevice#buffersOutput keeps} them is asked for more
+ * when the client has taken what came before. What comes from the client is paced as by the
+ * device's line too. While the {@link #cable} is pulled, no connection lasts.
  *
  * <p>{@link #start} opens the port and starts the one thread, {@code name emulator port}, which
  * owns device and connections; {@link #close} stops it, closes everything, and returns when that is
@@ -34,7 +34,7 @@ import org.jspecify.annotations.Nullable;
 public class DeviceEmulator implements AutoCloseable {
 
   /** Real time between two looks at the clock. */
-  private static final int LOOK_EVERY_MILLIS = 5;
+  private static final int POLL_INTERVAL_MILLIS = 5;
 
   /** Pieces that a device that keeps its bytes sends in one look at the most. */
   private static final int MOST_PIECES = 256;
@@ -43,7 +43,7 @@ public class DeviceEmulator implements AutoCloseable {
   private static final long KEEPS_PLACE_NANOS = 3_000_000_000L;
 
   private final String name;
-  private final int wantedPort;
+  private final int requestedPort;
   private final InstantSource clock;
   private final Cable cable;
 
@@ -65,7 +65,7 @@ public class DeviceEmulator implements AutoCloseable {
       throw new IllegalArgumentException("port " + port + " is outside 0 to 65535");
     }
     this.name = name;
-    this.wantedPort = port;
+    this.requestedPort = port;
     this.cable = new Cable(device);
     this.clock = clock;
   }
@@ -85,7 +85,7 @@ public class DeviceEmulator implements AutoCloseable {
     ServerSocketChannel listening = ServerSocketChannel.open();
     try {
       listening.setOption(StandardSocketOptions.SO_REUSEADDR, true);
-      listening.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), wantedPort));
+      listening.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), requestedPort));
       listening.configureBlocking(false);
       Selector chosen = Selector.open();
       SelectionKey unused = listening.register(chosen, SelectionKey.OP_ACCEPT);
@@ -100,7 +100,7 @@ public class DeviceEmulator implements AutoCloseable {
       listening.close();
       throw new IOException(
           "port "
-              + wantedPort
+              + requestedPort
               + " of the loopback interface cannot be had ("
               + e.getMessage()
               + "); choose another, or 0 for any free one",
@@ -167,7 +167,7 @@ public class DeviceEmulator implements AutoCloseable {
     try (listening;
         chosen) {
       while (running) {
-        chosen.select(LOOK_EVERY_MILLIS);
+        chosen.select(POLL_INTERVAL_MILLIS);
         chosen.selectedKeys().clear();
         SocketChannel caller = listening.accept();
         if (caller != null && cable.isPulled()) {
@@ -210,7 +210,7 @@ public class DeviceEmulator implements AutoCloseable {
     boolean isThere = client.read(bytes -> cable.send(bytes, now));
     if (isThere
         && !cable.isPulled()
-        && (cable.keepsBytes()
+        && (cable.buffersOutput()
             ? sendAll(client, now)
             : client.write(ByteBuffer.wrap(cable.pass(now))))) {
       return client;

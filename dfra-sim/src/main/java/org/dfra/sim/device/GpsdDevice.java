@@ -30,26 +30,26 @@ public final class GpsdDevice extends StreamingDevice {
       DateTimeFormatter.ofPattern("uuuu-MM-dd'T'HH:mm:ss.SSS'Z'").withZone(ZoneOffset.UTC);
 
   private final StringBuilder command = new StringBuilder();
-  private boolean greets = true;
+  private boolean sendsGreeting = true;
 
   /**
    * @param path where its receiver's antenna is
    * @param baud bits per second at which the lines come
    * @param timeToFirstFix how long after it was switched on it looks for satellites
    */
-  public GpsdDevice(AntennaPath path, int baud, Duration timeToFirstFix) {
+  public GpsdDevice(AntennaTrajectory path, int baud, Duration timeToFirstFix) {
     super(path, baud, timeToFirstFix, false);
   }
 
   @Override
   public void connected() {
     command.setLength(0);
-    greets = true;
-    talk(false);
+    sendsGreeting = true;
+    setStreaming(false);
   }
 
   @Override
-  void obey(byte[] bytes, int offset, int length, Instant time) {
+  void execute(byte[] bytes, int offset, int length, Instant time) {
     for (int i = offset; i < offset + length; i++) {
       char each = (char) (bytes[i] & 0xFF);
       if (each == ';') {
@@ -62,13 +62,13 @@ public final class GpsdDevice extends StreamingDevice {
   }
 
   private void command(String text, Instant time) {
-    if (greets) {
-      greets = false;
+    if (sendsGreeting) {
+      sendsGreeting = false;
       line(VERSION, time);
     }
     if (text.startsWith("?WATCH=")) {
       boolean on = text.contains("\"enable\":true");
-      talk(on);
+      setStreaming(on);
       line(DEVICES, time);
       line("{\"class\":\"WATCH\",\"enable\":" + on + ",\"json\":true}", time);
     } else if (text.equals("?VERSION")) {
@@ -81,8 +81,9 @@ public final class GpsdDevice extends StreamingDevice {
   }
 
   @Override
-  void tell(Instant time, boolean hasFix, AntennaState antenna) {
-    Sky sky = hasFix ? Sky.found(time) : Sky.searching(time);
+  void sendPosition(Instant time, boolean hasFix, AntennaState antenna) {
+    SatelliteConstellation sky =
+        hasFix ? SatelliteConstellation.withFix(time) : SatelliteConstellation.searching(time);
     String satellites =
         sky.channels().stream()
             .map(
@@ -105,7 +106,7 @@ public final class GpsdDevice extends StreamingDevice {
             + satellites
             + "]}",
         time);
-    String told = TIME.format(time);
+    String sent = TIME.format(time);
     line(
         hasFix
             ? String.format(
@@ -114,7 +115,7 @@ public final class GpsdDevice extends StreamingDevice {
                     + "\"lat\":%.9f,\"lon\":%.9f,\"altHAE\":%.4f,\"altMSL\":%.4f,\"track\":%.4f,"
                     + "\"speed\":%.3f,\"eph\":1.500,\"epv\":2.500}",
                 PATH,
-                told,
+                sent,
                 antenna.position().latitude(),
                 antenna.position().longitude(),
                 antenna.position().height(),
@@ -124,7 +125,7 @@ public final class GpsdDevice extends StreamingDevice {
             : "{\"class\":\"TPV\",\"device\":\""
                 + PATH
                 + "\",\"mode\":1,\"time\":\""
-                + told
+                + sent
                 + "\"}",
         time);
   }

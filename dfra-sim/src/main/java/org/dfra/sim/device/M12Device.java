@@ -29,20 +29,20 @@ public final class M12Device implements SerialDevice {
 
   private static final Set<String> OF_12_CHANNELS = Set.of("Ha", "Hb", "Hn", "Gd");
 
-  private final AntennaPath path;
+  private final AntennaTrajectory path;
   private final Duration timeToFirstFix;
-  private final M12Options options;
-  private final UartLine line;
-  private final M12CommandReader commands = new M12CommandReader(this::obey);
+  private final M12EmulatorOptions options;
+  private final UartLine channel;
+  private final M12CommandReader commands = new M12CommandReader(this::execute);
 
   /** Seconds between two tellings of the satellites, whose places change slowly. */
   private static final int SKY_PERIOD = 30;
 
   private final Map<String, Schedule> schedules = new LinkedHashMap<>();
-  private boolean tellsUtc = true;
+  private boolean reportsUtc = true;
   private boolean knowsUtc;
-  private boolean tellsOffset; // when it changes
-  private int toldOffset;
+  private boolean reportsOffset; // when it changes
+  private int reportedOffset;
   private int positionControl;
   private boolean timeRaim;
   private @Nullable GeoPosition held;
@@ -56,8 +56,8 @@ public final class M12Device implements SerialDevice {
    * @param timeToFirstFix how long after the first {@link #receive} or {@link #transmit} it looks
    *     for satellites before it has a position
    */
-  public M12Device(AntennaPath path, int baud, Duration timeToFirstFix) {
-    this(path, baud, timeToFirstFix, M12Options.USUAL);
+  public M12Device(AntennaTrajectory path, int baud, Duration timeToFirstFix) {
+    this(path, baud, timeToFirstFix, M12EmulatorOptions.USUAL);
   }
 
   /**
@@ -65,16 +65,17 @@ public final class M12Device implements SerialDevice {
    *
    * @param options how many channels it has, and when it learns UTC
    */
-  public M12Device(AntennaPath path, int baud, Duration timeToFirstFix, M12Options options) {
+  public M12Device(
+      AntennaTrajectory path, int baud, Duration timeToFirstFix, M12EmulatorOptions options) {
     this.path = path;
     this.options = options;
-    this.line = new UartLine(baud);
+    this.channel = new UartLine(baud);
     this.timeToFirstFix = timeToFirstFix;
   }
 
   @Override
   public int baud() {
-    return line.baud();
+    return channel.baud();
   }
 
   @Override
@@ -86,7 +87,7 @@ public final class M12Device implements SerialDevice {
   @Override
   public void transmit(ByteBuffer out, Instant time) {
     pass(time);
-    line.take(out, time);
+    channel.drainTo(out, time);
   }
 
   private void pass(Instant time) {
@@ -95,19 +96,19 @@ public final class M12Device implements SerialDevice {
     }
     now = time;
     knowsUtc |= !time.isBefore(powerOn.plus(options.timeToUtc())); // and does not forget it
-    if (tellsOffset && toldOffset != utcOffset()) {
-      tellOffset();
+    if (reportsOffset && reportedOffset != utcOffset()) {
+      sendUtcOffset();
     }
     schedules.forEach(
         (id, schedule) -> {
           Instant due = schedule.due(time);
           if (due != null) {
-            tell(id, due);
+            send(id, due);
           }
         });
   }
 
-  private void obey(String id, byte[] argument) {
+  private void execute(String id, byte[] argument) {
     if (options.channels() < 12 && OF_12_CHANNELS.contains(id)) {
       return;
     }
@@ -116,33 +117,33 @@ public final class M12Device implements SerialDevice {
       case "Ha", "Hb", "Hn", "Ea", "En" -> {
         timeRaim |= id.equals("En") && argument[1] == 1;
         repeat(id, first);
-        tell(id, now);
+        send(id, now);
       }
       case "Bb" -> {
         repeat(id, first == 0 ? 0 : SKY_PERIOD);
-        tell(id, now);
+        send(id, now);
       }
       case "Bo" -> {
-        tellsOffset = first != 0;
-        tellOffset();
+        reportsOffset = first != 0;
+        sendUtcOffset();
       }
-      case "Cj" -> line.send(M12Frames.identification(), now);
+      case "Cj" -> channel.send(M12Frames.identification(), now);
       case "Aw" -> setTimeScale(first);
       case "Gd" -> setPositionControl(first);
       case "At" -> setPositionHold(first);
       case "Ge" -> {
         timeRaim = first == 0xFF ? timeRaim : first == 1;
-        say("Ge", timeRaim ? 1 : 0);
+        acknowledge("Ge", timeRaim ? 1 : 0);
       }
       case "Gb" -> setClock(argument);
       case "As" -> setHeld(argument);
       case "Cf" -> {
         schedules.clear();
-        tellsOffset = false;
-        tellsUtc = true;
+        reportsOffset = false;
+        reportsUtc = true;
         positionControl = 0;
         timeRaim = false;
-        line.send(M12Frames.frame("Cf", new byte[0]), now);
+        channel.send(M12Frames.frame("Cf", new byte[0]), now);
       }
       default -> {
         // the receiver ignores what it does not know
@@ -154,13 +155,13 @@ public final class M12Device implements SerialDevice {
     schedules.computeIfAbsent(id, unused -> new Schedule()).set(seconds, now);
   }
 
-  private void say(String id, int value) {
-    line.send(M12Frames.frame(id, new byte[] {(byte) value}), now);
+  private void acknowledge(String id, int value) {
+    channel.send(M12Frames.frame(id, new byte[] {(byte) value}), now);
   }
 
-  private void tellOffset() {
-    toldOffset = utcOffset();
-    say("Bo", toldOffset);
+  private void sendUtcOffset() {
+    reportedOffset = utcOffset();
+    acknowledge("Bo", reportedOffset);
   }
 
   /** GPS time minus UTC, seconds; 0 while it has not learned it. */
@@ -170,8 +171,8 @@ public final class M12Device implements SerialDevice {
 
   private void setTimeScale(int argument) {
     if (argument <= 1 || argument == 0xFF) {
-      tellsUtc = argument == 0xFF ? tellsUtc : argument == 1;
-      say("Aw", tellsUtc ? 1 : 0);
+      reportsUtc = argument == 0xFF ? reportsUtc : argument == 1;
+      acknowledge("Aw", reportsUtc ? 1 : 0);
     }
   }
 
@@ -181,7 +182,7 @@ public final class M12Device implements SerialDevice {
       if (argument == 1 && held == null) {
         held = path.at(now).position();
       }
-      say("Gd", positionControl);
+      acknowledge("Gd", positionControl);
     }
   }
 
@@ -193,7 +194,7 @@ public final class M12Device implements SerialDevice {
         held = path.at(now).position();
       }
     }
-    say("At", positionControl == 3 ? 2 : positionControl == 1 ? 1 : 0);
+    acknowledge("At", positionControl == 3 ? 2 : positionControl == 1 ? 1 : 0);
   }
 
   private void setClock(byte[] argument) {
@@ -201,7 +202,7 @@ public final class M12Device implements SerialDevice {
     if (set != null && !hasFix(now)) {
       clockError = Duration.between(now, set);
     }
-    line.send(M12Frames.clock(told(now)), now);
+    channel.send(M12Frames.clock(reportedTime(now)), now);
   }
 
   private void setHeld(byte[] argument) {
@@ -209,21 +210,21 @@ public final class M12Device implements SerialDevice {
     if (set != null) {
       held = set;
     }
-    line.send(M12Frames.held(held == null ? path.at(now).position() : held), now);
+    channel.send(M12Frames.held(held == null ? path.at(now).position() : held), now);
   }
 
-  private Instant told(Instant time) {
+  private Instant reportedTime(Instant time) {
     return hasFix(time) ? time : time.plus(clockError);
   }
 
-  private void tell(String id, Instant time) {
-    if (line.waitingBytes() > LONGEST_QUEUE) {
+  private void send(String id, Instant time) {
+    if (channel.waitingBytes() > LONGEST_QUEUE) {
       return;
     }
     M12Frames.Moment moment =
         new M12Frames.Moment(
-            told(time), utcOffset(), tellsUtc, hasFix(time), holds(), antenna(time));
-    line.send(
+            reportedTime(time), utcOffset(), reportsUtc, hasFix(time), holds(), antenna(time));
+    channel.send(
         switch (id) {
           case "Ha" -> M12Frames.position12(moment);
           case "Hb" -> M12Frames.shortPosition(moment);
@@ -245,6 +246,8 @@ public final class M12Device implements SerialDevice {
   }
 
   private boolean hasFix(Instant time) {
-    return powerOn != null && !time.isBefore(powerOn.plus(timeToFirstFix)) && path.hasSky(time);
+    return powerOn != null
+        && !time.isBefore(powerOn.plus(timeToFirstFix))
+        && path.hasSatellites(time);
   }
 }

@@ -11,7 +11,7 @@ public final class M12Emulator extends DeviceEmulator {
    * @param settings port, speed, path
    * @param clock the time it tells and paces its bytes by; may run at any speed or be stepped
    */
-  public M12Emulator(M12Settings settings, InstantSource clock) {
+  public M12Emulator(M12EmulatorSettings settings, InstantSource clock) {
     super(
         "m12",
         settings.port(),

@@ -48,7 +48,7 @@ final class M12Frames {
 
   /** {@code @@Ha}: position, status and data of twelve channels. */
   static byte[] position12(Moment moment) {
-    Sky sky = moment.sky();
+    SatelliteConstellation sky = moment.sky();
     AntennaState antenna = moment.antenna();
     ByteBuffer out = ByteBuffer.allocate(LENGTH_12 - AROUND_PAYLOAD);
     putTime(out, moment);
@@ -66,7 +66,7 @@ final class M12Frames {
     out.putShort((short) 0).putShort((short) -12).putInt(99_800); // reserved, bias, oscillator
     out.putShort((short) 56); // 28 °C
     int isKnown = moment.utcOffset() != 0 ? 0x40 : 0;
-    out.put((byte) ((moment.tellsUtc() ? 0x80 : 0) | isKnown | moment.utcOffset()));
+    out.put((byte) ((moment.isUtc() ? 0x80 : 0) | isKnown | moment.utcOffset()));
     out.put((byte) 0).put((byte) 0).put((byte) 0); // local time is UTC
     out.put("EMU001".getBytes(StandardCharsets.US_ASCII));
     return frame("Ha", out.array());
@@ -74,7 +74,7 @@ final class M12Frames {
 
   /** {@code @@Ea}: position, status and data of eight channels. */
   static byte[] position8(Moment moment) {
-    Sky sky = moment.sky();
+    SatelliteConstellation sky = moment.sky();
     AntennaState antenna = moment.antenna();
     ByteBuffer out = ByteBuffer.allocate(LENGTH_8 - AROUND_PAYLOAD);
     putTime(out, moment);
@@ -84,10 +84,10 @@ final class M12Frames {
     out.putShort((short) moment.dilution());
     out.put((byte) 0); // PDOP, antenna in order
     out.put((byte) sky.visible()).put((byte) sky.tracked(8));
-    for (Sky.Channel channel : sky.channels().subList(0, 8)) {
+    for (SatelliteConstellation.Channel channel : sky.channels().subList(0, 8)) {
       out.put((byte) channel.satellite()).put((byte) channel.mode());
       out.put((byte) channel.carrierToNoise());
-      out.put((byte) (channel.mode() == Sky.AVAILABLE ? CHANNEL_USED_8 : 0));
+      out.put((byte) (channel.mode() == SatelliteConstellation.AVAILABLE ? CHANNEL_USED_8 : 0));
     }
     out.put((byte) (!moment.hasFix() ? 0x08 | 0x02 : moment.holds() ? 0x08 : 0x20));
     return frame("Ea", out.array());
@@ -131,9 +131,9 @@ final class M12Frames {
   /** {@code @@Bb}: the satellites above the horizon. */
   static byte[] visible(Moment moment) {
     ByteBuffer out = ByteBuffer.allocate(92 - AROUND_PAYLOAD);
-    List<Sky.Channel> channels = moment.sky().channels();
+    List<SatelliteConstellation.Channel> channels = moment.sky().channels();
     out.put((byte) channels.size());
-    for (Sky.Channel channel : channels) {
+    for (SatelliteConstellation.Channel channel : channels) {
       out.put((byte) channel.satellite()).putShort((short) 0); // no doppler
       out.put((byte) channel.elevation()).putShort((short) channel.azimuth()).put((byte) 0);
     }
@@ -162,7 +162,7 @@ final class M12Frames {
   /** Pulse, its scale, solution status, RAIM status. */
   private static void putTimeRaim(ByteBuffer out, Moment moment, boolean on) {
     boolean works = on && moment.hasFix();
-    out.put((byte) 1).put((byte) (moment.tellsUtc() ? 0 : 1));
+    out.put((byte) 1).put((byte) (moment.isUtc() ? 0 : 1));
     out.put((byte) (works ? 0 : 2)).put((byte) (works ? 0 : 2));
   }
 
@@ -222,7 +222,7 @@ final class M12Frames {
    *
    * @param utc the time by the receiver's clock
    * @param utcOffset GPS time minus UTC as far as it has learned that, seconds; 0 where it has not
-   * @param tellsUtc whether it is told as UTC; otherwise as GPS time
+   * @param isUtc whether it is told as UTC; otherwise as GPS time
    * @param hasFix whether it has found its satellites
    * @param holds whether its position is held
    * @param antenna where it says it is
@@ -230,13 +230,13 @@ final class M12Frames {
   record Moment(
       Instant utc,
       int utcOffset,
-      boolean tellsUtc,
+      boolean isUtc,
       boolean hasFix,
       boolean holds,
       AntennaState antenna) {
 
-    Sky sky() {
-      return hasFix ? Sky.found(utc) : Sky.searching(utc);
+    SatelliteConstellation sky() {
+      return hasFix ? SatelliteConstellation.withFix(utc) : SatelliteConstellation.searching(utc);
     }
 
     /** Tenths; none while the position is held. */
@@ -254,8 +254,8 @@ final class M12Frames {
 
   private static void putTime(ByteBuffer out, Moment moment) {
     Instant gps = moment.utc().plusSeconds(UTC_OFFSET);
-    Instant told = moment.tellsUtc() ? gps.minusSeconds(moment.utcOffset()) : gps;
-    LocalDateTime time = LocalDateTime.ofInstant(told, ZoneOffset.UTC);
+    Instant reported = moment.isUtc() ? gps.minusSeconds(moment.utcOffset()) : gps;
+    LocalDateTime time = LocalDateTime.ofInstant(reported, ZoneOffset.UTC);
     out.put((byte) time.getMonthValue()).put((byte) time.getDayOfMonth());
     out.putShort((short) time.getYear());
     out.put((byte) time.getHour()).put((byte) time.getMinute()).put((byte) time.getSecond());
@@ -273,14 +273,16 @@ final class M12Frames {
     out.putShort((short) Math.min(51_400, Math.round(speed * 100)));
   }
 
-  private static void putChannel12(ByteBuffer out, List<Sky.Channel> channels, int index) {
+  private static void putChannel12(
+      ByteBuffer out, List<SatelliteConstellation.Channel> channels, int index) {
     if (index >= channels.size()) {
       out.put(new byte[6]);
       return;
     }
-    Sky.Channel channel = channels.get(index);
+    SatelliteConstellation.Channel channel = channels.get(index);
     out.put((byte) channel.satellite()).put((byte) channel.mode());
     out.put((byte) channel.carrierToNoise()).put((byte) channel.ephemerisIssue());
-    out.putShort((short) (channel.mode() == Sky.AVAILABLE ? CHANNEL_USED_12 : 0));
+    out.putShort(
+        (short) (channel.mode() == SatelliteConstellation.AVAILABLE ? CHANNEL_USED_12 : 0));
   }
 }

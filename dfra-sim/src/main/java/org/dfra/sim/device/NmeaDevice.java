@@ -24,19 +24,20 @@ public final class NmeaDevice extends StreamingDevice {
    * @param baud bits per second of its line
    * @param timeToFirstFix how long after it was switched on it looks for satellites
    */
-  public NmeaDevice(AntennaPath path, int baud, Duration timeToFirstFix) {
+  public NmeaDevice(AntennaTrajectory path, int baud, Duration timeToFirstFix) {
     super(path, baud, timeToFirstFix, true);
   }
 
   @Override
-  void obey(byte[] bytes, int offset, int length, Instant time) {
+  void execute(byte[] bytes, int offset, int length, Instant time) {
     // it is set up already
   }
 
   @Override
-  void tell(Instant time, boolean hasFix, AntennaState antenna) {
+  void sendPosition(Instant time, boolean hasFix, AntennaState antenna) {
     LocalDateTime utc = LocalDateTime.ofInstant(time, ZoneOffset.UTC);
-    Sky sky = hasFix ? Sky.found(time) : Sky.searching(time);
+    SatelliteConstellation sky =
+        hasFix ? SatelliteConstellation.withFix(time) : SatelliteConstellation.searching(time);
     String clock =
         String.format(
             Locale.ROOT,
@@ -75,22 +76,22 @@ public final class NmeaDevice extends StreamingDevice {
         "GNGGA,%s,%s,%d,%02d,%s,%s,,",
         time, clock, place, hasFix ? 1 : 0, sky.tracked(12), hasFix ? "0.9" : "99.9", height);
     StringBuilder used = new StringBuilder();
-    List<Sky.Channel> channels = sky.channels();
+    List<SatelliteConstellation.Channel> channels = sky.channels();
     for (int i = 0; i < 12; i++) {
       boolean uses = hasFix && i < channels.size() && channels.get(i).isUsed();
       used.append(uses ? String.format("%02d", channels.get(i).satellite()) : "").append(',');
     }
     sentence(
         "GNGSA,A,%d,%s%s", time, hasFix ? 3 : 1, used, hasFix ? "1.8,0.9,1.5" : "99.9,99.9,99.9");
-    tellSatellites(channels, time);
+    sendSatellites(channels, time);
   }
 
-  private void tellSatellites(List<Sky.Channel> channels, Instant time) {
+  private void sendSatellites(List<SatelliteConstellation.Channel> channels, Instant time) {
     int sentences = (channels.size() + IN_A_SENTENCE - 1) / IN_A_SENTENCE;
     for (int i = 0; i < sentences; i++) {
       StringBuilder blocks = new StringBuilder();
       int end = Math.min(channels.size(), (i + 1) * IN_A_SENTENCE);
-      for (Sky.Channel channel : channels.subList(i * IN_A_SENTENCE, end)) {
+      for (SatelliteConstellation.Channel channel : channels.subList(i * IN_A_SENTENCE, end)) {
         String strength = channel.isUsed() ? Integer.toString(channel.carrierToNoise()) : "";
         blocks.append(
             String.format(

@@ -43,7 +43,7 @@ public final class PseudoTerminal implements AutoCloseable {
   private @Nullable Process socat;
   private boolean closed;
   private boolean ready;
-  private String trouble = "socat has said nothing";
+  private String fault = "socat has said nothing";
 
   /**
    * @param name what the port's file is called
@@ -116,7 +116,7 @@ public final class PseudoTerminal implements AutoCloseable {
     }
     if (!ready) {
       throw new IOException(
-          port + " is not there after " + PATIENCE_SECONDS + " s; socat says: " + trouble);
+          port + " is not there after " + PATIENCE_SECONDS + " s; socat says: " + fault);
     }
   }
 
@@ -166,7 +166,7 @@ public final class PseudoTerminal implements AutoCloseable {
         pause();
       }
     } catch (IOException e) {
-      note(String.valueOf(e.getMessage()));
+      recordOutput(String.valueOf(e.getMessage()));
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } finally {
@@ -197,9 +197,9 @@ public final class PseudoTerminal implements AutoCloseable {
             .redirectErrorStream(true)
             .start();
     own(process);
-    try (BufferedReader said = process.inputReader(StandardCharsets.UTF_8)) {
-      for (String line = said.readLine(); line != null; line = said.readLine()) {
-        note(line);
+    try (BufferedReader output = process.inputReader(StandardCharsets.UTF_8)) {
+      for (String line = output.readLine(); line != null; line = output.readLine()) {
+        recordOutput(line);
       }
     } finally {
       own(null);
@@ -222,11 +222,11 @@ public final class PseudoTerminal implements AutoCloseable {
     }
   }
 
-  private void note(String line) {
+  private void recordOutput(String line) {
     lock.lock();
     try {
       ready |= line.contains(READY);
-      trouble = line;
+      fault = line;
       changed.signalAll();
     } finally {
       lock.unlock();

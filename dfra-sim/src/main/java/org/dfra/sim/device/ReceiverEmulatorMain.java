@@ -7,7 +7,7 @@ import java.time.Duration;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.text.Printable;
+import org.dfra.text.PrintableText;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -121,7 +121,7 @@ public final class ReceiverEmulatorMain implements Callable<Integer> {
       emulator.await();
       return 0;
     } catch (IOException e) {
-      spec.commandLine().getErr().println(Printable.line(String.valueOf(e.getMessage())));
+      spec.commandLine().getErr().println(PrintableText.line(String.valueOf(e.getMessage())));
       return 1;
     }
   }
@@ -137,7 +137,8 @@ public final class ReceiverEmulatorMain implements Callable<Integer> {
 
   private DeviceEmulator emulator() {
     try {
-      AntennaPath path = AntennaPath.fixed(new GeoPosition(latitude, longitude, height));
+      AntennaTrajectory path =
+          AntennaTrajectory.fixed(new GeoPosition(latitude, longitude, height));
       SerialDevice device =
           switch (protocol) {
             case M12 ->
@@ -145,7 +146,7 @@ public final class ReceiverEmulatorMain implements Callable<Integer> {
                     path,
                     baud,
                     Duration.ZERO,
-                    new M12Options(channels, Duration.ofSeconds(utcAfter)));
+                    new M12EmulatorOptions(channels, Duration.ofSeconds(utcAfter)));
             case NMEA -> new NmeaDevice(path, baud, Duration.ZERO);
             case UBX -> new UbxDevice(path, baud, Duration.ZERO);
             case GPSD -> new GpsdDevice(path, baud, Duration.ZERO);

@@ -37,7 +37,7 @@ public interface SerialDevice {
    * Whether bytes that the computer does not take at once are kept for it, as on a network. On a
    * serial line they are lost.
    */
-  default boolean keepsBytes() {
+  default boolean buffersOutput() {
     return false;
   }
 

@@ -28,7 +28,7 @@ final class SimLink implements SerialLink {
   // all guarded by lock
   private final byte[] unread = new byte[ROOM];
   private int filled;
-  private int looks; // since the first of them came, or the reader was woken
+  private int polls; // since the first of them came, or the reader was woken
   private boolean open = true;
   private boolean lost;
 
@@ -51,15 +51,15 @@ final class SimLink implements SerialLink {
    * @param paused whether the line is silent now, so that the reader is to have what there is;
    *     otherwise it gets it with what follows, {@value #LONGEST_HOLD} looks later at the latest
    */
-  void arrive(byte[] bytes, boolean paused) {
+  void deliver(byte[] bytes, boolean paused) {
     lock.lock();
     try {
       int count = Math.min(bytes.length, ROOM - filled);
       System.arraycopy(bytes, 0, unread, filled, count);
       filled += count;
-      looks = filled == 0 ? 0 : looks + 1;
-      if (filled > 0 && (paused || looks >= LONGEST_HOLD)) {
-        looks = 0;
+      polls = filled == 0 ? 0 : polls + 1;
+      if (filled > 0 && (paused || polls >= LONGEST_HOLD)) {
+        polls = 0;
         changed.signalAll();
       }
     } finally {
@@ -68,7 +68,7 @@ final class SimLink implements SerialLink {
   }
 
   /** There is no device any more; what has come can still be read. */
-  void lose() {
+  void disconnect() {
     lock.lock();
     try {
       lost = true;

@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.time.Duration;
 import org.dfra.drivers.link.SerialLink;
 import org.dfra.drivers.link.SimAddress;
-import org.dfra.drivers.link.SimLinks;
+import org.dfra.drivers.link.SimLinkRegistry;
 import org.dfra.sim.time.LockStep;
-import org.dfra.time.Scheduler.Task;
+import org.dfra.time.Scheduler.ScheduledTask;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -22,15 +22,15 @@ import org.jspecify.annotations.Nullable;
  */
 public final class SimPort implements AutoCloseable {
 
-  private static final Duration LOOK_EVERY = Duration.ofMillis(5);
+  private static final Duration POLL_INTERVAL = Duration.ofMillis(5);
 
   private final String name;
   private final Cable cable;
   private final LockStep time;
-  private final SimLinks.Port port = this::open;
+  private final SimLinkRegistry.LinkFactory port = this::open;
 
   // all guarded by this
-  private @Nullable Task looking;
+  private @Nullable ScheduledTask pollTask;
   private boolean closed;
   private @Nullable SimLink client;
 
@@ -54,9 +54,9 @@ public final class SimPort implements AutoCloseable {
     if (closed) {
       throw new IllegalStateException("this port was closed; make a new one");
     }
-    if (looking == null) {
+    if (pollTask == null) {
       time.simLinks().add(name, port);
-      looking = time.every(LOOK_EVERY, this::look);
+      pollTask = time.every(POLL_INTERVAL, this::poll);
     }
   }
 
@@ -74,8 +74,8 @@ public final class SimPort implements AutoCloseable {
   public synchronized void close() {
     closed = true;
     time.simLinks().remove(name, port);
-    if (looking != null) {
-      looking.cancel();
+    if (pollTask != null) {
+      pollTask.cancel();
     }
     replaceClient(null);
   }
@@ -93,7 +93,7 @@ public final class SimPort implements AutoCloseable {
 
   private void replaceClient(@Nullable SimLink next) {
     if (client != null) {
-      client.lose();
+      client.disconnect();
       cable.disconnected();
     }
     client = next;
@@ -101,17 +101,17 @@ public final class SimPort implements AutoCloseable {
 
   /** Whether so few bytes have come since the last look that the line is silent now. */
   private boolean isPause(int count) {
-    long most = cable.baud() * LOOK_EVERY.toMillis() / 10_000; // ten bits a byte
+    long most = cable.baud() * POLL_INTERVAL.toMillis() / 10_000; // ten bits a byte
     return most == 0 || count < most;
   }
 
-  private synchronized void look() {
+  private synchronized void poll() {
     if (cable.isPulled()) {
       replaceClient(null);
     }
     byte[] bytes = cable.pass(time.instant());
     if (client != null) {
-      client.arrive(bytes, isPause(bytes.length));
+      client.deliver(bytes, isPause(bytes.length));
     }
   }
 }

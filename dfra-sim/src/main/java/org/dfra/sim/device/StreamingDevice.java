@@ -14,9 +14,9 @@ abstract class StreamingDevice implements SerialDevice {
   /** With more than this waiting the line is too slow for what was asked; a moment is left out. */
   private static final int LONGEST_QUEUE = 4096;
 
-  private final AntennaPath path;
+  private final AntennaTrajectory path;
   private final Duration timeToFirstFix;
-  private final UartLine line;
+  private final UartLine channel;
   private final Schedule schedule = new Schedule();
   private @Nullable Instant powerOn;
   private boolean talks;
@@ -25,24 +25,24 @@ abstract class StreamingDevice implements SerialDevice {
    * @param path where its antenna is
    * @param baud bits per second of its line
    * @param timeToFirstFix how long after it was switched on it looks for satellites
-   * @param talks whether it tells positions without being asked
+   * @param streaming whether it tells positions without being asked
    */
-  StreamingDevice(AntennaPath path, int baud, Duration timeToFirstFix, boolean talks) {
+  StreamingDevice(AntennaTrajectory path, int baud, Duration timeToFirstFix, boolean streaming) {
     this.path = path;
-    this.line = new UartLine(baud);
+    this.channel = new UartLine(baud);
     this.timeToFirstFix = timeToFirstFix;
-    this.talks = talks;
+    this.talks = streaming;
   }
 
   /** What it tells of a moment. */
-  abstract void tell(Instant time, boolean hasFix, AntennaState antenna);
+  abstract void sendPosition(Instant time, boolean hasFix, AntennaState antenna);
 
   /** Takes the bytes of a command. */
-  abstract void obey(byte[] bytes, int offset, int length, Instant time);
+  abstract void execute(byte[] bytes, int offset, int length, Instant time);
 
   /** Puts bytes on the line. */
   final void send(byte[] bytes, Instant time) {
-    line.send(bytes, time);
+    channel.send(bytes, time);
   }
 
   /** Tells from now on once in such a period. */
@@ -51,25 +51,25 @@ abstract class StreamingDevice implements SerialDevice {
   }
 
   /** Begins or ends to tell. */
-  final void talk(boolean whether) {
-    talks = whether;
+  final void setStreaming(boolean streaming) {
+    talks = streaming;
   }
 
   @Override
   public final int baud() {
-    return line.baud();
+    return channel.baud();
   }
 
   @Override
   public final void receive(byte[] bytes, int offset, int length, Instant time) {
     pass(time);
-    obey(bytes, offset, length, time);
+    execute(bytes, offset, length, time);
   }
 
   @Override
   public final void transmit(ByteBuffer out, Instant time) {
     pass(time);
-    line.take(out, time);
+    channel.drainTo(out, time);
   }
 
   private void pass(Instant time) {
@@ -80,9 +80,9 @@ abstract class StreamingDevice implements SerialDevice {
       schedule.set(Duration.ofSeconds(1), time);
     }
     Instant due = schedule.due(time);
-    if (due != null && talks && line.waitingBytes() <= LONGEST_QUEUE) {
-      boolean hasFix = !due.isBefore(on.plus(timeToFirstFix)) && path.hasSky(due);
-      tell(due, hasFix, path.at(due));
+    if (due != null && talks && channel.waitingBytes() <= LONGEST_QUEUE) {
+      boolean hasFix = !due.isBefore(on.plus(timeToFirstFix)) && path.hasSatellites(due);
+      sendPosition(due, hasFix, path.at(due));
     }
   }
 }

@@ -92,8 +92,8 @@ public final class UartLine {
   }
 
   /** Moves the bytes that are through by {@code now} to {@code out}, as far as they fit. */
-  public void take(ByteBuffer out, Instant now) {
-    settle(now);
+  public void drainTo(ByteBuffer out, Instant now) {
+    limitBacklog(now);
     for (Burst head = waiting.peek(); head != null; head = waiting.peek()) {
       int count = Math.min(head.through(now) - head.bytes.position(), out.remaining());
       out.put(head.bytes.slice(head.bytes.position(), count));
@@ -112,7 +112,7 @@ public final class UartLine {
   }
 
   /** A clock that was set back stops the line for no longer than from one look to the next. */
-  private void settle(Instant now) {
+  private void limitBacklog(Instant now) {
     if (now.isBefore(last)) {
       Duration back = Duration.between(now, last);
       for (Burst burst : waiting) {

@@ -38,12 +38,12 @@ public final class UbxDevice extends StreamingDevice {
    * @param baud bits per second of its line
    * @param timeToFirstFix how long after it was switched on it looks for satellites
    */
-  public UbxDevice(AntennaPath path, int baud, Duration timeToFirstFix) {
+  public UbxDevice(AntennaTrajectory path, int baud, Duration timeToFirstFix) {
     super(path, baud, timeToFirstFix, false);
   }
 
   @Override
-  void obey(byte[] bytes, int offset, int length, Instant time) {
+  void execute(byte[] bytes, int offset, int length, Instant time) {
     for (int i = offset; i < offset + length; i++) {
       window[filled++] = bytes[i];
       while (filled > 0 && !mayGrow()) {
@@ -80,22 +80,22 @@ public final class UbxDevice extends StreamingDevice {
   }
 
   private void command(int type, int payload, Instant time) {
-    boolean obeyed = true;
+    boolean executed = true;
     if (type == MON_VER && payload == 0) {
       send(version(), time);
     } else if (type == CFG_MSG && payload == 3) {
-      obeyed = setMessage((window[6] & 0xFF) << 8 | (window[7] & 0xFF), window[8] & 0xFF);
+      executed = setMessage((window[6] & 0xFF) << 8 | (window[7] & 0xFF), window[8] & 0xFF);
     } else if (type == CFG_RATE && payload == 6) {
       int millis = (window[6] & 0xFF) | (window[7] & 0xFF) << 8;
-      obeyed = millis >= SHORTEST_PERIOD;
-      if (obeyed) {
+      executed = millis >= SHORTEST_PERIOD;
+      if (executed) {
         setPeriod(Duration.ofMillis(millis), time);
       }
     } else {
-      obeyed = false;
+      executed = false;
     }
     if (type >> 8 == CFG) {
-      send(frame(obeyed ? 0x0501 : 0x0500, new byte[] {(byte) (type >> 8), (byte) type}), time);
+      send(frame(executed ? 0x0501 : 0x0500, new byte[] {(byte) (type >> 8), (byte) type}), time);
     }
   }
 
@@ -107,17 +107,22 @@ public final class UbxDevice extends StreamingDevice {
     } else {
       return false;
     }
-    talk(positionsEvery > 0 || satellitesEvery > 0);
+    setStreaming(positionsEvery > 0 || satellitesEvery > 0);
     return true;
   }
 
   @Override
-  void tell(Instant time, boolean hasFix, AntennaState antenna) {
+  void sendPosition(Instant time, boolean hasFix, AntennaState antenna) {
     if (positionsEvery > 0 && solutions % positionsEvery == 0) {
       send(position(time, hasFix, antenna), time);
     }
     if (satellitesEvery > 0 && solutions % satellitesEvery == 0) {
-      send(satellites(hasFix ? Sky.found(time) : Sky.searching(time)), time);
+      send(
+          satellites(
+              hasFix
+                  ? SatelliteConstellation.withFix(time)
+                  : SatelliteConstellation.searching(time)),
+          time);
     }
     solutions++;
   }
@@ -132,7 +137,8 @@ public final class UbxDevice extends StreamingDevice {
     out.put((byte) utc.getMinute()).put((byte) utc.getSecond());
     out.put((byte) (hasFix ? 7 : 3)); // valid; resolved with the first fix
     out.putInt(25).putInt(nano); // time accuracy, ns
-    Sky sky = hasFix ? Sky.found(time) : Sky.searching(time);
+    SatelliteConstellation sky =
+        hasFix ? SatelliteConstellation.withFix(time) : SatelliteConstellation.searching(time);
     out.put((byte) (hasFix ? 3 : 0)).put((byte) (hasFix ? 1 : 0)).put((byte) 0);
     out.put((byte) (hasFix ? sky.tracked(12) : 0));
     out.putInt((int) Math.round(antenna.position().longitude() * 1e7));
@@ -149,11 +155,11 @@ public final class UbxDevice extends StreamingDevice {
     return frame(NAV_PVT, out.array());
   }
 
-  private static byte[] satellites(Sky sky) {
+  private static byte[] satellites(SatelliteConstellation sky) {
     int count = sky.channels().size();
     ByteBuffer out = ByteBuffer.allocate(8 + 12 * count).order(ByteOrder.LITTLE_ENDIAN);
     out.putInt(0).put((byte) 1).put((byte) count).putShort((short) 0);
-    for (Sky.Channel channel : sky.channels()) {
+    for (SatelliteConstellation.Channel channel : sky.channels()) {
       out.put((byte) 0).put((byte) channel.satellite()).put((byte) channel.carrierToNoise());
       out.put((byte) channel.elevation()).putShort((short) channel.azimuth()).putShort((short) 0);
       out.putInt(channel.isUsed() ? 0x1F : 0x01);

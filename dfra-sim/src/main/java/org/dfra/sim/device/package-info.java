@@ -3,7 +3,7 @@
  * driver is what a simulated robot runs.
  *
  * <pre>
- *   AntennaPath ---&gt; SerialDevice ---&gt; UartLine ---&gt; DeviceEmulator &lt;==tcp==&gt; a driver
+ *   AntennaTrajectory ---&gt; SerialDevice ---&gt; UartLine ---&gt; DeviceEmulator &lt;==tcp==&gt; a driver
  *   where it is      what it says      how fast  '-&gt; SimPort        &lt;==sim==&gt; a driver
  *                    M12Device, NmeaDevice, ...       over what
  * </pre>

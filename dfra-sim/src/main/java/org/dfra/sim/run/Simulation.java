@@ -19,21 +19,22 @@ import org.dfra.sim.world.description.WorldDescription;
  * A world in which every line of every robot ends in a device that speaks its own bytes.
  *
  * <p>{@link #start} opens the lines; {@link #close} closes them. Both do nothing the second time.
- * The world goes on as far as its devices, or those who ask for {@link World#truth}, ask for.
+ * The world goes on as far as its devices, or those who ask for {@link World#groundTruth}, ask for.
  */
 public final class Simulation implements AutoCloseable {
 
   /** Which TCP port a device gets where its description does not say, or is not asked. */
-  public enum Ports {
+  public enum PortPolicy {
     /** The one that is written, or any free one where none is. */
-    AS_WRITTEN,
+    CONFIGURED,
     /** Any free one. */
-    ANY
+    EPHEMERAL
   }
 
-  private record Emulated(SimulatedRobot robot, Emulators.Line line, Carrier carrier) {
-    SimulatedLine told() {
-      return new SimulatedLine(
+  private record Emulated(
+      SimulatedRobot robot, EmulatorFactory.EmulatedLink line, EmulatorTransport carrier) {
+    DeviceEndpoint endpoint() {
+      return new DeviceEndpoint(
           robot.name(),
           line.device().name(),
           line.protocol(),
@@ -43,7 +44,7 @@ public final class Simulation implements AutoCloseable {
   }
 
   private interface Carriers {
-    Carrier carry(String name, DeviceDescription device, SerialDevice emulated);
+    EmulatorTransport create(String name, DeviceDescription device, SerialDevice emulated);
   }
 
   private final World world;
@@ -53,10 +54,11 @@ public final class Simulation implements AutoCloseable {
   private Simulation(World world, Carriers carriers) {
     this.world = world;
     for (SimulatedRobot robot : world.robots()) {
-      for (Emulators.Line line : Emulators.lines(robot, world.description().datum())) {
+      for (EmulatorFactory.EmulatedLink line :
+          EmulatorFactory.links(robot, world.description().datum())) {
         String name = robot.name() + "/" + line.device().name();
         emulated.put(
-            name, new Emulated(robot, line, carriers.carry(name, line.device(), line.emulated())));
+            name, new Emulated(robot, line, carriers.create(name, line.device(), line.emulated())));
       }
     }
   }
@@ -66,11 +68,16 @@ public final class Simulation implements AutoCloseable {
    *
    * @throws ConfigurationException if a device's emulator is described wrongly
    */
-  public static Simulation overTcp(WorldDescription description, InstantSource clock, Ports ports) {
+  public static Simulation overTcp(
+      WorldDescription description, InstantSource clock, PortPolicy ports) {
     return new Simulation(
         World.of(description, clock.instant()),
         (name, device, emulated) ->
-            Carrier.tcp(name, ports == Ports.ANY ? 0 : Emulators.port(device), emulated, clock));
+            EmulatorTransport.tcp(
+                name,
+                ports == PortPolicy.EPHEMERAL ? 0 : EmulatorFactory.port(device),
+                emulated,
+                clock));
   }
 
   /**
@@ -82,7 +89,7 @@ public final class Simulation implements AutoCloseable {
   public static Simulation inLockStep(WorldDescription description, LockStep time) {
     return new Simulation(
         World.of(description, time.instant()),
-        (name, device, emulated) -> Carrier.lockStep(name, emulated, time));
+        (name, device, emulated) -> EmulatorTransport.lockStep(name, emulated, time));
   }
 
   /**
@@ -95,13 +102,13 @@ public final class Simulation implements AutoCloseable {
       return;
     }
     started = true;
-    List<Carrier> opened = new ArrayList<>();
+    List<EmulatorTransport> opened = new ArrayList<>();
     for (Map.Entry<String, Emulated> each : emulated.entrySet()) {
       try {
         each.getValue().carrier().start();
         opened.add(each.getValue().carrier());
       } catch (IOException e) {
-        opened.forEach(Carrier::close);
+        opened.forEach(EmulatorTransport::close);
         throw new IOException(
             each.getValue().line().device().place()
                 + ": "
@@ -119,8 +126,8 @@ public final class Simulation implements AutoCloseable {
   }
 
   /** Every line, by robot and device; only while it is started. */
-  public List<SimulatedLine> lines() {
-    return emulated.values().stream().map(Emulated::told).toList();
+  public List<DeviceEndpoint> endpoints() {
+    return emulated.values().stream().map(Emulated::endpoint).toList();
   }
 
   /**

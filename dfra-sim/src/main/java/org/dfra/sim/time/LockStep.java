@@ -7,10 +7,10 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BooleanSupplier;
-import org.dfra.drivers.link.SimLinks;
+import org.dfra.drivers.link.SimLinkRegistry;
 import org.dfra.drivers.link.Ticker;
-import org.dfra.sim.time.Agenda.Due;
-import org.dfra.sim.time.Baton.Wait;
+import org.dfra.sim.time.EventQueue.ScheduledEvent;
+import org.dfra.sim.time.LockStepScheduler.Wait;
 import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
@@ -37,13 +37,14 @@ import org.jspecify.annotations.Nullable;
 public final class LockStep implements InstantSource, Scheduler, Ticker {
 
   private static final Duration PATIENCE = Duration.ofSeconds(30);
-  private static final long LOOK_EVERY_MILLIS = 10;
+  private static final long POLL_INTERVAL_MILLIS = 10;
 
   private final Instant begin;
-  private final Agenda agenda = new Agenda();
-  private final Baton baton;
-  private final SimLinks links =
-      new SimLinks("the simulation has started none yet; org.dfra.sim.device.SimPort makes one");
+  private final EventQueue agenda = new EventQueue();
+  private final LockStepScheduler scheduler;
+  private final SimLinkRegistry links =
+      new SimLinkRegistry(
+          "the simulation has started none yet; org.dfra.sim.device.SimPort makes one");
 
   /** Held while the time is moved on. Taken before any other lock. */
   private final ReentrantLock stepping = new ReentrantLock();
@@ -61,7 +62,7 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
    */
   public LockStep(Instant begin, Duration patience) {
     this.begin = begin;
-    this.baton = new Baton(agenda, patience);
+    this.scheduler = new LockStepScheduler(agenda, patience);
   }
 
   @Override
@@ -87,7 +88,7 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
     if (duration.isNegative()) {
       throw new IllegalArgumentException("time cannot go back by " + duration.negated());
     }
-    boolean unused = run(agenda.in(duration.toNanos()), () -> false);
+    boolean unused = run(agenda.timeAfter(duration.toNanos()), () -> false);
   }
 
   /** The same, to an instant. */
@@ -102,11 +103,11 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
    * @return whether it holds
    */
   public boolean advanceUntil(BooleanSupplier condition, Duration atMost) {
-    return run(agenda.in(atMost.toNanos()), condition);
+    return run(agenda.timeAfter(atMost.toNanos()), condition);
   }
 
   private boolean run(long until, BooleanSupplier enough) {
-    if (hasBaton()) {
+    if (isExecuting()) {
       throw new IllegalStateException(
           Thread.currentThread().getName()
               + " is moved by the time and cannot move it, nor wait for it in a task; have it done"
@@ -115,9 +116,9 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
     stepping.lock();
     try {
       stepper = Thread.currentThread();
-      baton.settle();
+      scheduler.reclaim();
       while (!enough.getAsBoolean()) {
-        Due next = agenda.next(until);
+        ScheduledEvent next = agenda.next(until);
         if (next == null) {
           return enough.getAsBoolean();
         }
@@ -130,12 +131,12 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
   }
 
   /** Whether the calling thread is in the midst of a step. */
-  private boolean hasBaton() {
+  private boolean isExecuting() {
     return stepping.isHeldByCurrentThread() || isStepped(Thread.currentThread());
   }
 
   private boolean isStepped(Thread thread) {
-    return thread instanceof SteppedThread stepped && stepped.belongsTo(baton);
+    return thread instanceof SteppedThread stepped && stepped.belongsTo(scheduler);
   }
 
   @Override
@@ -145,8 +146,8 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
 
   /** {@inheritDoc} It runs on the stepper's thread. What it throws ends the step. */
   @Override
-  public Task after(long nanos, Runnable task) {
-    Due due = agenda.add(agenda.in(nanos), task, task);
+  public ScheduledTask after(long nanos, Runnable task) {
+    ScheduledEvent due = agenda.add(agenda.timeAfter(nanos), task, task);
     return () -> agenda.remove(due);
   }
 
@@ -156,28 +157,28 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
    *
    * @param period longer than 0
    */
-  public Task every(Duration period, Runnable task) {
+  public ScheduledTask every(Duration period, Runnable task) {
     if (period.isNegative() || period.isZero()) {
       throw new IllegalArgumentException("period " + period + " is not longer than 0");
     }
-    return new Repetition(agenda, period.toNanos(), task).start();
+    return new RepeatingTask(agenda, period.toNanos(), task).start();
   }
 
   /** The simulated devices of this time. */
   @Override
-  public SimLinks simLinks() {
+  public SimLinkRegistry simLinks() {
     return links;
   }
 
   @Override
   public Condition newCondition(ReentrantLock lock) {
-    return new SteppedCondition(this, baton, lock);
+    return new SteppedCondition(this, scheduler, lock);
   }
 
   /** {@inheritDoc} It begins when the time is moved on after its start, also by nothing. */
   @Override
   public Thread newThread(String name, Runnable role) {
-    return new SteppedThread(baton, name, role);
+    return new SteppedThread(scheduler, name, role);
   }
 
   @Override
@@ -189,24 +190,24 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
               + condition);
     }
     if (nanos > 0) {
-      stepped.await(agenda.in(nanos));
+      stepped.await(agenda.timeAfter(nanos));
     }
   }
 
   /** The time so long from now. */
-  long in(long nanos) {
-    return agenda.in(nanos);
+  long timeAfter(long nanos) {
+    return agenda.timeAfter(nanos);
   }
 
   /** One wait of the calling thread, which holds no lock. */
   void await(Wait wait, long until) throws InterruptedException {
     Thread caller = Thread.currentThread();
-    if (caller instanceof SteppedThread stepped && stepped.belongsTo(baton)) {
-      baton.await(stepped, wait, until);
+    if (caller instanceof SteppedThread stepped && stepped.belongsTo(scheduler)) {
+      scheduler.await(stepped, wait, until);
     } else if (mayStep(caller)) {
-      boolean unused = run(until, () -> baton.isOver(wait) || caller.isInterrupted());
+      boolean unused = run(until, () -> scheduler.isOver(wait) || caller.isInterrupted());
     } else {
-      baton.awaitOutside(wait, until);
+      scheduler.awaitOutside(wait, until);
     }
     if (Thread.interrupted()) {
       throw new InterruptedException();
@@ -227,9 +228,9 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
     long asked = System.nanoTime();
     long left = patience.toNanos();
     while (thread.isAlive() && left > 0) {
-      if (hasBaton()) {
+      if (isExecuting()) {
         end((SteppedThread) thread, left);
-      } else if (stepping.tryLock(LOOK_EVERY_MILLIS, TimeUnit.MILLISECONDS)) {
+      } else if (stepping.tryLock(POLL_INTERVAL_MILLIS, TimeUnit.MILLISECONDS)) {
         try {
           end((SteppedThread) thread, left);
         } finally {
@@ -242,7 +243,7 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
   }
 
   private void end(SteppedThread thread, long patienceNanos) throws InterruptedException {
-    if (baton.lend(thread, patienceNanos)) {
+    if (scheduler.tryRun(thread, patienceNanos)) {
       thread.join(1); // its last steps are outside of its turn
     }
   }

@@ -5,19 +5,19 @@ import java.util.Date;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
-import org.dfra.sim.time.Baton.Wait;
+import org.dfra.sim.time.LockStepScheduler.Wait;
 
 /** A condition whose waits end by a signal or by the time of a {@link LockStep}. */
 final class SteppedCondition implements Condition {
 
   private final LockStep time;
-  private final Baton baton;
+  private final LockStepScheduler scheduler;
   private final ReentrantLock lock;
   private final ArrayDeque<Wait> waits = new ArrayDeque<>(); // guarded by lock
 
-  SteppedCondition(LockStep time, Baton baton, ReentrantLock lock) {
+  SteppedCondition(LockStep time, LockStepScheduler baton, ReentrantLock lock) {
     this.time = time;
-    this.baton = baton;
+    this.scheduler = baton;
     this.lock = lock;
   }
 
@@ -46,7 +46,7 @@ final class SteppedCondition implements Condition {
 
   @Override
   public void await() throws InterruptedException {
-    await(Agenda.NEVER);
+    await(EventQueue.NEVER);
   }
 
   @Override
@@ -57,7 +57,7 @@ final class SteppedCondition implements Condition {
 
   @Override
   public long awaitNanos(long nanos) throws InterruptedException {
-    long end = time.in(nanos);
+    long end = time.timeAfter(nanos);
     if (nanos > 0) {
       await(end);
     }
@@ -80,7 +80,7 @@ final class SteppedCondition implements Condition {
     requireLock();
     Wait first = waits.poll();
     if (first != null) {
-      baton.end(first);
+      scheduler.end(first);
     }
   }
 

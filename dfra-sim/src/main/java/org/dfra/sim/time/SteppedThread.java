@@ -1,7 +1,7 @@
 package org.dfra.sim.time;
 
 import java.util.concurrent.locks.Condition;
-import org.dfra.sim.time.Agenda.Due;
+import org.dfra.sim.time.EventQueue.ScheduledEvent;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -13,8 +13,8 @@ import org.jspecify.annotations.Nullable;
  *                       '------- waits -------'
  * </pre>
  *
- * <p>A daemon. Whoever started it has it end, by the means of its role; {@link Baton} gives it the
- * turns for that.
+ * <p>A daemon. Whoever started it has it end, by the means of its role; {@link LockStepScheduler}
+ * gives it the turns for that.
  */
 final class SteppedThread extends Thread {
 
@@ -25,45 +25,45 @@ final class SteppedThread extends Thread {
     /** Awaits its turn: that something comes, or that a time comes. */
     WAITING,
     /** Works; everybody else waits for it. */
-    AT_WORK,
+    RUNNING,
     /** Awaits nothing any more. */
-    ENDED
+    TERMINATED
   }
 
-  private final Baton baton;
+  private final LockStepScheduler scheduler;
   private final Runnable role;
 
   // all guarded by the baton's lock
-  final Condition turn;
+  final Condition mayRun;
   Phase phase = Phase.NEW;
-  @Nullable Due wake; // when it waits for a time
+  @Nullable ScheduledEvent wake; // when it waits for a time
 
-  SteppedThread(Baton baton, String name, Runnable role) {
+  SteppedThread(LockStepScheduler baton, String name, Runnable role) {
     super(name);
-    this.baton = baton;
+    this.scheduler = baton;
     this.role = role;
-    this.turn = baton.newTurn();
+    this.mayRun = baton.newTurn();
     setDaemon(true);
   }
 
-  boolean belongsTo(Baton other) {
-    return baton == other;
+  boolean belongsTo(LockStepScheduler other) {
+    return scheduler == other;
   }
 
   /** Has its first turn soon, when the time is moved on. */
   @Override
   public void start() {
     super.start(); // throws when it was started before
-    baton.begin(this);
+    scheduler.register(this);
   }
 
   @Override
   public void run() {
-    baton.awaitFirstTurn(this);
+    scheduler.awaitFirstTurn(this);
     try {
       role.run();
     } finally {
-      baton.end(this);
+      scheduler.end(this);
     }
   }
 
@@ -71,6 +71,6 @@ final class SteppedThread extends Thread {
   @Override
   public void interrupt() {
     super.interrupt();
-    baton.hasten(this);
+    scheduler.wakeNow(this);
   }
 }

@@ -6,19 +6,19 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import org.dfra.core.config.NearestName;
-import org.dfra.sim.body.BatteryBody;
-import org.dfra.sim.body.CameraView;
-import org.dfra.sim.body.DriveBody;
-import org.dfra.sim.body.FlightBody;
-import org.dfra.sim.body.PanTiltBody;
-import org.dfra.sim.body.RangeView;
-import org.dfra.sim.body.TurnView;
-import org.dfra.sim.device.AntennaPath;
+import org.dfra.sim.device.AntennaTrajectory;
+import org.dfra.sim.physics.BatteryPhysics;
+import org.dfra.sim.physics.CameraInput;
+import org.dfra.sim.physics.DrivetrainPhysics;
+import org.dfra.sim.physics.GyroInput;
+import org.dfra.sim.physics.MulticopterPhysics;
+import org.dfra.sim.physics.PanTiltPhysics;
+import org.dfra.sim.physics.RangeInput;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
-import org.dfra.sim.world.description.Mount;
+import org.dfra.sim.world.description.MountPose;
 import org.dfra.sim.world.description.VehicleDescription;
-import org.dfra.sim.world.noise.Draws;
+import org.dfra.sim.world.noise.RandomStream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -27,17 +27,17 @@ import org.jspecify.annotations.Nullable;
  */
 public final class SimulatedRobot {
 
-  private final Body body;
+  private final VehicleBody body;
   private final VehicleDescription vehicle;
   private final Map<String, Object> views = new HashMap<>(); // filled by the constructor
 
-  SimulatedRobot(World world, Body body, Slots slots, List<Head> heads) {
+  SimulatedRobot(World world, VehicleBody body, StateLayout slots, List<SimulatedPanTilt> heads) {
     this.body = body;
     this.vehicle = body.vehicle;
-    Map<String, Head> headsByName = new HashMap<>();
+    Map<String, SimulatedPanTilt> headsByName = new HashMap<>();
     for (DeviceDescription device : vehicle.devices()) {
       if (device.kind() == DeviceKind.PAN_TILT) {
-        Head head = new Head(world, slots);
+        SimulatedPanTilt head = new SimulatedPanTilt(world, slots);
         heads.add(head);
         headsByName.put(device.name(), head);
         views.put(device.name(), head);
@@ -50,22 +50,23 @@ public final class SimulatedRobot {
     }
   }
 
-  private Rig rig(DeviceDescription device, Map<String, Head> heads) {
-    @Nullable Mount foot =
+  private DeviceMount rig(DeviceDescription device, Map<String, SimulatedPanTilt> heads) {
+    @Nullable MountPose foot =
         device.parent().flatMap(vehicle::device).map(DeviceDescription::mount).orElse(null);
-    return new Rig(body, device.mount(), foot, device.parent().map(heads::get).orElse(null));
+    return new DeviceMount(
+        body, device.mount(), foot, device.parent().map(heads::get).orElse(null));
   }
 
-  private Object view(World world, DeviceDescription device, Rig rig) {
-    Draws draws = body.draws.of(device.name());
+  private Object view(World world, DeviceDescription device, DeviceMount rig) {
+    RandomStream draws = body.draws.substream(device.name());
     return switch (device.kind()) {
-      case GPS -> new ReceiverView(world, rig, device, draws);
-      case LASER -> new LaserView(world, rig, device, draws);
-      case DRIVE -> new WheelsView(world, (GroundBody) body);
-      case GYRO -> new GyroView(world, rig, device, draws);
-      case BATTERY -> new ChargeView(world, body);
-      case FLIGHT -> new PilotView(world, (AirBody) body);
-      case CAMERA, THERMAL -> new CameraPicture(world, rig, device, draws);
+      case GPS -> new SimulatedGpsAntenna(world, rig, device, draws);
+      case LASER -> new SimulatedLaser(world, rig, device, draws);
+      case DRIVE -> new SimulatedDrivetrain(world, (SkidSteerBody) body);
+      case GYRO -> new SimulatedGyro(world, rig, device, draws);
+      case BATTERY -> new SimulatedBattery(world, body);
+      case FLIGHT -> new SimulatedMulticopter(world, (MulticopterBody) body);
+      case CAMERA, THERMAL -> new SimulatedCamera(world, rig, device, draws);
       case PAN_TILT -> throw new IllegalStateException("a head was made before");
     };
   }
@@ -80,69 +81,69 @@ public final class SimulatedRobot {
     return vehicle;
   }
 
-  Body body() {
+  VehicleBody body() {
     return body;
   }
 
   /** Where a receiver's antenna is, as the receiver finds out. */
-  public AntennaPath antenna(String gps) {
-    return view(gps, AntennaPath.class, DeviceKind.GPS);
+  public AntennaTrajectory antenna(String gps) {
+    return view(gps, AntennaTrajectory.class, DeviceKind.GPS);
   }
 
   /** What a laser sees. */
-  public RangeView rangeView(String laser) {
-    return view(laser, RangeView.class, DeviceKind.LASER);
+  public RangeInput laser(String laser) {
+    return view(laser, RangeInput.class, DeviceKind.LASER);
   }
 
   /** Its wheels. */
-  public DriveBody drive(String drive) {
-    return view(drive, DriveBody.class, DeviceKind.DRIVE);
+  public DrivetrainPhysics drivetrain(String drive) {
+    return view(drive, DrivetrainPhysics.class, DeviceKind.DRIVE);
   }
 
   /** What a gyro feels. */
-  public TurnView turnView(String gyro) {
-    return view(gyro, TurnView.class, DeviceKind.GYRO);
+  public GyroInput gyro(String gyro) {
+    return view(gyro, GyroInput.class, DeviceKind.GYRO);
   }
 
   /** What a camera, for light or for heat, sees. */
-  public CameraView cameraView(String camera) {
-    return picture(camera);
+  public CameraInput camera(String camera) {
+    return simulatedCamera(camera);
   }
 
-  CameraPicture picture(String camera) {
-    return view(camera, CameraPicture.class, DeviceKind.CAMERA, DeviceKind.THERMAL);
+  SimulatedCamera simulatedCamera(String camera) {
+    return view(camera, SimulatedCamera.class, DeviceKind.CAMERA, DeviceKind.THERMAL);
   }
 
   /** The head of a pan-tilt unit. */
-  public PanTiltBody panTilt(String panTilt) {
-    return view(panTilt, PanTiltBody.class, DeviceKind.PAN_TILT);
+  public PanTiltPhysics panTilt(String panTilt) {
+    return view(panTilt, PanTiltPhysics.class, DeviceKind.PAN_TILT);
   }
 
   /** Its battery. */
-  public BatteryBody battery(String battery) {
-    return view(battery, BatteryBody.class, DeviceKind.BATTERY);
+  public BatteryPhysics battery(String battery) {
+    return view(battery, BatteryPhysics.class, DeviceKind.BATTERY);
   }
 
   /** Its rotors under their autopilot. */
-  public FlightBody flight(String flight) {
-    return view(flight, FlightBody.class, DeviceKind.FLIGHT);
+  public MulticopterPhysics multicopter(String flight) {
+    return view(flight, MulticopterPhysics.class, DeviceKind.FLIGHT);
   }
 
   private <T> T view(String device, Class<T> type, DeviceKind... kinds) {
     Optional<DeviceDescription> found = vehicle.device(device);
-    List<DeviceKind> wanted = List.of(kinds);
-    if (found.isPresent() && wanted.contains(found.get().kind())) {
+    List<DeviceKind> requested = List.of(kinds);
+    if (found.isPresent() && requested.contains(found.get().kind())) {
       return type.cast(Objects.requireNonNull(views.get(device), "each device has a view"));
     }
     List<String> names =
         vehicle.devices().stream()
-            .filter(one -> wanted.contains(one.kind()))
+            .filter(one -> requested.contains(one.kind()))
             .map(DeviceDescription::name)
             .toList();
     throw new IllegalArgumentException(
         name()
             + " has no "
-            + wanted.get(0).text()
+            + requested.get(0).text()
             + " \""
             + device
             + "\""

@@ -1,6 +1,6 @@
 package org.dfra.sim.world;
 
-import org.dfra.sim.world.noise.Draws;
+import org.dfra.sim.world.noise.RandomStream;
 
 /**
  * How the ground slopes where a robot stands: an even field, or one whose slope changes smoothly
@@ -16,16 +16,16 @@ final class Terrain {
   private static final long ROW = 1_000_003; // numbers of points in a row of the lattice
 
   private final double roughness;
-  private final Draws eastward;
-  private final Draws northward;
+  private final RandomStream eastward;
+  private final RandomStream northward;
 
   /**
    * @param roughness σ of the slope, radians
    */
-  Terrain(double roughness, Draws draws) {
+  Terrain(double roughness, RandomStream draws) {
     this.roughness = roughness;
-    this.eastward = draws.of("eastward");
-    this.northward = draws.of("northward");
+    this.eastward = draws.substream("eastward");
+    this.northward = draws.substream("northward");
   }
 
   /** How a body leans there about its x axis, radians, left side up is +. */
@@ -42,7 +42,7 @@ final class Terrain {
         : -cos * slope(eastward, east, north) - sin * slope(northward, east, north);
   }
 
-  private double slope(Draws draws, double east, double north) {
+  private double slope(RandomStream draws, double east, double north) {
     double x = Math.floor(east / SPACING);
     double y = Math.floor(north / SPACING);
     double fx = east / SPACING - x;

@@ -12,9 +12,9 @@ import org.dfra.geometry.LocalFrame;
 import org.dfra.sim.world.description.VehicleDescription;
 import org.dfra.sim.world.description.VehicleType;
 import org.dfra.sim.world.description.WorldDescription;
-import org.dfra.sim.world.noise.Draws;
-import org.dfra.sim.world.shape.Solid;
-import org.dfra.sim.world.shape.SolidGrid;
+import org.dfra.sim.world.noise.RandomStream;
+import org.dfra.sim.world.shape.ObstacleIndex;
+import org.dfra.sim.world.shape.StaticObstacle;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -23,8 +23,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Who asks for a time up to two seconds before the latest asked for is still told of that time;
  * before that, of the oldest time known. A command given for a time before the latest asked for
- * acts from the next step on, and is counted as late ({@link Truth#lateCommands}). Where one clock
- * steps everybody, nobody is ever late, and the whole run repeats bit by bit.
+ * acts from the next step on, and is counted as late ({@link GroundTruth#lateCommands}). Where one
+ * clock steps everybody, nobody is ever late, and the whole run repeats bit by bit.
  *
  * <p>Any thread may call; the world is one monitor.
  */
@@ -43,40 +43,40 @@ public final class World {
   private final LocalFrame frame;
   private final Object monitor = new Object();
   private final Map<String, SimulatedRobot> robots = new TreeMap<>();
-  private final SolidGrid solids;
-  private final List<Body> bodies = new ArrayList<>();
-  private final List<Head> heads = new ArrayList<>();
-  private final Contacts contacts;
-  private final History history; // guarded by the monitor
+  private final ObstacleIndex solids;
+  private final List<VehicleBody> bodies = new ArrayList<>();
+  private final List<SimulatedPanTilt> heads = new ArrayList<>();
+  private final CollisionDetector contacts;
+  private final StateHistory history; // guarded by the monitor
   private final ArrayDeque<Runnable> commands = new ArrayDeque<>(); // guarded by the monitor
   private long lateCommands; // guarded by the monitor
-  private @Nullable Gallery gallery; // guarded by the monitor
+  private @Nullable RenderScene gallery; // guarded by the monitor
 
   private World(WorldDescription description, Instant start) {
     this.description = description;
     this.timeline = new Timeline(start);
     this.frame = new LocalFrame(description.datum());
     this.solids =
-        new SolidGrid(
+        new ObstacleIndex(
             description.obstacles().stream()
-                .map(o -> new Solid(o.name(), o.outline(), o.height(), o.reflectivity()))
+                .map(o -> new StaticObstacle(o.name(), o.footprint(), o.height(), o.reflectivity()))
                 .toList());
-    this.contacts = new Contacts(solids, bodies);
-    Slots slots = new Slots();
-    Draws draws = new Draws(description.seed());
-    Surroundings around =
-        new Surroundings(
+    this.contacts = new CollisionDetector(solids, bodies);
+    StateLayout slots = new StateLayout();
+    RandomStream draws = new RandomStream(description.seed());
+    BodyContext around =
+        new BodyContext(
             slots,
-            new Terrain(description.ground().roughness(), draws.of("terrain")),
+            new Terrain(description.ground().roughness(), draws.substream("terrain")),
             contacts,
             description.weather(),
-            draws.of("robots"));
+            draws.substream("robots"));
     for (VehicleDescription vehicle : description.vehicles()) {
-      Body body = body(vehicle, around);
+      VehicleBody body = body(vehicle, around);
       bodies.add(body);
       robots.put(vehicle.name(), new SimulatedRobot(this, body, slots, heads));
     }
-    this.history = new History(slots.taken());
+    this.history = new StateHistory(slots.columns());
     write(history.row(0));
   }
 
@@ -89,10 +89,10 @@ public final class World {
     return new World(description, start);
   }
 
-  private Body body(VehicleDescription vehicle, Surroundings around) {
+  private VehicleBody body(VehicleDescription vehicle, BodyContext around) {
     return vehicle.type() == VehicleType.UGV
-        ? new GroundBody(vehicle, bodies.size(), around)
-        : AirBody.of(vehicle, bodies.size(), around);
+        ? new SkidSteerBody(vehicle, bodies.size(), around)
+        : MulticopterBody.of(vehicle, bodies.size(), around);
   }
 
   /** What it was made from. */
@@ -142,8 +142,8 @@ public final class World {
   }
 
   /** What no robot knows, for reports and tests. */
-  public Truth truth() {
-    return new Truth(this);
+  public GroundTruth groundTruth() {
+    return new GroundTruth(this);
   }
 
   /**
@@ -161,23 +161,23 @@ public final class World {
     return monitor;
   }
 
-  SolidGrid solids() {
+  ObstacleIndex solids() {
     return solids;
   }
 
-  List<Body> bodies() {
+  List<VehicleBody> bodies() {
     return bodies;
   }
 
-  Contacts contacts() {
+  CollisionDetector contacts() {
     return contacts;
   }
 
   /** What all cameras share; the monitor must be held. */
-  Gallery gallery() {
-    Gallery made = gallery;
+  RenderScene renderScene() {
+    RenderScene made = gallery;
     if (made == null) {
-      made = new Gallery(this);
+      made = new RenderScene(this);
       gallery = made;
     }
     return made;
@@ -186,7 +186,7 @@ public final class World {
   /** Goes on to a time, and tells the step to answer for; the monitor must be held. */
   long stepAt(Instant time) {
     advance(time);
-    return history.kept(timeline.step(time));
+    return history.clampStep(timeline.step(time));
   }
 
   /** The numbers of a step that {@link #stepAt} told; the monitor must be held. */
@@ -217,8 +217,8 @@ public final class World {
   }
 
   private void advance(Instant time) {
-    long wanted = timeline.step(time);
-    if ((wanted - history.last()) * STEP_SECONDS > LONGEST_LEAP.getSeconds()) {
+    long requested = timeline.step(time);
+    if ((requested - history.last()) * STEP_SECONDS > LONGEST_LEAP.getSeconds()) {
       throw new IllegalArgumentException(
           "the world is at "
               + instant(history.last())
@@ -228,7 +228,7 @@ public final class World {
               + LONGEST_LEAP.toDays()
               + " days later; set the clock right");
     }
-    while (history.last() < wanted) {
+    while (history.last() < requested) {
       long next = history.last() + 1;
       for (int i = 0; i < bodies.size(); i++) {
         bodies.get(i).step(next);

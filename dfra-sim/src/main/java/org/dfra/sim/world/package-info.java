@@ -7,12 +7,12 @@
  *                                 |  ^                        |
  *                     advanceTo   |  | commands               | reads one row
  *                                 v  |                        v
- *              GroundBody, AirBody, Accumulator    LaserView, CameraPicture, ReceiverView ...
- *              (motion, Contacts)                  (org.dfra.sim.body, with noise)
+ *              SkidSteerBody, MulticopterBody, Accumulator    SimulatedLaser, SimulatedCamera, SimulatedGpsAntenna ...
+ *              (motion, Contacts)                  (org.dfra.sim.physics, with noise)
  * </pre>
  *
  * <p>Enter at {@link org.dfra.sim.world.World}: {@code world.robot("atrv1").rangeView("laser")} is
- * what an emulated laser wants, {@link org.dfra.sim.world.Truth} what a report wants.
+ * what an emulated laser wants, {@link org.dfra.sim.world.GroundTruth} what a report wants.
  *
  * <p>The state at a time follows from the description with its seed and from the commands with
  * their times, and from nothing else: not from how often or by whom it is asked. A command given at

@@ -14,14 +14,15 @@ class AntennaPathTest {
   @Test
   void standsStill() {
     GeoPosition place = new GeoPosition(1, 2, 3);
-    AntennaState later = AntennaPath.fixed(place).at(BEGIN.plusSeconds(1000));
+    AntennaState later = AntennaTrajectory.fixed(place).at(BEGIN.plusSeconds(1000));
     assertThat(later).isEqualTo(new AntennaState(place, 0, 0));
   }
 
   @Test
   void driftsByMetresPerSecond() {
     GeoPosition place = new GeoPosition(45, 10, 0);
-    AntennaState after = AntennaPath.drifting(place, BEGIN, 0.3, -0.4).at(BEGIN.plusSeconds(1000));
+    AntennaState after =
+        AntennaTrajectory.constantVelocity(place, BEGIN, 0.3, -0.4).at(BEGIN.plusSeconds(1000));
     // At 45° a degree of latitude is 111 132 m, one of longitude 78 847 m (WGS84 tables); the
     // tables are rounded to a metre, hence 1e-5 of the way.
     assertThat((after.position().latitude() - 45) * 111_132).isCloseTo(300, within(0.01));
@@ -33,7 +34,8 @@ class AntennaPathTest {
   @Test
   void crossesTheDateLine() {
     GeoPosition place = new GeoPosition(0, 179.9999, 0);
-    AntennaState after = AntennaPath.drifting(place, BEGIN, 0, 10).at(BEGIN.plusSeconds(100));
+    AntennaState after =
+        AntennaTrajectory.constantVelocity(place, BEGIN, 0, 10).at(BEGIN.plusSeconds(100));
     assertThat(after.position().longitude()).isBetween(-180.0, -179.99);
   }
 }

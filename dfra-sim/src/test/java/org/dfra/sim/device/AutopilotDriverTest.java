@@ -22,7 +22,7 @@ import org.dfra.drivers.uav.mavlink.MavlinkBatteryImpl;
 import org.dfra.drivers.uav.mavlink.MavlinkFlightImpl;
 import org.dfra.drivers.uav.mavlink.MavlinkGpsImpl;
 import org.dfra.event.DeliveryPolicy;
-import org.dfra.event.ModuleEvent.IncidentNoted;
+import org.dfra.event.ModuleEvent.IncidentRecorded;
 import org.dfra.event.Subscription;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.FlightCommand.Arm;
@@ -30,7 +30,7 @@ import org.dfra.flow.effector.FlightCommand.Disarm;
 import org.dfra.flow.effector.FlightCommand.GoTo;
 import org.dfra.flow.effector.FlightCommand.Hold;
 import org.dfra.flow.effector.FlightCommand.Land;
-import org.dfra.flow.effector.FlightCommand.ReturnHome;
+import org.dfra.flow.effector.FlightCommand.ReturnToLaunch;
 import org.dfra.flow.effector.FlightCommand.TakeOff;
 import org.dfra.flow.effector.FlightState;
 import org.dfra.flow.effector.FlightState.Phase;
@@ -58,24 +58,25 @@ class AutopilotDriverTest extends AutopilotOverTcp {
   void fliesWhereItIsToldAndComesHome(AutopilotSoftware software) throws Exception {
     begin(patientOf(software));
     try (MavlinkFlightImpl flight = flight();
-        CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+        CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
       takeOff(flight, lease, 10);
       assertThat(state(flight).height()).isCloseTo(10, within(0.6));
       assertThat(state(flight).position().height()).isCloseTo(24.5, within(0.6));
 
       GeoPosition there = place(24, 18, 15);
       obey(flight, lease, new GoTo(there, 6));
-      await().until(() -> distance(flight.flight().position(), there) < 0.1);
-      await().until(() -> flight.flight().speed() < 0.1);
-      await().until(() -> Math.abs(flight.flight().height() - 15) < 0.05);
+      await().until(() -> distance(flight.flightState().position(), there) < 0.1);
+      await().until(() -> flight.flightState().speed() < 0.1);
+      await().until(() -> Math.abs(flight.flightState().height() - 15) < 0.05);
       FlightState state = state(flight);
       assertThat(state.phase()).isEqualTo(Phase.IN_AIR);
       assertThat(state.isArmed()).isTrue();
 
-      obey(flight, lease, new ReturnHome());
-      await().until(() -> flight.flight().phase() == Phase.LANDING);
-      await().until(() -> !flight.flight().isArmed());
-      await().until(() -> flight.flight().phase() == Phase.ON_GROUND); // told by another message
+      obey(flight, lease, new ReturnToLaunch());
+      await().until(() -> flight.flightState().phase() == Phase.LANDING);
+      await().until(() -> !flight.flightState().isArmed());
+      await()
+          .until(() -> flight.flightState().phase() == Phase.ON_GROUND); // told by another message
       assertThat(distance(state(flight).position(), place(0, 0, 0))).isLessThan(0.6);
       assertThat(parameter(flight, "last_refusal")).isEqualTo("none");
       // Where the link was opened anew, the frames that this cut were dropped.
@@ -94,15 +95,15 @@ class AutopilotDriverTest extends AutopilotOverTcp {
         Subscription unused =
             flight.subscribe(
                 delivery -> {
-                  if (delivery.event() instanceof IncidentNoted noted) {
-                    incidents.add(noted.incident().what());
+                  if (delivery.event() instanceof IncidentRecorded noted) {
+                    incidents.add(noted.incident().description());
                   }
                 },
                 DeliveryPolicy.keepLast(100));
-        CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+        CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
       answers.put(ARM, 1);
       await().until(() -> flight.readiness().serves());
-      await().until(() -> flight.flight().position() != null);
+      await().until(() -> flight.flightState().position() != null);
       obey(flight, lease, new Arm());
       await().until(() -> parameter(flight, "last_refusal").contains("rejected for now"));
       assertThat(parameter(flight, "last_refusal"))
@@ -113,7 +114,7 @@ class AutopilotDriverTest extends AutopilotOverTcp {
       assertThat(state(flight).isArmed()).isFalse();
       answers.clear();
       obey(flight, lease, new Arm());
-      await().until(() -> flight.flight().isArmed());
+      await().until(() -> flight.flightState().isArmed());
     }
   }
 
@@ -122,7 +123,7 @@ class AutopilotDriverTest extends AutopilotOverTcp {
   void passesOnWhatTheAutopilotSaidOfIt(AutopilotSoftware software) throws Exception {
     begin(patientOf(software));
     try (MavlinkFlightImpl flight = flight();
-        CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+        CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
       takeOff(flight, lease, 5);
       obey(flight, lease, new GoTo(place(9000, 0, 5), 5));
       await().until(() -> parameter(flight, "last_text").contains("outside the fence"));
@@ -136,13 +137,13 @@ class AutopilotDriverTest extends AutopilotOverTcp {
   void sendsAgainWhatIsNotAnsweredAndCountsIt(AutopilotSoftware software) throws Exception {
     begin(patientOf(software));
     try (MavlinkFlightImpl flight = flight();
-        CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+        CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
       await().until(() -> flight.readiness().serves());
       deafTo = ARM;
       obey(flight, lease, new Arm());
       await().until(() -> confirmations(ARM).size() >= 2);
       deafTo = -1;
-      await().until(() -> flight.flight().isArmed());
+      await().until(() -> flight.flightState().isArmed());
       List<Integer> confirmations = confirmations(ARM);
       for (int i = 0; i < confirmations.size(); i++) {
         assertThat(confirmations.get(i)).isEqualTo(i);
@@ -155,7 +156,7 @@ class AutopilotDriverTest extends AutopilotOverTcp {
   void saysWhatIsNeverAnswered(AutopilotSoftware software) throws Exception {
     begin(patientOf(software));
     try (MavlinkFlightImpl flight = flight();
-        CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+        CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
       takeOff(flight, lease, 5);
       deafTo = LAND;
       obey(flight, lease, new Land());
@@ -172,20 +173,21 @@ class AutopilotDriverTest extends AutopilotOverTcp {
   void refusesAtOnceWhatCannotBe(AutopilotSoftware software) throws Exception {
     begin(patientOf(software));
     try (MavlinkFlightImpl flight = flight();
-        CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+        CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
       await().until(() -> flight.readiness().serves());
-      await().until(() -> flight.flight().position() != null);
+      await().until(() -> flight.flightState().position() != null);
       refuses(
-          () -> flight.obey(lease.key(), new GoTo(place(1, 1, 5), 1)),
+          () -> flight.execute(lease.key(), new GoTo(place(1, 1, 5), 1)),
           "stands on the ground; have it take off first");
       refuses(
-          () -> flight.obey(lease.key(), new TakeOff(121)),
+          () -> flight.execute(lease.key(), new TakeOff(121)),
           "height 121.0 m above the place of take-off > max_height 120.0 m");
       takeOff(flight, lease, 5);
-      refuses(() -> flight.obey(lease.key(), new Disarm()), "motors are not stopped in the air");
-      refuses(() -> flight.obey(lease.key(), new TakeOff(5)), "flies already");
+      refuses(() -> flight.execute(lease.key(), new Disarm()), "motors are not stopped in the air");
+      refuses(() -> flight.execute(lease.key(), new TakeOff(5)), "flies already");
       flight.setParameter("max_height", "20");
-      refuses(() -> flight.obey(lease.key(), new GoTo(place(1, 1, 21), 1)), "height 21.0 m above");
+      refuses(
+          () -> flight.execute(lease.key(), new GoTo(place(1, 1, 21), 1)), "height 21.0 m above");
       assertThat(state(flight).phase()).isEqualTo(Phase.IN_AIR);
     }
   }
@@ -195,7 +197,7 @@ class AutopilotDriverTest extends AutopilotOverTcp {
   void neverRepeatsAnOrderAfterTheNext(AutopilotSoftware software) throws Exception {
     begin(patientOf(software));
     try (MavlinkFlightImpl flight = flight();
-        CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+        CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
       takeOff(flight, lease, 10);
       deafTo = REPOSITION;
       obey(flight, lease, new GoTo(place(400, 0, 10), 4));
@@ -205,7 +207,7 @@ class AutopilotDriverTest extends AutopilotOverTcp {
       int before = confirmations(REPOSITION).size();
       deafTo = -1;
       obey(flight, lease, new Land()); // takes its time, in which a repetition would come
-      await().until(() -> !flight.flight().isArmed());
+      await().until(() -> !flight.flightState().isArmed());
       assertThat(confirmations(REPOSITION)).hasSize(before);
     }
   }
@@ -230,7 +232,7 @@ class AutopilotDriverTest extends AutopilotOverTcp {
       assertThat(fix.mode()).isEqualTo(GpsFix.Mode.FIX_3D);
       assertThat(distance(fix.position(), DATUM)).isLessThan(0.02);
       assertThat(fix.position().height()).isCloseTo(14.5, within(0.002));
-      assertThat(fix.dilution()).isCloseTo(1.5, within(1e-6)); // of 0.9 and 1.2
+      assertThat(fix.dilutionOfPrecision()).isCloseTo(1.5, within(1e-6)); // of 0.9 and 1.2
       assertThat(fix.satellitesTracked()).isEqualTo(11);
       await().until(() -> gps.time() != null); // SYSTEM_TIME comes later
       await()
@@ -261,7 +263,7 @@ class AutopilotDriverTest extends AutopilotOverTcp {
     begin(patientOf(software));
     try (MavlinkFlightImpl flight = flight()) {
       await().until(() -> flight.readiness().serves());
-      await().until(() -> flight.flight().position() != null);
+      await().until(() -> flight.flightState().position() != null);
       assertThat(flight.tests()).containsExactly("link", "identification", "readings", "position");
       awaitPassed(flight);
       assertThat(awaitPassed(flight, "identification").finding())
@@ -270,7 +272,7 @@ class AutopilotDriverTest extends AutopilotOverTcp {
       assertThat(flight.attributes()).hasAtLeastOneElementOfType(FlightAttributes.class);
       awaitRecovered(flight, "reopen_link");
       await().until(() -> flight.readiness().serves());
-      emulator.cable().pull();
+      emulator.cable().unplug();
       await().until(() -> flight.readiness() == Readiness.INITIALIZING);
       awaitNoLink(flight, "link");
       assertThat(flight.test("identification").passed()).isFalse();
@@ -285,14 +287,14 @@ class AutopilotDriverTest extends AutopilotOverTcp {
   void goesOnThroughSilenceAndGarbage(AutopilotSoftware software) throws Exception {
     begin(patientOf(software));
     long seed = Long.getLong("dfra.seed", new Random().nextLong());
-    emulator.cable().storm(seed);
+    emulator.cable().injectNoiseBursts(seed);
     try (MavlinkFlightImpl flight = flight()) {
       await("-Ddfra.seed=" + seed).until(() -> number(flight, "dropped_bytes") > 10_000);
       emulator.cable().restore();
       await("-Ddfra.seed=" + seed).until(() -> flight.readiness().serves());
-      emulator.cable().silence();
+      emulator.cable().mute();
       await("-Ddfra.seed=" + seed).until(() -> flight.readiness() == Readiness.INITIALIZING);
-      assertThatThrownBy(flight::flight)
+      assertThatThrownBy(flight::flightState)
           .as("-Ddfra.seed=%d", seed)
           .isInstanceOf(NotReadyException.class)
           .hasMessageContaining("HEARTBEAT of an autopilot");

@@ -17,14 +17,14 @@ import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.FlightCommand;
 import org.dfra.flow.effector.FlightCommand.Arm;
 import org.dfra.flow.effector.FlightCommand.GoTo;
-import org.dfra.flow.effector.FlightCommand.ReturnHome;
+import org.dfra.flow.effector.FlightCommand.ReturnToLaunch;
 import org.dfra.flow.effector.FlightCommand.TakeOff;
 import org.dfra.flow.effector.FlightState.Phase;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.sim.body.BatteryBody.Charge;
 import org.dfra.sim.device.uav.AutopilotDevice;
 import org.dfra.sim.device.uav.AutopilotSettings;
 import org.dfra.sim.device.uav.AutopilotSoftware;
+import org.dfra.sim.physics.BatteryPhysics.Charge;
 import org.dfra.sim.time.LockStep;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -55,7 +55,7 @@ class AutopilotLockStepTest {
             AutopilotSettings.of(software),
             DATUM,
             new Quad(),
-            AntennaPath.fixed(DATUM),
+            AntennaTrajectory.fixed(DATUM),
             when -> new Charge(15.8, 4.2, 0.87));
     try (SimPort port = new SimPort("autopilot", device, time);
         MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight", time, port));
@@ -65,21 +65,21 @@ class AutopilotLockStepTest {
       begin(flight, time, record);
       begin(gps, time, record);
       begin(battery, time, record);
-      until(time, () -> flight.readiness().serves() && flight.flight().position() != null);
-      try (CommandLease lease = flight.command(Duration.ofSeconds(30))) {
+      until(time, () -> flight.readiness().serves() && flight.flightState().position() != null);
+      try (CommandLease lease = flight.acquireCommandLease(Duration.ofSeconds(30))) {
         obey(flight, lease, new Arm());
-        until(time, () -> flight.flight().isArmed());
+        until(time, () -> flight.flightState().isArmed());
         obey(flight, lease, new TakeOff(10));
-        until(time, () -> flight.flight().phase() == Phase.IN_AIR);
+        until(time, () -> flight.flightState().phase() == Phase.IN_AIR);
         GeoPosition there = new GeoPosition(27.9508, -82.4572, 30); // 22 m to the north
         obey(flight, lease, new GoTo(there, 5));
-        until(time, () -> flight.flight().position().groundDistance(there) < 0.1);
-        port.cable().pull();
+        until(time, () -> flight.flightState().position().groundDistance(there) < 0.1);
+        port.cable().unplug();
         time.advance(Duration.ofMillis(2500));
         port.cable().restore();
-        until(time, () -> flight.readiness().serves() && flight.flight().position() != null);
-        obey(flight, lease, new ReturnHome());
-        until(time, () -> !flight.flight().isArmed());
+        until(time, () -> flight.readiness().serves() && flight.flightState().position() != null);
+        obey(flight, lease, new ReturnToLaunch());
+        until(time, () -> !flight.flightState().isArmed());
       }
     }
     return record.toString();
@@ -101,7 +101,7 @@ class AutopilotLockStepTest {
   }
 
   private static void obey(MavlinkFlightImpl flight, CommandLease lease, FlightCommand command) {
-    flight.obey(lease.key(), command);
+    flight.execute(lease.key(), command);
   }
 
   private static void until(LockStep time, BooleanSupplier reached) {

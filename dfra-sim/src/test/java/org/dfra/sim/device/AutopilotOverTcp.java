@@ -24,10 +24,10 @@ import org.dfra.flow.effector.FlightState.Phase;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
-import org.dfra.sim.body.BatteryBody.Charge;
 import org.dfra.sim.device.uav.AutopilotDevice;
 import org.dfra.sim.device.uav.AutopilotSettings;
 import org.dfra.sim.device.uav.AutopilotSoftware;
+import org.dfra.sim.physics.BatteryPhysics.Charge;
 import org.dfra.time.Scheduler;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Timeout;
@@ -62,12 +62,12 @@ abstract class AutopilotOverTcp {
 
   void takeOff(MavlinkFlightImpl flight, CommandLease lease, double height) {
     await().until(() -> flight.readiness().serves());
-    await().until(() -> flight.flight().position() != null);
+    await().until(() -> flight.flightState().position() != null);
     obey(flight, lease, new Arm());
-    await().until(() -> flight.flight().isArmed());
+    await().until(() -> flight.flightState().isArmed());
     obey(flight, lease, new TakeOff(height));
-    await().until(() -> flight.flight().height() > height - 0.6);
-    await().until(() -> flight.flight().phase() == Phase.IN_AIR);
+    await().until(() -> flight.flightState().height() > height - 0.6);
+    await().until(() -> flight.flightState().phase() == Phase.IN_AIR);
   }
 
   /**
@@ -78,14 +78,14 @@ abstract class AutopilotOverTcp {
     await()
         .until(
             () -> {
-              flight.obey(lease.key(), command);
+              flight.execute(lease.key(), command);
               return true;
             });
   }
 
   /** How it flies, as soon as that is known. */
   static FlightState state(MavlinkFlightImpl flight) {
-    return await().until(flight::flight, Objects::nonNull);
+    return await().until(flight::flightState, Objects::nonNull);
   }
 
   void begin(AutopilotSettings settings) throws IOException {
@@ -94,7 +94,7 @@ abstract class AutopilotOverTcp {
             settings.with(this::answer),
             DATUM,
             quad,
-            AntennaPath.fixed(DATUM),
+            AntennaTrajectory.fixed(DATUM),
             time -> new Charge(15.8, 4.2, 0.87));
     emulator = new DeviceEmulator("autopilot", 0, device, clock);
     emulator.start();
@@ -102,7 +102,9 @@ abstract class AutopilotOverTcp {
 
   Integer answer(int command, int confirmation) {
     told.add(new Told(command, confirmation));
-    return command == deafTo ? Integer.valueOf(AutopilotSettings.Whims.DEAF) : answers.get(command);
+    return command == deafTo
+        ? Integer.valueOf(AutopilotSettings.CommandFaults.NO_ANSWER)
+        : answers.get(command);
   }
 
   List<Integer> confirmations(int command) {
@@ -143,9 +145,9 @@ abstract class AutopilotOverTcp {
         usual.separation(),
         usual.timeToFirstFix(),
         missesStationAfter,
-        usual.returnsAfter(),
+        usual.returnDelay(),
         usual.returnHeight(),
-        usual.whims());
+        usual.commandFaults());
   }
 
   static double far(MavlinkFlightImpl flight) {

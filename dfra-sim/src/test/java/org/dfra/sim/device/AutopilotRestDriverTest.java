@@ -34,20 +34,20 @@ class AutopilotRestDriverTest extends AutopilotOverTcp {
   void holdsItsPlaceWithoutACommanderAndObeysTheNext(AutopilotSoftware software) throws Exception {
     begin(patientOf(software));
     try (MavlinkFlightImpl flight = flight()) {
-      try (CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+      try (CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
         takeOff(flight, lease, 10);
         obey(flight, lease, new GoTo(place(400, 0, 10), 4));
-        await().until(() -> flight.flight().speed() > 3);
+        await().until(() -> flight.flightState().speed() > 3);
       }
-      await().until(() -> flight.flight().speed() < 0.1);
+      await().until(() -> flight.flightState().speed() < 0.1);
       FlightState held = state(flight);
       assertThat(held.phase()).isEqualTo(Phase.IN_AIR);
       assertThat(held.height()).isCloseTo(10, within(0.6));
       assertThat(distance(held.position(), place(400, 0, 10))).isGreaterThan(100);
-      try (CommandLease next = flight.command(Duration.ofMinutes(10))) {
+      try (CommandLease next = flight.acquireCommandLease(Duration.ofMinutes(10))) {
         GeoPosition there = place(0, 0, 12);
         obey(flight, next, new GoTo(there, 8));
-        await().until(() -> distance(flight.flight().position(), there) < 0.1);
+        await().until(() -> distance(flight.flightState().position(), there) < 0.1);
       }
     }
   }
@@ -57,10 +57,10 @@ class AutopilotRestDriverTest extends AutopilotOverTcp {
   void isToldToHoldWhenTheModuleIsClosed(AutopilotSoftware software) throws Exception {
     begin(patientOf(software));
     try (MavlinkFlightImpl flight = flight()) {
-      CommandLease lease = flight.command(Duration.ofMinutes(10));
+      CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10));
       takeOff(flight, lease, 10);
       obey(flight, lease, new GoTo(place(4000, 0, 10), 1));
-      await().until(() -> flight.flight().speed() > 0.5);
+      await().until(() -> flight.flightState().speed() > 0.5);
     }
     await().until(() -> quad.at(clock.instant()).eastward() == 0);
     assertThat(quad.at(clock.instant()).up()).isGreaterThan(9);
@@ -71,12 +71,13 @@ class AutopilotRestDriverTest extends AutopilotOverTcp {
   void landsOnWhenItsCommanderLetsGoAfterTheOrder(AutopilotSoftware software) throws Exception {
     begin(patientOf(software));
     try (MavlinkFlightImpl flight = flight()) {
-      try (CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+      try (CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
         takeOff(flight, lease, 8);
         obey(flight, lease, new Land());
       }
-      await().until(() -> !flight.flight().isArmed());
-      await().until(() -> flight.flight().phase() == Phase.ON_GROUND); // told by another message
+      await().until(() -> !flight.flightState().isArmed());
+      await()
+          .until(() -> flight.flightState().phase() == Phase.ON_GROUND); // told by another message
     }
   }
 
@@ -85,12 +86,12 @@ class AutopilotRestDriverTest extends AutopilotOverTcp {
   void disarmsOnTheGroundWithoutACommander(AutopilotSoftware software) throws Exception {
     begin(patientOf(software));
     try (MavlinkFlightImpl flight = flight()) {
-      try (CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+      try (CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
         await().until(() -> flight.readiness().serves());
         obey(flight, lease, new Arm());
-        await().until(() -> flight.flight().isArmed());
+        await().until(() -> flight.flightState().isArmed());
       }
-      await().until(() -> !flight.flight().isArmed());
+      await().until(() -> !flight.flightState().isArmed());
       assertThat(parameter(flight, "last_order")).startsWith("coming to rest");
     }
   }
@@ -100,15 +101,15 @@ class AutopilotRestDriverTest extends AutopilotOverTcp {
   void asksForRestUntilItIsGranted(AutopilotSoftware software) throws Exception {
     begin(patientOf(software));
     try (MavlinkFlightImpl flight = flight()) {
-      try (CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+      try (CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
         takeOff(flight, lease, 10);
         obey(flight, lease, new GoTo(place(2000, 0, 10), 2));
-        await().until(() -> flight.flight().speed() > 1);
+        await().until(() -> flight.flightState().speed() > 1);
         answers.put(MODE, 1);
       }
       await().until(() -> parameter(flight, "last_refusal").contains("DO_SET_MODE"));
       answers.clear();
-      await().until(() -> flight.flight().speed() < 0.1);
+      await().until(() -> flight.flightState().speed() < 0.1);
       assertThat(parameter(flight, "last_order"))
           .isEqualTo("coming to rest: DO_SET_MODE is accepted");
     }
@@ -120,18 +121,18 @@ class AutopilotRestDriverTest extends AutopilotOverTcp {
       throws Exception {
     begin(patientOf(software));
     try (MavlinkFlightImpl flight = flight()) {
-      try (CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+      try (CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
         takeOff(flight, lease, 10);
         obey(flight, lease, new GoTo(place(4000, 0, 10), 1));
-        await().until(() -> flight.flight().speed() > 0.5);
-        emulator.cable().pull();
+        await().until(() -> flight.flightState().speed() > 0.5);
+        emulator.cable().unplug();
         await().until(() -> flight.readiness() == Readiness.INITIALIZING);
-        assertThatThrownBy(() -> flight.obey(lease.key(), new Hold()))
+        assertThatThrownBy(() -> flight.execute(lease.key(), new Hold()))
             .isInstanceOf(NotReadyException.class);
       }
       emulator.cable().restore();
       await().until(() -> flight.readiness().serves());
-      await().until(() -> flight.flight().speed() < 0.1);
+      await().until(() -> flight.flightState().speed() < 0.1);
       assertThat(state(flight).phase()).isEqualTo(Phase.IN_AIR);
     }
   }
@@ -142,7 +143,7 @@ class AutopilotRestDriverTest extends AutopilotOverTcp {
     begin(patientOf(software));
     try (MavlinkFlightImpl flight = flight()) {
       await().until(() -> flight.readiness().serves());
-      flight.command(Duration.ofMinutes(10)).close();
+      flight.acquireCommandLease(Duration.ofMinutes(10)).close();
       awaitPassed(flight, "identification"); // an answer came after that
       assertThat(told).noneMatch(each -> each.command() == MODE || each.command() == ARM);
     }
@@ -154,15 +155,15 @@ class AutopilotRestDriverTest extends AutopilotOverTcp {
       throws Exception {
     begin(patientOf(software, Duration.ofSeconds(30)));
     try (MavlinkFlightImpl flight = flight();
-        CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+        CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
       takeOff(flight, lease, 10);
       obey(flight, lease, new GoTo(place(60, 0, 10), 8));
-      await().until(() -> flight.flight().position() != null && far(flight) > 30);
-      emulator.cable().pull();
+      await().until(() -> flight.flightState().position() != null && far(flight) > 30);
+      emulator.cable().unplug();
       await().until(() -> quad.at(clock.instant()).up() == 0);
       emulator.cable().restore();
       await().until(() -> flight.readiness().serves());
-      await().until(() -> !flight.flight().isArmed());
+      await().until(() -> !flight.flightState().isArmed());
       assertThat(far(flight)).isLessThan(1);
       assertThat(flight.history().failures()).isPositive();
     }

@@ -52,7 +52,7 @@ class CableTest {
   @Test
   void letsNothingThroughWhenItIsPulledAndForgetsWhatWasOnIt() {
     send("a", 0);
-    cable.pull();
+    cable.unplug();
     send("b", 1);
     assertThat(cable.isPulled()).isTrue();
     assertThat(passed(100)).isEmpty();
@@ -68,7 +68,7 @@ class CableTest {
   void isSilentInBothDirectionsAndNotPulled() {
     send("a", 0);
     assertThat(passed(10)).isEqualTo("a");
-    cable.silence();
+    cable.mute();
     send("b", 10);
     assertThat(passed(20)).isEmpty();
     assertThat(cable.isPulled()).isFalse();
@@ -83,13 +83,13 @@ class CableTest {
     long seed = Long.getLong("dfra.seed", new Random().nextLong());
     device.setBaud(0);
     String text = "0123456789".repeat(100);
-    cable.garble(seed, 0.05);
+    cable.corruptBytes(seed, 0.05);
     send(text, 0);
     String first = passed(0);
     String there = device.got();
     assertThat(there).as("-Ddfra.seed=%d", seed).isNotEqualTo(text);
     assertThat(first).as("-Ddfra.seed=%d", seed).isNotEqualTo(there);
-    cable.garble(seed, 0.05); // it begins anew
+    cable.corruptBytes(seed, 0.05); // it begins anew
     send(text, 0);
     assertThat(passed(0)).as("-Ddfra.seed=%d", seed).isEqualTo(first);
     assertThat(device.got()).as("-Ddfra.seed=%d", seed).isEqualTo(there + there);
@@ -102,21 +102,22 @@ class CableTest {
   void damagesTheShareItIsTold() {
     byte[] bytes = new byte[100_000];
     int same = 0;
-    for (byte each : new Garbling(1, 0.3).of(bytes)) {
+    for (byte each : new ByteCorrupter(1, 0.3).corrupt(bytes)) {
       same += each == 0 ? 1 : 0;
     }
     // 70 % pass; a third of the others passes behind a spike; binomial, so 6 sigma are 900
     assertThat(same).isBetween(79_000, 81_500);
-    assertThat(new Garbling(1, 0).of(bytes)).isEqualTo(bytes);
-    assertThatThrownBy(() -> cable.garble(1, 1.5)).hasMessage("share 1.5 is outside 0 to 1");
-    assertThatThrownBy(() -> cable.garble(1, Double.NaN)).hasMessage("share NaN is outside 0 to 1");
+    assertThat(new ByteCorrupter(1, 0).corrupt(bytes)).isEqualTo(bytes);
+    assertThatThrownBy(() -> cable.corruptBytes(1, 1.5)).hasMessage("share 1.5 is outside 0 to 1");
+    assertThatThrownBy(() -> cable.corruptBytes(1, Double.NaN))
+        .hasMessage("share NaN is outside 0 to 1");
   }
 
   @Test
   void hasStormsComeBetweenWhatTheDeviceSaysAndDamagesNothing() {
     long seed = Long.getLong("dfra.seed", new Random().nextLong());
     device.setBaud(0);
-    cable.storm(seed);
+    cable.injectNoiseBursts(seed);
     String first = "";
     for (int i = 0; i < 100; i++) {
       send("word", i);
@@ -127,7 +128,7 @@ class CableTest {
     assertThat(device.got()).as("-Ddfra.seed=%d", seed).isEqualTo("word".repeat(100));
     assertThat(first.length()).as("bytes, -Ddfra.seed=%d", seed).isGreaterThan(10_000);
     assertThat(passed(100)).as("without words there is no storm").isEmpty();
-    cable.storm(seed); // it begins anew
+    cable.injectNoiseBursts(seed); // it begins anew
     for (int i = 100; i < 200; i++) {
       send("word", i);
       String passed = passed(i);
@@ -169,13 +170,13 @@ class CableTest {
   @Test
   void readsTheBitsOfTheWrongSpeedAsTheyAre() {
     byte[] some = {0x55, 0x55};
-    assertThat(Misreading.of(some, 9600, 9600)).isEqualTo(some);
+    assertThat(BaudMismatch.of(some, 9600, 9600)).isEqualTo(some);
     // a zero is low for nine bits, at half the speed four and a half: the start bit, and those that
     // are looked at after 1.5, 2.5 and 3.5; then idle
-    assertThat(Misreading.of(new byte[] {0}, 9600, 4800)).containsExactly(0xF8);
+    assertThat(BaudMismatch.of(new byte[] {0}, 9600, 4800)).containsExactly(0xF8);
     // a zero at 4800 is low for eighteen bits at 9600: a zero with a false stop bit, no second
     // start
-    assertThat(Misreading.of(new byte[] {0}, 4800, 9600)).containsExactly(0);
-    assertThat(Misreading.of(new byte[] {}, 4800, 9600)).isEmpty();
+    assertThat(BaudMismatch.of(new byte[] {0}, 4800, 9600)).containsExactly(0);
+    assertThat(BaudMismatch.of(new byte[] {}, 4800, 9600)).isEmpty();
   }
 }

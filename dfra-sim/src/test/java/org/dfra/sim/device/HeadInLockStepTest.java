@@ -19,13 +19,13 @@ import org.dfra.drivers.pantilt.ptu.PtuImpl;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleEvent.NewReading;
 import org.dfra.flow.effector.CommandLease;
-import org.dfra.flow.effector.PanTiltCommand.Point;
+import org.dfra.flow.effector.PanTiltCommand.PointAt;
 import org.dfra.module.Readiness;
-import org.dfra.sim.body.CameraView;
 import org.dfra.sim.device.camera.MjpegDevice;
 import org.dfra.sim.device.camera.MjpegOptions;
 import org.dfra.sim.device.gyro.Dsp3000Device;
 import org.dfra.sim.device.pantilt.PtuDevice;
+import org.dfra.sim.physics.CameraInput;
 import org.dfra.sim.time.LockStep;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -53,7 +53,7 @@ class HeadInLockStepTest {
           Parameters.of("robot/" + name, all),
           time,
           StateStore.inMemory(),
-          LeaseTerms.USUAL,
+          LeaseTerms.DEFAULT,
           time);
     }
 
@@ -108,13 +108,13 @@ class HeadInLockStepTest {
           run.start(
               new Dsp3000Impl(run.context("gyro", Map.of())),
               new Dsp3000Device(time -> run.pan, 38_400, Duration.ofSeconds(1)));
-      CameraView view =
+      CameraInput view =
           time -> {
             int[] samples = new int[40 * 30];
             for (int i = 0; i < samples.length; i++) {
               samples[i] = (int) (1000 * run.pan) + 7 * i;
             }
-            return new CameraView.Frame(40, 30, samples);
+            return new CameraInput.Frame(40, 30, samples);
           };
       MjpegCameraImpl camera =
           run.start(
@@ -127,10 +127,10 @@ class HeadInLockStepTest {
       for (ModuleImpl module : List.of(head, gyro, camera)) {
         run.listen(module);
       }
-      try (CommandLease lease = head.command(Duration.ofSeconds(20))) {
-        head.obey(lease.key(), new Point(1, 0.3, 1));
+      try (CommandLease lease = head.acquireCommandLease(Duration.ofSeconds(20))) {
+        head.execute(lease.key(), new PointAt(1, 0.3, 1));
         run.time.advance(Duration.ofSeconds(5));
-        assertThat(head.panTilt().pan()).isBetween(0.99, 1.01);
+        assertThat(head.panTiltState().pan()).isBetween(0.99, 1.01);
         assertThat(gyro.rate().rate()).isBetween(0.99, 1.01);
       }
       run.time.advance(Duration.ofSeconds(10));

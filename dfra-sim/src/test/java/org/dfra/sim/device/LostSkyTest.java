@@ -21,15 +21,15 @@ class LostSkyTest {
   private static final Instant BEGIN = Instant.parse("2026-04-01T10:00:00Z");
   private static final AntennaState THERE = new AntennaState(new GeoPosition(48, 11, 520), 0, 0);
 
-  private static final AntennaPath PATH =
-      new AntennaPath() {
+  private static final AntennaTrajectory PATH =
+      new AntennaTrajectory() {
         @Override
         public AntennaState at(Instant time) {
           return THERE;
         }
 
         @Override
-        public boolean hasSky(Instant time) {
+        public boolean hasSatellites(Instant time) {
           return time.isBefore(BEGIN.plusSeconds(5)) || !time.isBefore(BEGIN.plusSeconds(10));
         }
       };

@@ -8,16 +8,16 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
-import org.dfra.drivers.gps.m12.HoldPosition;
+import org.dfra.drivers.gps.m12.HeldPosition;
 import org.dfra.drivers.gps.m12.M12Commands;
 import org.dfra.drivers.gps.m12.M12Message;
 import org.dfra.drivers.gps.m12.M12Parser;
 import org.dfra.drivers.gps.m12.M12PositionMessage;
+import org.dfra.drivers.gps.m12.M12UtcOffset;
 import org.dfra.drivers.gps.m12.PositionControl;
 import org.dfra.drivers.gps.m12.ReceiverClock;
 import org.dfra.drivers.gps.m12.TimeRaim;
 import org.dfra.drivers.gps.m12.TimeScale;
-import org.dfra.drivers.gps.m12.UtcOffset;
 import org.dfra.drivers.gps.m12.VisibleSatellites;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
@@ -108,7 +108,7 @@ class M12DeviceTest {
     M12PositionMessage position = (M12PositionMessage) heard.get(1);
     assertThat(position.id()).isEqualTo("Hb");
     assertThat(position.mode()).isEqualTo(GpsFix.Mode.POSITION_HOLD);
-    assertThat(((HoldPosition) heard.get(2)).position()).isEqualTo(position.position());
+    assertThat(((HeldPosition) heard.get(2)).position()).isEqualTo(position.position());
   }
 
   @Test
@@ -125,7 +125,7 @@ class M12DeviceTest {
     assertThat(heard.get(2).id()).isEqualTo("Ge");
     assertThat(((TimeRaim) heard.get(3)).solution()).isEqualTo(TimeRaim.Solution.OK);
     assertThat(((TimeRaim) heard.get(4)).sawtooth()).isEqualTo(-7);
-    assertThat(heard.get(5)).isEqualTo(new UtcOffset(18));
+    assertThat(heard.get(5)).isEqualTo(new M12UtcOffset(18));
   }
 
   @Test
@@ -209,7 +209,7 @@ class M12DeviceTest {
 
   private M12Device device(int baud, Duration timeToFirstFix) {
     GeoPosition place = new GeoPosition(52.910313611, 6.866706667, 55.91);
-    return new M12Device(AntennaPath.fixed(place), baud, timeToFirstFix);
+    return new M12Device(AntennaTrajectory.fixed(place), baud, timeToFirstFix);
   }
 
   private void say(byte[] command) {

@@ -43,7 +43,7 @@ class M12DriverTest {
 
   @BeforeEach
   void start() throws IOException {
-    emulator = new M12Emulator(M12Settings.at(PLACE).withBaud(115_200), clock);
+    emulator = new M12Emulator(M12EmulatorSettings.at(PLACE).withBaud(115_200), clock);
     emulator.start();
   }
 
@@ -77,7 +77,7 @@ class M12DriverTest {
 
   @Test
   void atItsOwnSpeedAndInRealTimeToo() throws IOException {
-    try (M12Emulator real = new M12Emulator(M12Settings.at(PLACE), Clock.systemUTC())) {
+    try (M12Emulator real = new M12Emulator(M12EmulatorSettings.at(PLACE), Clock.systemUTC())) {
       real.start();
       ModuleContext context =
           new ModuleContext(
@@ -96,8 +96,8 @@ class M12DriverTest {
 
   @Test
   void waitsForAReceiverThatSearches() throws IOException {
-    M12Settings cold =
-        M12Settings.at(PLACE).withBaud(115_200).withTimeToFirstFix(Duration.ofSeconds(20));
+    M12EmulatorSettings cold =
+        M12EmulatorSettings.at(PLACE).withBaud(115_200).withTimeToFirstFix(Duration.ofSeconds(20));
     try (M12Emulator searching = new M12Emulator(cold, clock);
         M12PlusImpl gps = started(searching)) {
       await()
@@ -116,10 +116,10 @@ class M12DriverTest {
   @ValueSource(ints = {8, 12})
   void doesNotTakeGpsTimeForUtcBeforeTheReceiverHasLearnedTheDifference(int channels)
       throws IOException {
-    M12Settings withoutAlmanac =
-        M12Settings.at(PLACE)
+    M12EmulatorSettings withoutAlmanac =
+        M12EmulatorSettings.at(PLACE)
             .withBaud(115_200)
-            .withOptions(new M12Options(channels, Duration.ofSeconds(60)));
+            .withOptions(new M12EmulatorOptions(channels, Duration.ofSeconds(60)));
     try (M12Emulator fresh = new M12Emulator(withoutAlmanac, clock);
         M12PlusImpl gps = started(fresh)) {
       awaitReadiness(gps, Readiness.READY);
@@ -146,7 +146,8 @@ class M12DriverTest {
       emulator.close();
       awaitReadiness(gps, Readiness.INITIALIZING);
       GeoPosition elsewhere = new GeoPosition(-10, 20, 300);
-      M12Settings settings = M12Settings.at(elsewhere).withPort(port).withBaud(115_200);
+      M12EmulatorSettings settings =
+          M12EmulatorSettings.at(elsewhere).withPort(port).withBaud(115_200);
       try (M12Emulator next = new M12Emulator(settings, clock)) {
         next.start();
         awaitReadiness(gps, Readiness.READY);
@@ -157,7 +158,7 @@ class M12DriverTest {
 
   @Test
   void closesWhileItWaitsToTryAgain() {
-    emulator.cable().pull();
+    emulator.cable().unplug();
     try (M12PlusImpl gps =
         driver(emulator.url(), Map.of("reopen_first", "3600", "reopen_longest", "3600"))) {
       gps.start();

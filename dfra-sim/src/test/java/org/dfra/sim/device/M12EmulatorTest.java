@@ -23,7 +23,8 @@ class M12EmulatorTest {
   private static final byte[] HA_ONCE = HexFormat.of().parseHex("4040486100290d0a");
   private static final byte[] HA_EVERY_SECOND = HexFormat.of().parseHex("4040486101280d0a");
   private static final byte[] CJ = HexFormat.of().parseHex("4040436a290d0a");
-  private static final M12Settings SETTINGS = M12Settings.at(new GeoPosition(52.9, 6.8, 55));
+  private static final M12EmulatorSettings SETTINGS =
+      M12EmulatorSettings.at(new GeoPosition(52.9, 6.8, 55));
 
   private final SteppedClock clock = new SteppedClock(Instant.parse("2026-01-21T07:33:29Z"));
   private final M12Emulator emulator = new M12Emulator(SETTINGS, clock);

@@ -42,7 +42,7 @@ class M12ExaminationTest {
 
   @BeforeEach
   void start() throws IOException {
-    emulator = new M12Emulator(M12Settings.at(PLACE).withBaud(115_200), clock);
+    emulator = new M12Emulator(M12EmulatorSettings.at(PLACE).withBaud(115_200), clock);
     emulator.start();
     gps =
         new M12PlusImpl(
@@ -79,7 +79,7 @@ class M12ExaminationTest {
 
   @Test
   void findsASilentReceiver() {
-    emulator.cable().silence();
+    emulator.cable().mute();
     assertThat(gps.test("identification").finding())
         .isIn(
             "it has not answered @@Cj within 3 s",
@@ -89,7 +89,7 @@ class M12ExaminationTest {
 
   @Test
   void findsACutLinkAndReopensIt() {
-    emulator.cable().pull();
+    emulator.cable().unplug();
     awaitReadiness(Readiness.INITIALIZING);
     for (String test : List.of("link", "positions")) {
       awaitNoLink(gps, test);
@@ -123,7 +123,7 @@ class M12ExaminationTest {
   @Test
   void restsWhenItsLastClientIsGoneAndComesBackWithTheNext() throws Exception {
     assertThat(gps.updateRate()).as("before its first client").isEqualTo(1);
-    ModuleLease lease = gps.use(Duration.ofSeconds(30));
+    ModuleLease lease = gps.acquireLease(Duration.ofSeconds(30));
     awaitReadiness(Readiness.ACTIVE);
     lease.close();
     awaitReadiness(Readiness.READY);

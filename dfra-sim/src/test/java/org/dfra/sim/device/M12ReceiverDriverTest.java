@@ -3,7 +3,7 @@ package org.dfra.sim.device;
 import java.time.Duration;
 import java.util.List;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.drivers.gps.ReceiverImpl;
+import org.dfra.drivers.gps.GpsReceiverImpl;
 import org.dfra.drivers.gps.m12.M12PlusImpl;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -13,12 +13,12 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 class M12ReceiverDriverTest extends ReceiverDriverContract {
 
   @Override
-  SerialDevice device(AntennaPath path, Duration timeToFirstFix) {
+  SerialDevice device(AntennaTrajectory path, Duration timeToFirstFix) {
     return new M12Device(path, 115_200, timeToFirstFix);
   }
 
   @Override
-  ReceiverImpl<?> driver(ModuleContext context) {
+  GpsReceiverImpl<?> driver(ModuleContext context) {
     return new M12PlusImpl(context);
   }
 

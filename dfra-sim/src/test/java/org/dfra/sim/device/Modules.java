@@ -96,7 +96,7 @@ public final class Modules {
   public static List<String> failuresButSilence(ModuleImpl module) {
     return module.history().recent().stream()
         .filter(each -> each.kind() == Incident.Kind.FAILURE)
-        .map(Incident::what)
+        .map(Incident::description)
         .filter(what -> !SILENCE.matcher(what).find())
         .toList();
   }
@@ -105,7 +105,7 @@ public final class Modules {
   public static String parameter(ModuleImpl module, String name) {
     return module.parameters().stream()
         .filter(parameter -> parameter.name().equals(name))
-        .map(Parameter::text)
+        .map(Parameter::value)
         .findFirst()
         .orElseThrow();
   }

@@ -68,7 +68,7 @@ class PseudoTerminalTest {
     terminal.start();
     try (SerialLink link = LinkAddress.open(terminal.url())) {
       assertThat(exchange(link, "a")).isEqualTo("a");
-      emulator.cable().pull();
+      emulator.cable().unplug();
       await().until(() -> link.read(new byte[1], 0, 1, Duration.ofMillis(100)) < 0);
     }
     await().until(() -> !Files.exists(port()));

@@ -2,11 +2,11 @@ package org.dfra.sim.device;
 
 import java.time.Duration;
 import java.time.Instant;
-import org.dfra.sim.body.FlightBody;
+import org.dfra.sim.physics.MulticopterPhysics;
 import org.jspecify.annotations.Nullable;
 
 /** A body that flies in straight lines and is as fast as it is told, up to 8 m/s. For tests. */
-final class Quad implements FlightBody {
+final class Quad implements MulticopterPhysics {
 
   private static final double FASTEST = 8;
 
@@ -42,14 +42,15 @@ final class Quad implements FlightBody {
   }
 
   @Override
-  public synchronized Flight at(Instant time) {
+  public synchronized MulticopterState at(Instant time) {
     move(time);
     double far = left();
     double part = far == 0 ? 0 : speed / far;
     double eastward = (goalEast - east) * part;
     double northward = (goalNorth - north) * part;
     double yaw = eastward == 0 && northward == 0 ? 0 : Math.atan2(northward, eastward);
-    return new Flight(east, north, up, yaw, eastward, northward, (goalUp - up) * part, rotors);
+    return new MulticopterState(
+        east, north, up, yaw, eastward, northward, (goalUp - up) * part, rotors);
   }
 
   private void move(Instant time) {

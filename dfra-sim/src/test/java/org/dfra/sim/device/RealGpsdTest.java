@@ -13,7 +13,7 @@ import java.util.Map;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.host.FreePorts;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.drivers.gps.ReceiverImpl;
+import org.dfra.drivers.gps.GpsReceiverImpl;
 import org.dfra.drivers.gps.gpsd.GpsdImpl;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
@@ -36,12 +36,12 @@ class RealGpsdTest {
   @Test
   void servesWhatARealGpsdMakesOfTheEmulatedReceiver() throws Exception {
     String program = Programs.find("gpsd");
-    NmeaDevice device = new NmeaDevice(AntennaPath.fixed(PLACE), 38_400, Duration.ZERO);
+    NmeaDevice device = new NmeaDevice(AntennaTrajectory.fixed(PLACE), 38_400, Duration.ZERO);
     try (DeviceEmulator receiver = new DeviceEmulator("nmea", 0, device, Clock.systemUTC())) {
       receiver.start();
-      int port = FreePorts.next();
+      int port = FreePorts.allocate();
       Process gpsd = gpsd(program, port, receiver.url());
-      try (ReceiverImpl<?> gps = driver("tcp://127.0.0.1:" + port)) {
+      try (GpsReceiverImpl<?> gps = driver("tcp://127.0.0.1:" + port)) {
         gps.start();
         await().until(gps::readiness, Readiness.READY::equals);
         // Its first report may not have the height yet.
@@ -75,7 +75,7 @@ class RealGpsdTest {
         .start();
   }
 
-  private static ReceiverImpl<?> driver(String link) {
+  private static GpsReceiverImpl<?> driver(String link) {
     return new GpsdImpl(
         new ModuleContext(
             "atrv1", "gps", Parameters.of("atrv1/gps", Map.of("link", link)), Clock.systemUTC()));

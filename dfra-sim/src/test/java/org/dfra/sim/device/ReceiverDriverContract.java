@@ -19,7 +19,7 @@ import java.util.Random;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.drivers.gps.ReceiverImpl;
+import org.dfra.drivers.gps.GpsReceiverImpl;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleEvent.NewReading;
 import org.dfra.event.Subscription;
@@ -49,9 +49,9 @@ abstract class ReceiverDriverContract {
   private DeviceEmulator emulator;
 
   /** A receiver on a line of 115 200 baud. */
-  abstract SerialDevice device(AntennaPath path, Duration timeToFirstFix);
+  abstract SerialDevice device(AntennaTrajectory path, Duration timeToFirstFix);
 
-  abstract ReceiverImpl<?> driver(ModuleContext context);
+  abstract GpsReceiverImpl<?> driver(ModuleContext context);
 
   /** How far a told position may be from the true one, degrees: half of what the protocol tells. */
   abstract double resolution();
@@ -61,7 +61,7 @@ abstract class ReceiverDriverContract {
 
   @BeforeEach
   void start() throws IOException {
-    emulator = emulated(AntennaPath.fixed(PLACE), Duration.ZERO);
+    emulator = emulated(AntennaTrajectory.fixed(PLACE), Duration.ZERO);
   }
 
   @AfterEach
@@ -72,7 +72,7 @@ abstract class ReceiverDriverContract {
   @Test
   void findsItsFirstFix() {
     Instant begin = clock.instant().minusSeconds(2); // it tells of the full second before
-    try (ReceiverImpl<?> gps = started(emulator.url())) {
+    try (GpsReceiverImpl<?> gps = started(emulator.url())) {
       GpsFix fix = awaitWholeFix(gps);
       long dropped = gps.counts().droppedBytes();
       assertThat(fix.position().latitude()).isCloseTo(PLACE.latitude(), within(resolution()));
@@ -94,8 +94,8 @@ abstract class ReceiverDriverContract {
 
   @Test
   void waitsForAReceiverThatSearches() throws IOException {
-    try (DeviceEmulator cold = emulated(AntennaPath.fixed(PLACE), Duration.ofSeconds(20));
-        ReceiverImpl<?> gps = started(cold.url())) {
+    try (DeviceEmulator cold = emulated(AntennaTrajectory.fixed(PLACE), Duration.ofSeconds(20));
+        GpsReceiverImpl<?> gps = started(cold.url())) {
       await()
           .untilAsserted(
               () ->
@@ -109,10 +109,10 @@ abstract class ReceiverDriverContract {
 
   @Test
   void comesBackWhenTheCableWasPulledAndPutBackAndCountsIt() {
-    try (ReceiverImpl<?> gps = started(emulator.url())) {
+    try (GpsReceiverImpl<?> gps = started(emulator.url())) {
       awaitReadiness(gps, Readiness.READY);
       for (int pulled = 1; pulled <= 3; pulled++) {
-        emulator.cable().pull();
+        emulator.cable().unplug();
         awaitReadiness(gps, Readiness.INITIALIZING);
         assertThatThrownBy(gps::fix).isInstanceOf(NotReadyException.class);
         emulator.cable().restore();
@@ -125,9 +125,9 @@ abstract class ReceiverDriverContract {
 
   @Test
   void noticesASilentReceiverAndItsReturn() {
-    try (ReceiverImpl<?> gps = started(emulator.url())) {
+    try (GpsReceiverImpl<?> gps = started(emulator.url())) {
       awaitReadiness(gps, Readiness.READY);
-      emulator.cable().silence();
+      emulator.cable().mute();
       awaitReadiness(gps, Readiness.INITIALIZING);
       emulator.cable().restore();
       awaitReadiness(gps, Readiness.READY);
@@ -137,9 +137,9 @@ abstract class ReceiverDriverContract {
   @Test
   void readsOnOverABadContact() {
     long seed = Long.getLong("dfra.seed", new Random().nextLong());
-    try (ReceiverImpl<?> gps = started(emulator.url())) {
+    try (GpsReceiverImpl<?> gps = started(emulator.url())) {
       awaitReadiness(gps, Readiness.READY);
-      emulator.cable().garble(seed, 0.002); // most frames have a byte or two that are damaged
+      emulator.cable().corruptBytes(seed, 0.002); // most frames have a byte or two that are damaged
       await("-Ddfra.seed=" + seed).until(() -> gps.counts().droppedBytes() > 1_000);
       emulator.cable().restore();
       // The last fix of the bad contact may lack its height: its sentence was damaged.
@@ -154,10 +154,10 @@ abstract class ReceiverDriverContract {
 
   @Test
   void tellsEveryFixOfAReceiverThatDrifts() throws Exception {
-    AntennaPath path = AntennaPath.drifting(PLACE, clock.instant(), 0.6, -0.8);
+    AntennaTrajectory path = AntennaTrajectory.constantVelocity(PLACE, clock.instant(), 0.6, -0.8);
     List<GpsFix> fixes = new CopyOnWriteArrayList<>();
     try (DeviceEmulator boat = emulated(path, Duration.ZERO);
-        ReceiverImpl<?> gps = started(boat.url())) {
+        GpsReceiverImpl<?> gps = started(boat.url())) {
       try (Subscription unused =
           gps.subscribe(
               delivery -> {
@@ -181,7 +181,7 @@ abstract class ReceiverDriverContract {
 
   @Test
   void passesItsTestsWhenAllIsWell() {
-    try (ReceiverImpl<?> gps = started(emulator.url())) {
+    try (GpsReceiverImpl<?> gps = started(emulator.url())) {
       awaitReadiness(gps, Readiness.READY);
       await().until(() -> gps.satellites().size() == 9);
       assertThat(gps.tests()).startsWith("link", "positions", "satellites");
@@ -195,7 +195,7 @@ abstract class ReceiverDriverContract {
 
   @Test
   void describesItself() {
-    try (ReceiverImpl<?> gps = started(emulator.url())) {
+    try (GpsReceiverImpl<?> gps = started(emulator.url())) {
       awaitReadiness(gps, Readiness.READY);
       assertThat(gps.attributes())
           .hasAtLeastOneElementOfType(GpsReceiverAttributes.class)
@@ -207,19 +207,20 @@ abstract class ReceiverDriverContract {
   /**
    * The first one may lack its height, where the link was opened amid the sentences of a moment.
    */
-  private static GpsFix awaitWholeFix(ReceiverImpl<?> gps) {
+  private static GpsFix awaitWholeFix(GpsReceiverImpl<?> gps) {
     return await().until(gps::fix, fix -> fix.mode() == GpsFix.Mode.FIX_3D);
   }
 
-  private DeviceEmulator emulated(AntennaPath path, Duration timeToFirstFix) throws IOException {
+  private DeviceEmulator emulated(AntennaTrajectory path, Duration timeToFirstFix)
+      throws IOException {
     DeviceEmulator made = new DeviceEmulator("gps", 0, device(path, timeToFirstFix), clock);
     made.start();
     return made;
   }
 
-  private ReceiverImpl<?> started(String link) {
+  private GpsReceiverImpl<?> started(String link) {
     Map<String, String> parameters = Map.of("link", link);
-    ReceiverImpl<?> gps =
+    GpsReceiverImpl<?> gps =
         driver(new ModuleContext("atrv1", "gps", Parameters.of("atrv1/gps", parameters), clock));
     gps.start();
     return gps;

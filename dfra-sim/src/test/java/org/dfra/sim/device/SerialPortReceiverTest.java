@@ -13,7 +13,7 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.drivers.gps.ReceiverImpl;
+import org.dfra.drivers.gps.GpsReceiverImpl;
 import org.dfra.drivers.gps.m12.M12PlusImpl;
 import org.dfra.drivers.gps.nmea.NmeaImpl;
 import org.dfra.drivers.gps.ubx.UbxImpl;
@@ -33,39 +33,40 @@ import org.junit.jupiter.params.provider.MethodSource;
 @Timeout(180)
 class SerialPortReceiverTest {
 
-  private static final AntennaPath PLACE = AntennaPath.fixed(new GeoPosition(52.9, -6.9, 55.9));
+  private static final AntennaTrajectory PLACE =
+      AntennaTrajectory.fixed(new GeoPosition(52.9, -6.9, 55.9));
 
   static Stream<Arguments> receivers() {
     return Stream.of(
         Arguments.of(
             "m12",
             new M12Device(PLACE, 9600, Duration.ZERO),
-            (Function<ModuleContext, ReceiverImpl<?>>) M12PlusImpl::new),
+            (Function<ModuleContext, GpsReceiverImpl<?>>) M12PlusImpl::new),
         Arguments.of(
             "nmea",
             new NmeaDevice(PLACE, 9600, Duration.ZERO),
-            (Function<ModuleContext, ReceiverImpl<?>>) NmeaImpl::new),
+            (Function<ModuleContext, GpsReceiverImpl<?>>) NmeaImpl::new),
         Arguments.of(
             "ubx",
             new UbxDevice(PLACE, 9600, Duration.ZERO),
-            (Function<ModuleContext, ReceiverImpl<?>>) UbxImpl::new));
+            (Function<ModuleContext, GpsReceiverImpl<?>>) UbxImpl::new));
   }
 
   @ParameterizedTest(name = "{0}")
   @MethodSource("receivers")
   void goesOnWhenTheCableIsPutBack(
-      String name, SerialDevice device, Function<ModuleContext, ReceiverImpl<?>> driver)
+      String name, SerialDevice device, Function<ModuleContext, GpsReceiverImpl<?>> driver)
       throws Exception {
     Programs.require("socat");
     try (DeviceEmulator emulator = new DeviceEmulator(name, 0, device, Clock.systemUTC());
         PseudoTerminal port = new PseudoTerminal("ttyGPS", emulator)) {
       emulator.start();
       port.start();
-      try (ReceiverImpl<?> gps = driver.apply(context(port.url() + "?baud=9600"))) {
+      try (GpsReceiverImpl<?> gps = driver.apply(context(port.url() + "?baud=9600"))) {
         gps.start();
         awaitReadiness(gps, Readiness.READY);
         Instant before = await().until(() -> gps.fix().utc(), Objects::nonNull);
-        emulator.cable().pull();
+        emulator.cable().unplug();
         awaitReadiness(gps, Readiness.INITIALIZING);
         assertThat(refusal(gps)).contains(port.url());
         emulator.cable().restore();
@@ -85,7 +86,7 @@ class SerialPortReceiverTest {
         "atrv1", "gps", Parameters.of("atrv1/gps", Map.of("link", link)), Clock.systemUTC());
   }
 
-  private static String refusal(ReceiverImpl<?> gps) {
+  private static String refusal(GpsReceiverImpl<?> gps) {
     try {
       return "served " + gps.fix();
     } catch (NotReadyException e) {

@@ -120,7 +120,7 @@ class SimPortTest {
     SerialLink link = open();
     link.write("ab".getBytes(US_ASCII));
     time.advance(Duration.ofMillis(10));
-    port.cable().pull();
+    port.cable().unplug();
     time.advance(Duration.ofMillis(5));
     assertThat(link.isOpen()).isFalse();
     assertThat(read(link, SECOND)).as("what had come").isEqualTo("a");

@@ -56,10 +56,10 @@ class UartLineTest {
     UartLine line = new UartLine(9600);
     line.send(new byte[] {1, 2, 3}, BEGIN);
     ByteBuffer small = ByteBuffer.allocate(2);
-    line.take(small, BEGIN.plusSeconds(1));
+    line.drainTo(small, BEGIN.plusSeconds(1));
     assertThat(small.array()).containsExactly(1, 2);
     small.clear();
-    line.take(small, BEGIN.plusSeconds(1));
+    line.drainTo(small, BEGIN.plusSeconds(1));
     assertThat(small.flip().get()).isEqualTo((byte) 3);
   }
 
@@ -120,13 +120,13 @@ class UartLineTest {
 
   private static byte[] bytes(UartLine line, Instant now) {
     ByteBuffer out = ByteBuffer.allocate(4096);
-    line.take(out, now);
+    line.drainTo(out, now);
     return Arrays.copyOf(out.array(), out.position());
   }
 
   private static int through(UartLine line, Instant now) {
     ByteBuffer out = ByteBuffer.allocate(4096);
-    line.take(out, now);
+    line.drainTo(out, now);
     return out.position();
   }
 }

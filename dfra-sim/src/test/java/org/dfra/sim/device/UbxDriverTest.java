@@ -3,7 +3,7 @@ package org.dfra.sim.device;
 import java.time.Duration;
 import java.util.List;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.drivers.gps.ReceiverImpl;
+import org.dfra.drivers.gps.GpsReceiverImpl;
 import org.dfra.drivers.gps.ubx.UbxImpl;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -12,12 +12,12 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 class UbxDriverTest extends ReceiverDriverContract {
 
   @Override
-  SerialDevice device(AntennaPath path, Duration timeToFirstFix) {
+  SerialDevice device(AntennaTrajectory path, Duration timeToFirstFix) {
     return new UbxDevice(path, 115_200, timeToFirstFix);
   }
 
   @Override
-  ReceiverImpl<?> driver(ModuleContext context) {
+  GpsReceiverImpl<?> driver(ModuleContext context) {
     return new UbxImpl(context);
   }
 

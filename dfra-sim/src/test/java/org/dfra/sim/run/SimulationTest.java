@@ -26,7 +26,7 @@ import org.dfra.drivers.gps.m12.M12PlusImpl;
 import org.dfra.drivers.gyro.kvh.Dsp3000Impl;
 import org.dfra.drivers.laser.lms.LmsImpl;
 import org.dfra.event.DeliveryPolicy;
-import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.DeliveryPolicy.EventKind;
 import org.dfra.event.ModuleEvent;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.DriveCommand.Brake;
@@ -35,13 +35,13 @@ import org.dfra.flow.sensor.Odometry;
 import org.dfra.flow.sensor.RangeScan;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.Readiness;
-import org.dfra.sim.run.Simulation.Ports;
+import org.dfra.sim.run.Simulation.PortPolicy;
 import org.dfra.sim.time.LockStep;
-import org.dfra.sim.world.TruePose;
+import org.dfra.sim.world.GroundTruthPose;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
 import org.dfra.sim.world.description.EmulatorDescription;
-import org.dfra.sim.world.description.Mount;
+import org.dfra.sim.world.description.MountPose;
 import org.dfra.sim.world.description.VehicleDescription;
 import org.dfra.sim.world.description.VehicleType;
 import org.dfra.sim.world.description.WorldDescription;
@@ -58,7 +58,7 @@ class SimulationTest {
     return new DeviceDescription(
         kind,
         name,
-        Mount.at(0, 0, 0.4),
+        MountPose.at(0, 0, 0.4),
         Optional.empty(),
         Map.of(),
         new EmulatorDescription(
@@ -118,7 +118,7 @@ class SimulationTest {
                             : reading.reading().toString());
                   }
                 },
-                DeliveryPolicy.keepLast(100).only(Kind.READING));
+                DeliveryPolicy.keepLast(100).withKinds(EventKind.READING));
         each.start();
       }
       for (ModuleImpl each : modules) {
@@ -126,16 +126,16 @@ class SimulationTest {
             .as("%s", each.identification().path())
             .isTrue();
       }
-      TruePose before = simulation.world().truth().pose("atrv1", time.instant());
-      try (CommandLease lease = drive.command(Duration.ofSeconds(5))) {
-        drive.obey(lease.key(), new Brake(false));
+      GroundTruthPose before = simulation.world().groundTruth().pose("atrv1", time.instant());
+      try (CommandLease lease = drive.acquireCommandLease(Duration.ofSeconds(5))) {
+        drive.execute(lease.key(), new Brake(false));
         for (int i = 0; i < 30; i++) {
-          drive.obey(lease.key(), new Velocity(0.5, 0));
+          drive.execute(lease.key(), new Velocity(0.5, 0));
           time.advance(Duration.ofMillis(100));
         }
       }
       time.advance(Duration.ofSeconds(1));
-      TruePose after = simulation.world().truth().pose("atrv1", time.instant());
+      GroundTruthPose after = simulation.world().groundTruth().pose("atrv1", time.instant());
       Odometry counted = odometry.odometry();
       assertThat(after.speed()).as("speed when its commander has let go").isLessThan(0.01);
       assertThat(after.east() - before.east()).as("metres it went").isBetween(1.0, 1.6);
@@ -159,15 +159,16 @@ class SimulationTest {
 
   @Test
   void tellsWhichLinesThereAreAndWhichDevicesEachServes() throws Exception {
-    try (Simulation simulation = Simulation.overTcp(yard(1), Clock.systemUTC(), Ports.AS_WRITTEN)) {
+    try (Simulation simulation =
+        Simulation.overTcp(yard(1), Clock.systemUTC(), PortPolicy.CONFIGURED)) {
       simulation.start();
 
-      assertThat(simulation.lines())
-          .extracting(SimulatedLine::device)
+      assertThat(simulation.endpoints())
+          .extracting(DeviceEndpoint::device)
           .containsExactly("drive", "gps", "gyro", "laser");
-      SimulatedLine drive = simulation.lines().get(0);
-      assertThat(drive.serves()).containsExactly("drive", "battery");
-      assertThat(drive.variable()).isEqualTo("DFRA_ATRV1_DRIVE_LINK");
+      DeviceEndpoint drive = simulation.endpoints().get(0);
+      assertThat(drive.servedDevices()).containsExactly("drive", "battery");
+      assertThat(drive.linkVariable()).isEqualTo("DFRA_ATRV1_DRIVE_LINK");
       int port = Integer.parseInt(drive.link().replaceAll(".*:", ""));
       try (Socket socket = new Socket()) {
         socket.connect(new InetSocketAddress(InetAddress.getLoopbackAddress(), port), 20_000);
@@ -184,12 +185,13 @@ class SimulationTest {
               1,
               device(DeviceKind.GPS, "a_gps", "", 0),
               device(DeviceKind.GYRO, "gyro", "", taken.getLocalPort()));
-      try (Simulation simulation = Simulation.overTcp(world, Clock.systemUTC(), Ports.AS_WRITTEN)) {
+      try (Simulation simulation =
+          Simulation.overTcp(world, Clock.systemUTC(), PortPolicy.CONFIGURED)) {
         assertThatThrownBy(simulation::start)
             .isInstanceOf(IOException.class)
             .hasMessageStartingWith("yard.xml:12: atrv1/gyro cannot be reached: port ")
             .hasMessageContaining("choose another, or 0 for any free one");
-        assertThatThrownBy(simulation::lines).isInstanceOf(IllegalStateException.class);
+        assertThatThrownBy(simulation::endpoints).isInstanceOf(IllegalStateException.class);
       }
     }
   }
@@ -198,7 +200,7 @@ class SimulationTest {
   void refusesAProtocolThatNoSuchDeviceSpeaks() {
     WorldDescription world = yard(1, device(DeviceKind.GPS, "gps", "nmaea", 0));
 
-    assertThatThrownBy(() -> Simulation.overTcp(world, Clock.systemUTC(), Ports.ANY))
+    assertThatThrownBy(() -> Simulation.overTcp(world, Clock.systemUTC(), PortPolicy.EPHEMERAL))
         .isInstanceOf(ConfigurationException.class)
         .hasMessage("yard.xml:12: no gps speaks \"nmaea\"; did you mean \"nmea\"?");
   }

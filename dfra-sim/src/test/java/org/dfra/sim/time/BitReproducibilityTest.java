@@ -97,7 +97,7 @@ class BitReproducibilityTest {
             "rarely told ",
             " fault ",
             " changed ")
-        .contains("NewReading", "RangeScan", "ReadinessChanged", "IncidentNoted", "closed");
+        .contains("NewReading", "RangeScan", "ReadinessChanged", "IncidentRecorded", "closed");
     for (int i = 1; i < RUNS; i++) {
       assertSame(first, run(SEED), "run " + i);
     }

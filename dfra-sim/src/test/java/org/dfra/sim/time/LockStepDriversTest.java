@@ -20,7 +20,7 @@ import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.Diagnosis;
 import org.dfra.module.Readiness;
-import org.dfra.sim.device.AntennaPath;
+import org.dfra.sim.device.AntennaTrajectory;
 import org.dfra.sim.device.M12Device;
 import org.dfra.sim.device.SimPort;
 import org.junit.jupiter.api.Test;
@@ -34,7 +34,7 @@ class LockStepDriversTest {
 
   private final LockStep time = new LockStep(Instant.parse("2026-01-21T07:33:29Z"));
   private final SimPort port =
-      new SimPort("gps", new M12Device(AntennaPath.fixed(PLACE), 9600, Duration.ZERO), time);
+      new SimPort("gps", new M12Device(AntennaTrajectory.fixed(PLACE), 9600, Duration.ZERO), time);
 
   @Test
   void anHourOfADriverHasAFixForEverySecond() throws Exception {
@@ -61,7 +61,7 @@ class LockStepDriversTest {
       port.start();
       gps.start();
       assertThat(comesTo(gps, Readiness.READY)).isTrue();
-      port.cable().pull();
+      port.cable().unplug();
       assertThat(comesTo(gps, Readiness.INITIALIZING)).isTrue();
       assertThatThrownBy(gps::fix).hasMessageContaining("sim:gps: the device is lost");
       time.advance(Duration.ofMinutes(1));
@@ -84,7 +84,7 @@ class LockStepDriversTest {
         Instant before = time.instant();
         Diagnosis diagnosis = gps.test(test);
         assertThat(diagnosis.passed()).as("%s", diagnosis).isTrue();
-        assertThat(diagnosis.took()).isEqualTo(Duration.between(before, time.instant()));
+        assertThat(diagnosis.duration()).isEqualTo(Duration.between(before, time.instant()));
       }
       Diagnosis reopened = gps.recover("reopen_link");
       assertThat(reopened.passed()).as("%s", reopened).isTrue();

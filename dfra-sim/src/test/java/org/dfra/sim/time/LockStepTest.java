@@ -16,7 +16,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.drivers.link.Ticker;
-import org.dfra.time.Scheduler.Task;
+import org.dfra.time.Scheduler.ScheduledTask;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -91,7 +91,7 @@ class LockStepTest {
           time.after(0, () -> see("b2"));
           time.after(-5, () -> see("b3"));
         });
-    Task never = time.after(millis(15), () -> see("never"));
+    ScheduledTask never = time.after(millis(15), () -> see("never"));
     never.cancel();
     time.advance(Duration.ofMillis(19));
     assertThat(seen).containsExactly("10 a", "10 b", "10 b2", "10 b3");
@@ -101,7 +101,7 @@ class LockStepTest {
 
   @Test
   void repeatedTasksKeepTheirPlaceWhateverTheirPeriods() {
-    Task slow = time.every(Duration.ofMillis(20), () -> see("slow"));
+    ScheduledTask slow = time.every(Duration.ofMillis(20), () -> see("slow"));
     time.every(Duration.ofMillis(10), () -> see("fast"));
     time.after(millis(20), () -> see("once"));
     time.advance(Duration.ofMillis(20));

@@ -23,7 +23,7 @@ import org.dfra.core.module.ModuleContext;
 import org.dfra.directory.DirectoryListener;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
-import org.dfra.drivers.gps.ReceiverImpl;
+import org.dfra.drivers.gps.GpsReceiverImpl;
 import org.dfra.drivers.gps.gpsd.GpsdImpl;
 import org.dfra.drivers.gps.m12.M12PlusImpl;
 import org.dfra.drivers.gps.nmea.NmeaImpl;
@@ -37,8 +37,7 @@ import org.dfra.geometry.GeoPosition;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.Diagnosis;
 import org.dfra.module.NotReadyException;
-import org.dfra.sim.body.RangeView;
-import org.dfra.sim.device.AntennaPath;
+import org.dfra.sim.device.AntennaTrajectory;
 import org.dfra.sim.device.Cable;
 import org.dfra.sim.device.GpsdDevice;
 import org.dfra.sim.device.M12Device;
@@ -47,7 +46,8 @@ import org.dfra.sim.device.SerialDevice;
 import org.dfra.sim.device.SimPort;
 import org.dfra.sim.device.UbxDevice;
 import org.dfra.sim.device.laser.LmsDevice;
-import org.dfra.sim.device.laser.LmsMakeup;
+import org.dfra.sim.device.laser.LmsEmulatorSettings;
+import org.dfra.sim.physics.RangeInput;
 
 /**
  * A robot with a receiver of every kind, a laser of 500 000 baud, and their real drivers, for a
@@ -66,7 +66,7 @@ final class SeededRobot implements AutoCloseable {
   private static final int FAULTS_EACH = 4;
 
   private interface Maker {
-    SerialDevice make(AntennaPath path, int baud, Duration timeToFirstFix);
+    SerialDevice make(AntennaTrajectory path, int baud, Duration timeToFirstFix);
   }
 
   private final Random random;
@@ -94,8 +94,8 @@ final class SeededRobot implements AutoCloseable {
     addReceiver("gpsd", 115_200, GpsdDevice::new, GpsdImpl::new);
     ModuleContext context = context("laser", Map.of("baud", "500000"));
     LmsImpl laser = new LmsImpl(context);
-    RangeView view = view(random.nextLong());
-    add("laser", laser, () -> new LmsDevice(view, LmsMakeup.sold()));
+    RangeInput view = view(random.nextLong());
+    add("laser", laser, () -> new LmsDevice(view, LmsEmulatorSettings.factoryDefault()));
     questions.put("laser", () -> laser.scan() + " " + laser.scan().hashCode());
   }
 
@@ -117,8 +117,8 @@ final class SeededRobot implements AutoCloseable {
   }
 
   private void addReceiver(
-      String name, int baud, Maker maker, Function<ModuleContext, ReceiverImpl<?>> driver) {
-    ReceiverImpl<?> made = driver.apply(context(name, Map.of()));
+      String name, int baud, Maker maker, Function<ModuleContext, GpsReceiverImpl<?>> driver) {
+    GpsReceiverImpl<?> made = driver.apply(context(name, Map.of()));
     add(name, made, () -> receiver(maker, baud));
     questions.put(name, () -> made.fix() + " " + made.time() + " " + made.satellites());
   }
@@ -146,12 +146,12 @@ final class SeededRobot implements AutoCloseable {
     GeoPosition place = new GeoPosition(52 + random.nextDouble(), random.nextDouble() - 7, 55);
     double north = random.nextDouble() * 4 - 2;
     return maker.make(
-        AntennaPath.drifting(place, BEGIN, north, random.nextDouble()),
+        AntennaTrajectory.constantVelocity(place, BEGIN, north, random.nextDouble()),
         baud,
         Duration.ofMillis(random.nextInt(8000)));
   }
 
-  private static RangeView view(long seed) {
+  private static RangeInput view(long seed) {
     Random noise = new Random(seed);
     return (when, first, step, longest, distances) -> {
       for (int i = 0; i < distances.length; i++) {
@@ -163,9 +163,9 @@ final class SeededRobot implements AutoCloseable {
   private void disturb(String name, Cable cable, int kind, long seed, SerialDevice fresh) {
     write(name, "fault " + kind);
     switch (kind) {
-      case 0 -> cable.pull();
-      case 1 -> cable.silence();
-      case 2 -> cable.garble(seed, 0.01);
+      case 0 -> cable.unplug();
+      case 1 -> cable.mute();
+      case 2 -> cable.corruptBytes(seed, 0.01);
       case 3 -> cable.restore();
       default -> cable.replace(fresh);
     }
@@ -227,13 +227,13 @@ final class SeededRobot implements AutoCloseable {
     var rarely =
         driver.subscribe(
             delivery -> write(name, "rarely told " + delivery),
-            DeliveryPolicy.latestReading().atMost(0.4));
+            DeliveryPolicy.latestReading().withMaxRate(0.4));
   }
 
   /** One that is not renewed, so that the module notices its end. */
   private void lease(String name) {
     try {
-      var unused = drivers.get(name).use(Duration.ofSeconds(10));
+      var unused = drivers.get(name).acquireLease(Duration.ofSeconds(10));
     } catch (LeaseRefusedException e) {
       throw new AssertionError(e);
     }

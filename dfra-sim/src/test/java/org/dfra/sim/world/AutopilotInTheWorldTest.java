@@ -13,17 +13,17 @@ import org.dfra.drivers.uav.mavlink.MavlinkFlightImpl;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.FlightCommand.Arm;
 import org.dfra.flow.effector.FlightCommand.GoTo;
-import org.dfra.flow.effector.FlightCommand.ReturnHome;
+import org.dfra.flow.effector.FlightCommand.ReturnToLaunch;
 import org.dfra.flow.effector.FlightCommand.TakeOff;
 import org.dfra.flow.effector.FlightState.Phase;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalPosition;
-import org.dfra.sim.body.FlightBody;
 import org.dfra.sim.device.DeviceEmulator;
 import org.dfra.sim.device.Modules;
 import org.dfra.sim.device.uav.AutopilotDevice;
 import org.dfra.sim.device.uav.AutopilotSettings;
 import org.dfra.sim.device.uav.AutopilotSoftware;
+import org.dfra.sim.physics.MulticopterPhysics;
 import org.dfra.sim.world.description.DeviceKind;
 import org.dfra.sim.world.description.VehicleDescription;
 import org.dfra.sim.world.description.VehicleType;
@@ -56,7 +56,7 @@ class AutopilotInTheWorldTest {
                         .with(Worlds.device(DeviceKind.BATTERY, "battery"))),
             Worlds.START);
     SimulatedRobot robot = world.robot("uav");
-    FlightBody body = robot.flight("flight");
+    MulticopterPhysics body = robot.multicopter("flight");
     AutopilotDevice autopilot =
         new AutopilotDevice(
             AutopilotSettings.of(software),
@@ -67,27 +67,28 @@ class AutopilotInTheWorldTest {
     try (DeviceEmulator emulator = new DeviceEmulator("autopilot", 0, autopilot, clock)) {
       emulator.start();
       try (MavlinkFlightImpl flight = driver(emulator.url(), clock);
-          CommandLease lease = flight.command(Duration.ofMinutes(10))) {
+          CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
         await().until(() -> flight.readiness().serves());
-        await().until(() -> flight.flight().position() != null);
-        flight.obey(lease.key(), new Arm());
-        await().until(() -> flight.flight().isArmed());
-        flight.obey(lease.key(), new TakeOff(8));
-        await().until(() -> flight.flight().phase() == Phase.IN_AIR);
+        await().until(() -> flight.flightState().position() != null);
+        flight.execute(lease.key(), new Arm());
+        await().until(() -> flight.flightState().isArmed());
+        flight.execute(lease.key(), new TakeOff(8));
+        await().until(() -> flight.flightState().phase() == Phase.IN_AIR);
 
         GeoPosition there = world.frame().toGeo(new LocalPosition(45, 32, 12));
-        flight.obey(lease.key(), new GoTo(there, 5));
+        flight.execute(lease.key(), new GoTo(there, 5));
         await().until(() -> off(body.at(clock.instant()), 45, 32, 12) < 0.5);
 
-        flight.obey(lease.key(), new ReturnHome());
-        await().until(() -> !flight.flight().isArmed());
+        flight.execute(lease.key(), new ReturnToLaunch());
+        await().until(() -> !flight.flightState().isArmed());
         assertThat(off(body.at(clock.instant()), 30, 20, 0)).isLessThan(1.5);
-        assertThat(body.at(clock.instant()).rotors()).isFalse();
+        assertThat(body.at(clock.instant()).rotorsTurning()).isFalse();
       }
     }
   }
 
-  private static double off(FlightBody.Flight at, double east, double north, double up) {
+  private static double off(
+      MulticopterPhysics.MulticopterState at, double east, double north, double up) {
     return Math.hypot(Math.hypot(at.east() - east, at.north() - north), at.up() - up);
   }
 

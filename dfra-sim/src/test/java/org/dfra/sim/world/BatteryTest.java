@@ -9,7 +9,7 @@ import static org.dfra.sim.world.Worlds.field;
 import static org.dfra.sim.world.Worlds.perfectDrive;
 import static org.dfra.sim.world.Worlds.ugv;
 
-import org.dfra.sim.body.BatteryBody;
+import org.dfra.sim.physics.BatteryPhysics;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
 import org.junit.jupiter.api.Test;
@@ -30,7 +30,7 @@ class BatteryTest {
     return World.of(field(1).with(ugv("atrv1").with(perfectDrive()).with(battery)), START);
   }
 
-  private static BatteryBody.Charge charge(World world, double seconds) {
+  private static BatteryPhysics.Charge charge(World world, double seconds) {
     return world.robot("atrv1").battery("battery").at(after(seconds));
   }
 
@@ -38,11 +38,11 @@ class BatteryTest {
   @Test
   void itsVoltageFallsWithItsLoad() {
     World world = world(BATTERY);
-    BatteryBody.Charge idle = charge(world, 0);
+    BatteryPhysics.Charge idle = charge(world, 0);
     assertThat(idle.voltage() * idle.current()).isCloseTo(50, within(1e-9));
     assertThat(idle.voltage() + 0.1 * idle.current()).isCloseTo(26, within(1e-9));
-    world.robot("atrv1").drive("drive").drive(START, 0.8, 0.5, 1e9, 1e9);
-    BatteryBody.Charge moving = charge(world, 1);
+    world.robot("atrv1").drivetrain("drive").drive(START, 0.8, 0.5, 1e9, 1e9);
+    BatteryPhysics.Charge moving = charge(world, 1);
     assertThat(moving.voltage() * moving.current()).isCloseTo(50 + 80 + 20, within(1e-9));
     assertThat(moving.voltage()).isLessThan(idle.voltage() - 0.3);
   }
@@ -58,7 +58,7 @@ class BatteryTest {
     assertThat(charge(world, 3600).remaining()).isCloseTo(1 - drawn / 10, within(1e-3));
     assertThat(charge(world, 3600).voltage()).isBetween(20.0, 26.0);
     assertThat(charge(world, 3600 * 4.2).remaining()).isBetween(0.0, 0.2);
-    BatteryBody.Charge empty = charge(world, 3600 * 6);
+    BatteryPhysics.Charge empty = charge(world, 3600 * 6);
     assertThat(empty.remaining()).isZero();
     assertThat(empty.current()).isZero();
     assertThat(empty.voltage()).isCloseTo(20, within(1e-9));
@@ -79,7 +79,8 @@ class BatteryTest {
   /** 26 V over 2 Ω give 84.5 W at most; asked for 500 W it gives these at half its voltage. */
   @Test
   void givesNoMoreThanItCan() {
-    BatteryBody.Charge charge = charge(world(BATTERY.with("resistance", 2).with("idle", 500)), 0);
+    BatteryPhysics.Charge charge =
+        charge(world(BATTERY.with("resistance", 2).with("idle", 500)), 0);
     assertThat(charge.voltage()).isCloseTo(13, within(1e-9));
     assertThat(charge.current()).isCloseTo(6.5, within(1e-9));
   }

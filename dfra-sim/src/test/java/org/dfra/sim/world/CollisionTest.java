@@ -32,20 +32,20 @@ class CollisionTest {
           2);
 
   private static void drive(World world, String robot, double seconds, double speed) {
-    world.robot(robot).drive("drive").drive(after(seconds), speed, 0, AT_ONCE, AT_ONCE);
+    world.robot(robot).drivetrain("drive").drive(after(seconds), speed, 0, AT_ONCE, AT_ONCE);
   }
 
   @Test
   void stopsAtAWallAndTellsItOnce() {
     World world = World.of(field(1).with(WALL).with(ugv("atrv1").with(perfectDrive())), START);
     drive(world, "atrv1", 0, 1);
-    TruePose pose = world.truth().pose("atrv1", after(10));
+    GroundTruthPose pose = world.groundTruth().pose("atrv1", after(10));
     assertThat(pose.east()).as("a step before the wall").isBetween(32.6, 32.61);
     assertThat(pose.speed()).isZero();
-    assertThat(world.robot("atrv1").drive("drive").travel(after(10)).speed())
+    assertThat(world.robot("atrv1").drivetrain("drive").travel(after(10)).speed())
         .as("its wheels spin on")
         .isEqualTo(1);
-    assertThat(world.truth().collisions())
+    assertThat(world.groundTruth().collisions())
         .singleElement()
         .satisfies(
             collision -> {
@@ -61,11 +61,11 @@ class CollisionTest {
     World world = World.of(field(1).with(WALL).with(ugv("atrv1").with(perfectDrive())), START);
     drive(world, "atrv1", 0, 1);
     drive(world, "atrv1", 5, -1);
-    assertThat(world.truth().pose("atrv1", after(7)).east()).isCloseTo(30.61, within(0.03));
+    assertThat(world.groundTruth().pose("atrv1", after(7)).east()).isCloseTo(30.61, within(0.03));
     drive(world, "atrv1", 7, 0.5);
     world.advanceTo(after(15));
-    assertThat(world.truth().collisions()).hasSize(2);
-    assertThat(world.truth().collisions().get(1).speed()).isCloseTo(0.5, within(1e-9));
+    assertThat(world.groundTruth().collisions()).hasSize(2);
+    assertThat(world.groundTruth().collisions().get(1).speed()).isCloseTo(0.5, within(1e-9));
   }
 
   /** Two that meet at 1 m/s each meet at 2 m/s, and that is one collision. */
@@ -82,9 +82,10 @@ class CollisionTest {
     drive(world, "two", 0, 1);
     world.advanceTo(after(10));
     double gap =
-        world.truth().pose("two", after(10)).east() - world.truth().pose("one", after(10)).east();
+        world.groundTruth().pose("two", after(10)).east()
+            - world.groundTruth().pose("one", after(10)).east();
     assertThat(gap).isBetween(0.78, 0.81);
-    assertThat(world.truth().collisions())
+    assertThat(world.groundTruth().collisions())
         .singleElement()
         .satisfies(c -> assertThat(c.speed()).isCloseTo(2, within(1e-6)));
   }
@@ -98,9 +99,9 @@ class CollisionTest {
   void aCornerThatTouchesKeepsItFromTurning() {
     VehicleDescription robot = new VehicleDescription("atrv1", VehicleType.UGV, 32.52, 20, 1.2);
     World world = World.of(field(1).with(WALL).with(robot.with(perfectDrive())), START);
-    world.robot("atrv1").drive("drive").drive(START, 0, -0.5, AT_ONCE, AT_ONCE);
-    assertThat(world.truth().pose("atrv1", after(5)).yaw()).isBetween(0.99, 1.01);
-    assertThat(world.truth().collisions()).hasSize(1);
+    world.robot("atrv1").drivetrain("drive").drive(START, 0, -0.5, AT_ONCE, AT_ONCE);
+    assertThat(world.groundTruth().pose("atrv1", after(5)).yaw()).isBetween(0.99, 1.01);
+    assertThat(world.groundTruth().collisions()).hasSize(1);
   }
 
   @Test
@@ -108,7 +109,9 @@ class CollisionTest {
     ObstacleDescription post = new ObstacleDescription("post", new Disc(32, 20.2, 0.1), 1);
     World world = World.of(field(1).with(post).with(ugv("atrv1").with(perfectDrive())), START);
     drive(world, "atrv1", 0, 0.7);
-    assertThat(world.truth().pose("atrv1", after(6)).east()).isBetween(31.5, 31.51);
-    assertThat(world.truth().collisions()).extracting(Collision::other).containsExactly("post");
+    assertThat(world.groundTruth().pose("atrv1", after(6)).east()).isBetween(31.5, 31.51);
+    assertThat(world.groundTruth().collisions())
+        .extracting(Collision::other)
+        .containsExactly("post");
   }
 }

@@ -36,7 +36,8 @@ class DeterminismTest {
   private static WorldDescription field() {
     WorldDescription field = WorldXml.read(ROOT.resolve("config/worlds/field.xml"), name -> null);
     GroundDescription ground = field.ground();
-    return field.on(new GroundDescription(ground.width(), ground.depth(), 0.03, ground.place()));
+    return field.withGround(
+        new GroundDescription(ground.sizeEast(), ground.sizeNorth(), 0.03, ground.place()));
   }
 
   /** A thing done at a time: a command, or a look that is digested under its device's name. */
@@ -66,8 +67,8 @@ class DeterminismTest {
               new Act(
                   millis,
                   () -> {
-                    robot.drive("drive").drive(time, 0.8, nth % 5 * 0.2 - 0.4, 1, 2);
-                    robot.drive("drive").brake(time, nth % 7 == 6);
+                    robot.drivetrain("drive").drive(time, 0.8, nth % 5 * 0.2 - 0.4, 1, 2);
+                    robot.drivetrain("drive").brake(time, nth % 7 == 6);
                     robot.panTilt("pan_tilt").point(time, nth % 3 * 0.4 - 0.4, -0.1);
                   }));
         } else {
@@ -75,8 +76,8 @@ class DeterminismTest {
               new Act(
                   millis,
                   () -> {
-                    robot.flight("flight").rotors(time, true);
-                    robot.flight("flight").fly(time, 10 + nth, 20, 6, 3);
+                    robot.multicopter("flight").rotors(time, true);
+                    robot.multicopter("flight").fly(time, 10 + nth, 20, 6, 3);
                   }));
         }
       }
@@ -101,21 +102,21 @@ class DeterminismTest {
         case GPS -> bytes(robot.antenna(name).at(time));
         case LASER -> {
           double[] distances = new double[181];
-          robot.rangeView(name).look(time, -Math.PI / 2, Math.PI / 180, 30, distances);
+          robot.laser(name).measure(time, -Math.PI / 2, Math.PI / 180, 30, distances);
           ByteBuffer bytes = ByteBuffer.allocate(8 * distances.length);
           bytes.asDoubleBuffer().put(distances);
           yield bytes.array();
         }
-        case DRIVE -> bytes(robot.drive(name).travel(time));
-        case GYRO -> bytes(robot.turnView(name).rate(time));
+        case DRIVE -> bytes(robot.drivetrain(name).travel(time));
+        case GYRO -> bytes(robot.gyro(name).rate(time));
         case CAMERA, THERMAL -> {
-          int[] samples = robot.cameraView(name).look(time).samples();
+          int[] samples = robot.camera(name).capture(time).samples();
           ByteBuffer bytes = ByteBuffer.allocate(4 * samples.length);
           bytes.asIntBuffer().put(samples);
           yield bytes.array();
         }
         case BATTERY -> bytes(robot.battery(name).at(time));
-        case FLIGHT -> bytes(robot.flight(name).at(time));
+        case FLIGHT -> bytes(robot.multicopter(name).at(time));
         case PAN_TILT -> new byte[0];
       };
     }
@@ -132,8 +133,8 @@ class DeterminismTest {
       acts.forEach(act -> act.body().run());
       Map<String, String> result = new TreeMap<>();
       digests.forEach((key, digest) -> result.put(key, HexFormat.of().formatHex(digest.digest())));
-      result.put("collisions", world.truth().collisions().toString());
-      result.put("late", Long.toString(world.truth().lateCommands()));
+      result.put("collisions", world.groundTruth().collisions().toString());
+      result.put("late", Long.toString(world.groundTruth().lateCommands()));
       return result;
     }
   }
@@ -169,9 +170,9 @@ class DeterminismTest {
               millis,
               () -> {
                 nosy.world.robot("atrv1").antenna("gps_front").at(time);
-                double unused = nosy.world.robot("atrv2").turnView("gyro").rate(time);
-                nosy.world.robot("atrv1").rangeView("laser").look(time, 0, 0.1, 9, new double[3]);
-                nosy.world.truth().poses(time);
+                double unused = nosy.world.robot("atrv2").gyro("gyro").rate(time);
+                nosy.world.robot("atrv1").laser("laser").measure(time, 0, 0.1, 9, new double[3]);
+                nosy.world.groundTruth().poses(time);
               }));
     }
     nosy.acts.sort(Comparator.comparingInt(Act::millis));
@@ -181,7 +182,7 @@ class DeterminismTest {
   @Test
   void anotherSeedIsAnotherWorld() {
     Map<String, String> first = shuffled(field(), 1).result();
-    Map<String, String> other = shuffled(field().seeded(2), 1).result();
+    Map<String, String> other = shuffled(field().withSeed(2), 1).result();
     for (String device : first.keySet()) {
       if (!List.of("late", "collisions").contains(device)
           && !device.endsWith("pan_tilt")

@@ -10,7 +10,7 @@ import static org.dfra.sim.world.Worlds.field;
 import static org.dfra.sim.world.Worlds.perfectDrive;
 import static org.dfra.sim.world.Worlds.ugv;
 
-import org.dfra.sim.body.DriveBody;
+import org.dfra.sim.physics.DrivetrainPhysics;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
 import org.junit.jupiter.api.Test;
@@ -24,12 +24,12 @@ class DriveTest {
     return World.of(field(1).with(ugv("atrv1").with(drive)), START);
   }
 
-  private static DriveBody drive(World world) {
-    return world.robot("atrv1").drive("drive");
+  private static DrivetrainPhysics drive(World world) {
+    return world.robot("atrv1").drivetrain("drive");
   }
 
-  private static TruePose pose(World world, double seconds) {
-    return world.truth().pose("atrv1", after(seconds));
+  private static GroundTruthPose pose(World world, double seconds) {
+    return world.groundTruth().pose("atrv1", after(seconds));
   }
 
   /**
@@ -43,12 +43,12 @@ class DriveTest {
     drive(world).drive(START, 0.6, 0.5, AT_ONCE, AT_ONCE);
     for (double t : new double[] {0.5, 1, 3.5, 8, 60}) {
       double angle = 0.5 * (t - 0.015);
-      TruePose pose = pose(world, t);
+      GroundTruthPose pose = pose(world, t);
       assertThat(pose.east()).isCloseTo(30 + radius * Math.sin(angle), within(1e-9));
       assertThat(pose.north()).isCloseTo(20 + radius * (1 - Math.cos(angle)), within(1e-9));
       assertThat(Math.IEEEremainder(pose.yaw() - angle, 2 * Math.PI)).isCloseTo(0, within(1e-9));
       assertThat(pose.speed()).isCloseTo(0.6, within(1e-4)); // chord of a step over its time
-      assertThat(pose.turnRate()).isCloseTo(0.5, within(1e-9));
+      assertThat(pose.yawRate()).isCloseTo(0.5, within(1e-9));
     }
   }
 
@@ -56,7 +56,7 @@ class DriveTest {
   void turnsOnTheSpotToTheLeft() {
     World world = world(perfectDrive());
     drive(world).drive(START, 0, 1, AT_ONCE, AT_ONCE);
-    TruePose pose = pose(world, 1.015);
+    GroundTruthPose pose = pose(world, 1.015);
     assertThat(pose.yaw()).isCloseTo(0.995, within(1e-9)); // the state of 1.01 s
     assertThat(pose.east()).isEqualTo(30);
     assertThat(pose.north()).isEqualTo(20);
@@ -80,9 +80,9 @@ class DriveTest {
   void slowsBothSidesDownAlikeWhenOneIsTooFast() {
     World world = world(perfectDrive().with("max_wheel_speed", 1));
     drive(world).drive(START, 1, 2, AT_ONCE, AT_ONCE);
-    DriveBody.Travel travel = drive(world).travel(after(1));
+    DrivetrainPhysics.Travel travel = drive(world).travel(after(1));
     assertThat(travel.speed()).isCloseTo(1 / 1.75, within(1e-12));
-    assertThat(travel.turnRate()).isCloseTo(2 / 1.75, within(1e-12));
+    assertThat(travel.yawRate()).isCloseTo(2 / 1.75, within(1e-12));
   }
 
   /** A side that may gain 2 m/s² is at 1.2 m/s after 0.6 s, whatever the command allows. */
@@ -97,13 +97,13 @@ class DriveTest {
   void slipsWhileItsWheelsCountOn() {
     World world = world(perfectDrive().with("slip", 0.1).with("turn_slip", 0.25));
     drive(world).drive(START, 0.5, 0, AT_ONCE, AT_ONCE);
-    DriveBody.Travel straight = drive(world).travel(after(10));
+    DrivetrainPhysics.Travel straight = drive(world).travel(after(10));
     assertThat(straight.distance()).isCloseTo(0.5 * 9.985, within(1e-9));
     assertThat(pose(world, 10).east() - 30).isCloseTo(0.9 * straight.distance(), within(1e-9));
 
     World turning = world(perfectDrive().with("slip", 0.1).with("turn_slip", 0.25));
     drive(turning).drive(START, 0, 0.5, AT_ONCE, AT_ONCE);
-    assertThat(drive(turning).travel(after(4)).turn()).isCloseTo(0.5 * 3.985, within(1e-9));
+    assertThat(drive(turning).travel(after(4)).yaw()).isCloseTo(0.5 * 3.985, within(1e-9));
     assertThat(pose(turning, 4).yaw()).isCloseTo(0.75 * 0.5 * 3.985, within(1e-9));
   }
 
@@ -112,12 +112,12 @@ class DriveTest {
   void itsEncodersMeasureTheWheelsWithTheirOwnError() {
     World world = world(perfectDrive().with("encoder_left", 0.02));
     drive(world).drive(START, 1, 0, AT_ONCE, AT_ONCE);
-    DriveBody.Travel travel = drive(world).travel(after(10.015));
+    DrivetrainPhysics.Travel travel = drive(world).travel(after(10.015));
     double way = pose(world, 10.015).east() - 30;
     assertThat(way).isCloseTo(9.995, within(1e-9));
     assertThat(travel.distance()).isCloseTo(1.01 * way, within(1e-9));
-    assertThat(travel.turn()).isCloseTo(-0.02 * way / 0.75, within(1e-9));
-    assertThat(travel.turnRate()).isCloseTo(-0.02 / 0.75, within(1e-9));
+    assertThat(travel.yaw()).isCloseTo(-0.02 * way / 0.75, within(1e-9));
+    assertThat(travel.yawRate()).isCloseTo(-0.02 / 0.75, within(1e-9));
   }
 
   /** From 1 m/s at 4 m/s² it needs 0.25 s and 0.125 m. */
@@ -155,9 +155,9 @@ class DriveTest {
     assertThat(pose(world, 0.51).east()).isEqualTo(30);
     assertThat(pose(world, 0.52).east()).isCloseTo(30.005, within(1e-12));
     assertThat(pose(world, 0.529).east()).as("it stands still between two steps").isEqualTo(30.005);
-    assertThat(world.truth().lateCommands()).isZero();
+    assertThat(world.groundTruth().lateCommands()).isZero();
     drive(world).drive(after(0.51), 0, 0, AT_ONCE, AT_ONCE);
-    assertThat(world.truth().lateCommands()).isEqualTo(1);
+    assertThat(world.groundTruth().lateCommands()).isEqualTo(1);
     assertThat(pose(world, 0.53).east()).isCloseTo(30.015, within(1e-12));
   }
 
@@ -174,7 +174,7 @@ class DriveTest {
 
   @Test
   void refusesWhatNoWheelsCanDo() {
-    DriveBody drive = drive(world(perfectDrive()));
+    DrivetrainPhysics drive = drive(world(perfectDrive()));
     assertThatThrownBy(() -> drive.drive(START, Double.NaN, 0, 1, 1))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("NaN m/s");

@@ -9,8 +9,8 @@ import static org.dfra.sim.world.Worlds.device;
 import static org.dfra.sim.world.Worlds.field;
 
 import org.dfra.core.config.Place;
-import org.dfra.sim.body.BatteryBody;
-import org.dfra.sim.body.FlightBody;
+import org.dfra.sim.physics.BatteryPhysics;
+import org.dfra.sim.physics.MulticopterPhysics;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
 import org.dfra.sim.world.description.ObstacleDescription;
@@ -38,11 +38,12 @@ class FlightTest {
     return device(DeviceKind.FLIGHT, "flight").with("gust_response", 0);
   }
 
-  private static FlightBody flight(World world) {
-    return world.robot("uav1").flight("flight");
+  private static MulticopterPhysics flight(World world) {
+    return world.robot("uav1").multicopter("flight");
   }
 
-  private static double off(FlightBody.Flight at, double east, double north, double up) {
+  private static double off(
+      MulticopterPhysics.MulticopterState at, double east, double north, double up) {
     return Math.hypot(Math.hypot(at.east() - east, at.north() - north), at.up() - up);
   }
 
@@ -50,32 +51,32 @@ class FlightTest {
   void doesNothingWhileItsRotorsStand() {
     World world = world(calm());
     flight(world).fly(START, 30, 20, 5, 3);
-    FlightBody.Flight at = flight(world).at(after(5));
+    MulticopterPhysics.MulticopterState at = flight(world).at(after(5));
     assertThat(off(at, 10, 20, 0)).isZero();
-    assertThat(at.rotors()).isFalse();
+    assertThat(at.rotorsTurning()).isFalse();
   }
 
   @Test
   void takesOffFliesAndLands() {
     World world = world(calm());
-    FlightBody flight = flight(world);
+    MulticopterPhysics flight = flight(world);
     flight.rotors(START, true);
-    assertThat(flight.at(after(1)).rotors()).isTrue();
+    assertThat(flight.at(after(1)).rotorsTurning()).isTrue();
     assertThat(flight.at(after(1)).up()).isZero();
     flight.fly(after(1), 10, 20, 6, 3);
     assertThat(off(flight.at(after(10)), 10, 20, 6)).isLessThan(0.01);
     flight.fly(after(10), 40, 20, 6, 5);
-    FlightBody.Flight onItsWay = flight.at(after(13));
+    MulticopterPhysics.MulticopterState onItsWay = flight.at(after(13));
     assertThat(onItsWay.eastward()).isCloseTo(5, within(0.01));
     assertThat(onItsWay.north()).isCloseTo(20, within(1e-9));
     assertThat(off(flight.at(after(25)), 40, 20, 6)).isLessThan(0.01);
     flight.fly(after(25), 40, 20, 0, 3);
-    FlightBody.Flight landed = flight.at(after(40));
+    MulticopterPhysics.MulticopterState landed = flight.at(after(40));
     assertThat(landed.up()).isZero();
     assertThat(landed.upward()).isZero();
-    assertThat(landed.rotors()).isTrue();
+    assertThat(landed.rotorsTurning()).isTrue();
     flight.rotors(after(40), false);
-    assertThat(flight.at(after(41)).rotors()).isFalse();
+    assertThat(flight.at(after(41)).rotorsTurning()).isFalse();
   }
 
   @Test
@@ -87,15 +88,15 @@ class FlightTest {
                 .with("max_acceleration", 2)
                 .with("max_climb", 1.5)
                 .with("max_descent", 1));
-    FlightBody flight = flight(world);
+    MulticopterPhysics flight = flight(world);
     flight.rotors(START, true);
     flight.fly(after(0.1), 50, 20, 10, 100);
-    FlightBody.Flight before = flight.at(after(0.1));
+    MulticopterPhysics.MulticopterState before = flight.at(after(0.1));
     for (int i = 11; i < 6000; i++) {
       if (i == 3000) {
         flight.fly(after(i * 0.01), 10, 30, 2, 100);
       }
-      FlightBody.Flight at = flight.at(after(i * 0.01));
+      MulticopterPhysics.MulticopterState at = flight.at(after(i * 0.01));
       assertThat(Math.hypot(at.eastward(), at.northward())).isLessThan(4.001);
       assertThat(at.upward()).isBetween(-1.001, 1.501);
       double change =
@@ -111,12 +112,12 @@ class FlightTest {
   @Test
   void fliesInAStraightLine() {
     World world = world(calm());
-    FlightBody flight = flight(world);
+    MulticopterPhysics flight = flight(world);
     flight.rotors(START, true);
     flight.fly(after(0.1), 34, 28, 8, 4);
     double length = Math.sqrt(24 * 24 + 8 * 8 + 8 * 8);
     for (int i = 0; i < 200; i++) {
-      FlightBody.Flight at = flight.at(after(0.1 * i));
+      MulticopterPhysics.MulticopterState at = flight.at(after(0.1 * i));
       double along = ((at.east() - 10) * 24 + (at.north() - 20) * 8 + at.up() * 8) / length;
       double share = along / length;
       assertThat(off(at, 10 + share * 24, 20 + share * 8, share * 8)).isLessThan(0.05);
@@ -126,7 +127,7 @@ class FlightTest {
   @Test
   void turnsItsNoseWhereItFlies() {
     World world = world(calm().with("max_yaw_rate", 1));
-    FlightBody flight = flight(world);
+    MulticopterPhysics flight = flight(world);
     flight.rotors(START, true);
     flight.fly(after(0.1), 10, 20, 5, 3);
     flight.fly(after(10), 10, 38, 5, 4);
@@ -139,7 +140,7 @@ class FlightTest {
   @Test
   void gustsPushItInTheAir() {
     World world = world(device(DeviceKind.FLIGHT, "flight"));
-    FlightBody flight = flight(world);
+    MulticopterPhysics flight = flight(world);
     flight.rotors(START, true);
     assertThat(off(flight.at(after(5)), 10, 20, 0)).isZero();
     flight.fly(after(5), 10, 20, 5, 3);
@@ -158,12 +159,12 @@ class FlightTest {
       WeatherDescription fair = WeatherDescription.FAIR;
       WeatherDescription weather =
           new WeatherDescription(
-              fair.temperature(), fair.warming(), 0, 1, 6 * i, 2.5, 0, Place.CODE);
+              fair.temperature(), fair.groundWarming(), 0, 1, 6 * i, 2.5, 0, Place.CODE);
       VehicleDescription uav = UAV.with(calm()).with(device(DeviceKind.BATTERY, "battery"));
-      World world = World.of(field(1).in(weather).with(uav), START);
+      World world = World.of(field(1).withWeather(weather).with(uav), START);
       flight(world).rotors(START, true);
       flight(world).fly(after(0.1), 10, 20, 5, 3);
-      BatteryBody.Charge charge = world.robot("uav1").battery("battery").at(after(20));
+      BatteryPhysics.Charge charge = world.robot("uav1").battery("battery").at(after(20));
       powers[i] = charge.voltage() * charge.current();
     }
     assertThat(powers[0]).isCloseTo(12 + 190, within(0.1));
@@ -173,24 +174,24 @@ class FlightTest {
   @Test
   void cannotStopItsRotorsInTheAir() {
     World world = world(calm());
-    FlightBody flight = flight(world);
+    MulticopterPhysics flight = flight(world);
     flight.rotors(START, true);
     flight.fly(after(0.1), 10, 20, 5, 3);
     flight.rotors(after(8), false);
     assertThat(flight.at(after(12)).up()).isCloseTo(5, within(0.01));
-    assertThat(flight.at(after(12)).rotors()).isTrue();
+    assertThat(flight.at(after(12)).rotorsTurning()).isTrue();
   }
 
   @Test
   void landsWithAnEmptyBattery() {
     World world = world(calm(), device(DeviceKind.BATTERY, "battery").with("capacity", 0.15));
-    FlightBody flight = flight(world);
+    MulticopterPhysics flight = flight(world);
     flight.rotors(START, true);
     flight.fly(after(0.1), 10, 20, 5, 3);
     assertThat(flight.at(after(20)).up()).isCloseTo(5, within(0.01));
-    FlightBody.Flight later = flight.at(after(120));
+    MulticopterPhysics.MulticopterState later = flight.at(after(120));
     assertThat(later.up()).isZero();
-    assertThat(later.rotors()).isFalse();
+    assertThat(later.rotorsTurning()).isFalse();
     assertThat(world.robot("uav1").battery("battery").at(after(120)).remaining()).isZero();
   }
 
@@ -206,14 +207,16 @@ class FlightTest {
     flight(world).rotors(START, true);
     flight(world).fly(after(0.1), 10, 20, 5, 3);
     flight(world).fly(after(8), 30, 20, 5, 3);
-    FlightBody.Flight at = flight(world).at(after(20));
+    MulticopterPhysics.MulticopterState at = flight(world).at(after(20));
     assertThat(at.east()).isBetween(19.5, 19.6001);
-    assertThat(world.truth().collisions()).extracting(Collision::other).containsExactly("mast");
+    assertThat(world.groundTruth().collisions())
+        .extracting(Collision::other)
+        .containsExactly("mast");
   }
 
   @Test
   void refusesNoPlace() {
-    FlightBody flight = flight(world(calm()));
+    MulticopterPhysics flight = flight(world(calm()));
     assertThatThrownBy(() -> flight.fly(START, Double.NaN, 0, 1, 1))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("NaN");

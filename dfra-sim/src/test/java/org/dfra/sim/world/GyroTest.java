@@ -11,7 +11,7 @@ import static org.dfra.sim.world.Worlds.ugv;
 
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
-import org.dfra.sim.world.description.Mount;
+import org.dfra.sim.world.description.MountPose;
 import org.dfra.sim.world.description.VehicleDescription;
 import org.junit.jupiter.api.Test;
 
@@ -29,13 +29,13 @@ class GyroTest {
   }
 
   private static double rate(World world, String gyro, double seconds) {
-    return world.robot("atrv1").turnView(gyro).rate(after(seconds));
+    return world.robot("atrv1").gyro(gyro).rate(after(seconds));
   }
 
   @Test
   void feelsTheTurnOfTheBodyAndNotOfTheWheels() {
     DeviceDescription upsideDown =
-        new DeviceDescription(DeviceKind.GYRO, "down", new Mount(0, 0, 0, Math.PI, 0, 0))
+        new DeviceDescription(DeviceKind.GYRO, "down", new MountPose(0, 0, 0, Math.PI, 0, 0))
             .with("bias", 0)
             .with("drift", 0)
             .with("white", 0);
@@ -45,7 +45,7 @@ class GyroTest {
                 .with(perfectDrive().with("turn_slip", 0.2))
                 .with(gyro("gyro", 0, 0, 0))
                 .with(upsideDown));
-    world.robot("atrv1").drive("drive").drive(START, 0, 0.5, 1e9, 1e9);
+    world.robot("atrv1").drivetrain("drive").drive(START, 0, 0.5, 1e9, 1e9);
     assertThat(rate(world, "gyro", 2)).isCloseTo(0.4, within(1e-9));
     assertThat(rate(world, "down", 2)).isCloseTo(-0.4, within(1e-9));
   }

@@ -12,12 +12,12 @@ import static org.dfra.sim.world.Worlds.ugv;
 import java.util.Arrays;
 import java.util.List;
 import org.dfra.core.config.Place;
-import org.dfra.sim.body.RangeView;
+import org.dfra.sim.physics.RangeInput;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
 import org.dfra.sim.world.description.GroundDescription;
 import org.dfra.sim.world.description.MineDescription;
-import org.dfra.sim.world.description.Mount;
+import org.dfra.sim.world.description.MountPose;
 import org.dfra.sim.world.description.ObstacleDescription;
 import org.dfra.sim.world.description.VehicleDescription;
 import org.dfra.sim.world.description.VehicleType;
@@ -33,7 +33,7 @@ class LaserTest {
   private static final double DEGREE = Math.PI / 180;
 
   private static DeviceDescription laser() {
-    return new DeviceDescription(DeviceKind.LASER, "laser", Mount.at(0.3, 0, 0.35))
+    return new DeviceDescription(DeviceKind.LASER, "laser", MountPose.at(0.3, 0, 0.35))
         .with("white", 0)
         .with("miss", 0)
         .with("ghosts", 0)
@@ -53,13 +53,13 @@ class LaserTest {
     return new ObstacleDescription("wall", outline, 2, reflectivity, 0, Place.CODE);
   }
 
-  private static RangeView view(WorldDescription world, DeviceDescription laser) {
-    return World.of(world.with(ugv("atrv1").with(laser)), START).robot("atrv1").rangeView("laser");
+  private static RangeInput view(WorldDescription world, DeviceDescription laser) {
+    return World.of(world.with(ugv("atrv1").with(laser)), START).robot("atrv1").laser("laser");
   }
 
-  private static double[] look(RangeView view, double seconds, int beams) {
+  private static double[] look(RangeInput view, double seconds, int beams) {
     double[] distances = new double[beams];
-    view.look(after(seconds), -Math.PI / 2, Math.PI / Math.max(1, beams - 1), 80, distances);
+    view.measure(after(seconds), -Math.PI / 2, Math.PI / Math.max(1, beams - 1), 80, distances);
     return distances;
   }
 
@@ -98,12 +98,12 @@ class LaserTest {
         World.of(
             field(1).with(wall(20, 0.5)).with(ugv("atrv1").with(perfectDrive()).with(laser())),
             START);
-    world.robot("atrv1").drive("drive").drive(START, 1, 0, 1e9, 1e9);
-    RangeView view = world.robot("atrv1").rangeView("laser");
+    world.robot("atrv1").drivetrain("drive").drive(START, 1, 0, 1e9, 1e9);
+    RangeInput view = world.robot("atrv1").laser("laser");
     double[] distances = new double[1];
-    view.look(after(5.015), 0, DEGREE, 80, distances);
+    view.measure(after(5.015), 0, DEGREE, 80, distances);
     assertThat(distances[0]).isCloseTo(20 - 4.995, within(1e-9));
-    view.look(after(5.015), Math.PI / 3, DEGREE, 80, distances);
+    view.measure(after(5.015), Math.PI / 3, DEGREE, 80, distances);
     assertThat(distances[0]).isCloseTo(2 * (20 - 4.995), within(1e-6));
   }
 
@@ -112,8 +112,8 @@ class LaserTest {
   void rangesAreNormallySpreadAroundTheTruth() {
     WorldDescription world =
         field(1).with(new ObstacleDescription("ring", ring(30.3, 20, 5, 6), 2));
-    RangeView view = view(world, laser().with("white", 0.02));
-    RangeView exact = view(world, laser());
+    RangeInput view = view(world, laser().with("white", 0.02));
+    RangeInput exact = view(world, laser());
     double[] errors = new double[361 * 100];
     for (int scan = 0; scan < 100; scan++) {
       double[] noisy = look(view, scan * 0.1, 361);
@@ -144,11 +144,11 @@ class LaserTest {
   /** Of 36 100 beams a tenth is known to 0.0016; four times that is allowed. */
   @Test
   void missesAsManyBeamsAsItShould() {
-    RangeView view = view(field(1).with(wall(3, 0.5)), laser().with("miss", 0.1));
+    RangeInput view = view(field(1).with(wall(3, 0.5)), laser().with("miss", 0.1));
     int missed = 0;
     for (int scan = 0; scan < 100; scan++) {
       double[] distances = new double[361];
-      view.look(after(scan * 0.1), -1, 2.0 / 360, 80, distances);
+      view.measure(after(scan * 0.1), -1, 2.0 / 360, 80, distances);
       missed += (int) Arrays.stream(distances).filter(Double::isInfinite).count();
     }
     assertThat(missed / 36_100.0).isCloseTo(0.1, within(0.0064));
@@ -165,11 +165,11 @@ class LaserTest {
   }
 
   /** The part of 1000 beams straight ahead that come back; a half is known to 0.016 of it. */
-  private static double seen(RangeView view) {
+  private static double seen(RangeInput view) {
     int seen = 0;
     for (int scan = 0; scan < 1000; scan++) {
       double[] distances = new double[1];
-      view.look(after(scan * 0.01), 0, DEGREE, 80, distances);
+      view.measure(after(scan * 0.01), 0, DEGREE, 80, distances);
       seen += Double.isFinite(distances[0]) ? 1 : 0;
     }
     return seen / 1000.0;
@@ -182,7 +182,7 @@ class LaserTest {
    */
   @Test
   void ghostsAreShortNarrowAndRare() {
-    RangeView view =
+    RangeInput view =
         view(field(1), laser().with("ghosts", 2).with("ghost_width", 0.1).with("ghost_far", 4));
     int haunted = 0;
     int scansHaunted = 0;
@@ -209,7 +209,7 @@ class LaserTest {
    */
   @Test
   void aGhostIsGoneAfterAFewScans() {
-    RangeView view = view(field(1), laser().with("ghosts", 0.5));
+    RangeInput view = view(field(1), laser().with("ghosts", 0.5));
     int longest = 0;
     int[] runs = new int[181];
     for (int scan = 0; scan < 3000; scan++) {
@@ -224,7 +224,7 @@ class LaserTest {
 
   @Test
   void roughGroundTiltsItsBeamsIntoTheGround() {
-    WorldDescription rough = field(1).on(new GroundDescription(60, 40, 0.15, Place.CODE));
+    WorldDescription rough = field(1).withGround(new GroundDescription(60, 40, 0.15, Place.CODE));
     double[] distances = look(view(rough, laser()), 0, 181);
     double lowest = Arrays.stream(distances).min().orElseThrow();
     assertThat(lowest).as("0.35 m over a slope of some 0.1 rad").isBetween(1.0, 40.0);
@@ -234,11 +234,11 @@ class LaserTest {
 
   @Test
   void refusesWhatIsNoLook() {
-    RangeView view = view(field(1), laser());
-    assertThatThrownBy(() -> view.look(START, 0, 0.1, -1, new double[1]))
+    RangeInput view = view(field(1), laser());
+    assertThatThrownBy(() -> view.measure(START, 0, 0.1, -1, new double[1]))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("-1.0 m");
-    assertThatThrownBy(() -> view.look(START, 0, 0, 1, new double[1]))
+    assertThatThrownBy(() -> view.measure(START, 0, 0, 1, new double[1]))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("by 0.0 rad");
     assertThatThrownBy(
@@ -249,7 +249,7 @@ class LaserTest {
             () ->
                 World.of(field(1).with(ugv("atrv1").with(laser())), START)
                     .robot("atrv1")
-                    .drive("laser"))
+                    .drivetrain("laser"))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("atrv1 has no drive \"laser\"; it has none");
   }

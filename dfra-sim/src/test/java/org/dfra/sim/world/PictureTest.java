@@ -9,17 +9,17 @@ import static org.dfra.sim.world.Worlds.ugv;
 
 import java.util.List;
 import org.dfra.core.config.Place;
-import org.dfra.sim.body.CameraView;
+import org.dfra.sim.physics.CameraInput;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
 import org.dfra.sim.world.description.MineDescription;
-import org.dfra.sim.world.description.Mount;
+import org.dfra.sim.world.description.MountPose;
 import org.dfra.sim.world.description.ObstacleDescription;
 import org.dfra.sim.world.description.VehicleDescription;
 import org.dfra.sim.world.description.VehicleType;
 import org.dfra.sim.world.description.WorldDescription;
 import org.dfra.sim.world.shape.Disc;
-import org.dfra.sim.world.shape.Outline;
+import org.dfra.sim.world.shape.PlanarShape;
 import org.dfra.sim.world.shape.Polygon;
 import org.dfra.sim.world.shape.Vertex;
 import org.junit.jupiter.api.Test;
@@ -33,7 +33,7 @@ class PictureTest {
 
   private static final int MAGENTA = 0xFF00FF;
 
-  private static DeviceDescription camera(DeviceKind kind, Mount mount) {
+  private static DeviceDescription camera(DeviceKind kind, MountPose mount) {
     return new DeviceDescription(kind, "camera", mount)
         .with("field_of_view", Math.PI / 2)
         .with("white", 0);
@@ -43,14 +43,14 @@ class PictureTest {
     return world.with(ugv("atrv1").with(camera));
   }
 
-  private static CameraView.Frame look(WorldDescription world, DeviceKind kind) {
-    return World.of(with(world, camera(kind, Mount.at(0, 0, 1))), START)
+  private static CameraInput.Frame look(WorldDescription world, DeviceKind kind) {
+    return World.of(with(world, camera(kind, MountPose.at(0, 0, 1))), START)
         .robot("atrv1")
-        .cameraView("camera")
-        .look(START);
+        .camera("camera")
+        .capture(START);
   }
 
-  private static int at(CameraView.Frame frame, int column, int row) {
+  private static int at(CameraInput.Frame frame, int column, int row) {
     return frame.samples()[row * frame.width() + column];
   }
 
@@ -66,18 +66,18 @@ class PictureTest {
     return colour & 0xFF;
   }
 
-  private static boolean isMagenta(CameraView.Frame frame, int column, int row) {
+  private static boolean isMagenta(CameraInput.Frame frame, int column, int row) {
     int colour = at(frame, column, row);
     return red(colour) > 60 && blue(colour) > 60 && green(colour) < 30;
   }
 
-  private static ObstacleDescription magenta(Outline outline, double height) {
+  private static ObstacleDescription magenta(PlanarShape outline, double height) {
     return new ObstacleDescription("thing", outline, height, 0.5, MAGENTA, Place.CODE);
   }
 
   @Test
   void theHorizonIsLevelAndInTheMiddle() {
-    CameraView.Frame frame = look(field(1), DeviceKind.CAMERA);
+    CameraInput.Frame frame = look(field(1), DeviceKind.CAMERA);
     assertThat(frame.width()).isEqualTo(320);
     assertThat(frame.height()).isEqualTo(240);
     for (int column = 0; column < 320; column++) {
@@ -96,7 +96,7 @@ class PictureTest {
    */
   @Test
   void aPostIsWhereThePinHoleTakesIt() {
-    CameraView.Frame frame =
+    CameraInput.Frame frame =
         look(field(1).with(magenta(new Disc(38, 24, 0.2), 2)), DeviceKind.CAMERA);
     int left = 320;
     int right = -1;
@@ -129,9 +129,9 @@ class PictureTest {
         World.of(
             with(
                 field(1).with(new MineDescription("mine", 34, 20)),
-                camera(DeviceKind.CAMERA, Mount.at(0, 0, 1))),
+                camera(DeviceKind.CAMERA, MountPose.at(0, 0, 1))),
             START);
-    assertThat(world.truth().minesInView("atrv1", "camera", START))
+    assertThat(world.groundTruth().minesInView("atrv1", "camera", START))
         .singleElement()
         .satisfies(
             seen -> {
@@ -141,24 +141,26 @@ class PictureTest {
               assertThat(seen.pixels()).isBetween(50, 82);
               assertThat(seen.distance()).isCloseTo(Math.hypot(4, 0.95), within(1e-9));
             });
-    CameraView.Frame frame = world.robot("atrv1").cameraView("camera").look(START);
+    CameraInput.Frame frame = world.robot("atrv1").camera("camera").capture(START);
     assertThat(green(at(frame, 160, 160))).as("darker than grass").isLessThan(60);
     assertThat(green(at(frame, 160, 170))).isGreaterThan(60);
   }
 
   private static MineSighting sighting(double pan, double tilt) {
-    DeviceDescription camera = camera(DeviceKind.CAMERA, Mount.MIDDLE).on("head");
+    DeviceDescription camera = camera(DeviceKind.CAMERA, MountPose.MIDDLE).mountedOn("head");
     World world =
         World.of(
             field(1)
                 .with(new MineDescription("mine", 34, 20))
                 .with(
                     ugv("atrv1")
-                        .with(new DeviceDescription(DeviceKind.PAN_TILT, "head", Mount.at(0, 0, 1)))
+                        .with(
+                            new DeviceDescription(
+                                DeviceKind.PAN_TILT, "head", MountPose.at(0, 0, 1)))
                         .with(camera)),
             START);
     world.robot("atrv1").panTilt("head").point(START, pan, tilt);
-    return world.truth().minesInView("atrv1", "camera", after(0.01)).get(0);
+    return world.groundTruth().minesInView("atrv1", "camera", after(0.01)).get(0);
   }
 
   @Test
@@ -175,9 +177,10 @@ class PictureTest {
   /** From 10 m above, 3 m ahead is 48 rows above the middle and 2 m to the left 32 columns left. */
   @Test
   void lookingDownAheadIsUpAndLeftIsLeft() {
-    DeviceDescription down = camera(DeviceKind.CAMERA, new Mount(0, 0, 10.05, 0, Math.PI / 2, 0));
+    DeviceDescription down =
+        camera(DeviceKind.CAMERA, new MountPose(0, 0, 10.05, 0, Math.PI / 2, 0));
     World world = World.of(with(field(1).with(new MineDescription("mine", 33, 22)), down), START);
-    assertThat(world.truth().minesInView("atrv1", "camera", START))
+    assertThat(world.groundTruth().minesInView("atrv1", "camera", START))
         .singleElement()
         .satisfies(
             seen -> {
@@ -190,7 +193,7 @@ class PictureTest {
 
   @Test
   void whatStandsInFrontHidesWhatIsBehind() {
-    Outline wall =
+    PlanarShape wall =
         new Polygon(
             List.of(
                 new Vertex(32, 15),
@@ -202,11 +205,11 @@ class PictureTest {
             .with(new MineDescription("behind", 34, 20))
             .with(new MineDescription("before", 31.5, 20))
             .with(magenta(wall, 1.5));
-    World hidden = World.of(with(world, camera(DeviceKind.CAMERA, Mount.at(0, 0, 1))), START);
-    assertThat(hidden.truth().minesInView("atrv1", "camera", START))
+    World hidden = World.of(with(world, camera(DeviceKind.CAMERA, MountPose.at(0, 0, 1))), START);
+    assertThat(hidden.groundTruth().minesInView("atrv1", "camera", START))
         .extracting(MineSighting::mine)
         .containsExactly("before");
-    CameraView.Frame frame = hidden.robot("atrv1").cameraView("camera").look(START);
+    CameraInput.Frame frame = hidden.robot("atrv1").camera("camera").capture(START);
     assertThat(isMagenta(frame, 160, 150)).isTrue();
     assertThat(isMagenta(frame, 160, 78)).as("above its top, 0.5 m at 2 m: row 80").isFalse();
     assertThat(isMagenta(frame, 160, 82)).isTrue();
@@ -216,7 +219,7 @@ class PictureTest {
   void otherRobotsAreSeenAndTheOwnMastIsNot() {
     WorldDescription world =
         field(1).with(new VehicleDescription("two", VehicleType.UGV, 35, 20, Math.PI / 2));
-    CameraView.Frame frame = look(world, DeviceKind.CAMERA);
+    CameraInput.Frame frame = look(world, DeviceKind.CAMERA);
     // Its red side is 0.32 m nearer than its middle, 0.12 m to 0.41 m up: rows 140.2 to 150.1.
     int side = at(frame, 160, 145);
     assertThat(red(side)).isGreaterThan(2 * green(side));
@@ -229,14 +232,14 @@ class PictureTest {
    */
   @Test
   void thePatternOfTheGroundStaysWhereItIs() {
-    Mount above = new Mount(8, 0, 10, 0, Math.PI / 2, 0);
-    CameraView.Frame[] frames = new CameraView.Frame[2];
+    MountPose above = new MountPose(8, 0, 10, 0, Math.PI / 2, 0);
+    CameraInput.Frame[] frames = new CameraInput.Frame[2];
     for (int i = 0; i < 2; i++) {
       VehicleDescription robot =
           new VehicleDescription("atrv1", VehicleType.UGV, 30 + i, 20, 0)
               .with(camera(DeviceKind.CAMERA, above));
       frames[i] =
-          World.of(field(1).with(robot), START).robot("atrv1").cameraView("camera").look(START);
+          World.of(field(1).with(robot), START).robot("atrv1").camera("camera").capture(START);
     }
     int same = 0;
     int likeWithoutShift = 0;
@@ -257,7 +260,7 @@ class PictureTest {
     for (double contrast : new double[] {4, -3}) {
       MineDescription mine =
           new MineDescription("mine", 34, 20, 0.16, 0.1, contrast, 0, Place.CODE);
-      CameraView.Frame frame = look(field(1).with(mine), DeviceKind.THERMAL);
+      CameraInput.Frame frame = look(field(1).with(mine), DeviceKind.THERMAL);
       double ground = 0;
       for (int column = 130; column < 190; column++) {
         ground += at(frame, column, 175) / 60.0;
@@ -286,10 +289,10 @@ class PictureTest {
   /** σ of one pixel, from the difference of two pictures of what does not move. */
   private static double noise(DeviceKind kind, double white, int shift) {
     DeviceDescription camera =
-        camera(kind, new Mount(8, 0, 10, 0, Math.PI / 2, 0)).with("white", white);
-    CameraView view = World.of(with(field(1), camera), START).robot("atrv1").cameraView("camera");
-    int[] one = view.look(START).samples();
-    int[] other = view.look(after(1)).samples();
+        camera(kind, new MountPose(8, 0, 10, 0, Math.PI / 2, 0)).with("white", white);
+    CameraInput view = World.of(with(field(1), camera), START).robot("atrv1").camera("camera");
+    int[] one = view.capture(START).samples();
+    int[] other = view.capture(after(1)).samples();
     double[] differences = new double[one.length];
     int mask = kind == DeviceKind.THERMAL ? -1 : 0xFF;
     for (int i = 0; i < one.length; i++) {
@@ -304,12 +307,12 @@ class PictureTest {
   void shadowsFallAwayFromTheSun() {
     // The sun stands 0.8 rad high in the direction of −2.4 rad, so the shadow of 2 m is 1.94 m long
     // and falls towards 0.74 rad.
-    DeviceDescription down = camera(DeviceKind.CAMERA, new Mount(5, 0, 10, 0, Math.PI / 2, 0));
-    CameraView.Frame[] frames = new CameraView.Frame[2];
+    DeviceDescription down = camera(DeviceKind.CAMERA, new MountPose(5, 0, 10, 0, Math.PI / 2, 0));
+    CameraInput.Frame[] frames = new CameraInput.Frame[2];
     WorldDescription post = field(1).with(magenta(new Disc(35, 20, 0.1), 2));
     for (int i = 0; i < 2; i++) {
       WorldDescription world = with(i == 0 ? post : field(1), down);
-      frames[i] = World.of(world, START).robot("atrv1").cameraView("camera").look(START);
+      frames[i] = World.of(world, START).robot("atrv1").camera("camera").capture(START);
     }
     for (double away : new double[] {0.6, 1.2, 1.8}) {
       int left = (int) Math.round(16 * away * Math.sin(0.74));

@@ -9,18 +9,18 @@ import static org.dfra.sim.world.Worlds.perfectDrive;
 import static org.dfra.sim.world.Worlds.ugv;
 
 import org.dfra.geometry.LocalPosition;
-import org.dfra.sim.device.AntennaPath;
 import org.dfra.sim.device.AntennaState;
+import org.dfra.sim.device.AntennaTrajectory;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
-import org.dfra.sim.world.description.Mount;
+import org.dfra.sim.world.description.MountPose;
 import org.dfra.sim.world.description.VehicleDescription;
 import org.junit.jupiter.api.Test;
 
 /** The robot stands at (30, 20) and heads east. */
 class ReceiverTest {
 
-  private static DeviceDescription perfect(String name, Mount mount) {
+  private static DeviceDescription perfect(String name, MountPose mount) {
     return new DeviceDescription(DeviceKind.GPS, name, mount)
         .with("white", 0)
         .with("bias", 0)
@@ -32,13 +32,13 @@ class ReceiverTest {
   }
 
   private static LocalPosition found(World world, String gps, double seconds) {
-    AntennaPath antenna = world.robot("atrv1").antenna(gps);
+    AntennaTrajectory antenna = world.robot("atrv1").antenna(gps);
     return world.frame().toLocal(antenna.at(after(seconds)).position());
   }
 
   @Test
   void withoutNoiseItIsWhereItsAntennaIs() {
-    World world = world(ugv("atrv1").with(perfect("gps", Mount.at(0.3, 0.1, 0.6))));
+    World world = world(ugv("atrv1").with(perfect("gps", MountPose.at(0.3, 0.1, 0.6))));
     LocalPosition found = found(world, "gps", 1);
     assertThat(found.east()).isCloseTo(30.3, within(1e-6));
     assertThat(found.north()).isCloseTo(20.1, within(1e-6));
@@ -55,11 +55,11 @@ class ReceiverTest {
         world(
             ugv("atrv1")
                 .with(perfectDrive())
-                .with(perfect("left", Mount.at(0, 0.4, 0)))
-                .with(perfect("ahead", Mount.at(0.4, 0, 0))));
-    world.robot("atrv1").drive("drive").drive(START, 1, 0.5, 1e9, 1e9);
+                .with(perfect("left", MountPose.at(0, 0.4, 0)))
+                .with(perfect("ahead", MountPose.at(0.4, 0, 0))));
+    world.robot("atrv1").drivetrain("drive").drive(START, 1, 0.5, 1e9, 1e9);
     double t = 4;
-    double yaw = world.truth().pose("atrv1", after(t)).yaw();
+    double yaw = world.groundTruth().pose("atrv1", after(t)).yaw();
     AntennaState left = world.robot("atrv1").antenna("left").at(after(t));
     AntennaState ahead = world.robot("atrv1").antenna("ahead").at(after(t));
     // A step's displacement is along its middle, half a step's turn of 0.0025 rad behind; across
@@ -82,9 +82,9 @@ class ReceiverTest {
       VehicleDescription robot =
           new VehicleDescription("atrv1", ugv("atrv1").type(), 30, 20, yaw)
               .with(perfectDrive())
-              .with(perfect("gps", Mount.MIDDLE));
+              .with(perfect("gps", MountPose.MIDDLE));
       World world = world(robot);
-      world.robot("atrv1").drive("drive").drive(START, 1, 0, 1e9, 1e9);
+      world.robot("atrv1").drivetrain("drive").drive(START, 1, 0, 1e9, 1e9);
       double course = world.robot("atrv1").antenna("gps").at(after(1)).course();
       assertThat(Math.IEEEremainder(course - degrees, 360)).isCloseTo(0, within(1e-6));
     }
@@ -93,7 +93,7 @@ class ReceiverTest {
   /** Of 4000 positions the mean is known to σ/63, σ to σ/89; four times that is allowed. */
   @Test
   void whiteNoiseIsNewWithEachPosition() {
-    World world = world(ugv("atrv1").with(perfect("gps", Mount.MIDDLE).with("white", 0.6)));
+    World world = world(ugv("atrv1").with(perfect("gps", MountPose.MIDDLE).with("white", 0.6)));
     double[] east = new double[4000];
     double[] north = new double[4000];
     double[] up = new double[4000];
@@ -119,7 +119,8 @@ class ReceiverTest {
   void biasChangesSlowly() {
     VehicleDescription robot = ugv("atrv1");
     for (int i = 0; i < 500; i++) {
-      robot = robot.with(perfect("gps_" + i, Mount.MIDDLE).with("bias", 1.5).with("bias_time", 20));
+      robot =
+          robot.with(perfect("gps_" + i, MountPose.MIDDLE).with("bias", 1.5).with("bias_time", 20));
     }
     World world = world(robot);
     double[] first = new double[500];
@@ -145,7 +146,7 @@ class ReceiverTest {
   /** The speed of one that stands is Rayleigh distributed: its mean is σ √(π/2), here to 1.7 %. */
   @Test
   void velocityHasItsOwnNoise() {
-    World world = world(ugv("atrv1").with(perfect("gps", Mount.MIDDLE).with("velocity", 0.05)));
+    World world = world(ugv("atrv1").with(perfect("gps", MountPose.MIDDLE).with("velocity", 0.05)));
     double[] speeds = new double[1000];
     for (int i = 0; i < 1000; i++) {
       speeds[i] = world.robot("atrv1").antenna("gps").at(after(i)).speed();
@@ -160,12 +161,12 @@ class ReceiverTest {
     World world =
         world(
             ugv("atrv1")
-                .with(perfect("gps", Mount.MIDDLE).with("outages", 60).with("outage_time", 6))
-                .with(perfect("always", Mount.MIDDLE)));
+                .with(perfect("gps", MountPose.MIDDLE).with("outages", 60).with("outage_time", 6))
+                .with(perfect("always", MountPose.MIDDLE)));
     int out = 0;
     for (int i = 0; i < 36_000; i++) {
-      out += world.robot("atrv1").antenna("gps").hasSky(after(i)) ? 0 : 1;
-      assertThat(world.robot("atrv1").antenna("always").hasSky(after(i))).isTrue();
+      out += world.robot("atrv1").antenna("gps").hasSatellites(after(i)) ? 0 : 1;
+      assertThat(world.robot("atrv1").antenna("always").hasSatellites(after(i))).isTrue();
     }
     assertThat(out / 36_000.0).isCloseTo(0.1, within(0.024));
   }

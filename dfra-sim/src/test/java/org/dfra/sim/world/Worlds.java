@@ -6,7 +6,7 @@ import java.util.Map;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
-import org.dfra.sim.world.description.Mount;
+import org.dfra.sim.world.description.MountPose;
 import org.dfra.sim.world.description.VehicleDescription;
 import org.dfra.sim.world.description.VehicleType;
 import org.dfra.sim.world.description.WorldDescription;
@@ -36,7 +36,7 @@ final class Worlds {
   }
 
   static DeviceDescription device(DeviceKind kind, String name) {
-    return new DeviceDescription(kind, name, Mount.MIDDLE);
+    return new DeviceDescription(kind, name, MountPose.MIDDLE);
   }
 
   /** A drive without slip, error and limit. */

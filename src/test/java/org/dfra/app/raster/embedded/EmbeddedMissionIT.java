@@ -14,18 +14,18 @@ import java.util.Set;
 import java.util.TreeMap;
 import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceRegistrar;
-import org.dfra.app.figure.Figure;
-import org.dfra.app.figure.Figures;
+import org.dfra.app.measurement.MeasuredValue;
+import org.dfra.app.measurement.RunMeasurements;
 import org.dfra.app.raster.FewLanes;
-import org.dfra.app.raster.Flight;
-import org.dfra.app.raster.Flight.RobotFlight;
-import org.dfra.app.raster.Mark;
+import org.dfra.app.raster.MissionEvent;
+import org.dfra.app.raster.MissionResult;
+import org.dfra.app.raster.MissionResult.RobotMissionResult;
 import org.dfra.app.raster.Scenario;
 import org.dfra.app.raster.SparseField;
 import org.dfra.app.raster.SparseField.Start;
 import org.dfra.app.raster.ToldMarks;
-import org.dfra.app.raster.live.Scene;
-import org.dfra.app.raster.live.Trouble;
+import org.dfra.app.raster.monitor.InjectedFault;
+import org.dfra.app.raster.monitor.MissionContext;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.core.time.RobotTime;
 import org.dfra.module.Module;
@@ -56,10 +56,10 @@ class EmbeddedMissionIT {
   @TempDir Path folder;
 
   private final ToldMarks told = new ToldMarks();
-  private final Figures figures = new Figures();
+  private final RunMeasurements figures = new RunMeasurements();
 
   /** Looks at the robot and its lookup service while it searches, and does nothing to them. */
-  private static final class Onlooker implements Trouble<EmbeddedRobot> {
+  private static final class Onlooker implements InjectedFault<EmbeddedRobot> {
 
     private final Set<ServiceID> registrars = new HashSet<>();
     private final Map<String, Module> proxies = new TreeMap<>(); // by service ID
@@ -70,10 +70,10 @@ class EmbeddedMissionIT {
     private boolean over;
 
     @Override
-    public void look(Scene<EmbeddedRobot> now) throws IOException {
+    public void update(MissionContext<EmbeddedRobot> now) throws IOException {
       var robot = now.robots().get(0);
       Optional<ServiceRegistrar> registrar =
-          robot.robot().registrar().find(); // it is ended meanwhile
+          robot.robot().registrar().registrarIfRunning(); // it is ended meanwhile
       if (registrar.isEmpty()) {
         wentOnAlone |= now.truth().last(robot.name()).speed() > 0.5;
         return;
@@ -84,14 +84,14 @@ class EmbeddedMissionIT {
         described =
             new HashSet<>(
                 robot.robot().description().modules().stream().map(each -> each.path()).toList());
-        proxies.putAll(Listed.of(robot.robot()));
+        proxies.putAll(RegistrarContents.query(robot.robot()));
       }
       registrars.add(registrar.get().getServiceID());
       over = registrars.size() > 1;
     }
 
     @Override
-    public boolean hasBegun() {
+    public boolean hasStarted() {
       return true;
     }
 
@@ -113,19 +113,19 @@ class EmbeddedMissionIT {
   /** As where the computer does not keep up: what was seen until then is not lost. */
   @Test
   void tellsOfASearchThatIsGivenUp() throws Exception {
-    Flight flight =
+    MissionResult flight =
         new EmbeddedMission(
                 scenario(),
                 SPEED,
                 Duration.ofSeconds(8),
                 robot -> robot,
-                List.of(new LostRegistrar(0, 0.9, LostRegistrar.FOR_GOOD)),
+                List.of(new RegistrarOutage(0, 0.9, RegistrarOutage.NEVER)),
                 figures)
             .run(told);
-    RobotFlight robot = flight.robots().get(0);
+    RobotMissionResult robot = flight.robots().get(0);
     assertThat(robot.completed()).isFalse();
     assertThat(robot.samples()).hasSizeGreaterThan(50);
-    assertThat(flight.marks()).isEmpty();
+    assertThat(flight.events()).isEmpty();
     assertThat(figure("troubles that did not come, or were not mended")).isEqualTo(1);
   }
 
@@ -133,24 +133,24 @@ class EmbeddedMissionIT {
   void finishesItsLanesThoughItsRegistrarEndsAndAnotherComesInItsPlace() throws Exception {
     String before = String.valueOf(System.getProperty(RobotTime.PROPERTY));
     Onlooker onlooker = new Onlooker();
-    Flight flight =
+    MissionResult flight =
         new EmbeddedMission(
                 scenario(),
                 SPEED,
                 LONGEST,
                 robot -> robot,
-                List.of(new LostRegistrar(0, 0.2, 0.6), onlooker),
+                List.of(new RegistrarOutage(0, 0.2, 0.6), onlooker),
                 figures)
             .run(told);
 
-    RobotFlight robot = flight.robots().get(0);
-    String story = flight.marks() + "; " + robot.ending() + "; " + figures.all();
+    RobotMissionResult robot = flight.robots().get(0);
+    String story = flight.events() + "; " + robot.ending() + "; " + figures.all();
     assertThat(robot.completed()).as(story).isTrue();
     assertThat(flight.collisions()).as(story).isEmpty();
-    assertThat(flight.marks()).as("as told on the way").isEqualTo(told.marks());
+    assertThat(flight.events()).as("as told on the way").isEqualTo(told.marks());
     String modules = onlooker.described.size() + " modules";
-    assertThat(flight.marks())
-        .extracting(Mark::what)
+    assertThat(flight.events())
+        .extracting(MissionEvent::what)
         .satisfiesExactly(
             what ->
                 assertThat(what).startsWith("its registrar is ended, which listed its " + modules),
@@ -159,7 +159,7 @@ class EmbeddedMissionIT {
         .as(story)
         .isZero();
     assertThat(robot.samples()).hasSizeGreaterThan(300);
-    assertThat(robot.overheard().advice()).isNotEmpty();
+    assertThat(robot.readings().advice()).isNotEmpty();
 
     assertThat(onlooker.wentOnAlone).as("it drove while there was no registrar").isTrue();
     assertThat(onlooker.registrars).as("lookup services, one after the other").hasSize(2);
@@ -181,8 +181,8 @@ class EmbeddedMissionIT {
 
   private double figure(String what) {
     return figures.all().stream()
-        .filter(each -> each.what().equals(what))
-        .mapToDouble(Figure::measured)
+        .filter(each -> each.name().equals(what))
+        .mapToDouble(MeasuredValue::value)
         .findFirst()
         .orElseThrow(() -> new AssertionError("there is no \"" + what + "\" in " + figures.all()));
   }

@@ -7,18 +7,18 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.dfra.app.demo.stage.FieldRobot;
-import org.dfra.app.figure.Figure;
-import org.dfra.app.figure.Figures;
+import org.dfra.app.demo.harness.DemoRobot;
+import org.dfra.app.measurement.MeasuredValue;
+import org.dfra.app.measurement.RunMeasurements;
 import org.dfra.app.raster.FewLanes;
-import org.dfra.app.raster.Flight;
-import org.dfra.app.raster.Flight.RobotFlight;
-import org.dfra.app.raster.Mark;
+import org.dfra.app.raster.MissionEvent;
+import org.dfra.app.raster.MissionResult;
+import org.dfra.app.raster.MissionResult.RobotMissionResult;
 import org.dfra.app.raster.Scenario;
 import org.dfra.app.raster.SparseField;
 import org.dfra.app.raster.SparseField.Start;
 import org.dfra.app.raster.ToldMarks;
-import org.dfra.app.raster.live.Trouble;
+import org.dfra.app.raster.monitor.InjectedFault;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -44,9 +44,9 @@ class ProcessMissionIT {
   @TempDir Path folder;
 
   private final ToldMarks told = new ToldMarks();
-  private final Figures figures = new Figures();
+  private final RunMeasurements figures = new RunMeasurements();
 
-  private Flight fly(List<Trouble<FieldRobot>> troubles) throws Exception {
+  private MissionResult fly(List<InjectedFault<DemoRobot>> troubles) throws Exception {
     Path world = FewLanes.WORLD;
     Scenario scenario = FewLanes.scenario();
     if (!FULL) {
@@ -64,34 +64,36 @@ class ProcessMissionIT {
    */
   @Test
   void finishesItsLanesThoughItsNavigationDiesAndLaterEveryRegistrarAndPhoenix() throws Exception {
-    Trouble<FieldRobot> navigation = new KilledOnLane(0, "navigation", 0.1, true, Trouble.none());
-    Flight flight = fly(List.of(navigation, new CutOff(0, 0.3, CutOff.FOR_GOOD, navigation)));
+    InjectedFault<DemoRobot> navigation =
+        new ProcessKillOnLane(0, "navigation", 0.1, true, InjectedFault.none());
+    MissionResult flight =
+        fly(List.of(navigation, new PhoenixOutage(0, 0.3, PhoenixOutage.NEVER, navigation)));
 
-    RobotFlight robot = flight.robots().get(0);
-    String story = flight.marks() + "; " + robot.ending() + "; " + figures.all();
+    RobotMissionResult robot = flight.robots().get(0);
+    String story = flight.events() + "; " + robot.ending() + "; " + figures.all();
     assertThat(robot.completed()).as(story).isTrue();
-    assertThat(flight.marks()).as("as told on the way").isEqualTo(told.marks());
-    assertThat(flight.marks())
-        .extracting(Mark::what)
+    assertThat(flight.events()).as("as told on the way").isEqualTo(told.marks());
+    assertThat(flight.events())
+        .extracting(MissionEvent::what)
         .satisfiesExactly(
             what -> assertThat(what).startsWith("navigation is killed"),
             what -> assertThat(what).startsWith("its wheels stand"),
             what -> assertThat(what).startsWith("it goes on by itself"),
             what -> assertThat(what).startsWith("its phoenix and its registrar are killed"));
-    assertThat(figure(STOP).measured()).as(story).isBetween(0.05, 0.5);
-    assertThat(figure("navigation killed: waypoints to be driven to again").measured())
+    assertThat(figure(STOP).value()).as(story).isBetween(0.05, 0.5);
+    assertThat(figure("navigation killed: waypoints to be driven to again").value())
         .as(story)
         .isZero();
     assertThat(robot.samples()).hasSizeGreaterThan(300);
-    assertThat(robot.overheard().advice()).isNotEmpty();
-    assertThat(robot.overheard().fixes())
+    assertThat(robot.readings().advice()).isNotEmpty();
+    assertThat(robot.readings().fixes())
         .extracting(fix -> fix.receiver())
         .contains("gps_front", "gps_rear");
   }
 
-  private Figure figure(String what) {
+  private MeasuredValue figure(String what) {
     return figures.all().stream()
-        .filter(each -> each.what().equals(what))
+        .filter(each -> each.name().equals(what))
         .findFirst()
         .orElseThrow(() -> new AssertionError("there is no \"" + what + "\" in " + figures.all()));
   }

@@ -8,21 +8,21 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
-import org.dfra.app.demo.devices.DevicesReport.Photo;
-import org.dfra.app.demo.stage.Checks;
-import org.dfra.app.demo.stage.Demo;
-import org.dfra.app.demo.stage.FieldRobot;
-import org.dfra.app.demo.stage.Narration;
-import org.dfra.app.demo.stage.Performance;
-import org.dfra.app.demo.stage.SimulatedField;
-import org.dfra.app.demo.stage.Stage;
-import org.dfra.app.demo.stage.Wording;
+import org.dfra.app.demo.devices.DevicesReport.CapturedImage;
+import org.dfra.app.demo.harness.Demo;
+import org.dfra.app.demo.harness.DemoAssertions;
+import org.dfra.app.demo.harness.DemoEnvironment;
+import org.dfra.app.demo.harness.DemoRobot;
+import org.dfra.app.demo.harness.DemoRunner;
+import org.dfra.app.demo.harness.ProgressReporter;
+import org.dfra.app.demo.harness.QuantityText;
+import org.dfra.app.demo.harness.SimulationProcess;
 import org.dfra.app.terminal.Table;
 import org.dfra.directory.ModuleDirectory;
 import org.dfra.directory.ModuleListing;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.DriveEffector;
-import org.dfra.flow.effector.PanTiltCommand.Point;
+import org.dfra.flow.effector.PanTiltCommand.PointAt;
 import org.dfra.flow.effector.PanTiltEffector;
 import org.dfra.flow.effector.PanTiltState;
 import org.dfra.flow.sensor.CameraImage;
@@ -46,9 +46,9 @@ public final class DevicesDemo implements Demo {
   private static final double HEAD_SPEED = 1; // rad/s
 
   /** The side, counted from 0, on whose middle the drive is killed. */
-  private static final int FATAL_SIDE = 1;
+  private static final int KILL_SIDE = 1;
 
-  private final Narration tell;
+  private final ProgressReporter tell;
   private final Path report;
   private @Nullable Instant killed;
   private @Nullable Instant lastCommand;
@@ -56,55 +56,58 @@ public final class DevicesDemo implements Demo {
   /**
    * @param report the folder of its report
    */
-  public DevicesDemo(Narration narration, Path report) {
+  public DevicesDemo(ProgressReporter narration, Path report) {
     this.tell = narration;
     this.report = report;
   }
 
   @Override
   public boolean run() {
-    return Performance.of(tell, this::play);
+    return DemoRunner.run(tell, this::play);
   }
 
-  private void play(Stage stage) throws Exception {
+  private void play(DemoEnvironment stage) throws Exception {
     tell.chapter("starting the world", "A world begins, and a robot comes up in it");
     Instant begin = Instant.now();
-    SimulatedField field = SimulatedField.start(stage, WORLD);
+    SimulationProcess field = SimulationProcess.start(stage, WORLD);
     Map<String, String> links = field.links(ROBOT);
     tell.say(
         "The simulated world \"%s\" runs in a process of its own. %d lines lead to devices of %s;"
             + " each speaks its device's own bytes, so the real drivers read them.",
-        field.beginning().world(), links.size(), ROBOT);
-    FieldRobot robot = FieldRobot.of(stage, "simulated", ROBOT, links);
-    Narration.Stopwatch coldStart = tell.stopwatch();
-    List<RobotBootstrap.Service> services = robot.bringUp();
+        field.startMessage().world(), links.size(), ROBOT);
+    DemoRobot robot = DemoRobot.of(stage, "simulated", ROBOT, links);
+    ProgressReporter.Stopwatch coldStart = tell.stopwatch();
+    List<RobotBootstrap.ServiceReference> services = robot.bringUp();
     tell.say(
         "The robot is up after %s: %s, in service groups under phoenix.",
-        Wording.seconds(coldStart.elapsed()),
-        services.stream().map(RobotBootstrap.Service::name).collect(Collectors.joining(", ")));
+        QuantityText.seconds(coldStart.elapsed()),
+        services.stream()
+            .map(RobotBootstrap.ServiceReference::name)
+            .collect(Collectors.joining(", ")));
     try (ModuleDirectory directory =
-        new JiniModuleDirectory(Stage.ADDRESS, List.of(), List.of(robot.locator()))) {
+        new JiniModuleDirectory(DemoEnvironment.ADDRESS, List.of(), List.of(robot.locator()))) {
       RobotDevices devices = new RobotDevices(directory);
       meet(devices, coldStart);
       GeoPosition datum = datum(field);
-      try (Streams streams = new Streams(devices, datum, begin);
+      try (DeviceRecorders streams = new DeviceRecorders(devices, datum, begin);
           Heading heading = new Heading(devices.one(devices.gyro).module())) {
         streams.map.mounted(devices.one(devices.laser).module().localTransform());
         drive(stage, robot, devices, streams, heading);
-        List<Photo> photos = lookAround(devices, streams);
+        List<CapturedImage> photos = lookAround(devices, streams);
         judge(field, begin);
         write(field, streams, begin, photos);
       }
     }
   }
 
-  private static GeoPosition datum(SimulatedField field) {
-    return field.beginning().datum();
+  private static GeoPosition datum(SimulationProcess field) {
+    return field.startMessage().datum();
   }
 
-  private void meet(RobotDevices devices, Narration.Stopwatch sinceColdStart) throws Exception {
+  private void meet(RobotDevices devices, ProgressReporter.Stopwatch sinceColdStart)
+      throws Exception {
     tell.chapter("finding the devices", "A client asks for what it needs");
-    Checks.await("that every device works", PATIENCE, devices::areAllAnswered);
+    DemoAssertions.await("that every device works", PATIENCE, devices::areAllAnswered);
     Duration cold = sinceColdStart.elapsed();
     Table table = new Table("NEEDED", "FOUND");
     for (RobotDevices.Question<?> each : devices.questions()) {
@@ -117,11 +120,17 @@ public final class DevicesDemo implements Demo {
   }
 
   private void drive(
-      Stage stage, FieldRobot robot, RobotDevices devices, Streams streams, Heading heading)
+      DemoEnvironment stage,
+      DemoRobot robot,
+      RobotDevices devices,
+      DeviceRecorders streams,
+      Heading heading)
       throws Exception {
     tell.chapter("driving the square", "It drives a square, and loses its drive on the way");
-    Checks.await(
-        "that the gyro tells its rate", PATIENCE, () -> heading.standingRates() >= STANDING_RATES);
+    DemoAssertions.await(
+        "that the gyro tells its rate",
+        PATIENCE,
+        () -> heading.stationarySamples() >= STANDING_RATES);
     tell.say(
         "The robot stands, so what its gyro tells is the gyro's bias: %.4f rad/s.",
         heading.calibrate());
@@ -135,23 +144,23 @@ public final class DevicesDemo implements Demo {
             streams.track,
             heading,
             (side, metres) -> {
-              if (killed == null && side == FATAL_SIDE && metres > SquareScript.SIDE / 2) {
+              if (killed == null && side == KILL_SIDE && metres > SquareScript.SIDE / 2) {
                 kill(stage, process, script[0].lastCommand());
               }
             });
-    Narration.Stopwatch watch = tell.stopwatch();
+    ProgressReporter.Stopwatch watch = tell.stopwatch();
     script[0].run();
     tell.say(
         "Phoenix brought the drive back as process %d. The script's command lease had died with"
             + " the old one; it took a new one, looked where it was, and finished the square. That"
             + " took %s in all.",
-        robot.process("drive"), Wording.seconds(watch.elapsed()));
-    Checks.require(killed != null, "the drive was never killed");
-    Checks.require(
+        robot.process("drive"), QuantityText.seconds(watch.elapsed()));
+    DemoAssertions.require(killed != null, "the drive was never killed");
+    DemoAssertions.require(
         script[0].resumptions() > 0, "the script never noticed that its drive was killed");
   }
 
-  private void kill(Stage stage, long process, Instant lastSent) throws Exception {
+  private void kill(DemoEnvironment stage, long process, Instant lastSent) throws Exception {
     stage.signal("KILL", process);
     killed = Instant.now();
     lastCommand = lastSent;
@@ -161,15 +170,16 @@ public final class DevicesDemo implements Demo {
         process);
   }
 
-  private List<Photo> lookAround(RobotDevices devices, Streams streams) throws Exception {
+  private List<CapturedImage> lookAround(RobotDevices devices, DeviceRecorders streams)
+      throws Exception {
     tell.chapter("turning the head", "It turns its head, and its cameras with it");
     PanTiltEffector head = devices.one(devices.panTilt).module();
-    List<Photo> photos = new ArrayList<>();
-    try (CommandLease lease = head.command(LEASE)) {
+    List<CapturedImage> photos = new ArrayList<>();
+    try (CommandLease lease = head.acquireCommandLease(LEASE)) {
       for (double pan : new double[] {0, Math.PI / 4, -Math.PI / 4}) {
         double down = -0.2;
-        head.obey(lease.key(), new Point(pan, down, HEAD_SPEED));
-        Checks.await(
+        head.execute(lease.key(), new PointAt(pan, down, HEAD_SPEED));
+        DemoAssertions.await(
             "that the head points there",
             PATIENCE,
             () -> {
@@ -181,8 +191,8 @@ public final class DevicesDemo implements Demo {
                 ? "ahead"
                 : Math.round(Math.toDegrees(Math.abs(pan)))
                     + (pan > 0 ? "° to the left" : "° to the right");
-        photos.add(new Photo(next(streams.camera), "Light, head turned " + where));
-        photos.add(new Photo(next(streams.thermal), "Heat, head turned " + where));
+        photos.add(new CapturedImage(next(streams.camera), "Light, head turned " + where));
+        photos.add(new CapturedImage(next(streams.thermal), "Heat, head turned " + where));
       }
     }
     tell.say(
@@ -206,20 +216,20 @@ public final class DevicesDemo implements Demo {
     return image;
   }
 
-  private void judge(SimulatedField field, Instant begin) throws Exception {
+  private void judge(SimulationProcess field, Instant begin) throws Exception {
     tell.chapter("looking at the truth", "What truly happened");
-    Truth truth = Truth.read(field.truth(), ROBOT, begin);
+    GroundTruthTrack truth = GroundTruthTrack.read(field.truth(), ROBOT, begin);
     Instant moment = java.util.Objects.requireNonNull(killed);
     Instant command = java.util.Objects.requireNonNull(lastCommand);
-    @Nullable Instant stood = truth.stoodFrom(moment);
-    Checks.require(stood != null, "the robot never stood still after its drive was killed");
+    @Nullable Instant stood = truth.stoppedSince(moment);
+    DemoAssertions.require(stood != null, "the robot never stood still after its drive was killed");
     double speed = truth.speedAt(moment);
     Duration sinceCommand = Duration.between(command, stood);
     tell.say(
         "At %.2f m/s the drive's process died. The wheels stood %s after the last command: their"
             + " controller stops when nobody speaks to it.",
-        speed, Wording.seconds(sinceCommand));
-    Checks.require(speed > 0.3, "the robot was hardly moving when its drive was killed");
+        speed, QuantityText.seconds(sinceCommand));
+    DemoAssertions.require(speed > 0.3, "the robot was hardly moving when its drive was killed");
     tell.requirement(
         "drive's last command to the robot standing", sinceCommand, Duration.ofMillis(500));
     tell.say(
@@ -228,12 +238,13 @@ public final class DevicesDemo implements Demo {
         truth.closingError());
   }
 
-  private void write(SimulatedField field, Streams streams, Instant begin, List<Photo> photos)
+  private void write(
+      SimulationProcess field, DeviceRecorders streams, Instant begin, List<CapturedImage> photos)
       throws Exception {
     tell.chapter("writing the report", "The report");
     long silent = streams.all().stream().filter(each -> each.count() == 0).count();
-    Checks.require(silent == 0, silent + " streams told nothing");
-    Truth truth = Truth.read(field.truth(), ROBOT, begin);
+    DemoAssertions.require(silent == 0, silent + " streams told nothing");
+    GroundTruthTrack truth = GroundTruthTrack.read(field.truth(), ROBOT, begin);
     Path file =
         new DevicesReport(streams, truth, begin, java.util.Objects.requireNonNull(killed))
             .write(report, tell.figures().all(), photos, field.truth());

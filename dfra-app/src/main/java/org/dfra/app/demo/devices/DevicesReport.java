@@ -12,9 +12,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import javax.imageio.ImageIO;
-import org.dfra.app.figure.Figure;
-import org.dfra.app.figure.Figures;
-import org.dfra.app.figure.ReportHead;
+import org.dfra.app.measurement.MeasuredValue;
+import org.dfra.app.measurement.ReportHead;
+import org.dfra.app.measurement.RunMeasurements;
 import org.dfra.app.plot.Axis;
 import org.dfra.app.plot.HtmlReport;
 import org.dfra.app.plot.LinePanel;
@@ -28,8 +28,8 @@ final class DevicesReport {
 
   private static final Axis TIME = Axis.of("time", "s");
 
-  private final Streams streams;
-  private final Truth truth;
+  private final DeviceRecorders streams;
+  private final GroundTruthTrack truth;
   private final double killed; // seconds
   private final HtmlReport html;
 
@@ -37,7 +37,7 @@ final class DevicesReport {
    * @param begin when the demonstration began
    * @param killed when the drive's group was killed
    */
-  DevicesReport(Streams streams, Truth truth, Instant begin, Instant killed) {
+  DevicesReport(DeviceRecorders streams, GroundTruthTrack truth, Instant begin, Instant killed) {
     this.streams = streams;
     this.truth = truth;
     this.killed = Duration.between(begin, killed).toNanos() / 1e9;
@@ -50,7 +50,7 @@ final class DevicesReport {
    * @param photos that were taken with the head turned, each with its caption
    * @return the file to open
    */
-  Path write(Path folder, List<Figure> figures, List<Photo> photos, Path truthCsv)
+  Path write(Path folder, List<MeasuredValue> figures, List<CapturedImage> photos, Path truthCsv)
       throws IOException {
     Files.createDirectories(folder);
     streams.write(folder);
@@ -68,8 +68,8 @@ final class DevicesReport {
     html.heading("What the laser saw")
         .figure(laser(), "Ends of the beams, by the odometry at that time; ghosts included.");
     html.heading("What its cameras saw");
-    for (Photo photo : photos) {
-      html.picture(png(photo.image()), "image/png", photo.caption());
+    for (CapturedImage photo : photos) {
+      html.image(png(photo.image()), "image/png", photo.caption());
     }
     html.heading("The other streams").figure(others(), "GPS, battery, head and laser over time.");
     html.heading("Every stream");
@@ -84,10 +84,10 @@ final class DevicesReport {
    *
    * @param caption what it shows
    */
-  record Photo(CameraImage image, String caption) {}
+  record CapturedImage(CameraImage image, String caption) {}
 
-  private void head(List<Figure> figures) {
-    Figures all = new Figures();
+  private void head(List<MeasuredValue> figures) {
+    RunMeasurements all = new RunMeasurements();
     figures.forEach(all::add);
     ReportHead.add(html, all, Instant.now());
   }
@@ -100,8 +100,8 @@ final class DevicesReport {
         .row(
             520,
             new PathPanel("Field", Axis.of("east", "m"), Axis.of("north", "m"))
-                .addWay(Series.line("truly", truth.east(), truth.north()))
-                .addWay(Series.line("odometry", placed[0], placed[1]))
+                .addPath(Series.line("truly", truth.east(), truth.north()))
+                .addPath(Series.line("odometry", placed[0], placed[1]))
                 .add(
                     Series.points(
                         "GPS fixes",
@@ -140,7 +140,7 @@ final class DevicesReport {
             520,
             new PathPanel("Ends of beams", Axis.of("east", "m"), Axis.of("north", "m"))
                 .add(Series.points("beams", placed[0], placed[1]))
-                .addWay(Series.line("the robot, truly", truth.east(), truth.north())));
+                .addPath(Series.line("the robot, truly", truth.east(), truth.north())));
   }
 
   private Page others() {

@@ -5,7 +5,7 @@ import java.time.Duration;
 import java.time.Instant;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
-import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.DeliveryPolicy.EventKind;
 import org.dfra.event.ModuleEvent;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Subscription;
@@ -31,7 +31,8 @@ final class Heading implements ModuleListener, AutoCloseable {
   private @Nullable Instant last;
 
   Heading(AngularRateSensor gyro) throws RemoteException {
-    this.subscription = gyro.subscribe(this, DeliveryPolicy.keepLast(DEPTH).only(Kind.READING));
+    this.subscription =
+        gyro.subscribe(this, DeliveryPolicy.keepLast(DEPTH).withKinds(EventKind.READING));
   }
 
   @Override
@@ -66,12 +67,12 @@ final class Heading implements ModuleListener, AutoCloseable {
   }
 
   /** How many rates have come before it was calibrated. */
-  synchronized int standingRates() {
+  synchronized int stationarySamples() {
     return count;
   }
 
   /** Radians since it was calibrated, to the left is +, not wrapped. */
-  synchronized double now() {
+  synchronized double heading() {
     return heading;
   }
 

@@ -48,7 +48,7 @@ final class SquareScript {
 
   private final DriveEffector drive;
   private final StreamLog<Odometry> odometry;
-  private final Track track;
+  private final ContinuousOdometry track;
   private final Heading heading;
   private final Progress progress;
 
@@ -61,7 +61,7 @@ final class SquareScript {
   SquareScript(
       DriveEffector drive,
       StreamLog<Odometry> odometry,
-      Track track,
+      ContinuousOdometry track,
       Heading heading,
       Progress progress) {
     this.drive = drive;
@@ -112,7 +112,7 @@ final class SquareScript {
         return;
       }
       double speed = Math.max(SLOWEST, Math.min(SPEED, left));
-      double turnRate = Math.max(-0.5, Math.min(0.5, 1.5 * (course - heading.now())));
+      double turnRate = Math.max(-0.5, Math.min(0.5, 1.5 * (course - heading.heading())));
       if (command(new Velocity(speed, turnRate))) {
         progress.on(side, metres);
       }
@@ -125,7 +125,7 @@ final class SquareScript {
         resume();
         continue;
       }
-      double left = course - heading.now();
+      double left = course - heading.heading();
       if (Math.abs(left) < TURNED) {
         command(Velocity.ZERO);
         return;
@@ -150,7 +150,7 @@ final class SquareScript {
     }
     try {
       Instant now = Instant.now();
-      drive.obey(held.key(), velocity);
+      drive.execute(held.key(), velocity);
       lastCommand = now;
       return true;
     } catch (BrakeEngagedException e) { // by a person, or by a controller that was switched off
@@ -177,10 +177,10 @@ final class SquareScript {
     while (System.nanoTime() - end < 0) {
       try {
         if (drive.awaitReadiness(Duration.ofSeconds(1)).serves()) {
-          CommandLease taken = drive.command(LEASE);
+          CommandLease taken = drive.acquireCommandLease(LEASE);
           lease = taken;
           if (!isBegun) { // a brake that is set later stays set
-            drive.obey(taken.key(), new Brake(false)); // the field is level
+            drive.execute(taken.key(), new Brake(false)); // the field is level
             isBegun = true;
           }
           return;

@@ -14,7 +14,7 @@ import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
-import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.DeliveryPolicy.EventKind;
 import org.dfra.event.ModuleEvent;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Reading;
@@ -37,7 +37,7 @@ final class StreamLog<R extends Reading> implements ModuleListener, AutoCloseabl
 
   /** Takes a reading's numbers. */
   @FunctionalInterface
-  interface Numbers<R> {
+  interface ColumnExtractor<R> {
 
     /**
      * @param epoch which of its module's lives the reading is from
@@ -51,7 +51,7 @@ final class StreamLog<R extends Reading> implements ModuleListener, AutoCloseabl
   private final String path;
   private final Class<R> type;
   private final List<String> columns;
-  private final Numbers<R> numbers;
+  private final ColumnExtractor<R> numbers;
   private final Instant begin;
   private final List<Row> rows = new ArrayList<>(); // guarded by this
   private @Nullable R last; // guarded by this
@@ -64,7 +64,8 @@ final class StreamLog<R extends Reading> implements ModuleListener, AutoCloseabl
    * @param numbers takes a reading's numbers, one for each column
    * @param begin when the demonstration began; times are seconds since then
    */
-  StreamLog(String path, Class<R> type, List<String> columns, Numbers<R> numbers, Instant begin) {
+  StreamLog(
+      String path, Class<R> type, List<String> columns, ColumnExtractor<R> numbers, Instant begin) {
     this.path = path;
     this.type = type;
     this.columns = columns;
@@ -73,8 +74,9 @@ final class StreamLog<R extends Reading> implements ModuleListener, AutoCloseabl
   }
 
   /** Begins to listen. */
-  StreamLog<R> to(Module module) throws RemoteException {
-    subscription = module.subscribe(this, DeliveryPolicy.keepLast(DEPTH).only(Kind.READING));
+  StreamLog<R> subscribeTo(Module module) throws RemoteException {
+    subscription =
+        module.subscribe(this, DeliveryPolicy.keepLast(DEPTH).withKinds(EventKind.READING));
     return this;
   }
 

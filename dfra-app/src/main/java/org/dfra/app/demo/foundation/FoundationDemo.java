@@ -17,13 +17,13 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Collectors;
-import org.dfra.app.demo.stage.Checks;
-import org.dfra.app.demo.stage.Demo;
-import org.dfra.app.demo.stage.Host;
-import org.dfra.app.demo.stage.Narration;
-import org.dfra.app.demo.stage.Performance;
-import org.dfra.app.demo.stage.Stage;
-import org.dfra.app.demo.stage.Wording;
+import org.dfra.app.demo.harness.Demo;
+import org.dfra.app.demo.harness.DemoAssertions;
+import org.dfra.app.demo.harness.DemoEnvironment;
+import org.dfra.app.demo.harness.DemoRunner;
+import org.dfra.app.demo.harness.Host;
+import org.dfra.app.demo.harness.ProgressReporter;
+import org.dfra.app.demo.harness.QuantityText;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.core.config.RobotXml;
 import org.dfra.core.host.FreePorts;
@@ -44,34 +44,34 @@ public final class FoundationDemo implements Demo {
   private static final int MANY = 1000;
   private static final GeoPosition ANTENNA = new GeoPosition(27.9506, -82.4572, 14.5);
 
-  private final Narration tell;
+  private final ProgressReporter tell;
 
   /** Told by the narration. */
-  public FoundationDemo(Narration narration) {
+  public FoundationDemo(ProgressReporter narration) {
     this.tell = narration;
   }
 
   @Override
   public boolean run() {
-    return Performance.of(tell, this::play);
+    return DemoRunner.run(tell, this::play);
   }
 
-  private void play(Stage stage) throws Exception {
+  private void play(DemoEnvironment stage) throws Exception {
     tell.chapter("switching on the receiver", "A robot comes up");
     String link = stage.startReceivers(List.of(ANTENNA)).get(0);
     tell.say("An M12+ receiver is switched on at %s: an emulator, but of its real bytes.", link);
 
-    Narration.Stopwatch coldStart = tell.stopwatch();
+    ProgressReporter.Stopwatch coldStart = tell.stopwatch();
     Host host = stage.host("atrv1");
     String locator = bringUp(host, link);
 
     tell.chapter("finding the receiver", "A client finds a receiver");
-    Narration.Stopwatch search = tell.stopwatch();
+    ProgressReporter.Stopwatch search = tell.stopwatch();
     try (PositionClient client = PositionClient.find(locator, PATIENCE)) {
       tell.say(
           "A client that knows only the interface GPSSensor found %s through discovery and lookup"
               + " in %s.",
-          client.gps(), Wording.seconds(search.elapsed()));
+          client.gps(), QuantityText.seconds(search.elapsed()));
       GpsFix fix = client.position(PATIENCE);
       Duration cold = coldStart.elapsed();
       tell.say("It read %s, by remote call.", describe(fix));
@@ -87,18 +87,18 @@ public final class FoundationDemo implements Demo {
 
   private String bringUp(Host host, String link) throws Exception {
     tell.step("starting phoenix");
-    Narration.Stopwatch watch = tell.stopwatch();
+    ProgressReporter.Stopwatch watch = tell.stopwatch();
     ProcessHandle phoenix = host.startPhoenix();
     tell.say(
         "Phoenix, the activation daemon, is process %d after %s.",
-        phoenix.pid(), Wording.seconds(watch.elapsed()));
+        phoenix.pid(), QuantityText.seconds(watch.elapsed()));
 
     tell.step("bringing up the robot");
-    int port = FreePorts.next();
+    int port = FreePorts.allocate();
     Map<String, String> settings =
         Map.of(
             "DFRA_HOST",
-            Stage.ADDRESS,
+            DemoEnvironment.ADDRESS,
             "DFRA_ATRV1_REGISTRAR_PORT",
             Integer.toString(port),
             "DFRA_ATRV1_GPS_FRONT_LINK",
@@ -106,32 +106,33 @@ public final class FoundationDemo implements Demo {
     Path xml = Path.of(System.getProperty("dfra.root", ""), "config", "robots", "atrv1.xml");
     RobotDescription robot = RobotXml.read(xml, settings::get);
     watch = tell.stopwatch();
-    List<RobotBootstrap.Service> services = new RobotBootstrap(host.phoenix(), robot).up();
+    List<RobotBootstrap.ServiceReference> services = new RobotBootstrap(host.phoenix(), robot).up();
     tell.say(
         "Robot %s is up after another %s: %s.",
         robot.name(),
-        Wording.seconds(watch.elapsed()),
+        QuantityText.seconds(watch.elapsed()),
         services.stream()
             .map(service -> service.name() + " in group " + service.group())
             .collect(Collectors.joining(", ")));
     for (GroupStatus group : host.groups()) {
       tell.say("Group %s is process %d.", group.name(), group.pid());
     }
-    return "jini://" + Stage.ADDRESS + ":" + port;
+    return "jini://" + DemoEnvironment.ADDRESS + ":" + port;
   }
 
-  private void killTheReceiversGroup(Stage stage, Host host, GPSSensor gps) throws Exception {
+  private void killTheReceiversGroup(DemoEnvironment stage, Host host, GPSSensor gps)
+      throws Exception {
     tell.chapter("killing the receiver's group", "kill -9 of the receiver's virtual machine");
     long old = host.group("gps").pid();
-    Narration.Stopwatch watch = tell.stopwatch();
+    ProgressReporter.Stopwatch watch = tell.stopwatch();
     stage.signal("KILL", old);
     GpsFix fix = fixFrom(gps);
     Duration healed = watch.elapsed();
     long now = host.group("gps").pid();
-    Checks.require(now != old && now > 0, "the group did not come back");
+    DemoAssertions.require(now != old && now > 0, "the group did not come back");
     tell.say(
         "Process %d was killed. The same proxy answered again after %s, from process %d: %s.",
-        old, Wording.seconds(healed), now, describe(fix));
+        old, QuantityText.seconds(healed), now, describe(fix));
     tell.figure("GPS group killed to same proxy answering", healed, Duration.ofSeconds(3));
   }
 
@@ -141,36 +142,36 @@ public final class FoundationDemo implements Demo {
     return gps.fix();
   }
 
-  private void silence(Stage stage, Host host, GPSSensor gps) throws Exception {
+  private void silence(DemoEnvironment stage, Host host, GPSSensor gps) throws Exception {
     tell.chapter(
         "stopping the receiver's group",
         "kill -STOP: a peer that is silent, as out of radio range");
     long pid = host.group("gps").pid();
     stage.signal("STOP", pid);
-    Narration.Stopwatch sinceSignal = tell.stopwatch();
+    ProgressReporter.Stopwatch sinceSignal = tell.stopwatch();
     try {
       while (true) {
-        Narration.Stopwatch watch = tell.stopwatch();
+        ProgressReporter.Stopwatch watch = tell.stopwatch();
         try {
           gps.fix(); // the signal reaches a busy machine's threads a moment after it was sent
         } catch (DeadlineExceededException e) {
           tell.say(
               "Process %d was stopped. The call ended after %s: %s.",
-              pid, Wording.seconds(watch.elapsed()), String.valueOf(e.getMessage()));
+              pid, QuantityText.seconds(watch.elapsed()), String.valueOf(e.getMessage()));
           tell.figure("silent server reported", watch.elapsed(), Duration.ofSeconds(3));
           break;
         }
-        Checks.require(
+        DemoAssertions.require(
             sinceSignal.elapsed().compareTo(PATIENCE) < 0, "a stopped process answers on");
       }
     } finally {
       stage.signal("CONT", pid);
     }
-    Narration.Stopwatch watch = tell.stopwatch();
+    ProgressReporter.Stopwatch watch = tell.stopwatch();
     gps.fix();
     tell.say(
         "It was let go on, and the same proxy answered after %s.",
-        Wording.seconds(watch.elapsed()));
+        QuantityText.seconds(watch.elapsed()));
   }
 
   private void activateInALivingGroup(Host host) throws Exception {
@@ -179,25 +180,27 @@ public final class FoundationDemo implements Demo {
     ActivationGroupID group = gpsGroup(host);
     beacon(system, group).pid(); // loads the beacon's classes
     ActivationID id = register(system, group);
-    Narration.Stopwatch watch = tell.stopwatch();
-    long pid = ((Beacon) id.activate(false)).pid();
+    ProgressReporter.Stopwatch watch = tell.stopwatch();
+    long pid = ((PidService) id.activate(false)).pid();
     Duration took = watch.elapsed();
-    Checks.require(pid == host.group("gps").pid(), "the object was made in another process");
+    DemoAssertions.require(
+        pid == host.group("gps").pid(), "the object was made in another process");
     tell.say(
         "An object that needs no device was made in the living group in %s.",
-        Wording.seconds(took));
+        QuantityText.seconds(took));
     tell.figure("activation of an object in a live group", took, Duration.ofMillis(100));
   }
 
-  private static Beacon beacon(ActivationSystem system, ActivationGroupID group)
+  private static PidService beacon(ActivationSystem system, ActivationGroupID group)
       throws ActivationException, RemoteException {
-    return (Beacon) register(system, group).activate(false);
+    return (PidService) register(system, group).activate(false);
   }
 
   private static ActivationID register(ActivationSystem system, ActivationGroupID group)
       throws ActivationException, RemoteException {
     return system.registerObject(
-        new ActivationDesc(group, Beacon.Server.class.getName(), null, (MarshalledObject<?>) null));
+        new ActivationDesc(
+            group, PidService.Server.class.getName(), null, (MarshalledObject<?>) null));
   }
 
   private static ActivationGroupID gpsGroup(Host host) throws IOException {
@@ -212,17 +215,17 @@ public final class FoundationDemo implements Demo {
         .orElseThrow(() -> new IOException("the GPS group is not registered"));
   }
 
-  private void killPhoenix(Stage stage, Host host, GPSSensor gps) throws Exception {
+  private void killPhoenix(DemoEnvironment stage, Host host, GPSSensor gps) throws Exception {
     tell.chapter("registering many objects", "kill -9 of phoenix");
     ActivationSystem system = host.phoenix().system();
     ActivationGroupID group = gpsGroup(host);
-    Narration.Stopwatch watch = tell.stopwatch();
+    ProgressReporter.Stopwatch watch = tell.stopwatch();
     for (int i = 0; i < MANY; i++) {
       register(system, group);
     }
     tell.say(
         "%d more objects were registered in %s, each one on disk before phoenix acknowledged it.",
-        MANY, Wording.seconds(watch.elapsed()));
+        MANY, QuantityText.seconds(watch.elapsed()));
 
     tell.step("killing phoenix");
     List<GroupStatus> before = host.groups();
@@ -232,7 +235,7 @@ public final class FoundationDemo implements Demo {
     tell.say(
         "Phoenix was killed. The receiver answered on, after %s: no call needs phoenix as long as"
             + " its server lives.",
-        Wording.seconds(watch.elapsed()));
+        QuantityText.seconds(watch.elapsed()));
 
     tell.step("restarting phoenix");
     watch = tell.stopwatch();
@@ -240,13 +243,15 @@ public final class FoundationDemo implements Demo {
     Duration ready = watch.elapsed();
     List<GroupStatus> after = host.groups();
     tell.say(
-        "A new phoenix, process %d, answered after %s.", restarted.pid(), Wording.seconds(ready));
+        "A new phoenix, process %d, answered after %s.",
+        restarted.pid(), QuantityText.seconds(ready));
     tell.figure("phoenix restart to ready, " + MANY + " objects", ready, Duration.ofSeconds(2));
-    Checks.require(
+    DemoAssertions.require(
         count(before) == count(after), count(before) + " registrations became " + count(after));
     for (int i = 0; i < before.size(); i++) {
-      Checks.require(before.get(i).pid() == after.get(i).pid(), "a living group was started again");
-      Checks.require(after.get(i).adopted(), "a living group was not taken back");
+      DemoAssertions.require(
+          before.get(i).pid() == after.get(i).pid(), "a living group was started again");
+      DemoAssertions.require(after.get(i).adopted(), "a living group was not taken back");
     }
     tell.say(
         "All %d registrations are there, and the living groups were taken back, not doubled: %s.",
@@ -262,14 +267,14 @@ public final class FoundationDemo implements Demo {
     fixFrom(gps);
     tell.say(
         "The adopted group was killed too: the same proxy answered after %s, from process %d.",
-        Wording.seconds(watch.elapsed()), host.group("gps").pid());
+        QuantityText.seconds(watch.elapsed()), host.group("gps").pid());
   }
 
   private static int count(List<GroupStatus> groups) {
     return groups.stream().mapToInt(GroupStatus::objects).sum();
   }
 
-  private void callLocally(Stage stage, PositionClient client) throws Exception {
+  private void callLocally(DemoEnvironment stage, PositionClient client) throws Exception {
     tell.chapter(
         "calling in the same virtual machine", "The proxy in the module's own virtual machine");
     SameVmCall.Result result =
@@ -290,7 +295,7 @@ public final class FoundationDemo implements Demo {
     return String.format(
         Locale.ROOT,
         "%s, %.1f m (%s, %d satellites, %s)",
-        Wording.place(at),
+        QuantityText.place(at),
         at.height(),
         fix.mode(),
         fix.satellitesTracked(),

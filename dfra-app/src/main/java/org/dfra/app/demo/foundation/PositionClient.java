@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.List;
-import org.dfra.app.demo.stage.Stage;
+import org.dfra.app.demo.harness.DemoEnvironment;
 import org.dfra.directory.ModuleDirectory;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.flow.sensor.GpsFix;
@@ -28,7 +28,8 @@ final class PositionClient implements AutoCloseable {
   /** Finds a GPS receiver through discovery and lookup. */
   static PositionClient find(String locator, Duration patience)
       throws IOException, InterruptedException {
-    ModuleDirectory directory = new JiniModuleDirectory(Stage.ADDRESS, List.of(), List.of(locator));
+    ModuleDirectory directory =
+        new JiniModuleDirectory(DemoEnvironment.ADDRESS, List.of(), List.of(locator));
     GPSSensor gps =
         directory
             .find(GPSSensor.class, patience)

@@ -10,7 +10,7 @@ import org.dfra.core.config.Parameters;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.drivers.gps.m12.M12PlusImpl;
 import org.dfra.flow.sensor.GPSSensor;
-import org.dfra.river.proxy.LocalModules;
+import org.dfra.river.proxy.LocalModuleRegistry;
 import org.dfra.river.proxy.sensor.GPSProxy;
 
 /** What a smart proxy costs in the virtual machine of its own module. */
@@ -26,7 +26,7 @@ final class SameVmCall {
   record Result(double directNanos, double proxyNanos, double remoteNanos) {}
 
   /** One question, asked of a receiver. */
-  private interface Asked {
+  private interface TimedCall {
     double ask() throws RemoteException;
   }
 
@@ -48,7 +48,7 @@ final class SameVmCall {
     try (M12PlusImpl here = new M12PlusImpl(context)) {
       here.start();
       here.awaitReadiness(Duration.ofSeconds(10));
-      LocalModules.enter(id, here);
+      LocalModuleRegistry.register(id, here);
       try {
         GPSSensor proxy = new GPSProxy(elsewhere.server(), id, here.identification());
         double[] direct = new double[ROUNDS];
@@ -60,12 +60,12 @@ final class SameVmCall {
         return new Result(
             median(direct), median(through), nanos(REMOTE_CALLS, () -> remote.fix().speed()));
       } finally {
-        LocalModules.leave(id, here);
+        LocalModuleRegistry.unregister(id, here);
       }
     }
   }
 
-  private static double nanos(int calls, Asked asked) throws RemoteException {
+  private static double nanos(int calls, TimedCall asked) throws RemoteException {
     double sum = 0;
     long began = System.nanoTime();
     for (int i = 0; i < calls; i++) {

@@ -47,32 +47,32 @@ public final class FieldMap {
    * @param ground what lies below everything
    * @param ways of each robot {@code {east, north}}, in the frame that is drawn in
    */
-  public PathPanel ways(List<Series> ground, Map<String, double[][]> ways) {
+  public PathPanel paths(List<Series> ground, Map<String, double[][]> ways) {
     PathPanel panel = new PathPanel("", EAST, NORTH).add(ground.toArray(Series[]::new));
-    ways.forEach((robot, way) -> panel.addWay(Series.line(robot, way[0], way[1])));
-    return panel.add(things());
+    ways.forEach((robot, way) -> panel.addPath(Series.line(robot, way[0], way[1])));
+    return panel.add(obstacles());
   }
 
   /** The whole of the world's ground, to be drawn first. */
   public Series ground() {
-    double east = described.ground().width();
-    double north = described.ground().depth();
+    double east = described.ground().sizeEast();
+    double north = described.ground().sizeNorth();
     List<LocalPosition> corners = List.of(at(0, 0), at(east, 0), at(east, north), at(0, north));
     return outline("", corners).faint();
   }
 
   /** Mines and obstacles, to be drawn last. */
-  public Series[] things() {
+  public Series[] obstacles() {
     List<Series> all = new ArrayList<>();
     for (MineDescription each : described.mines()) {
       LocalPosition at = at(each.east(), each.north());
       all.add(Series.circle("mines", at.east(), at.north(), each.radius()));
     }
     for (ObstacleDescription each : described.obstacles()) {
-      if (each.outline() instanceof Disc disc) {
+      if (each.footprint() instanceof Disc disc) {
         LocalPosition at = at(disc.east(), disc.north());
         all.add(Series.circle("obstacles", at.east(), at.north(), disc.radius()));
-      } else if (each.outline() instanceof Polygon polygon) {
+      } else if (each.footprint() instanceof Polygon polygon) {
         List<LocalPosition> corners = new ArrayList<>();
         for (Vertex corner : polygon.corners()) {
           corners.add(at(corner.east(), corner.north()));

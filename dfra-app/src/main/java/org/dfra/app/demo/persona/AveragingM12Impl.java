@@ -10,7 +10,7 @@ import org.dfra.core.state.StateStore;
 import org.dfra.drivers.gps.m12.M12PlusImpl;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
-import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.DeliveryPolicy.EventKind;
 import org.dfra.event.ModuleEvent;
 import org.dfra.event.Subscription;
 import org.dfra.flow.sensor.GPSSensor;
@@ -63,7 +63,8 @@ public final class AveragingM12Impl extends SensorImpl implements GPSSensor {
   protected void onStart() {
     subscription =
         receiver.subscribe(
-            this::heard, DeliveryPolicy.keepLast(POSITIONS).only(Kind.READING, Kind.READINESS));
+            this::heard,
+            DeliveryPolicy.keepLast(POSITIONS).withKinds(EventKind.READING, EventKind.READINESS));
     receiver.start();
   }
 
@@ -82,9 +83,9 @@ public final class AveragingM12Impl extends SensorImpl implements GPSSensor {
       add(fix);
     } else if (delivery.event() instanceof ModuleEvent.ReadinessChanged change
         && !change.to().serves()
-        && readiness().mayBecome(change.to())) {
+        && readiness().canTransitionTo(change.to())) {
       last.clear();
-      become(change.to(), "its receiver is " + change.to());
+      transitionTo(change.to(), "its receiver is " + change.to());
     }
   }
 
@@ -100,14 +101,14 @@ public final class AveragingM12Impl extends SensorImpl implements GPSSensor {
             fix.utc(),
             fix.speed(),
             fix.course(),
-            fix.dilution(),
+            fix.dilutionOfPrecision(),
             fix.satellitesVisible(),
             fix.satellitesTracked());
     mean = averaged;
     if (readiness() == Readiness.INITIALIZING) {
-      become(Readiness.READY);
+      transitionTo(Readiness.READY);
     }
-    tell(averaged);
+    publish(averaged);
   }
 
   /** Of positions some metres apart, and not at the antimeridian, the mean of each coordinate. */
@@ -144,7 +145,7 @@ public final class AveragingM12Impl extends SensorImpl implements GPSSensor {
   }
 
   @Override
-  protected List<Attributes> traits() {
+  protected List<Attributes> deviceAttributes() {
     return receiver.attributes().stream()
         .filter(each -> !(each instanceof ChainAttributes || each instanceof PoseAttributes))
         .toList();

@@ -7,11 +7,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
-import org.dfra.app.demo.stage.Checks;
+import org.dfra.app.demo.harness.DemoAssertions;
 import org.dfra.directory.ModuleListing;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
-import org.dfra.event.DeliveryPolicy.Kind;
+import org.dfra.event.DeliveryPolicy.EventKind;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Subscription;
 import org.dfra.flow.sensor.GPSSensor;
@@ -53,7 +53,7 @@ final class FixLog implements AutoCloseable {
 
     @Override
     public synchronized void notify(Delivery delivery) {
-      if (delivery.kind() == Kind.READING) {
+      if (delivery.kind() == EventKind.READING) {
         all.add(new Arrival(System.nanoTime(), delivery.epoch(), delivery.sequence()));
         notifyAll();
       }
@@ -110,23 +110,23 @@ final class FixLog implements AutoCloseable {
   }
 
   /** Begins to look at the readings from now on. */
-  Stretch begin() {
-    return new Stretch(System.nanoTime(), subscription.lost());
+  RecordingPeriod begin() {
+    return new RecordingPeriod(System.nanoTime(), subscription.lost());
   }
 
   /** The readings from a moment on. */
-  final class Stretch {
+  final class RecordingPeriod {
     private final long from;
     private final long lostBefore;
 
-    private Stretch(long from, long lostBefore) {
+    private RecordingPeriod(long from, long lostBefore) {
       this.from = from;
       this.lostBefore = lostBefore;
     }
 
     /** Waits for so many readings. */
     void await(int readings, Duration patience) throws Exception {
-      Checks.await(
+      DemoAssertions.await(
           readings + " readings of " + path(), patience, () -> end().readings() >= readings);
     }
 

@@ -9,12 +9,12 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.stream.Collectors;
-import org.dfra.app.demo.stage.Demo;
-import org.dfra.app.demo.stage.FieldRobot;
-import org.dfra.app.demo.stage.Narration;
-import org.dfra.app.demo.stage.Performance;
-import org.dfra.app.demo.stage.Stage;
-import org.dfra.app.demo.stage.Wording;
+import org.dfra.app.demo.harness.Demo;
+import org.dfra.app.demo.harness.DemoEnvironment;
+import org.dfra.app.demo.harness.DemoRobot;
+import org.dfra.app.demo.harness.DemoRunner;
+import org.dfra.app.demo.harness.ProgressReporter;
+import org.dfra.app.demo.harness.QuantityText;
 import org.dfra.directory.ModuleDirectory;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.flow.sensor.GPSSensor;
@@ -39,73 +39,76 @@ public final class PersonaDemo implements Demo {
           new GeoPosition(27.950797, -82.457000, 14.5),
           new GeoPosition(27.950800, -82.457000, 15.1));
 
-  private final Narration tell;
+  private final ProgressReporter tell;
 
   /** Told by the narration. */
-  public PersonaDemo(Narration narration) {
+  public PersonaDemo(ProgressReporter narration) {
     this.tell = narration;
   }
 
   @Override
   public boolean run() {
-    return Performance.of(tell, this::play);
+    return DemoRunner.run(tell, this::play);
   }
 
-  private void play(Stage stage) throws Exception {
+  private void play(DemoEnvironment stage) throws Exception {
     tell.chapter("switching on the receivers", "Two robots come up");
     List<String> links = stage.startReceivers(ANTENNAS);
     tell.say(
         "%d Motorola M12+ GPS receivers are switched on. They are emulated, byte for byte, so that"
             + " the real driver reads them.",
         links.size());
-    FieldRobot atrv1 = robot(stage, "atrv1", links.get(0), links.get(1));
-    FieldRobot atrv2 = robot(stage, "atrv2", links.get(2), links.get(3));
-    List<FieldRobot> robots = List.of(atrv1, atrv2);
-    Narration.Stopwatch coldStart = tell.stopwatch();
+    DemoRobot atrv1 = robot(stage, "atrv1", links.get(0), links.get(1));
+    DemoRobot atrv2 = robot(stage, "atrv2", links.get(2), links.get(3));
+    List<DemoRobot> robots = List.of(atrv1, atrv2);
+    ProgressReporter.Stopwatch coldStart = tell.stopwatch();
     try (ModuleDirectory directory =
         new JiniModuleDirectory(
-            Stage.ADDRESS, List.of(), robots.stream().map(FieldRobot::locator).toList())) {
+            DemoEnvironment.ADDRESS, List.of(), robots.stream().map(DemoRobot::locator).toList())) {
       bringUp(robots);
-      Introduction introduction = new Introduction(tell, directory);
-      introduction.meet(robots.size(), RECEIVERS, coldStart);
+      DiscoveryStep introduction = new DiscoveryStep(tell, directory);
+      introduction.awaitRobots(robots.size(), RECEIVERS, coldStart);
       introduction.ask();
       List<FixLog> logs = listen(directory);
       try {
-        KilledReceiver killed = new KilledReceiver(tell, stage, atrv1, directory);
+        ReceiverKillStep killed = new ReceiverKillStep(tell, stage, atrv1, directory);
         killed.underASubscription(logs.get(0));
         killed.underACall();
-        new StoppedReceiver(tell, stage, atrv2)
+        new ReceiverSuspensionStep(tell, stage, atrv2)
             .play(logs.get(2), List.of(logs.get(0), logs.get(1), logs.get(3)));
-        new LostRegistrar(tell, stage, atrv1, directory).play(logs.get(0));
-        new ChangingRobot(tell, atrv2, directory).play(links.get(4), logs.get(3).module(), logs);
+        new RegistrarOutageStep(tell, stage, atrv1, directory).play(logs.get(0));
+        new ReconfigurationStep(tell, atrv2, directory)
+            .play(links.get(4), logs.get(3).module(), logs);
       } finally {
         logs.forEach(FixLog::close);
       }
     }
   }
 
-  private static FieldRobot robot(Stage stage, String name, String front, String rear)
+  private static DemoRobot robot(DemoEnvironment stage, String name, String front, String rear)
       throws IOException {
-    return FieldRobot.of(stage, "field", name, Map.of("gps_front", front, "gps_rear", rear));
+    return DemoRobot.of(stage, "field", name, Map.of("gps_front", front, "gps_rear", rear));
   }
 
   /** Both at once, as on two computers. */
-  private void bringUp(List<FieldRobot> robots) throws Exception {
+  private void bringUp(List<DemoRobot> robots) throws Exception {
     tell.step("bringing the robots up");
-    Narration.Stopwatch watch = tell.stopwatch();
+    ProgressReporter.Stopwatch watch = tell.stopwatch();
     ExecutorService threads = Executors.newFixedThreadPool(robots.size());
     try {
-      List<Future<List<RobotBootstrap.Service>>> begun = new ArrayList<>();
-      for (FieldRobot each : robots) {
+      List<Future<List<RobotBootstrap.ServiceReference>>> begun = new ArrayList<>();
+      for (DemoRobot each : robots) {
         begun.add(threads.submit(each::bringUp));
       }
       for (int i = 0; i < robots.size(); i++) {
-        List<RobotBootstrap.Service> services = begun.get(i).get();
+        List<RobotBootstrap.ServiceReference> services = begun.get(i).get();
         tell.say(
             "Robot %s is up after %s, with a phoenix of its own: %s, a process each.",
             robots.get(i).name(),
-            Wording.seconds(watch.elapsed()),
-            services.stream().map(RobotBootstrap.Service::name).collect(Collectors.joining(", ")));
+            QuantityText.seconds(watch.elapsed()),
+            services.stream()
+                .map(RobotBootstrap.ServiceReference::name)
+                .collect(Collectors.joining(", ")));
       }
     } finally {
       threads.shutdownNow();

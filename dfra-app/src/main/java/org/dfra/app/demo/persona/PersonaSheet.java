@@ -5,8 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.dfra.app.demo.stage.Wording;
-import org.dfra.app.module.Kinds;
+import org.dfra.app.demo.harness.QuantityText;
+import org.dfra.app.module.ModuleKinds;
 import org.dfra.app.terminal.Table;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.Persona;
@@ -58,7 +58,7 @@ final class PersonaSheet {
             ? String.format(
                 Locale.ROOT,
                 "STALE, last vouched for %.1f s ago",
-                persona.age(now).toMillis() / 1e3)
+                persona.staleness(now).toMillis() / 1e3)
             : "fresh";
     String role = persona.attributes().map(PersonaAttributes::role).orElse("");
     return "Robot " + persona.robot() + (role.isEmpty() ? "" : ", " + role) + ": " + state;
@@ -72,11 +72,11 @@ final class PersonaSheet {
       table.row(
           each.name(),
           module.map(its -> its.state().name().toLowerCase(Locale.ROOT)).orElse("?"),
-          String.join(", ", Kinds.names(each.module())),
+          String.join(", ", ModuleKinds.names(each.module())),
           module.map(ModuleAttributes::version).orElse("?"),
           ability(each),
           each.attributes(LocationAttributes.class)
-              .map(its -> Wording.place(its.position()))
+              .map(its -> QuantityText.place(its.position()))
               .orElse("not known"));
     }
     return table;

@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
-import org.dfra.app.demo.stage.Narration;
-import org.dfra.app.raster.Bodies;
-import org.dfra.app.raster.Mark;
+import org.dfra.app.demo.harness.ProgressReporter;
+import org.dfra.app.raster.ClearanceCalculator;
+import org.dfra.app.raster.CrossTrackError;
+import org.dfra.app.raster.MissionEvent;
 import org.dfra.app.raster.MissionListener;
-import org.dfra.app.raster.OffLane;
 import org.dfra.app.raster.Sample;
 import org.dfra.app.raster.Scenario;
 import org.dfra.app.terminal.Table;
@@ -25,10 +25,10 @@ final class LiveProgress implements MissionListener {
   private static final long REDRAW = TimeUnit.SECONDS.toNanos(1);
   private static final long SENTENCE = TimeUnit.SECONDS.toNanos(10);
 
-  private final Narration tell;
+  private final ProgressReporter tell;
   private final LongSupplier nanos;
   private final Scenario scenario;
-  private final Bodies bodies;
+  private final ClearanceCalculator bodies;
   private final List<RasterPlan> plans = new ArrayList<>();
   private final List<List<LocalPosition>> driven = new ArrayList<>();
   private double clearance = Double.POSITIVE_INFINITY;
@@ -37,16 +37,16 @@ final class LiveProgress implements MissionListener {
   /**
    * @param nanos a clock of real time, of which only differences are taken
    */
-  LiveProgress(Narration tell, LongSupplier nanos, Scenario scenario) {
+  LiveProgress(ProgressReporter tell, LongSupplier nanos, Scenario scenario) {
     this.tell = tell;
     this.nanos = nanos;
     this.scenario = scenario;
-    this.bodies = new Bodies(scenario.world());
+    this.bodies = new ClearanceCalculator(scenario.world());
     this.told = nanos.getAsLong();
   }
 
   @Override
-  public void at(List<At> robots) {
+  public void onProgress(List<RobotProgress> robots) {
     for (int i = 0; i < robots.size(); i++) {
       if (plans.size() <= i) {
         plans.add(scenario.plan(i));
@@ -64,11 +64,11 @@ final class LiveProgress implements MissionListener {
   }
 
   @Override
-  public void happened(Mark mark) {
+  public void onEvent(MissionEvent mark) {
     tell.say("After %.0f s, %s: %s.", mark.time(), mark.robot(), mark.what());
   }
 
-  private void show(List<At> robots) {
+  private void show(List<RobotProgress> robots) {
     if (tell.isTerminal()) {
       List<String> lines = new ArrayList<>(table(robots));
       lines.add(summary(robots));
@@ -82,23 +82,23 @@ final class LiveProgress implements MissionListener {
               + " has seen "
               + seen(i)
               + " ("
-              + robots.get(i).status().doing()
+              + robots.get(i).status().activity()
               + off(i, robots.get(i), ", %.2f m off it")
               + ")");
     }
     tell.say("%s: %s.", summary(robots), String.join("; ", clauses));
   }
 
-  private List<String> table(List<At> robots) {
+  private List<String> table(List<RobotProgress> robots) {
     Table table = new Table("ROBOT", "STATE", "SEEN", "OFF LANE", "DOES");
     for (int i = 0; i < robots.size(); i++) {
-      At at = robots.get(i);
+      RobotProgress at = robots.get(i);
       table.row(
           at.robot(),
           at.status().phase().name().toLowerCase(Locale.ROOT),
           seen(i),
           off(i, at, "%.2f m"),
-          at.status().doing());
+          at.status().activity());
     }
     return table.lines(tell.columns() - 1);
   }
@@ -108,13 +108,13 @@ final class LiveProgress implements MissionListener {
     return Math.round(100 * plan.coverageMap(driven.get(robot), plan.swath()).share()) + " %";
   }
 
-  private String off(int robot, At at, String format) {
-    return OffLane.of(at.sample(), plans.get(robot))
+  private String off(int robot, RobotProgress at, String format) {
+    return CrossTrackError.of(at.sample(), plans.get(robot))
         .map(off -> String.format(Locale.ROOT, format, Math.abs(off.estimated())))
         .orElse("");
   }
 
-  private String summary(List<At> robots) {
+  private String summary(List<RobotProgress> robots) {
     StringBuilder text = new StringBuilder();
     text.append(String.format(Locale.ROOT, "After %.0f s", robots.get(0).sample().time()));
     if (robots.size() > 1) {
@@ -122,7 +122,7 @@ final class LiveProgress implements MissionListener {
           String.format(
               Locale.ROOT,
               ", %.1f m apart",
-              bodies.between(
+              bodies.distance(
                   robots.get(0).robot(),
                   robots.get(0).sample(),
                   robots.get(1).robot(),

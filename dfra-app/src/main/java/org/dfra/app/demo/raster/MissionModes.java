@@ -1,6 +1,6 @@
 package org.dfra.app.demo.raster;
 
-import org.dfra.app.figure.Figures;
+import org.dfra.app.measurement.RunMeasurements;
 import org.dfra.app.raster.LocalMission;
 import org.dfra.app.raster.Mission;
 import org.dfra.app.raster.Scenario;
@@ -40,7 +40,7 @@ final class MissionModes {
    *
    * @param figures take what a mission measures of itself
    */
-  static Mission of(RasterSetup setup, Figures figures) {
+  static Mission of(RasterSetup setup, RunMeasurements figures) {
     Scenario scenario = setup.scenario();
     return switch (setup.mode()) {
       case LOCAL -> new LocalMission(scenario, setup.longest(), robot -> robot, false);

@@ -8,9 +8,9 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
-import org.dfra.app.raster.Flight;
-import org.dfra.app.raster.Flight.RobotFlight;
-import org.dfra.app.raster.OffLane;
+import org.dfra.app.raster.CrossTrackError;
+import org.dfra.app.raster.MissionResult;
+import org.dfra.app.raster.MissionResult.RobotMissionResult;
 import org.dfra.app.raster.Scenario;
 import org.dfra.app.raster.Scores;
 import org.dfra.behaviors.raster.RasterPlan;
@@ -37,7 +37,7 @@ final class RasterCsv {
    *
    * @param scores of the robots, in their order
    */
-  void write(Scenario scenario, Flight flight, List<Scores> scores) throws IOException {
+  void write(Scenario scenario, MissionResult flight, List<Scores> scores) throws IOException {
     for (int i = 0; i < flight.robots().size(); i++) {
       write(flight.robots().get(i), scenario.plan(i));
     }
@@ -45,11 +45,11 @@ final class RasterCsv {
     rows(
         "marks.csv",
         "number,time_s,robot,what",
-        flight.marks(),
+        flight.events(),
         each ->
             line(
                 "%d,%.3f,%s,%s",
-                flight.marks().indexOf(each) + 1, each.time(), each.robot(), quoted(each.what())));
+                flight.events().indexOf(each) + 1, each.time(), each.robot(), quoted(each.what())));
     rows(
         "collisions.csv",
         "time,robot,other,speed_mps",
@@ -57,7 +57,7 @@ final class RasterCsv {
         each -> line("%s,%s,%s,%.4f", each.time(), each.robot(), each.other(), each.speed()));
   }
 
-  private void write(RobotFlight flight, RasterPlan plan) throws IOException {
+  private void write(RobotMissionResult flight, RasterPlan plan) throws IOException {
     String robot = flight.robot();
     rows(
         robot + "-path.csv",
@@ -82,35 +82,31 @@ final class RasterCsv {
     rows(
         robot + "-off-lane.csv",
         "time_s,lane,estimated_m,truly_m",
-        OffLane.all(flight.samples(), plan),
+        CrossTrackError.all(flight.samples(), plan),
         each ->
-            line("%.1f,%d,%.4f,%.4f", each.time(), each.lane(), each.estimated(), each.truly()));
+            line("%.1f,%d,%.4f,%.4f", each.time(), each.lane(), each.estimated(), each.actual()));
     rows(
         robot + "-fixes.csv",
         "time_s,receiver,east_m,north_m",
-        flight.overheard().fixes(),
+        flight.readings().fixes(),
         each -> line("%.3f,%s,%.4f,%.4f", each.time(), each.receiver(), each.east(), each.north()));
     rows(
         robot + "-advice.csv",
         "time_s,speed_mps,turn_rate_radps,strength,rule",
-        flight.overheard().advice(),
+        flight.readings().advice(),
         each ->
             line(
                 "%.3f,%.4f,%.4f,%.4f,%s",
-                each.time(),
-                each.speed(),
-                each.turnRate(),
-                each.strength(),
-                quoted(each.reason())));
+                each.time(), each.speed(), each.yawRate(), each.strength(), quoted(each.reason())));
     rows(
         robot + "-room.csv",
         "time_s,left_m,centre_m,right_m",
-        flight.overheard().rooms(),
+        flight.readings().clearances(),
         each -> line("%.3f,%.4f,%.4f,%.4f", each.time(), each.left(), each.centre(), each.right()));
     rows(
         robot + "-mates.csv",
         "time_s,robot,distance_m,clock_s,clock_within_s",
-        flight.overheard().mates(),
+        flight.readings().teammates(),
         each ->
             line(
                 "%.3f,%s,%.4f,%.6f,%.6f",
@@ -118,7 +114,7 @@ final class RasterCsv {
                 each.robot(),
                 each.distance(),
                 each.clock().seconds(),
-                each.clock().secondsWithin()));
+                each.clock().uncertaintySeconds()));
     waypoints(robot, plan);
   }
 
@@ -137,7 +133,7 @@ final class RasterCsv {
     }
   }
 
-  private void scores(Flight flight, List<Scores> scores) throws IOException {
+  private void scores(MissionResult flight, List<Scores> scores) throws IOException {
     try (BufferedWriter out = Files.newBufferedWriter(folder.resolve("metrics.csv"))) {
       out.write(
           "robot,completed,seconds,length_m,ideal_m,coverage,overlap,cross_track_rms_m,"
@@ -146,7 +142,7 @@ final class RasterCsv {
               + "estimate_error_m,fix_error_m,clearance_m,ending\n");
       for (int i = 0; i < scores.size(); i++) {
         Scores s = scores.get(i);
-        RobotFlight robot = flight.robots().get(i);
+        RobotMissionResult robot = flight.robots().get(i);
         out.write(
             line(
                 "%s,%b,%.1f,%.3f,%.3f,%.5f,%.5f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,"
@@ -155,7 +151,7 @@ final class RasterCsv {
                 s.completed(),
                 s.seconds(),
                 s.length(),
-                s.ideal(),
+                s.plannedLength(),
                 s.coverage(),
                 s.overlap(),
                 s.crossTrack().rms(),
@@ -164,8 +160,8 @@ final class RasterCsv {
                 s.trueCrossTrack().rms(),
                 s.trueCrossTrack().within95(),
                 s.trueCrossTrack().most(),
-                s.misses().mean(),
-                s.misses().most(),
+                s.waypointErrors().mean(),
+                s.waypointErrors().most(),
                 s.estimateError(),
                 s.fixError(),
                 s.clearance(),

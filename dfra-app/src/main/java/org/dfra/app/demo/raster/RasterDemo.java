@@ -4,13 +4,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import org.dfra.app.demo.stage.Demo;
-import org.dfra.app.demo.stage.Narration;
-import org.dfra.app.demo.stage.Performance;
-import org.dfra.app.demo.stage.Wording;
-import org.dfra.app.raster.Flight;
-import org.dfra.app.raster.Flight.RobotFlight;
+import org.dfra.app.demo.harness.Demo;
+import org.dfra.app.demo.harness.DemoRunner;
+import org.dfra.app.demo.harness.ProgressReporter;
+import org.dfra.app.demo.harness.QuantityText;
 import org.dfra.app.raster.Mission;
+import org.dfra.app.raster.MissionResult;
+import org.dfra.app.raster.MissionResult.RobotMissionResult;
 import org.dfra.app.raster.Scenario;
 import org.dfra.app.raster.Scores;
 import org.dfra.app.terminal.Table;
@@ -28,13 +28,13 @@ public final class RasterDemo implements Demo {
    */
   private static final double MOST_UNSEEN = 0.05;
 
-  private final Narration tell;
+  private final ProgressReporter tell;
   private final Scenario scenario;
-  private final Pace pace;
+  private final SimulationSpeed pace;
   private final Mission mission;
   private final Path report;
 
-  private RasterDemo(Narration narration, RasterSetup setup, Path report) {
+  private RasterDemo(ProgressReporter narration, RasterSetup setup, Path report) {
     this.tell = narration;
     this.scenario = setup.scenario();
     this.pace = setup.pace();
@@ -48,18 +48,18 @@ public final class RasterDemo implements Demo {
    * @param report the folder of its report
    * @throws RuntimeException if they ask for what cannot be; the message is for the user
    */
-  public static RasterDemo of(Narration narration, RasterOptions options, Path report) {
+  public static RasterDemo of(ProgressReporter narration, RasterOptions options, Path report) {
     return new RasterDemo(narration, RasterSetup.of(options), report);
   }
 
   @Override
   public boolean run() {
-    return Performance.withoutStage(tell, this::play); // a mission has its own
+    return DemoRunner.runStandalone(tell, this::play); // a mission has its own
   }
 
   private void play() throws Exception {
     plan();
-    Flight flight = search();
+    MissionResult flight = search();
     List<Scores> scores = judge(flight);
     tell.chapter("writing the report", "The report");
     Path file =
@@ -74,38 +74,38 @@ public final class RasterDemo implements Demo {
     tell.say(
         "The region around %s has %.0f m². With lanes %.2f m apart that makes %s, %d waypoints and"
             + " %.0f m to drive.",
-        Wording.place(scenario.region().centre()),
+        QuantityText.place(scenario.region().centre()),
         scenario.region().area(),
         plan.spacing(),
-        Wording.count(plan.lanes().size(), "lane"),
+        QuantityText.count(plan.lanes().size(), "lane"),
         plan.waypoints().size(),
         plan.length());
     tell.say("%s", MissionModes.meaning(mission));
-    pace.slower().ifPresent(why -> tell.say("%s", why));
+    pace.slowdownReason().ifPresent(why -> tell.say("%s", why));
   }
 
-  private Flight search() throws Exception {
+  private MissionResult search() throws Exception {
     tell.chapter("searching", "The robots search it, each the other way round than the one before");
-    Narration.Stopwatch watch = tell.stopwatch();
-    Flight flight = mission.run(new LiveProgress(tell, System::nanoTime, scenario));
-    tell.settle();
+    ProgressReporter.Stopwatch watch = tell.stopwatch();
+    MissionResult flight = mission.run(new LiveProgress(tell, System::nanoTime, scenario));
+    tell.freezeLive();
     tell.say(
         "The search took %.0f s of the robots' time and %s of this computer's.",
-        flight.seconds(), Wording.seconds(watch.elapsed()));
-    for (RobotFlight each : flight.robots()) {
+        flight.seconds(), QuantityText.seconds(watch.elapsed()));
+    for (RobotMissionResult each : flight.robots()) {
       tell.say("%s: %s.", each.robot(), each.ending());
     }
     return flight;
   }
 
-  private List<Scores> judge(Flight flight) {
+  private List<Scores> judge(MissionResult flight) {
     tell.chapter("judging", "How well they searched");
     List<Scores> scores = new ArrayList<>();
     for (int i = 0; i < flight.robots().size(); i++) {
       scores.add(Scores.of(flight.robots().get(i), scenario.plan(i)));
     }
-    double together = Scores.together(flight, scenario);
-    Metrics metrics = Metrics.of(flight, scores, together);
+    double together = Scores.teamCoverage(flight, scenario);
+    MetricsTable metrics = MetricsTable.of(flight, scores, together);
     Table table =
         new Table(
             metrics.headings().stream()
@@ -119,7 +119,7 @@ public final class RasterDemo implements Demo {
     tell.figure("collisions", flight.collisions().size(), 0, "");
     tell.figure(
         "least clearance short of 0.3 m", // a figure is to be small
-        Math.max(0, RasterFigures.LEAST_CLEARANCE - clearance),
+        Math.max(0, RasterCharts.LEAST_CLEARANCE - clearance),
         0,
         "m");
     tell.figure("share of the region that no robot saw", 1 - together, MOST_UNSEEN, "");

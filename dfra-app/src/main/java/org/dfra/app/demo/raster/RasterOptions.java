@@ -2,7 +2,7 @@ package org.dfra.app.demo.raster;
 
 import java.nio.file.Path;
 import java.util.Optional;
-import org.dfra.app.raster.Lanes;
+import org.dfra.app.raster.LaneSettings;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
@@ -37,9 +37,9 @@ public final class RasterOptions {
       description =
           "Raster, recruit: seconds of the robots' time in a second, 0.01 to 1000, of recruit 0.5 to 5"
               + " (default "
-              + Pace.USUAL
+              + SimulationSpeed.DEFAULT_IN_ONE_JVM
               + "; raster in processes: "
-              + Pace.IN_PROCESSES
+              + SimulationSpeed.IN_PROCESSES
               + ", or half of it where the computer does not keep up; recruit: 2).")
   @Nullable Double speed;
 
@@ -52,7 +52,8 @@ public final class RasterOptions {
   @Option(
       names = "--swath",
       paramLabel = "M",
-      description = "Raster: how wide a strip a robot sees, metres (default " + Lanes.SWATH + ").")
+      description =
+          "Raster: how wide a strip a robot sees, metres (default " + LaneSettings.SWATH + ").")
   @Nullable Double swath;
 
   @Option(
@@ -60,7 +61,7 @@ public final class RasterOptions {
       paramLabel = "M",
       description =
           "Raster: from lane to lane, metres, at most the swath (default: "
-              + Lanes.RESERVE
+              + LaneSettings.SPACING_FRACTION
               + " of it).")
   @Nullable Double spacing;
 

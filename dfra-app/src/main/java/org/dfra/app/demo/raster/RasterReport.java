@@ -6,13 +6,13 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
 import java.util.Locale;
-import org.dfra.app.demo.map.Happenings;
-import org.dfra.app.figure.Figures;
-import org.dfra.app.figure.ReportHead;
+import org.dfra.app.demo.map.MissionEventList;
+import org.dfra.app.measurement.ReportHead;
+import org.dfra.app.measurement.RunMeasurements;
 import org.dfra.app.plot.HtmlReport;
 import org.dfra.app.plot.Page;
 import org.dfra.app.plot.TablePanel;
-import org.dfra.app.raster.Flight;
+import org.dfra.app.raster.MissionResult;
 import org.dfra.app.raster.Scenario;
 import org.dfra.app.raster.Scores;
 import org.dfra.behaviors.raster.RasterPlan;
@@ -24,9 +24,9 @@ final class RasterReport {
 
   private final Scenario scenario;
   private final String mode;
-  private final Flight flight;
+  private final MissionResult flight;
   private final List<Scores> scores;
-  private final Figures measured;
+  private final RunMeasurements measured;
 
   /**
    * @param mode in which it was run, and what that means
@@ -34,7 +34,11 @@ final class RasterReport {
    * @param measured what decides how well it went
    */
   RasterReport(
-      Scenario scenario, String mode, Flight flight, List<Scores> scores, Figures measured) {
+      Scenario scenario,
+      String mode,
+      MissionResult flight,
+      List<Scores> scores,
+      RunMeasurements measured) {
     this.scenario = scenario;
     this.mode = mode;
     this.flight = flight;
@@ -54,7 +58,7 @@ final class RasterReport {
     ReportHead.add(html, measured, Instant.now());
     html.paragraph(mode).paragraph(asked());
     metrics(folder, html);
-    Happenings.list(flight.marks(), html);
+    MissionEventList.addTo(flight.events(), html);
     figures(folder, html);
     rules(html);
     html.heading("The numbers")
@@ -85,7 +89,7 @@ final class RasterReport {
   }
 
   private void metrics(Path folder, HtmlReport html) throws IOException {
-    Metrics metrics = Metrics.of(flight, scores, Scores.together(flight, scenario));
+    MetricsTable metrics = MetricsTable.of(flight, scores, Scores.teamCoverage(flight, scenario));
     TablePanel panel = new TablePanel(metrics.headings(), metrics.rows());
     new Page("How well they searched")
         .row(panel.height(), panel)
@@ -96,7 +100,7 @@ final class RasterReport {
             + " turns. A waypoint is missed by how near the robot truly came to it while it was the"
             + " next one. Around an obstacle every robot leaves its lane. The first robot follows the"
             + " others by what they tell; the distance to each is between both estimates.");
-    Metrics beside = Metrics.besidePublished(flight, scores);
+    MetricsTable beside = MetricsTable.besidePublished(flight, scores);
     html.table(beside.headings(), beside.rows());
     html.paragraph(
         "Published figures of others stand here for their size only: theirs were real robots on"
@@ -104,7 +108,7 @@ final class RasterReport {
   }
 
   private void figures(Path folder, HtmlReport html) throws IOException {
-    RasterFigures figures = new RasterFigures(scenario, flight);
+    RasterCharts figures = new RasterCharts(scenario, flight);
     html.heading("Where they went");
     add(
         folder.resolve("paths.svg"),
@@ -151,7 +155,7 @@ final class RasterReport {
   }
 
   private void rules(HtmlReport html) {
-    List<List<String>> table = LoudestRules.table(flight, RULES);
+    List<List<String>> table = DominantRules.table(flight, RULES);
     if (table.size() > 1) {
       html.paragraph(
           "Ten times a second the rules are asked. These were the loudest most often; a count for"
@@ -162,6 +166,6 @@ final class RasterReport {
 
   /** What a caption adds where something happened. */
   private String numbered() {
-    return flight.marks().isEmpty() ? "" : " The numbers are those of what happened on the way.";
+    return flight.events().isEmpty() ? "" : " The numbers are those of what happened on the way.";
   }
 }

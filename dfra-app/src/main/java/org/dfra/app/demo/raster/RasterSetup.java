@@ -5,18 +5,18 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import org.dfra.app.demo.stage.Power;
+import org.dfra.app.demo.harness.CpuSpeed;
 import org.dfra.app.raster.GivenRegion;
-import org.dfra.app.raster.Lanes;
+import org.dfra.app.raster.LaneSettings;
 import org.dfra.app.raster.Scenario;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.behavior.GoalRefusedException;
 import org.dfra.behaviors.raster.RasterPlan;
-import org.dfra.behaviors.raster.Reach;
 import org.dfra.behaviors.raster.Region;
+import org.dfra.behaviors.raster.WaypointDistanceLimit;
 import org.dfra.core.config.RobotXml;
-import org.dfra.core.robot.Rehearsal;
+import org.dfra.core.robot.RobotDryRun;
 import org.dfra.core.time.ScaledTime;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
@@ -36,7 +36,8 @@ import org.dfra.sim.world.shape.Vertex;
  * @param pace how fast the robots' time goes
  * @param longest robots' time after which it is given up
  */
-public record RasterSetup(Scenario scenario, Path world, Mode mode, Pace pace, Duration longest) {
+public record RasterSetup(
+    Scenario scenario, Path world, Mode mode, SimulationSpeed pace, Duration longest) {
 
   /** Ways to run a search. */
   enum Mode {
@@ -73,12 +74,13 @@ public record RasterSetup(Scenario scenario, Path world, Mode mode, Pace pace, D
               + " can; leave one of them out");
     }
     if (options.speed != null) {
-      Lanes.requireBetween("--speed", options.speed, ScaledTime.SLOWEST, ScaledTime.FASTEST, "");
+      LaneSettings.requireBetween(
+          "--speed", options.speed, ScaledTime.MIN_SPEED, ScaledTime.MAX_SPEED, "");
     }
-    Lanes lanes = Lanes.of(options.swath, options.spacing);
+    LaneSettings lanes = LaneSettings.of(options.swath, options.spacing);
     Path file = options.world == null ? WORLD : options.world;
     WorldDescription read = WorldXml.read(file);
-    WorldDescription world = options.seed == null ? read : read.seeded(options.seed);
+    WorldDescription world = options.seed == null ? read : read.withSeed(options.seed);
     GivenRegion given = region(options, mode, world, file);
     Scenario scenario =
         new Scenario(world, team(world), given.region(), lanes.swath(), lanes.spacing());
@@ -86,14 +88,14 @@ public record RasterSetup(Scenario scenario, Path world, Mode mode, Pace pace, D
     try {
       requireInReach(scenario);
     } catch (GoalRefusedException e) {
-      throw given.placed(e);
+      throw given.withLocation(e);
     }
     double seconds = scenario.plan().length() / SLOWEST;
     return new RasterSetup(
         scenario,
         file,
         mode,
-        Pace.of(options.speed, mode, Power::share),
+        SimulationSpeed.of(options.speed, mode, CpuSpeed::relativeToReference),
         TO_BEGIN.plusMillis((long) (1000 * seconds)));
   }
 
@@ -104,7 +106,7 @@ public record RasterSetup(Scenario scenario, Path world, Mode mode, Pace pace, D
     } else if (options.world == null && mode == Mode.PROCESSES) {
       return GivenRegion.parse(MIDDLE.toString()); // all of it would take six minutes
     }
-    return new GivenRegion(own(world), file + ": ");
+    return new GivenRegion(worldRegion(world), file + ": ");
   }
 
   private static Mode mode(RasterOptions options) {
@@ -117,10 +119,10 @@ public record RasterSetup(Scenario scenario, Path world, Mode mode, Pace pace, D
   }
 
   private static CommandFailure wrong(String sentence) {
-    return new CommandFailure(ExitCode.WRONG_USE, sentence);
+    return new CommandFailure(ExitCode.USAGE_ERROR, sentence);
   }
 
-  private static Region own(WorldDescription world) {
+  private static Region worldRegion(WorldDescription world) {
     LocalFrame frame = new LocalFrame(world.datum());
     List<GeoPosition> corners = new ArrayList<>();
     for (Vertex each :
@@ -151,7 +153,7 @@ public record RasterSetup(Scenario scenario, Path world, Mode mode, Pace pace, D
                     ? "there is no " + xml + " that says what runs on it; write one, or rename it"
                     : "it is no ground robot; leave it out"));
       }
-      Rehearsal.ofWhole(RobotXml.read(xml));
+      RobotDryRun.checkComplete(RobotXml.read(xml));
       team.add(xml);
     }
     if (team.isEmpty()) {
@@ -165,7 +167,8 @@ public record RasterSetup(Scenario scenario, Path world, Mode mode, Pace pace, D
     RasterPlan plan = scenario.plan();
     for (VehicleDescription each : scenario.world().vehicles()) {
       GeoPosition robot = field.toGeo(new LocalPosition(each.east(), each.north(), 0));
-      plan.waypoints().forEach(waypoint -> Reach.DEFAULT.require(robot, waypoint));
+      plan.waypoints()
+          .forEach(waypoint -> WaypointDistanceLimit.DEFAULT.requireWithin(robot, waypoint));
     }
   }
 }

@@ -6,13 +6,13 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import org.dfra.app.demo.recruit.Conversations.Told;
+import org.dfra.app.demo.recruit.Conversations.Attempt;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.recruit.message.RecruitmentMessage;
 import org.dfra.recruit.message.RecruitmentMessage.Arrival;
 import org.dfra.recruit.message.RecruitmentMessage.Help;
 import org.dfra.recruit.message.RecruitmentMessage.ResponderId;
-import org.dfra.recruit.message.SentLetter;
+import org.dfra.recruit.message.SentMessage;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -25,8 +25,8 @@ import org.jspecify.annotations.Nullable;
  * @param chosen who is to come, or has come; null where nobody was chosen yet
  * @param lost who was chosen before and did not come, or left
  * @param rounds how often HELP was sent
- * @param letters how many were sent, one to all counted as one
- * @param stay when the lease ends that the chosen one has granted, by its clock; null before
+ * @param messages how many were sent, one to all counted as one
+ * @param leaseEnd when the lease ends that the chosen one has granted, by its clock; null before
  */
 record CallState(
     String requester,
@@ -36,8 +36,8 @@ record CallState(
     @Nullable String chosen,
     List<String> lost,
     int rounds,
-    int letters,
-    @Nullable Instant stay) {
+    int messages,
+    @Nullable Instant leaseEnd) {
 
   CallState {
     lost = List.copyOf(lost);
@@ -48,32 +48,32 @@ record CallState(
    *
    * @param all conversations, the first first
    */
-  static Optional<CallState> last(List<Told> all, String requester) {
-    Optional<Told> last =
+  static Optional<CallState> last(List<Attempt> all, String requester) {
+    Optional<Attempt> last =
         all.stream()
             .filter(each -> each.requester().equals(requester))
             .reduce((before, after) -> after);
     return last.map(newest -> of(all.stream().filter(each -> isSame(each, newest)).toList()));
   }
 
-  private static boolean isSame(Told one, Told other) {
+  private static boolean isSame(Attempt one, Attempt other) {
     return one.call() == other.call();
   }
 
   /** Of one call, with an attempt at least; each attempt chooses anew. */
-  private static CallState of(List<Told> attempts) {
-    Told last = attempts.get(attempts.size() - 1);
+  private static CallState of(List<Attempt> attempts) {
+    Attempt last = attempts.get(attempts.size() - 1);
     Set<String> winners = new LinkedHashSet<>();
     @Nullable String chosen = null;
     @Nullable Instant stay = null;
     int rounds = 0;
     int letters = 0;
-    for (Told attempt : attempts) {
+    for (Attempt attempt : attempts) {
       chosen = null;
       stay = null;
-      for (SentLetter sent : attempt.letters()) {
+      for (SentMessage sent : attempt.messages()) {
         letters++;
-        RecruitmentMessage message = sent.letter().message();
+        RecruitmentMessage message = sent.envelope().message();
         if (message instanceof Help) {
           rounds++;
         } else if (message instanceof ResponderId answer) {
@@ -88,7 +88,7 @@ record CallState(
     return new CallState(
         last.requester(),
         last.call(),
-        last.asked().place(),
+        last.asked().position(),
         attempts.get(0).begun(),
         chosen,
         List.copyOf(winners),

@@ -9,7 +9,7 @@ import java.util.Map;
 import org.dfra.agent.HelpCall;
 import org.dfra.recruit.message.Conversation;
 import org.dfra.recruit.message.RecruitmentMessage.Help;
-import org.dfra.recruit.message.SentLetter;
+import org.dfra.recruit.message.SentMessage;
 import org.jspecify.annotations.Nullable;
 
 /** Letters sorted into conversations, with names for people: a call, and which attempt at it. */
@@ -22,15 +22,15 @@ final class Conversations {
    * @param attempt counts the conversations about that call from 1: who is late is replaced in the
    *     next
    * @param begun when its first letter was sent, by its sender's clock
-   * @param letters as they were sent, at least one
+   * @param messages as they were sent, at least one
    */
-  record Told(
+  record Attempt(
       String requester,
       int call,
       int attempt,
       HelpCall asked,
       Instant begun,
-      List<SentLetter> letters) {
+      List<SentMessage> messages) {
 
     /** Such as {@code call-2-attempt-1}. */
     String file() {
@@ -41,17 +41,17 @@ final class Conversations {
   private Conversations() {}
 
   /** All of them as they were begun; a call after another is one with another place or purpose. */
-  static List<Told> of(List<SentLetter> letters) {
-    Map<Conversation, List<SentLetter>> sorted = new LinkedHashMap<>();
+  static List<Attempt> of(List<SentMessage> letters) {
+    Map<Conversation, List<SentMessage>> sorted = new LinkedHashMap<>();
     letters.stream()
-        .sorted(Comparator.comparing(SentLetter::measured))
+        .sorted(Comparator.comparing(SentMessage::measured))
         .forEach(
             each ->
                 sorted
                     .computeIfAbsent(
-                        each.letter().message().conversation(), key -> new ArrayList<>())
+                        each.envelope().message().conversation(), key -> new ArrayList<>())
                     .add(each));
-    List<Told> all = new ArrayList<>();
+    List<Attempt> all = new ArrayList<>();
     sorted.forEach(
         (conversation, told) -> {
           HelpCall asked = asked(told);
@@ -62,26 +62,26 @@ final class Conversations {
     return all;
   }
 
-  private static @Nullable HelpCall asked(List<SentLetter> told) {
+  private static @Nullable HelpCall asked(List<SentMessage> told) {
     return told.stream()
-        .map(each -> each.letter().message() instanceof Help help ? help.call() : null)
+        .map(each -> each.envelope().message() instanceof Help help ? help.call() : null)
         .filter(call -> call != null)
         .findFirst()
         .orElse(null);
   }
 
-  private static Told next(
-      List<Told> before, String requester, HelpCall asked, List<SentLetter> letters) {
-    List<Told> same =
+  private static Attempt next(
+      List<Attempt> before, String requester, HelpCall asked, List<SentMessage> letters) {
+    List<Attempt> same =
         before.stream()
             .filter(each -> each.requester().equals(requester) && each.asked().equals(asked))
             .toList();
     int call =
         same.isEmpty()
-            ? 1 + before.stream().mapToInt(Told::call).max().orElse(0)
+            ? 1 + before.stream().mapToInt(Attempt::call).max().orElse(0)
             : same.get(0).call();
     int attempt = 1 + same.size();
-    return new Told(
+    return new Attempt(
         requester, call, attempt, asked, letters.get(0).measured(), List.copyOf(letters));
   }
 }

@@ -12,15 +12,15 @@ import java.util.concurrent.TimeUnit;
 import org.dfra.agent.RecruitmentStatus;
 import org.dfra.agent.RequesterPhase;
 import org.dfra.agent.ResponderPhase;
-import org.dfra.app.demo.recruit.Conversations.Told;
-import org.dfra.app.demo.recruit.Snapshot.Fate;
+import org.dfra.app.demo.harness.ProgressReporter;
+import org.dfra.app.demo.recruit.Conversations.Attempt;
+import org.dfra.app.demo.recruit.Snapshot.Availability;
 import org.dfra.app.demo.recruit.Snapshot.Robot;
-import org.dfra.app.demo.stage.Narration;
 import org.dfra.directory.ModuleDirectory;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
-import org.dfra.sim.world.TruePose;
+import org.dfra.sim.world.GroundTruthPose;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -34,15 +34,15 @@ final class LiveView implements AutoCloseable {
   /** Higher than this a robot flies, metres above the ground. */
   private static final double FLIES = 0.5;
 
-  private final Narration tell;
+  private final ProgressReporter tell;
   private final List<String> robots;
   private final Instant began;
   private final InstantSource clock;
   private final LocalFrame frame;
-  private final Witness witness;
-  private final Searches searches;
-  private final Ways ways;
-  private final @Nullable Batteries batteries; // null where there is no terminal
+  private final AgentMonitor witness;
+  private final BackgroundSearches searches;
+  private final TrueTrajectories ways;
+  private final @Nullable BatteryMonitor batteries; // null where there is no terminal
   private final @Nullable ScheduledExecutorService thread; // likewise
   private boolean isOver; // guarded by this
 
@@ -53,15 +53,15 @@ final class LiveView implements AutoCloseable {
    * @param frame the world's
    */
   LiveView(
-      Narration tell,
+      ProgressReporter tell,
       List<String> robots,
       Instant began,
       InstantSource clock,
       LocalFrame frame,
       ModuleDirectory directory,
-      Witness witness,
-      Searches searches,
-      Ways ways) {
+      AgentMonitor witness,
+      BackgroundSearches searches,
+      TrueTrajectories ways) {
     this.tell = tell;
     this.robots = List.copyOf(robots);
     this.began = began;
@@ -70,7 +70,7 @@ final class LiveView implements AutoCloseable {
     this.witness = witness;
     this.searches = searches;
     this.ways = ways;
-    this.batteries = tell.isTerminal() ? new Batteries(directory) : null;
+    this.batteries = tell.isTerminal() ? new BatteryMonitor(directory) : null;
     this.thread =
         tell.isTerminal()
             ? Executors.newSingleThreadScheduledExecutor(
@@ -103,13 +103,13 @@ final class LiveView implements AutoCloseable {
 
   private Snapshot now() {
     Instant time = clock.instant();
-    List<Told> conversations = Conversations.of(witness.letters());
+    List<Attempt> conversations = Conversations.of(witness.messages());
     List<Robot> all = new ArrayList<>();
     @Nullable CallState call = null;
     for (String name : robots) {
       RecruitmentStatus agent = witness.last(name).orElse(null);
       all.add(robot(name, agent, conversations, time));
-      if (agent != null && agent.requester() != RequesterPhase.IDLE) {
+      if (agent != null && agent.requesterPhase() != RequesterPhase.IDLE) {
         call = CallState.last(conversations, name).orElse(call);
       }
     }
@@ -117,26 +117,26 @@ final class LiveView implements AutoCloseable {
   }
 
   private Robot robot(
-      String name, @Nullable RecruitmentStatus agent, List<Told> conversations, Instant time) {
-    TruePose pose = ways.at(name, time);
+      String name, @Nullable RecruitmentStatus agent, List<Attempt> conversations, Instant time) {
+    GroundTruthPose pose = ways.at(name, time);
     Optional<CallState> served =
-        agent == null || agent.helped() == null
+        agent == null || agent.helpedRobot() == null
             ? Optional.empty()
-            : CallState.last(conversations, agent.helped())
+            : CallState.last(conversations, agent.helpedRobot())
                 .filter(each -> name.equals(each.chosen()));
     @Nullable Double distance = null;
     @Nullable Double lease = null;
     if (agent != null && served.isPresent()) {
-      if (agent.responder() == ResponderPhase.TRAVELLING) {
+      if (agent.responderPhase() == ResponderPhase.TRAVELLING) {
         distance = distance(pose, served.get().place());
-      } else if (agent.responder().isCommitted() && served.get().stay() != null) {
-        double left = Duration.between(time, served.get().stay()).toMillis() / 1000.0;
+      } else if (agent.responderPhase().isCommitted() && served.get().leaseEnd() != null) {
+        double left = Duration.between(time, served.get().leaseEnd()).toMillis() / 1000.0;
         lease = Math.max(0, left);
       }
     }
     return new Robot(
         name,
-        fate(name),
+        availability(name),
         pose.up() > FLIES,
         agent,
         searches.last(name).orElse(null),
@@ -145,18 +145,18 @@ final class LiveView implements AutoCloseable {
         batteries == null ? null : batteries.charge(name));
   }
 
-  private double distance(TruePose pose, GeoPosition place) {
+  private double distance(GroundTruthPose pose, GeoPosition place) {
     LocalPosition there = frame.toLocal(place);
     return Math.hypot(there.east() - pose.east(), there.north() - pose.north());
   }
 
-  private Fate fate(String name) {
+  private Availability availability(String name) {
     if (witness.isDead(name)) {
-      return Fate.DEAD;
+      return Availability.DEAD;
     } else if (witness.isCutOff(name)) {
-      return Fate.CUT_OFF;
+      return Availability.UNREACHABLE;
     }
-    return witness.listening().contains(name) ? Fate.PRESENT : Fate.ABSENT;
+    return witness.listening().contains(name) ? Availability.PRESENT : Availability.ABSENT;
   }
 
   /** {@inheritDoc} What was at last stays on the terminal. */
@@ -168,7 +168,7 @@ final class LiveView implements AutoCloseable {
     thread.shutdown();
     draw();
     isOver = true;
-    tell.settle();
+    tell.freezeLive();
     batteries.close();
   }
 }

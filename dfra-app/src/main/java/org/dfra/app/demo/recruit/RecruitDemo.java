@@ -7,11 +7,11 @@ import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.dfra.app.demo.stage.Demo;
-import org.dfra.app.demo.stage.Narration;
-import org.dfra.app.demo.stage.Performance;
-import org.dfra.app.demo.stage.Stage;
-import org.dfra.app.raster.live.ToldTime;
+import org.dfra.app.demo.harness.Demo;
+import org.dfra.app.demo.harness.DemoEnvironment;
+import org.dfra.app.demo.harness.DemoRunner;
+import org.dfra.app.demo.harness.ProgressReporter;
+import org.dfra.app.raster.monitor.AnnouncedTime;
 import org.dfra.app.terminal.CommandFailure;
 import org.dfra.app.terminal.ExitCode;
 import org.dfra.core.time.RobotTime;
@@ -19,7 +19,7 @@ import org.dfra.core.time.ScaledTime;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.sim.run.Simulation;
-import org.dfra.sim.run.Simulation.Ports;
+import org.dfra.sim.run.Simulation.PortPolicy;
 import org.dfra.sim.world.description.WorldDescription;
 import org.dfra.sim.world.file.WorldXml;
 
@@ -36,11 +36,11 @@ public final class RecruitDemo implements Demo {
   private static final Path WORLD =
       Path.of(System.getProperty("dfra.root", "."), "config", "worlds", "recruit.xml");
 
-  private final Narration tell;
+  private final ProgressReporter tell;
   private final double speed;
   private final Path report;
 
-  private RecruitDemo(Narration narration, double speed, Path report) {
+  private RecruitDemo(ProgressReporter narration, double speed, Path report) {
     this.tell = narration;
     this.speed = speed;
     this.report = report;
@@ -54,11 +54,11 @@ public final class RecruitDemo implements Demo {
    * @param report the folder of its report
    * @throws CommandFailure if the speed is none that can be
    */
-  public static RecruitDemo of(Narration narration, Optional<Double> speed, Path report) {
+  public static RecruitDemo of(ProgressReporter narration, Optional<Double> speed, Path report) {
     double wanted = speed.orElse(SPEED);
     if (!(wanted >= SLOWEST && wanted <= FASTEST)) {
       throw new CommandFailure(
-          ExitCode.WRONG_USE,
+          ExitCode.USAGE_ERROR,
           String.format(
               Locale.ROOT,
               "--speed %s is outside %s to %s, in which agents in processes keep up",
@@ -71,13 +71,13 @@ public final class RecruitDemo implements Demo {
 
   @Override
   public boolean run() {
-    return Performance.of(tell, this::play);
+    return DemoRunner.run(tell, this::play);
   }
 
-  private void play(Stage stage) throws Exception {
-    try (ToldTime time = new ToldTime()) {
+  private void play(DemoEnvironment stage) throws Exception {
+    try (AnnouncedTime time = new AnnouncedTime()) {
       Instant began = Instant.now().truncatedTo(ChronoUnit.MILLIS);
-      time.tell(speed == 1 ? RobotTime.REAL : new ScaledTime(speed, began).onThisComputer());
+      time.set(speed == 1 ? RobotTime.REAL : new ScaledTime(speed, began).toHostText());
       InstantSource clock = RobotTime.clock();
       WorldDescription world = WorldXml.read(WORLD);
       List<String> names = world.vehicles().stream().map(each -> each.name()).toList();
@@ -90,22 +90,24 @@ public final class RecruitDemo implements Demo {
               + " own; one phoenix stands for the five. At the left is real time; \"after 30 s\""
               + " is the robots' own, which passes %s times as fast.",
           speed);
-      try (Simulation simulation = Simulation.overTcp(world, clock, Ports.ANY)) {
+      try (Simulation simulation = Simulation.overTcp(world, clock, PortPolicy.EPHEMERAL)) {
         simulation.start();
         LocalFrame frame = new LocalFrame(world.datum());
         try (Team team = new Team(stage, simulation, names);
             JiniModuleDirectory directory =
-                new JiniModuleDirectory(Stage.ADDRESS, List.of(), team.locators());
-            Ways ways = new Ways(names, simulation.world().truth(), clock);
-            Witness witness = new Witness(directory, tell, began);
-            Searches searches = new Searches(tell, directory, frame, Searches.PATIENCE)) {
+                new JiniModuleDirectory(DemoEnvironment.ADDRESS, List.of(), team.locators());
+            TrueTrajectories ways =
+                new TrueTrajectories(names, simulation.world().groundTruth(), clock);
+            AgentMonitor witness = new AgentMonitor(directory, tell, began);
+            BackgroundSearches searches =
+                new BackgroundSearches(tell, directory, frame, BackgroundSearches.PATIENCE)) {
           ways.start();
           try (LiveView live =
               new LiveView(tell, names, began, clock, frame, directory, witness, searches, ways)) {
             live.start();
             team.start();
-            Story story =
-                new Story(
+            RecruitScenario story =
+                new RecruitScenario(
                     tell,
                     team,
                     directory,
@@ -118,8 +120,8 @@ public final class RecruitDemo implements Demo {
             story.play();
           }
           tell.chapter("writing the report", "The report");
-          Chronicle chronicle = new Chronicle(began, frame, witness, ways);
-          RecruitFigures figures = new RecruitFigures(names, world, chronicle);
+          DemoTimeline chronicle = new DemoTimeline(began, frame, witness, ways);
+          RecruitCharts figures = new RecruitCharts(names, world, chronicle);
           Path file = new RecruitReport(chronicle, figures, speed, tell.figures()).write(report);
           tell.say(
               "A map of where they went, a chart of each conversation, and shame over time are in"

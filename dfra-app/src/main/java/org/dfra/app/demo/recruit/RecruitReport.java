@@ -5,11 +5,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.Locale;
-import org.dfra.app.demo.map.Happenings;
-import org.dfra.app.demo.recruit.Chronicle.Event;
-import org.dfra.app.demo.recruit.Conversations.Told;
-import org.dfra.app.figure.Figures;
-import org.dfra.app.figure.ReportHead;
+import org.dfra.app.demo.map.MissionEventList;
+import org.dfra.app.demo.recruit.Conversations.Attempt;
+import org.dfra.app.demo.recruit.DemoTimeline.Event;
+import org.dfra.app.measurement.ReportHead;
+import org.dfra.app.measurement.RunMeasurements;
 import org.dfra.app.plot.HtmlReport;
 import org.dfra.app.plot.Page;
 import org.dfra.geometry.LocalPosition;
@@ -17,16 +17,17 @@ import org.dfra.geometry.LocalPosition;
 /** Writes what was done, said and felt: one file, and each of its figures beside it as SVG. */
 final class RecruitReport {
 
-  private final Chronicle chronicle;
-  private final RecruitFigures figures;
+  private final DemoTimeline chronicle;
+  private final RecruitCharts figures;
   private final double speed;
-  private final Figures measured;
+  private final RunMeasurements measured;
 
   /**
    * @param speed seconds of the robots' time in a second
    * @param measured what decides how well it went
    */
-  RecruitReport(Chronicle chronicle, RecruitFigures figures, double speed, Figures measured) {
+  RecruitReport(
+      DemoTimeline chronicle, RecruitCharts figures, double speed, RunMeasurements measured) {
     this.chronicle = chronicle;
     this.figures = figures;
     this.speed = speed;
@@ -49,7 +50,7 @@ final class RecruitReport {
                 + " agent ran in a process of its own. All times are seconds of the robots' time"
                 + " since the demonstration began, which passed %s times as fast as time does.",
             speed));
-    Happenings.list(chronicle.events().stream().map(Event::mark).toList(), report);
+    MissionEventList.addTo(chronicle.events().stream().map(Event::mark).toList(), report);
     report.heading("Where they went");
     add(
         folder.resolve("map.svg"),
@@ -66,8 +67,8 @@ final class RecruitReport {
                 + " A message to all has an arrow to each. ACCEPT tells how long the robot would"
                 + " take, ARRIVAL for how long it can stay. Who does not come is replaced in a"
                 + " second attempt.");
-    for (Told each : chronicle.conversations()) {
-      LocalPosition at = chronicle.place(each.asked().place());
+    for (Attempt each : chronicle.conversations()) {
+      LocalPosition at = chronicle.place(each.asked().position());
       add(
           folder.resolve(each.file() + ".svg"),
           report,

@@ -1,12 +1,12 @@
 package org.dfra.app.demo.recruit;
 
 import java.time.Duration;
-import org.dfra.app.demo.stage.Checks;
-import org.dfra.app.demo.stage.Narration;
+import org.dfra.app.demo.harness.DemoAssertions;
+import org.dfra.app.demo.harness.ProgressReporter;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.FlightCommand.Arm;
 import org.dfra.flow.effector.FlightCommand.GoTo;
-import org.dfra.flow.effector.FlightCommand.ReturnHome;
+import org.dfra.flow.effector.FlightCommand.ReturnToLaunch;
 import org.dfra.flow.effector.FlightCommand.TakeOff;
 import org.dfra.flow.effector.FlightEffector;
 import org.dfra.flow.effector.FlightState;
@@ -18,7 +18,7 @@ import org.dfra.geometry.LocalPosition;
 /** A robot that looks from above, and stays over what somebody should look at from near. */
 final class Scout implements AutoCloseable {
 
-  private static final Duration PATIENCE = Calls.PATIENCE;
+  private static final Duration PATIENCE = HelpRequester.PATIENCE;
 
   /** After which it holds its place if this process dies. */
   private static final Duration LEASE = Duration.ofSeconds(10);
@@ -27,7 +27,7 @@ final class Scout implements AutoCloseable {
   private static final double SPEED = 4; // metres per second
   private static final double NEAR = 1; // metres: it is there
 
-  private final Narration tell;
+  private final ProgressReporter tell;
   private final String robot;
   private final FlightEffector flight;
   private final LocalFrame frame;
@@ -38,19 +38,23 @@ final class Scout implements AutoCloseable {
    *
    * @param frame the world's
    */
-  Scout(Narration tell, String robot, FlightEffector flight, LocalFrame frame) throws Exception {
+  Scout(ProgressReporter tell, String robot, FlightEffector flight, LocalFrame frame)
+      throws Exception {
     this.tell = tell;
     this.robot = robot;
     this.flight = flight;
     this.frame = frame;
     tell.step("having " + robot + " take off");
-    Checks.await(
-        "that " + robot + " knows where it is", PATIENCE, () -> flight.flight().position() != null);
-    this.lease = flight.command(LEASE);
-    flight.obey(lease.key(), new Arm());
-    Checks.await("that its motors turn", PATIENCE, () -> flight.flight().isArmed());
-    flight.obey(lease.key(), new TakeOff(HEIGHT));
-    Checks.await("that it flies", PATIENCE, () -> flight.flight().phase() == Phase.IN_AIR);
+    DemoAssertions.await(
+        "that " + robot + " knows where it is",
+        PATIENCE,
+        () -> flight.flightState().position() != null);
+    this.lease = flight.acquireCommandLease(LEASE);
+    flight.execute(lease.key(), new Arm());
+    DemoAssertions.await("that its motors turn", PATIENCE, () -> flight.flightState().isArmed());
+    flight.execute(lease.key(), new TakeOff(HEIGHT));
+    DemoAssertions.await(
+        "that it flies", PATIENCE, () -> flight.flightState().phase() == Phase.IN_AIR);
     tell.say("%s takes off, and flies %.0f m above the field.", robot, HEIGHT);
   }
 
@@ -59,15 +63,15 @@ final class Scout implements AutoCloseable {
     LocalPosition on = frame.toLocal(place);
     tell.step("flying " + robot + " over what it has seen");
     LocalPosition above = new LocalPosition(on.east(), on.north(), HEIGHT);
-    flight.obey(lease.key(), new GoTo(frame.toGeo(above), SPEED));
-    Checks.await("that " + robot + " is there", PATIENCE, () -> isOver(on));
+    flight.execute(lease.key(), new GoTo(frame.toGeo(above), SPEED));
+    DemoAssertions.await("that " + robot + " is there", PATIENCE, () -> isOver(on));
     tell.say(
         "%s hovers over something %.0f m east and %.0f m north; from above a mine is like a stone.",
         robot, on.east(), on.north());
   }
 
   private boolean isOver(LocalPosition place) throws Exception {
-    FlightState state = flight.flight();
+    FlightState state = flight.flightState();
     if (state.position() == null) {
       return false;
     }
@@ -78,11 +82,11 @@ final class Scout implements AutoCloseable {
   /** Flies back, and lands. */
   void land() throws Exception {
     tell.step("having " + robot + " land");
-    flight.obey(lease.key(), new ReturnHome());
-    Checks.await(
+    flight.execute(lease.key(), new ReturnToLaunch());
+    DemoAssertions.await(
         "that " + robot + " has landed",
         PATIENCE,
-        () -> flight.flight().phase() == Phase.ON_GROUND && !flight.flight().isArmed());
+        () -> flight.flightState().phase() == Phase.ON_GROUND && !flight.flightState().isArmed());
     tell.say("%s is back where it took off.", robot);
   }
 

@@ -27,13 +27,13 @@ record Snapshot(Instant began, Instant time, List<Robot> robots, @Nullable CallS
   }
 
   /** What can become of a robot that its own modules do not tell. */
-  enum Fate {
+  enum Availability {
     /** Not seen yet. */
     ABSENT,
     /** At work. */
     PRESENT,
     /** Its agent hears and says nothing. */
-    CUT_OFF,
+    UNREACHABLE,
     /** Nothing of it is left but a stopped vehicle. */
     DEAD
   }
@@ -51,7 +51,7 @@ record Snapshot(Instant began, Instant time, List<Robot> robots, @Nullable CallS
    */
   record Robot(
       String name,
-      Fate fate,
+      Availability fate,
       boolean isFlying,
       @Nullable RecruitmentStatus agent,
       @Nullable BehaviorStatus search,

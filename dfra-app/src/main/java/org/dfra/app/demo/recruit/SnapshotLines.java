@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.Locale;
 import org.dfra.agent.RecruitmentStatus;
 import org.dfra.agent.RequesterPhase;
-import org.dfra.app.demo.recruit.Snapshot.Fate;
+import org.dfra.app.demo.harness.QuantityText;
+import org.dfra.app.demo.recruit.Snapshot.Availability;
 import org.dfra.app.demo.recruit.Snapshot.Robot;
-import org.dfra.app.demo.stage.Wording;
-import org.dfra.app.terminal.Words;
+import org.dfra.app.terminal.TextWrap;
 import org.dfra.behavior.BehaviorStatus;
 import org.jspecify.annotations.Nullable;
 
@@ -55,14 +55,14 @@ final class SnapshotLines {
   }
 
   private void sentence(String text, int columns) {
-    lines.addAll(Words.hanging(text, columns, INDENT.length()));
+    lines.addAll(TextWrap.hangingIndent(text, columns, INDENT.length()));
   }
 
   private void row(Robot robot) {
     switch (robot.fate()) {
       case DEAD -> row(robot.name(), "dead", "", "", "", "", "");
       case ABSENT -> row(robot.name(), UNKNOWN, UNKNOWN, UNKNOWN, "", "", charge(robot));
-      case PRESENT, CUT_OFF ->
+      case PRESENT, UNREACHABLE ->
           row(
               robot.name(),
               does(robot),
@@ -97,8 +97,8 @@ final class SnapshotLines {
   /** What a robot does, of all that is told of it the most urgent. */
   private static String does(Robot robot) {
     RecruitmentStatus agent = robot.agent();
-    if (agent != null && agent.responder().isCommitted()) {
-      return switch (agent.responder()) {
+    if (agent != null && agent.responderPhase().isCommitted()) {
+      return switch (agent.responderPhase()) {
         case TRAVELLING -> "on its way";
         case LEASED -> "observing";
         default -> "there";
@@ -111,7 +111,7 @@ final class SnapshotLines {
     if (search == null) {
       return "waiting";
     }
-    long percent = (long) Math.floor(100 * search.done() + 1e-9);
+    long percent = (long) Math.floor(100 * search.completion() + 1e-9);
     return switch (search.phase()) {
       case RUNNING -> "searching, " + percent + " %";
       case PAUSED -> "paused, " + percent + " %";
@@ -123,28 +123,28 @@ final class SnapshotLines {
   }
 
   private static String recruitment(Robot robot) {
-    if (robot.fate() == Fate.CUT_OFF) {
+    if (robot.fate() == Availability.UNREACHABLE) {
       return "cannot be reached";
     }
     RecruitmentStatus agent = robot.agent();
     if (agent == null) {
       return "idle";
-    } else if (agent.responder().isCommitted()) {
-      return "responds to " + name(agent.helped());
+    } else if (agent.responderPhase().isCommitted()) {
+      return "responds to " + name(agent.helpedRobot());
     }
-    return switch (agent.responder()) {
-      case OFFERED -> "offers to " + name(agent.helped());
+    return switch (agent.responderPhase()) {
+      case OFFERED -> "offers to " + name(agent.helpedRobot());
       default -> requesting(agent);
     };
   }
 
   private static String requesting(RecruitmentStatus agent) {
-    if (agent.requester() == RequesterPhase.IDLE) {
+    if (agent.requesterPhase() == RequesterPhase.IDLE) {
       return "idle";
-    } else if (agent.requester() == RequesterPhase.DONE) {
-      return "helped by " + name(agent.helper());
+    } else if (agent.requesterPhase() == RequesterPhase.BEING_HELPED) {
+      return "helped by " + name(agent.helperRobot());
     }
-    return agent.helper() == null ? "requests" : "awaits " + agent.helper();
+    return agent.helperRobot() == null ? "requests" : "awaits " + agent.helperRobot();
   }
 
   private static String name(@Nullable String robot) {
@@ -184,7 +184,7 @@ final class SnapshotLines {
     if (!call.lost().isEmpty()) {
       text.append(", ").append(String.join(" and ", call.lost())).append(" lost");
     }
-    text.append("; HELP sent ").append(Wording.count(call.rounds(), "time"));
-    return text.append(", ").append(Wording.count(call.letters(), "letter")).toString();
+    text.append("; HELP sent ").append(QuantityText.count(call.rounds(), "time"));
+    return text.append(", ").append(QuantityText.count(call.messages(), "letter")).toString();
   }
 }

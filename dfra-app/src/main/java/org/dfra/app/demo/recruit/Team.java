@@ -8,15 +8,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
-import org.dfra.app.demo.stage.FieldRobot;
-import org.dfra.app.demo.stage.Host;
-import org.dfra.app.demo.stage.Stage;
+import org.dfra.app.demo.harness.DemoEnvironment;
+import org.dfra.app.demo.harness.DemoRobot;
+import org.dfra.app.demo.harness.Host;
 import org.dfra.core.config.GroupDescription;
 import org.dfra.core.config.RobotDescription;
-import org.dfra.core.robot.Ending;
+import org.dfra.core.robot.ResourceCloser;
 import org.dfra.river.bootstrap.EmbeddedRobot;
 import org.dfra.river.bootstrap.RobotBootstrap;
-import org.dfra.sim.run.SimulatedLine;
+import org.dfra.sim.run.DeviceEndpoint;
 import org.dfra.sim.run.Simulation;
 
 /**
@@ -31,7 +31,7 @@ final class Team implements AutoCloseable {
   /** Name of the service group that holds a robot's agent. */
   static final String AGENT = "agent";
 
-  private final Stage stage;
+  private final DemoEnvironment stage;
   private final Host host;
   private final List<String> locators;
   private final Map<String, RobotDescription> bodies = new LinkedHashMap<>();
@@ -39,20 +39,25 @@ final class Team implements AutoCloseable {
   private final Map<String, EmbeddedRobot> running = new LinkedHashMap<>();
 
   /** Reads the descriptions of the robots of that world; nothing is started. */
-  Team(Stage stage, Simulation simulation, List<String> names) throws IOException {
+  Team(DemoEnvironment stage, Simulation simulation, List<String> names) throws IOException {
     this.stage = stage;
     this.host = stage.host("agents");
     Map<String, RobotDescription> written = new LinkedHashMap<>();
     for (String name : names) {
       Map<String, String> links =
-          simulation.lines().stream()
+          simulation.endpoints().stream()
               .filter(each -> each.robot().equals(name))
-              .collect(Collectors.toMap(SimulatedLine::device, SimulatedLine::link));
-      written.put(name, FieldRobot.describe(FOLDER.resolve(name + ".xml"), name, links));
+              .collect(Collectors.toMap(DeviceEndpoint::device, DeviceEndpoint::link));
+      written.put(name, DemoRobot.describe(FOLDER.resolve(name + ".xml"), name, links));
     }
     this.locators =
         written.values().stream()
-            .map(each -> "jini://" + Stage.ADDRESS + ":" + each.registrar().orElseThrow().port())
+            .map(
+                each ->
+                    "jini://"
+                        + DemoEnvironment.ADDRESS
+                        + ":"
+                        + each.registrar().orElseThrow().port())
             .toList();
     written.forEach(
         (name, robot) -> {
@@ -82,7 +87,7 @@ final class Team implements AutoCloseable {
     }
     ProcessHandle unused = host.startPhoenix();
     for (RobotDescription each : agents.values()) {
-      List<RobotBootstrap.Service> up = new RobotBootstrap(host.phoenix(), each).up();
+      List<RobotBootstrap.ServiceReference> up = new RobotBootstrap(host.phoenix(), each).up();
       if (up.isEmpty()) {
         throw new IOException(each.source() + ": robot " + each.name() + " has no group " + AGENT);
       }
@@ -110,7 +115,7 @@ final class Team implements AutoCloseable {
   }
 
   /** A robot dies on its way: its agent is killed, and its modules and its registrar are gone. */
-  void die(String robot) throws IOException, InterruptedException {
+  void kill(String robot) throws IOException, InterruptedException {
     signal("KILL", robot);
     EmbeddedRobot body = running.remove(robot);
     if (body != null) {
@@ -121,10 +126,10 @@ final class Team implements AutoCloseable {
   /** {@inheritDoc} The agents end with the stage. */
   @Override
   public void close() throws IOException {
-    Ending ending = new Ending("the team");
+    ResourceCloser ending = new ResourceCloser("the team");
     List<EmbeddedRobot> robots = new ArrayList<>(running.values());
     running.clear();
-    robots.forEach(ending::end);
-    ending.orThrow();
+    robots.forEach(ending::close);
+    ending.throwIfFailed();
   }
 }

@@ -12,28 +12,28 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
-import org.dfra.app.demo.stage.FieldRobot;
-import org.dfra.app.demo.stage.Stage;
-import org.dfra.app.figure.Figures;
-import org.dfra.app.raster.Flight;
+import org.dfra.app.demo.harness.DemoEnvironment;
+import org.dfra.app.demo.harness.DemoRobot;
+import org.dfra.app.measurement.RunMeasurements;
 import org.dfra.app.raster.Mission;
 import org.dfra.app.raster.MissionListener;
+import org.dfra.app.raster.MissionResult;
 import org.dfra.app.raster.Scenario;
-import org.dfra.app.raster.live.Arrival;
-import org.dfra.app.raster.live.Searching;
-import org.dfra.app.raster.live.ToldTime;
-import org.dfra.app.raster.live.Trouble;
-import org.dfra.app.raster.live.Watch;
+import org.dfra.app.raster.monitor.AnnouncedTime;
+import org.dfra.app.raster.monitor.InjectedFault;
+import org.dfra.app.raster.monitor.MissionMonitor;
+import org.dfra.app.raster.monitor.RobotStartup;
+import org.dfra.app.raster.monitor.SearchingRobot;
 import org.dfra.core.config.RobotDescription;
-import org.dfra.core.robot.Ending;
+import org.dfra.core.robot.ResourceCloser;
 import org.dfra.core.time.RobotTime;
 import org.dfra.core.time.ScaledTime;
 import org.dfra.directory.ModuleDirectory;
 import org.dfra.river.bootstrap.EmbeddedRobot;
 import org.dfra.river.lookup.JiniModuleDirectory;
-import org.dfra.sim.run.SimulatedLine;
+import org.dfra.sim.run.DeviceEndpoint;
 import org.dfra.sim.run.Simulation;
-import org.dfra.sim.run.Simulation.Ports;
+import org.dfra.sim.run.Simulation.PortPolicy;
 
 /**
  * A search in one virtual machine, with a real lookup service for each robot: modules are exported,
@@ -49,8 +49,8 @@ public final class EmbeddedMission implements Mission {
   private final double speed;
   private final Duration longest;
   private final UnaryOperator<RobotDescription> adapt;
-  private final List<Trouble<EmbeddedRobot>> troubles;
-  private final Figures figures;
+  private final List<InjectedFault<EmbeddedRobot>> troubles;
+  private final RunMeasurements figures;
 
   /**
    * The registrar of the last robot is ended on the way and comes back; those of the others are
@@ -67,8 +67,8 @@ public final class EmbeddedMission implements Mission {
       double speed,
       Duration longest,
       UnaryOperator<RobotDescription> adapt,
-      Figures figures) {
-    this(scenario, speed, longest, adapt, usualTroubles(scenario.robots().size()), figures);
+      RunMeasurements figures) {
+    this(scenario, speed, longest, adapt, defaultFaults(scenario.robots().size()), figures);
   }
 
   /** The same with other troubles. */
@@ -77,8 +77,8 @@ public final class EmbeddedMission implements Mission {
       double speed,
       Duration longest,
       UnaryOperator<RobotDescription> adapt,
-      List<Trouble<EmbeddedRobot>> troubles,
-      Figures figures) {
+      List<InjectedFault<EmbeddedRobot>> troubles,
+      RunMeasurements figures) {
     this.scenario = scenario;
     this.speed = speed;
     this.longest = longest;
@@ -87,12 +87,12 @@ public final class EmbeddedMission implements Mission {
     this.figures = figures;
   }
 
-  private static List<Trouble<EmbeddedRobot>> usualTroubles(int robots) {
-    List<Trouble<EmbeddedRobot>> troubles = new ArrayList<>();
+  private static List<InjectedFault<EmbeddedRobot>> defaultFaults(int robots) {
+    List<InjectedFault<EmbeddedRobot>> troubles = new ArrayList<>();
     for (int i = 0; i < robots - 1; i++) {
-      troubles.add(new LostRegistrar(i, 0.5, LostRegistrar.FOR_GOOD));
+      troubles.add(new RegistrarOutage(i, 0.5, RegistrarOutage.NEVER));
     }
-    troubles.add(new LostRegistrar(robots - 1, 0.2, 0.7));
+    troubles.add(new RegistrarOutage(robots - 1, 0.2, 0.7));
     return troubles;
   }
 
@@ -102,13 +102,14 @@ public final class EmbeddedMission implements Mission {
   }
 
   @Override
-  public Flight run(MissionListener listener) throws Exception {
-    try (ToldTime time = new ToldTime()) {
+  public MissionResult run(MissionListener listener) throws Exception {
+    try (AnnouncedTime time = new AnnouncedTime()) {
       Instant now = Instant.now().truncatedTo(ChronoUnit.MILLIS);
-      time.tell(speed == 1 ? RobotTime.REAL : new ScaledTime(speed, now).onThisComputer());
+      time.set(speed == 1 ? RobotTime.REAL : new ScaledTime(speed, now).toHostText());
       InstantSource clock = RobotTime.clock();
-      try (Simulation simulation = Simulation.overTcp(scenario.world(), clock, Ports.ANY);
-          Team team = new Team()) {
+      try (Simulation simulation =
+              Simulation.overTcp(scenario.world(), clock, PortPolicy.EPHEMERAL);
+          RunningRobots team = new RunningRobots()) {
         simulation.start();
         return run(simulation, clock, team, listener);
       }
@@ -116,7 +117,7 @@ public final class EmbeddedMission implements Mission {
   }
 
   /** Robots that were started; the last ends first. */
-  private static final class Team implements AutoCloseable {
+  private static final class RunningRobots implements AutoCloseable {
     private final Deque<EmbeddedRobot> robots = new ArrayDeque<>();
 
     EmbeddedRobot start(RobotDescription description) throws IOException {
@@ -128,47 +129,53 @@ public final class EmbeddedMission implements Mission {
 
     @Override
     public void close() throws IOException {
-      Ending ending = new Ending("the team");
+      ResourceCloser ending = new ResourceCloser("the team");
       while (!robots.isEmpty()) {
-        ending.end(robots.pop());
+        ending.close(robots.pop());
       }
-      ending.orThrow();
+      ending.throwIfFailed();
     }
   }
 
-  private Flight run(
-      Simulation simulation, InstantSource clock, Team team, MissionListener listener)
+  private MissionResult run(
+      Simulation simulation, InstantSource clock, RunningRobots team, MissionListener listener)
       throws Exception {
     List<RobotDescription> descriptions = new ArrayList<>();
     for (int i = 0; i < scenario.robots().size(); i++) {
       String name = scenario.world().vehicles().get(i).name();
       Map<String, String> links = links(simulation, name);
-      descriptions.add(adapt.apply(FieldRobot.describe(scenario.robots().get(i), name, links)));
+      descriptions.add(adapt.apply(DemoRobot.describe(scenario.robots().get(i), name, links)));
     }
     List<String> locators =
         descriptions.stream()
-            .map(each -> "jini://" + Stage.ADDRESS + ":" + each.registrar().orElseThrow().port())
+            .map(
+                each ->
+                    "jini://"
+                        + DemoEnvironment.ADDRESS
+                        + ":"
+                        + each.registrar().orElseThrow().port())
             .toList();
     List<EmbeddedRobot> robots = new ArrayList<>();
     for (RobotDescription each : descriptions) {
-      robots.add(team.start(each.among(locators)));
+      robots.add(team.start(each.withRegistrars(locators)));
     }
-    try (ModuleDirectory directory = new JiniModuleDirectory(Stage.ADDRESS, List.of(), locators)) {
-      List<Searching<EmbeddedRobot>> searching = new ArrayList<>();
+    try (ModuleDirectory directory =
+        new JiniModuleDirectory(DemoEnvironment.ADDRESS, List.of(), locators)) {
+      List<SearchingRobot<EmbeddedRobot>> searching = new ArrayList<>();
       for (int i = 0; i < robots.size(); i++) {
         EmbeddedRobot robot = robots.get(i);
-        Arrival.await(directory, robot.description());
-        searching.add(Searching.of(robot.name(), robot, scenario.plan(i), directory));
+        RobotStartup.awaitReady(directory, robot.description());
+        searching.add(SearchingRobot.connect(robot.name(), robot, scenario.plan(i), directory));
       }
       SimulatedTruth truth = new SimulatedTruth(simulation.world(), clock);
-      return new Watch<>(scenario, truth, clock, speed, searching, figures, listener)
+      return new MissionMonitor<>(scenario, truth, clock, speed, searching, figures, listener)
           .run(troubles, longest);
     }
   }
 
   private static Map<String, String> links(Simulation simulation, String robot) {
-    return simulation.lines().stream()
+    return simulation.endpoints().stream()
         .filter(each -> each.robot().equals(robot))
-        .collect(Collectors.toMap(SimulatedLine::device, SimulatedLine::link));
+        .collect(Collectors.toMap(DeviceEndpoint::device, DeviceEndpoint::link));
   }
 }

@@ -4,10 +4,10 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.List;
-import org.dfra.app.raster.live.TrueWay;
-import org.dfra.app.raster.live.TruthSource;
+import org.dfra.app.raster.monitor.TrueTrajectory;
+import org.dfra.app.raster.monitor.TruthSource;
 import org.dfra.sim.world.Collision;
-import org.dfra.sim.world.Truth;
+import org.dfra.sim.world.GroundTruth;
 import org.dfra.sim.world.World;
 
 /**
@@ -18,7 +18,7 @@ final class SimulatedTruth implements TruthSource {
 
   private static final Duration PERIOD = Duration.ofMillis(10);
 
-  private final Truth truth;
+  private final GroundTruth truth;
   private final InstantSource clock;
   private Instant next;
 
@@ -26,14 +26,14 @@ final class SimulatedTruth implements TruthSource {
    * @param clock by which the world goes
    */
   SimulatedTruth(World world, InstantSource clock) {
-    this.truth = world.truth();
+    this.truth = world.groundTruth();
     this.clock = clock;
     this.next = clock.instant();
   }
 
   /** Asks for no time to come: devices would be late then. */
   @Override
-  public void readOn(TrueWay way) {
+  public void readNew(TrueTrajectory way) {
     Instant now = clock.instant();
     for (; !next.isAfter(now); next = next.plus(PERIOD)) {
       truth.poses(next).forEach(way::add);

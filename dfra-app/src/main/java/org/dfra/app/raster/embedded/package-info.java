@@ -8,7 +8,7 @@
  * </pre>
  *
  * <p>Enter at {@link org.dfra.app.raster.embedded.EmbeddedMission}; {@link
- * org.dfra.app.raster.live} follows the robots.
+ * org.dfra.app.raster.monitor} follows the robots.
  */
 @NullMarked
 package org.dfra.app.raster.embedded;

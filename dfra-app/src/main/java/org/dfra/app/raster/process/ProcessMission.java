@@ -12,20 +12,20 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.function.UnaryOperator;
-import org.dfra.app.demo.stage.FieldRobot;
-import org.dfra.app.demo.stage.SimulatedField;
-import org.dfra.app.demo.stage.Stage;
-import org.dfra.app.figure.Figures;
-import org.dfra.app.raster.Flight;
+import org.dfra.app.demo.harness.DemoEnvironment;
+import org.dfra.app.demo.harness.DemoRobot;
+import org.dfra.app.demo.harness.SimulationProcess;
+import org.dfra.app.measurement.RunMeasurements;
 import org.dfra.app.raster.Mission;
 import org.dfra.app.raster.MissionListener;
+import org.dfra.app.raster.MissionResult;
 import org.dfra.app.raster.Scenario;
-import org.dfra.app.raster.live.Arrival;
-import org.dfra.app.raster.live.Searching;
-import org.dfra.app.raster.live.ToldTime;
-import org.dfra.app.raster.live.Trouble;
-import org.dfra.app.raster.live.Watch;
-import org.dfra.app.terminal.Sentences;
+import org.dfra.app.raster.monitor.AnnouncedTime;
+import org.dfra.app.raster.monitor.InjectedFault;
+import org.dfra.app.raster.monitor.MissionMonitor;
+import org.dfra.app.raster.monitor.RobotStartup;
+import org.dfra.app.raster.monitor.SearchingRobot;
+import org.dfra.app.terminal.ConsoleMessages;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.core.time.RobotTime;
 import org.dfra.directory.ModuleDirectory;
@@ -49,8 +49,8 @@ public final class ProcessMission implements Mission {
   private final double speed;
   private final Duration longest;
   private final UnaryOperator<RobotDescription> adapt;
-  private final List<Trouble<FieldRobot>> troubles;
-  private final Figures figures;
+  private final List<InjectedFault<DemoRobot>> troubles;
+  private final RunMeasurements figures;
 
   /**
    * @param scenario what is searched; its world's seed counts, the rest of that world is as written
@@ -68,8 +68,8 @@ public final class ProcessMission implements Mission {
       Duration longest,
       UnaryOperator<RobotDescription> adapt,
       boolean troubled,
-      Figures figures) {
-    this(scenario, world, speed, longest, adapt, troubled ? usualTroubles() : List.of(), figures);
+      RunMeasurements figures) {
+    this(scenario, world, speed, longest, adapt, troubled ? defaultFaults() : List.of(), figures);
     if (troubled && scenario.robots().size() < 2) {
       throw new IllegalArgumentException(
           "processes are killed of two robots, and there is " + scenario.robots().size());
@@ -83,8 +83,8 @@ public final class ProcessMission implements Mission {
       double speed,
       Duration longest,
       UnaryOperator<RobotDescription> adapt,
-      List<Trouble<FieldRobot>> troubles,
-      Figures figures) {
+      List<InjectedFault<DemoRobot>> troubles,
+      RunMeasurements figures) {
     this.scenario = scenario;
     this.world = world;
     this.speed = speed;
@@ -94,11 +94,13 @@ public final class ProcessMission implements Mission {
     this.figures = figures;
   }
 
-  private static List<Trouble<FieldRobot>> usualTroubles() {
-    Trouble<FieldRobot> receiver = new KilledReceiver(0, "gps_front", 0.1);
-    Trouble<FieldRobot> navigation = new KilledOnLane(0, "navigation", 0.3, true, receiver);
-    Trouble<FieldRobot> drive = new KilledOnLane(0, "drive", 0.6, false, navigation);
-    return List.of(receiver, navigation, drive, new CutOff(1, 0.2, 0.7, Trouble.none()));
+  private static List<InjectedFault<DemoRobot>> defaultFaults() {
+    InjectedFault<DemoRobot> receiver = new ReceiverProcessKill(0, "gps_front", 0.1);
+    InjectedFault<DemoRobot> navigation =
+        new ProcessKillOnLane(0, "navigation", 0.3, true, receiver);
+    InjectedFault<DemoRobot> drive = new ProcessKillOnLane(0, "drive", 0.6, false, navigation);
+    return List.of(
+        receiver, navigation, drive, new PhoenixOutage(1, 0.2, 0.7, InjectedFault.none()));
   }
 
   @Override
@@ -107,13 +109,13 @@ public final class ProcessMission implements Mission {
   }
 
   @Override
-  public Flight run(MissionListener listener) throws Exception {
-    try (ToldTime time = new ToldTime();
-        Stage stage = new Stage()) {
+  public MissionResult run(MissionListener listener) throws Exception {
+    try (AnnouncedTime time = new AnnouncedTime();
+        DemoEnvironment stage = new DemoEnvironment()) {
       Thread end = new Thread(() -> closeAtTheEnd(stage), "mission-end");
       Runtime.getRuntime().addShutdownHook(end);
       try {
-        Flight flight = run(stage, time, listener);
+        MissionResult flight = run(stage, time, listener);
         Runtime.getRuntime().removeShutdownHook(end);
         return flight;
       } catch (InterruptedException e) {
@@ -126,52 +128,56 @@ public final class ProcessMission implements Mission {
     }
   }
 
-  private static void closeAtTheEnd(Stage stage) {
+  private static void closeAtTheEnd(DemoEnvironment stage) {
     try {
       stage.close();
     } catch (IOException e) {
-      System.err.println(Sentences.remark(String.valueOf(e.getMessage())));
+      System.err.println(ConsoleMessages.prefixed(String.valueOf(e.getMessage())));
     }
   }
 
-  private Flight run(Stage stage, ToldTime time, MissionListener listener) throws Exception {
-    SimulatedField field =
-        SimulatedField.start(
+  private MissionResult run(DemoEnvironment stage, AnnouncedTime time, MissionListener listener)
+      throws Exception {
+    SimulationProcess field =
+        SimulationProcess.start(
             stage, world, List.of("--seed=" + scenario.world().seed(), "--speed=" + speed));
-    time.tell(field.beginning().time());
-    List<FieldRobot> robots = bringUp(stage, field);
-    List<String> locators = robots.stream().map(FieldRobot::locator).toList();
-    try (ModuleDirectory directory = new JiniModuleDirectory(Stage.ADDRESS, List.of(), locators);
+    time.set(field.startMessage().dfraTime());
+    List<DemoRobot> robots = bringUp(stage, field);
+    List<String> locators = robots.stream().map(DemoRobot::locator).toList();
+    try (ModuleDirectory directory =
+            new JiniModuleDirectory(DemoEnvironment.ADDRESS, List.of(), locators);
         TruthFile truth = new TruthFile(field)) {
-      List<Searching<FieldRobot>> searching = new ArrayList<>();
+      List<SearchingRobot<DemoRobot>> searching = new ArrayList<>();
       for (int i = 0; i < robots.size(); i++) {
-        FieldRobot robot = robots.get(i);
-        Arrival.await(directory, robot.description());
-        searching.add(Searching.of(robot.name(), robot, scenario.plan(i), directory));
+        DemoRobot robot = robots.get(i);
+        RobotStartup.awaitReady(directory, robot.description());
+        searching.add(SearchingRobot.connect(robot.name(), robot, scenario.plan(i), directory));
       }
-      Flight flight =
-          new Watch<>(scenario, truth, RobotTime.clock(), speed, searching, figures, listener)
+      MissionResult flight =
+          new MissionMonitor<>(
+                  scenario, truth, RobotTime.clock(), speed, searching, figures, listener)
               .run(troubles, longest);
       stage.shutDown();
       return flight;
     }
   }
 
-  private List<FieldRobot> bringUp(Stage stage, SimulatedField field) throws Exception {
-    List<FieldRobot> strangers = new ArrayList<>();
+  private List<DemoRobot> bringUp(DemoEnvironment stage, SimulationProcess field) throws Exception {
+    List<DemoRobot> strangers = new ArrayList<>();
     for (int i = 0; i < scenario.robots().size(); i++) {
       VehicleDescription vehicle = scenario.world().vehicles().get(i);
       Map<String, String> links = field.links(vehicle.name());
-      strangers.add(FieldRobot.of(stage, scenario.robots().get(i), vehicle.name(), links, adapt));
+      strangers.add(DemoRobot.of(stage, scenario.robots().get(i), vehicle.name(), links, adapt));
     }
-    List<String> registrars = strangers.stream().map(FieldRobot::locator).toList();
-    List<FieldRobot> robots = strangers.stream().map(each -> each.among(registrars)).toList();
+    List<String> registrars = strangers.stream().map(DemoRobot::locator).toList();
+    List<DemoRobot> robots =
+        strangers.stream().map(each -> each.withRegistrars(registrars)).toList();
     ExecutorService threads = Executors.newFixedThreadPool(robots.size());
     try {
-      List<Callable<List<RobotBootstrap.Service>>> tasks = new ArrayList<>();
+      List<Callable<List<RobotBootstrap.ServiceReference>>> tasks = new ArrayList<>();
       robots.forEach(each -> tasks.add(each::bringUp));
-      for (Future<List<RobotBootstrap.Service>> each : threads.invokeAll(tasks)) {
-        List<RobotBootstrap.Service> unused = each.get();
+      for (Future<List<RobotBootstrap.ServiceReference>> each : threads.invokeAll(tasks)) {
+        List<RobotBootstrap.ServiceReference> unused = each.get();
       }
     } catch (ExecutionException e) {
       @Nullable Throwable why = e.getCause();
@@ -180,7 +186,7 @@ public final class ProcessMission implements Mission {
     } finally {
       threads.shutdownNow();
     }
-    for (FieldRobot each : robots) {
+    for (DemoRobot each : robots) {
       var unused = each.host().groups(); // their processes are ended whatever becomes of phoenix
     }
     return robots;

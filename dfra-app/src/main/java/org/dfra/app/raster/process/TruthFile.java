@@ -6,11 +6,11 @@ import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
 import java.time.Instant;
 import java.util.List;
-import org.dfra.app.demo.stage.SimulatedField;
-import org.dfra.app.raster.live.TrueWay;
-import org.dfra.app.raster.live.TruthSource;
+import org.dfra.app.demo.harness.SimulationProcess;
+import org.dfra.app.raster.monitor.TrueTrajectory;
+import org.dfra.app.raster.monitor.TruthSource;
 import org.dfra.sim.world.Collision;
-import org.dfra.sim.world.TruePose;
+import org.dfra.sim.world.GroundTruthPose;
 
 /**
  * Where robots truly are, read from the file that a simulation in another process is writing: a
@@ -20,17 +20,17 @@ final class TruthFile implements TruthSource, Closeable {
 
   private static final int COLUMNS = 9;
 
-  private final SimulatedField simulation;
+  private final SimulationProcess simulation;
   private final RandomAccessFile file;
   private String rest = ""; // a line that is not yet whole
 
-  TruthFile(SimulatedField simulation) throws IOException {
+  TruthFile(SimulationProcess simulation) throws IOException {
     this.simulation = simulation;
     this.file = new RandomAccessFile(simulation.truth().toFile(), "r");
   }
 
   @Override
-  public void readOn(TrueWay way) throws IOException {
+  public void readNew(TrueTrajectory way) throws IOException {
     if (!simulation.isAlive()) {
       throw new IOException("the simulated world has ended; see simulation.log");
     }
@@ -46,7 +46,7 @@ final class TruthFile implements TruthSource, Closeable {
     rest = text.substring(begin);
   }
 
-  private static void take(String line, TrueWay way) {
+  private static void take(String line, TrueTrajectory way) {
     String[] cells = line.strip().split(",", -1);
     if (cells.length == COLUMNS && !cells[0].equals("time")) {
       double[] number = new double[COLUMNS];
@@ -55,7 +55,7 @@ final class TruthFile implements TruthSource, Closeable {
       }
       way.add(
           cells[1],
-          new TruePose(
+          new GroundTruthPose(
               Instant.parse(cells[0]),
               number[2],
               number[3],

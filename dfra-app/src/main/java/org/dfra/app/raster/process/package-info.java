@@ -7,8 +7,8 @@
  *   robots' groups &lt;--kill -9-- troubles &lt;--every moment--'
  * </pre>
  *
- * <p>Enter at {@link org.dfra.app.raster.process.ProcessMission}; {@link org.dfra.app.raster.live}
- * follows the robots.
+ * <p>Enter at {@link org.dfra.app.raster.process.ProcessMission}; {@link
+ * org.dfra.app.raster.monitor} follows the robots.
  */
 @NullMarked
 package org.dfra.app.raster.process;

@@ -9,11 +9,11 @@ import java.util.Map;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import org.dfra.core.robot.Ending;
-import org.dfra.recruit.experiment.Cell;
+import org.dfra.core.robot.ResourceCloser;
 import org.dfra.recruit.experiment.CellResult;
 import org.dfra.recruit.experiment.Experiment;
-import org.dfra.recruit.experiment.Plan;
+import org.dfra.recruit.experiment.ExperimentCell;
+import org.dfra.recruit.experiment.ExperimentPlan;
 import org.dfra.recruit.experiment.Seeds;
 import org.dfra.recruit.transport.MessageMode;
 import org.slf4j.Logger;
@@ -28,36 +28,36 @@ public final class EmbeddedRuns implements AutoCloseable {
   private static final Duration PERIOD = Duration.ofSeconds(150);
   private static final Duration REST = Duration.ofSeconds(200);
 
-  private final Plan plan;
+  private final ExperimentPlan plan;
   private final int atOnce;
   private final double speed;
-  private final Map<Cell, LetterTimes> times = new ConcurrentHashMap<>();
+  private final Map<ExperimentCell, MessageDelays> times = new ConcurrentHashMap<>();
   private final Map<Integer, Queue<EmbeddedTeam>> free = new ConcurrentHashMap<>(); // by size
 
   /**
    * @param plan what is the same in every cell
-   * @param atOnce how many runs go on at once
+   * @param parallelRuns how many runs go on at once
    * @param speed seconds of the agents' time in a real second
    */
-  public EmbeddedRuns(Plan plan, int atOnce, double speed) {
+  public EmbeddedRuns(ExperimentPlan plan, int parallelRuns, double speed) {
     this.plan = plan;
-    this.atOnce = atOnce;
+    this.atOnce = parallelRuns;
     this.speed = speed;
   }
 
   /** The experiment's plan with fewer calls, one after the other sooner. */
-  public static Plan shorter(Plan plan) {
+  public static ExperimentPlan shorter(ExperimentPlan plan) {
     return plan.with(CALLS, PERIOD, REST);
   }
 
   /** The cells: two strategies, with few vehicles and more, without loss and with much. */
-  public static List<Cell> cells() {
-    List<Cell> cells = new ArrayList<>();
+  public static List<ExperimentCell> cells() {
+    List<ExperimentCell> cells = new ArrayList<>();
     for (String strategy : List.of("affective", "greedy")) {
       for (MessageMode mode : MessageMode.values()) {
         for (int vehicles : List.of(3, 6)) {
           for (double loss : List.of(0.0, 0.25)) {
-            cells.add(new Cell(strategy, mode, vehicles, loss));
+            cells.add(new ExperimentCell(strategy, mode, vehicles, loss));
           }
         }
       }
@@ -71,15 +71,17 @@ public final class EmbeddedRuns implements AutoCloseable {
    *
    * @return a result for each cell, in their order
    */
-  public List<CellResult> run(List<Cell> cells, long[] seeds, Experiment.Progress progress)
+  public List<CellResult> run(
+      List<ExperimentCell> cells, long[] seeds, Experiment.Progress progress)
       throws InterruptedException {
-    Map<Cell, CellResult> results = new HashMap<>();
+    Map<ExperimentCell, CellResult> results = new HashMap<>();
     int all = cells.size() * seeds.length;
-    for (int vehicles : cells.stream().map(Cell::vehicles).distinct().sorted().toList()) {
-      List<Cell> some = cells.stream().filter(each -> each.vehicles() == vehicles).toList();
+    for (int vehicles : cells.stream().map(ExperimentCell::vehicles).distinct().sorted().toList()) {
+      List<ExperimentCell> some =
+          cells.stream().filter(each -> each.vehicles() == vehicles).toList();
       warmUp(some);
       int before = results.size() * seeds.length;
-      new Experiment(plan, atOnce, (cell, same, seed) -> venue(cell, same, seed, times(cell)))
+      new Experiment(plan, atOnce, (cell, same, seed) -> venue(cell, same, seed, delays(cell)))
           .run(some, seeds, (done, ofThem) -> progress.done(before + done, all))
           .forEach(each -> results.put(each.cell(), each));
       end(vehicles);
@@ -88,18 +90,18 @@ public final class EmbeddedRuns implements AutoCloseable {
   }
 
   /** Runs that judge nothing, all at once: teams start, and the machine compiles. */
-  private void warmUp(List<Cell> cells) throws InterruptedException {
-    LetterTimes forgotten = new LetterTimes();
+  private void warmUp(List<ExperimentCell> cells) throws InterruptedException {
+    MessageDelays forgotten = new MessageDelays();
     int each = (atOnce + cells.size() - 1) / cells.size();
     new Experiment(
-            plan.with(1, plan.period(), plan.rest()),
+            plan.with(1, plan.period(), plan.settlingTime()),
             each * cells.size(),
             (cell, same, seed) -> venue(cell, same, seed, forgotten))
         .run(cells, Seeds.tuning(each), (done, all) -> {});
   }
 
-  private EmbeddedVenue venue(Cell cell, Plan same, long seed, LetterTimes noted)
-      throws IOException {
+  private EmbeddedVenue venue(
+      ExperimentCell cell, ExperimentPlan same, long seed, MessageDelays noted) throws IOException {
     return new EmbeddedVenue(
         cell, same, seed, team(cell.vehicles()), used -> free(cell.vehicles()).add(used), noted);
   }
@@ -119,11 +121,11 @@ public final class EmbeddedRuns implements AutoCloseable {
    * becomes of them.
    */
   private void end(int vehicles) {
-    Ending ending = new Ending("the experiment");
+    ResourceCloser ending = new ResourceCloser("the experiment");
     List<Thread> threads = new ArrayList<>();
     for (EmbeddedTeam each = free(vehicles).poll(); each != null; each = free(vehicles).poll()) {
       EmbeddedTeam team = each;
-      Thread thread = new Thread(() -> ending.end(team), "dfra-team-end");
+      Thread thread = new Thread(() -> ending.close(team), "dfra-team-end");
       thread.start();
       threads.add(thread);
     }
@@ -135,7 +137,7 @@ public final class EmbeddedRuns implements AutoCloseable {
       Thread.currentThread().interrupt(); // they end all the same
     }
     try {
-      ending.orThrow();
+      ending.throwIfFailed();
     } catch (IOException e) {
       LOG.warn("{}", e.getMessage(), e);
     }
@@ -150,7 +152,7 @@ public final class EmbeddedRuns implements AutoCloseable {
   }
 
   /** For how long letters were on their way in the runs of a cell. */
-  public LetterTimes times(Cell cell) {
-    return times.computeIfAbsent(cell, each -> new LetterTimes());
+  public MessageDelays delays(ExperimentCell cell) {
+    return times.computeIfAbsent(cell, each -> new MessageDelays());
   }
 }

@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.UUID;
-import org.dfra.app.demo.stage.Checks;
+import org.dfra.app.demo.harness.DemoAssertions;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.config.Place;
@@ -18,7 +18,7 @@ import org.dfra.recruit.river.RecruitmentAgentProxy;
 import org.dfra.recruit.river.RecruitmentAgentServer;
 import org.dfra.river.bootstrap.EmbeddedRegistrar;
 import org.dfra.river.bootstrap.ServedModules;
-import org.dfra.river.proxy.LocalModules;
+import org.dfra.river.proxy.LocalModuleRegistry;
 import org.dfra.river.server.ModuleActivation;
 
 /**
@@ -33,7 +33,7 @@ final class EmbeddedTeam implements AutoCloseable {
   private static final Duration PATIENCE = Duration.ofSeconds(60); // real time
 
   private final ScaledTime time;
-  private final NotedTimers timers;
+  private final DelayRecordingScheduler timers;
   private final ServedModules serving;
   private final Map<String, FieldAgent> agents = new LinkedHashMap<>();
 
@@ -44,7 +44,7 @@ final class EmbeddedTeam implements AutoCloseable {
    */
   EmbeddedTeam(double speed) throws IOException {
     this.time = new ScaledTime(speed, Instant.now());
-    this.timers = new NotedTimers(time);
+    this.timers = new DelayRecordingScheduler(time);
     this.serving =
         new ServedModules(
             "a team of agents", new EmbeddedRegistrar(HOST, 0, List.of(), LEASE, Map.of()).start());
@@ -56,7 +56,7 @@ final class EmbeddedTeam implements AutoCloseable {
   }
 
   /** What agents, leases and robots wait by. */
-  NotedTimers timers() {
+  DelayRecordingScheduler timers() {
     return timers;
   }
 
@@ -66,16 +66,16 @@ final class EmbeddedTeam implements AutoCloseable {
     if (known != null) {
       return known;
     }
-    FieldAgent.Seat seat =
-        new FieldAgent.Seat(percepts, time, timers, fresh -> agents.put(robot, fresh));
+    FieldAgent.AgentSlot seat =
+        new FieldAgent.AgentSlot(percepts, time, timers, fresh -> agents.put(robot, fresh));
     UUID id = UUID.randomUUID();
     serving.serve(activation(robot, seat, id));
     FieldAgent made = Objects.requireNonNull(agents.get(robot), "made when it was served");
-    LocalModules.leave(id, made); // else proxies here would call it as an object
+    LocalModuleRegistry.unregister(id, made); // else proxies here would call it as an object
     return made;
   }
 
-  private ModuleActivation activation(String robot, FieldAgent.Seat seat, UUID id) {
+  private ModuleActivation activation(String robot, FieldAgent.AgentSlot seat, UUID id) {
     ModuleDescription description =
         new ModuleDescription(
             robot,
@@ -85,7 +85,7 @@ final class EmbeddedTeam implements AutoCloseable {
             FieldAgent.class.getName(),
             null,
             false,
-            Parameters.of(robot + "/agent", Map.of(FieldAgent.SEAT, seat.reserve())),
+            Parameters.of(robot + "/agent", Map.of(FieldAgent.SLOT, seat.reserve())),
             Place.CODE);
     return new ModuleActivation(
         description, id, HOST, List.of(), List.of(serving.registrar().locator()));
@@ -94,7 +94,7 @@ final class EmbeddedTeam implements AutoCloseable {
   /** Returns when each agent has found all. */
   void await() throws Exception {
     for (FieldAgent agent : agents.values()) {
-      Checks.await(
+      DemoAssertions.await(
           "that " + agent + " finds the others",
           PATIENCE,
           () -> agent.known().equals(agents.keySet()));
@@ -102,7 +102,7 @@ final class EmbeddedTeam implements AutoCloseable {
   }
 
   /** The run is over; the agents wait for another. */
-  void rest() {
+  void endRun() {
     agents.values().forEach(FieldAgent::leave);
   }
 

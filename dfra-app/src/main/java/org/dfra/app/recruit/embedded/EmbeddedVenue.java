@@ -4,12 +4,12 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import org.dfra.recruit.experiment.Cell;
-import org.dfra.recruit.experiment.Plan;
+import org.dfra.recruit.experiment.ExperimentCell;
+import org.dfra.recruit.experiment.ExperimentEnvironment;
+import org.dfra.recruit.experiment.ExperimentPlan;
 import org.dfra.recruit.experiment.Seeds;
-import org.dfra.recruit.experiment.Venue;
 import org.dfra.recruit.loss.LossModel;
-import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.message.MessageEnvelope;
 import org.dfra.recruit.transport.LossyTransport;
 import org.dfra.recruit.transport.Transport;
 import org.dfra.time.Scheduler;
@@ -22,7 +22,7 @@ import org.dfra.time.Scheduler;
  * <p>Time runs faster than real time, for agents, leases and robots alike; what River and the
  * machine need for a letter does not, and so takes longer by that time.
  */
-final class EmbeddedVenue implements Venue {
+final class EmbeddedVenue implements ExperimentEnvironment {
 
   private static final int HEAD = 300; // the lots for it
   private static final double LONGEST_HEAD = 0.5; // of a period
@@ -30,8 +30,8 @@ final class EmbeddedVenue implements Venue {
   private final EmbeddedTeam team;
   private final Consumer<EmbeddedTeam> giveBack;
   private final LossModel loss;
-  private final LossyTransport.Count count = new LossyTransport.Count();
-  private final LetterTimes.OfNetwork times;
+  private final LossyTransport.MessageCounter count = new LossyTransport.MessageCounter();
+  private final MessageDelays.NetworkDelays times;
   private final Duration head;
 
   /**
@@ -39,18 +39,18 @@ final class EmbeddedVenue implements Venue {
    * @param giveBack is given it when the run is over
    */
   EmbeddedVenue(
-      Cell cell,
-      Plan plan,
+      ExperimentCell cell,
+      ExperimentPlan plan,
       long seed,
       EmbeddedTeam team,
       Consumer<EmbeddedTeam> giveBack,
-      LetterTimes all) {
+      MessageDelays all) {
     this.team = team;
     this.giveBack = giveBack;
-    this.loss = plan.losses().losing(cell.loss(), Seeds.stream(seed, Seeds.LOSSES));
-    this.times = all.ofNetwork();
-    team.timers().tell(all::late);
-    double share = LONGEST_HEAD * Seeds.stream(seed, HEAD).nextDouble();
+    this.loss = plan.losses().losing(cell.loss(), Seeds.random(seed, Seeds.LOSSES));
+    this.times = all.newNetwork();
+    team.timers().setDelayListener(all::addTimerDelay);
+    double share = LONGEST_HEAD * Seeds.random(seed, HEAD).nextDouble();
     this.head = Duration.ofNanos((long) (share * plan.period().toNanos()));
   }
 
@@ -60,7 +60,7 @@ final class EmbeddedVenue implements Venue {
   }
 
   @Override
-  public Agent join(Member member) throws Exception {
+  public AgentHandle addAgent(AgentSpec member) throws Exception {
     FieldAgent agent = team.agent(member.name(), member.percepts());
     agent.join(
         member,
@@ -79,13 +79,13 @@ final class EmbeddedVenue implements Venue {
     }
 
     @Override
-    public List<String> capable(String percept) {
-      return real.capable(percept);
+    public List<String> capableRobots(String percept) {
+      return real.capableRobots(percept);
     }
 
     @Override
-    public List<String> ambiguous(String percept) {
-      return real.ambiguous(percept);
+    public List<String> ambiguousNames(String percept) {
+      return real.ambiguousNames(percept);
     }
 
     @Override
@@ -94,19 +94,19 @@ final class EmbeddedVenue implements Venue {
     }
 
     @Override
-    public void send(String robot, Letter letter) {
+    public void send(String robot, MessageEnvelope letter) {
       times.sent(robot, letter);
       real.send(robot, letter);
     }
 
     @Override
-    public void broadcast(String percept, Letter letter) {
-      capable(percept).forEach(robot -> send(robot, letter));
+    public void broadcast(String percept, MessageEnvelope letter) {
+      capableRobots(percept).forEach(robot -> send(robot, letter));
     }
   }
 
   @Override
-  public void open() throws Exception {
+  public void awaitConnected() throws Exception {
     team.await();
     advance(head); // runs that were begun together do not call together
   }
@@ -128,7 +128,7 @@ final class EmbeddedVenue implements Venue {
 
   @Override
   public void close() {
-    team.rest();
+    team.endRun();
     giveBack.accept(team);
   }
 }

@@ -21,15 +21,15 @@ import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
+import org.dfra.persona.AttributeProvider;
 import org.dfra.persona.Attributes;
-import org.dfra.persona.Described;
 import org.dfra.persona.RecruitmentAttributes;
 import org.dfra.recruit.RecruitmentSettings;
 import org.dfra.recruit.agent.DirectoryTransport;
 import org.dfra.recruit.agent.Recruiter;
 import org.dfra.recruit.agent.RecruiterPorts;
-import org.dfra.recruit.experiment.Venue;
-import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.experiment.ExperimentEnvironment;
+import org.dfra.recruit.message.MessageEnvelope;
 import org.dfra.recruit.transport.Transport;
 import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
@@ -40,10 +40,10 @@ import org.jspecify.annotations.Nullable;
  * robot's modules. It takes part in one run after the other, and remembers nothing.
  */
 public final class FieldAgent extends ModuleImpl
-    implements RecruitmentAgent, Described, Venue.Agent {
+    implements RecruitmentAgent, AttributeProvider, ExperimentEnvironment.AgentHandle {
 
   /** Name of the parameter that tells which seat it takes. */
-  static final String SEAT = "seat";
+  static final String SLOT = "seat";
 
   /** What its persona says, metres per second; nobody asks. */
   private static final double SPEED = 1;
@@ -56,9 +56,10 @@ public final class FieldAgent extends ModuleImpl
    * @param timers what it and its leases wait by
    * @param made is given the agent
    */
-  record Seat(Set<String> percepts, ScaledTime time, Scheduler timers, Consumer<FieldAgent> made) {
+  record AgentSlot(
+      Set<String> percepts, ScaledTime time, Scheduler timers, Consumer<FieldAgent> made) {
 
-    private static final Map<String, Seat> FREE = new ConcurrentHashMap<>();
+    private static final Map<String, AgentSlot> FREE = new ConcurrentHashMap<>();
 
     /** Reserves it; returns what the parameter must say. */
     String reserve() {
@@ -67,27 +68,27 @@ public final class FieldAgent extends ModuleImpl
       return key;
     }
 
-    private static Seat taken(ModuleContext context) {
-      String key = context.parameters().text(SEAT);
+    private static AgentSlot claim(ModuleContext context) {
+      String key = context.parameters().text(SLOT);
       return Objects.requireNonNull(FREE.remove(key), "nobody reserved seat " + key);
     }
   }
 
   /** Its part in a run. */
-  private record Part(Recruiter recruiter, Consumer<Letter> come) {}
+  private record RunParticipation(Recruiter recruiter, Consumer<MessageEnvelope> onMessage) {}
 
-  private final Seat seat;
+  private final AgentSlot seat;
   private final ModuleContext timed;
   private final DirectoryTransport transport;
-  private volatile @Nullable Part part;
+  private volatile @Nullable RunParticipation part;
 
   /** As every driver is made. */
   public FieldAgent(ModuleContext context) {
-    this(context, Seat.taken(context));
+    this(context, AgentSlot.claim(context));
   }
 
   @SuppressWarnings("this-escape") // whoever is given it uses it when it is served
-  private FieldAgent(ModuleContext context, Seat seat) {
+  private FieldAgent(ModuleContext context, AgentSlot seat) {
     super(by(seat, context), "an agent in the experiment's field", "DFRA", "1");
     this.seat = seat;
     this.timed = by(seat, context);
@@ -96,21 +97,21 @@ public final class FieldAgent extends ModuleImpl
   }
 
   /** The same module in another time: also its leases go by it. */
-  private static ModuleContext by(Seat seat, ModuleContext context) {
+  private static ModuleContext by(AgentSlot seat, ModuleContext context) {
     return new ModuleContext(
         context.robot(),
         context.name(),
         context.parameters(),
         seat.time(),
         context.state(),
-        LeaseTerms.USUAL,
+        LeaseTerms.DEFAULT,
         seat.timers(),
         context::directory);
   }
 
   @Override
   protected void onStart() {
-    become(Readiness.READY);
+    transitionTo(Readiness.READY);
     Set<String> unused = known(); // begins to look for them
   }
 
@@ -138,7 +139,7 @@ public final class FieldAgent extends ModuleImpl
    * @param way to the others
    * @param come is told of each letter that has come
    */
-  void join(Venue.Member member, Transport way, Consumer<Letter> come) {
+  void join(ExperimentEnvironment.AgentSpec member, Transport way, Consumer<MessageEnvelope> come) {
     Recruiter fresh =
         new Recruiter(
             timed.robot(),
@@ -148,21 +149,21 @@ public final class FieldAgent extends ModuleImpl
             new RecruiterPorts(way, member.body(), leases(), seat.time(), seat.timers()),
             member.listener(),
             Optional.empty());
-    part = new Part(fresh, come);
+    part = new RunParticipation(fresh, come);
     fresh.start();
   }
 
   /** The run is over. */
   void leave() {
-    Part over = part;
+    RunParticipation over = part;
     part = null;
     if (over != null) {
       over.recruiter().close();
     }
   }
 
-  private Part part() {
-    Part now = part;
+  private RunParticipation part() {
+    RunParticipation now = part;
     if (now == null) {
       throw new NotReadyException(path(), readiness(), "it takes part in no run");
     }
@@ -170,8 +171,8 @@ public final class FieldAgent extends ModuleImpl
   }
 
   @Override
-  public void help(HelpCall call) {
-    LetterTimes.turn(() -> part().recruiter().help(call));
+  public void callForHelp(HelpCall call) {
+    MessageDelays.runTimed(() -> part().recruiter().help(call));
   }
 
   @Override
@@ -190,12 +191,12 @@ public final class FieldAgent extends ModuleImpl
 
   @Override
   public void receive(AgentMessage message) {
-    if (!(message instanceof Letter letter)) {
+    if (!(message instanceof MessageEnvelope letter)) {
       throw new IllegalArgumentException(path() + " takes letters of recruitment only");
     }
-    Part now = part();
-    now.come().accept(letter);
-    LetterTimes.turn(() -> now.recruiter().receive(letter));
+    RunParticipation now = part();
+    now.onMessage().accept(letter);
+    MessageDelays.runTimed(() -> now.recruiter().receive(letter));
   }
 
   @Override
@@ -205,7 +206,7 @@ public final class FieldAgent extends ModuleImpl
             List.copyOf(seat.percepts()),
             SPEED,
             "as the run has it",
-            RecruitmentSettings.USUAL.replaceAfter().toMillis() / 1e3,
-            RecruitmentSettings.USUAL.margin().toMillis() / 1e3));
+            RecruitmentSettings.DEFAULT.replaceAfter().toMillis() / 1e3,
+            RecruitmentSettings.DEFAULT.margin().toMillis() / 1e3));
   }
 }

@@ -5,7 +5,7 @@
  * <pre>
  *   Experiment --&gt; FieldRun --Member--&gt; EmbeddedVenue --Seat--&gt; FieldAgent (a Recruiter)
  *                                            |                     ^
- *                                       registrar, servers     LetterEvent by JERI
+ *                                       registrar, servers     AgentMessageEvent by JERI
  * </pre>
  *
  * <p>Enter at {@link org.dfra.app.recruit.embedded.EmbeddedRuns}.

@@ -8,9 +8,9 @@ import java.time.Instant;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
-import org.dfra.app.demo.stage.Narration;
+import org.dfra.app.demo.harness.ProgressReporter;
 import org.dfra.app.raster.HandMade;
-import org.dfra.app.raster.MissionListener.At;
+import org.dfra.app.raster.MissionListener.RobotProgress;
 import org.dfra.app.raster.Sample;
 import org.dfra.app.raster.Scenario;
 import org.dfra.behavior.BehaviorStatus;
@@ -41,21 +41,21 @@ class LiveProgressTest {
   private void watch(boolean isTerminal, long millis) {
     LiveProgress progress =
         new LiveProgress(
-            new Narration(new PrintWriter(out, true), nanos::get, isTerminal),
+            new ProgressReporter(new PrintWriter(out, true), nanos::get, isTerminal),
             nanos::get,
             SCENARIO);
     List<Sample> one = HandMade.drive(SCENARIO.plan(0), 0.25, 0.125, 8);
     List<Sample> other = HandMade.drive(SCENARIO.plan(1), 0, 0, 8);
     for (int i = 0; i < one.size(); i++) {
       nanos.addAndGet(TimeUnit.MILLISECONDS.toNanos(millis));
-      progress.at(List.of(at("atrv1", one.get(i)), at("atrv2", other.get(i))));
+      progress.onProgress(List.of(at("atrv1", one.get(i)), at("atrv2", other.get(i))));
     }
   }
 
-  private static At at(String robot, Sample sample) {
+  private static RobotProgress at(String robot, Sample sample) {
     BehaviorStatus status =
         new BehaviorStatus(Instant.EPOCH, null, Phase.RUNNING, "lane 1 of 4", sample.done(), 0);
-    return new At(robot, sample, status);
+    return new RobotProgress(robot, sample, status);
   }
 
   @Test

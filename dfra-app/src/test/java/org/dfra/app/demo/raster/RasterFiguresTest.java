@@ -5,14 +5,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
-import org.dfra.app.demo.raster.Tracks.Bin;
-import org.dfra.app.raster.Flight;
-import org.dfra.app.raster.Flight.RobotFlight;
+import org.dfra.app.demo.raster.Downsampling.Bin;
 import org.dfra.app.raster.HandMade;
-import org.dfra.app.raster.Mark;
-import org.dfra.app.raster.Overheard;
-import org.dfra.app.raster.Overheard.Advice;
-import org.dfra.app.raster.Overheard.Fix;
+import org.dfra.app.raster.MissionEvent;
+import org.dfra.app.raster.MissionResult;
+import org.dfra.app.raster.MissionResult.RobotMissionResult;
+import org.dfra.app.raster.ModuleReadings;
+import org.dfra.app.raster.ModuleReadings.Advice;
+import org.dfra.app.raster.ModuleReadings.Fix;
 import org.dfra.app.raster.Scenario;
 import org.dfra.app.raster.Scores;
 import org.dfra.geometry.GeoPosition;
@@ -33,27 +33,28 @@ class RasterFiguresTest {
           2.001,
           2);
 
-  private static Flight flight() {
+  private static MissionResult flight() {
     List<Fix> fixes = List.of(new Fix(0.5, "gps_front", 0, 0), new Fix(40, "gps_front", 0, 0));
     List<Advice> advice =
         List.of(
             new Advice(1, 0.5, 0, "ahead, fast", 0.5),
             new Advice(1.1, 0.7, 0, "ahead, fast", 1),
             new Advice(9, 0.1, 0.4, "close, hard left", 0.25));
-    RobotFlight robot =
-        new RobotFlight(
+    RobotMissionResult robot =
+        new RobotMissionResult(
             "atrv1",
             true,
             "it ends",
             HandMade.drive(HandMade.plan(), 0.4, 0, 8),
             Map.of(),
-            new Overheard(fixes, advice, List.of(), List.of()));
-    return new Flight(List.of(robot), List.of(), List.of(new Mark(12, "atrv1", "gps killed")), 86);
+            new ModuleReadings(fixes, advice, List.of(), List.of()));
+    return new MissionResult(
+        List.of(robot), List.of(), List.of(new MissionEvent(12, "atrv1", "gps killed")), 86);
   }
 
   @Test
   void whatHappenedAndSilentReceiversAreMarked() {
-    RasterFigures figures = new RasterFigures(SCENARIO, flight());
+    RasterCharts figures = new RasterCharts(SCENARIO, flight());
     assertThat(figures.crossTrack().svg()).contains(">1<", "gps_front silent");
     assertThat(figures.clearance().svg())
         .contains(">1<", "least wanted")
@@ -62,7 +63,7 @@ class RasterFiguresTest {
 
   @Test
   void pathsHaveTheirDirectionAndTheSameColourAsTheirDistancesFromTheLanes() {
-    RasterFigures figures = new RasterFigures(SCENARIO, flight());
+    RasterCharts figures = new RasterCharts(SCENARIO, flight());
     String estimates = figures.estimates().svg();
     assertThat(estimates).contains(">start, direction, end<");
     for (String name : List.of(">truly<", ">by its estimate<")) {
@@ -84,17 +85,17 @@ class RasterFiguresTest {
 
   @Test
   void theLoudestRulesAreCountedAndTheirStrengthIsTheMean() {
-    assertThat(LoudestRules.table(flight(), 1))
+    assertThat(DominantRules.table(flight(), 1))
         .containsExactly(
             List.of("atrv1", "Strength, mean", "Rule"), List.of("2", "0.75", "ahead, fast"));
-    assertThat(LoudestRules.table(flight(), 10)).hasSize(3);
+    assertThat(DominantRules.table(flight(), 10)).hasSize(3);
   }
 
   @Test
   void theTablesHaveTheNumbersAndTheirUnits() {
-    Flight flight = flight();
+    MissionResult flight = flight();
     List<Scores> scores = List.of(Scores.of(flight.robots().get(0), SCENARIO.plan()));
-    assertThat(Metrics.of(flight, scores, 0.995).rows())
+    assertThat(MetricsTable.of(flight, scores, 0.995).rows())
         .contains(
             List.of("came to the end of its lanes", "yes"),
             List.of("collisions", "0"),
@@ -103,7 +104,7 @@ class RasterFiguresTest {
             List.of("off its lanes by its estimate, RMS", "0.00 m"),
             List.of("way driven", "86.00 m"),
             List.of("time", "86 s"));
-    assertThat(Metrics.besidePublished(flight, scores).rows())
+    assertThat(MetricsTable.besidePublished(flight, scores).rows())
         .contains(
             List.of("atrv1, truly", "0.40 m", "86 m"),
             List.of("Columbia AVENUE, outdoors", "0.46 m", "210 m, 14 waypoints"));
@@ -117,16 +118,16 @@ class RasterFiguresTest {
             new double[] {0.9, 2},
             new double[] {1.5, 7},
             new double[] {5.5, 1});
-    double[][] least = Tracks.binned(points, 1, Bin.LEAST, p -> p[0], p -> p[1]);
+    double[][] least = Downsampling.binned(points, 1, Bin.MIN, p -> p[0], p -> p[1]);
     assertThat(least[0]).containsExactly(0.5, 1.5, 5.5, 5.5);
     assertThat(least[1]).containsExactly(2, 7, Double.NaN, 1);
-    assertThat(Tracks.binned(points, 1, Bin.MEAN, p -> p[0], p -> p[1])[1])
+    assertThat(Downsampling.binned(points, 1, Bin.MEAN, p -> p[0], p -> p[1])[1])
         .containsExactly(3, 7, Double.NaN, 1);
   }
 
   @Test
   void aThinnedPathKeepsItsEnds() {
     List<Integer> ten = List.of(0, 1, 2, 3, 4, 5, 6, 7, 8, 9);
-    assertThat(Tracks.thinned(ten, 4, i -> i, i -> -i)[0]).containsExactly(0, 4, 8, 9);
+    assertThat(Downsampling.thinned(ten, 4, i -> i, i -> -i)[0]).containsExactly(0, 4, 8, 9);
   }
 }

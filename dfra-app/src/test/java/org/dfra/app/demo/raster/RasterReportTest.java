@@ -12,8 +12,8 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
-import org.dfra.app.demo.stage.Narration;
-import org.dfra.app.figure.ReportHeadTest;
+import org.dfra.app.demo.harness.ProgressReporter;
+import org.dfra.app.measurement.ReportHeadTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -44,7 +44,8 @@ class RasterReportTest {
     options.region = REGION;
     options.spacing = 2.5;
     options.seed = seed;
-    Narration narration = new Narration(new PrintWriter(told, true), System::nanoTime);
+    ProgressReporter narration =
+        new ProgressReporter(new PrintWriter(told, true), System::nanoTime);
     assertThat(RasterDemo.of(narration, options, report).run()).as(told.toString()).isTrue();
   }
 

@@ -10,14 +10,14 @@ import java.util.UUID;
 import org.dfra.agent.HelpCall;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.recruit.message.Conversation;
-import org.dfra.recruit.message.Letter;
+import org.dfra.recruit.message.MessageEnvelope;
 import org.dfra.recruit.message.RecruitmentMessage;
 import org.dfra.recruit.message.RecruitmentMessage.Accept;
 import org.dfra.recruit.message.RecruitmentMessage.Agree;
 import org.dfra.recruit.message.RecruitmentMessage.Arrival;
 import org.dfra.recruit.message.RecruitmentMessage.Help;
 import org.dfra.recruit.message.RecruitmentMessage.ResponderId;
-import org.dfra.recruit.message.SentLetter;
+import org.dfra.recruit.message.SentMessage;
 import org.junit.jupiter.api.Test;
 
 /** How a call goes is read from its letters, over all attempts at it. */
@@ -28,11 +28,11 @@ class CallStateTest {
   private static final Conversation FIRST = new Conversation("uav", 1);
   private static final Conversation SECOND = FIRST.next();
 
-  private final List<SentLetter> letters = new ArrayList<>();
+  private final List<SentMessage> letters = new ArrayList<>();
 
   private void sent(int second, String sender, RecruitmentMessage message) {
     Instant time = BEGIN.plusSeconds(second);
-    letters.add(new SentLetter(time, "", new Letter(sender, second, time, message)));
+    letters.add(new SentMessage(time, "", new MessageEnvelope(sender, second, time, message)));
   }
 
   private static Help help(Conversation in, GeoPosition place, int round) {
@@ -62,7 +62,7 @@ class CallStateTest {
     assertThat(state().chosen()).as("it has only offered").isNull();
     sent(7, "uav", new ResponderId(FIRST, "ugv1", 0));
     assertThat(state().chosen()).isEqualTo("ugv1");
-    assertThat(state().stay()).as("it is on its way").isNull();
+    assertThat(state().leaseEnd()).as("it is on its way").isNull();
   }
 
   @Test
@@ -70,11 +70,11 @@ class CallStateTest {
     sent(0, "uav", help(FIRST, PLACE, 1));
     sent(7, "uav", new ResponderId(FIRST, "ugv1", 0));
     sent(30, "ugv1", new Arrival(FIRST, new UUID(0, 1), Duration.ofSeconds(60)));
-    assertThat(state().stay()).isEqualTo(BEGIN.plusSeconds(90));
+    assertThat(state().leaseEnd()).isEqualTo(BEGIN.plusSeconds(90));
     sent(36, "ugv1", new Arrival(FIRST, new UUID(0, 1), Duration.ofSeconds(53)));
     sent(37, "uav", new Agree(FIRST));
-    assertThat(state().stay()).isEqualTo(BEGIN.plusSeconds(89));
-    assertThat(state().letters()).isEqualTo(5);
+    assertThat(state().leaseEnd()).isEqualTo(BEGIN.plusSeconds(89));
+    assertThat(state().messages()).isEqualTo(5);
   }
 
   @Test
@@ -84,7 +84,7 @@ class CallStateTest {
     sent(30, "ugv2", new Arrival(FIRST, new UUID(0, 1), Duration.ofSeconds(60)));
     sent(60, "uav", help(SECOND, PLACE, 1));
     assertThat(state().chosen()).as("of the first attempt").isNull();
-    assertThat(state().stay()).as("of the first attempt").isNull();
+    assertThat(state().leaseEnd()).as("of the first attempt").isNull();
     assertThat(state().lost()).containsExactly("ugv2");
     sent(66, "uav", new ResponderId(SECOND, "ugv4", 0));
     assertThat(state())

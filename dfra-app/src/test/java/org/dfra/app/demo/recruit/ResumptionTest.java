@@ -9,7 +9,7 @@ import java.util.UUID;
 import org.dfra.agent.RecruitmentStatus;
 import org.dfra.agent.RequesterPhase;
 import org.dfra.agent.ResponderPhase;
-import org.dfra.app.demo.recruit.Resumption.Fault;
+import org.dfra.app.demo.recruit.ResumptionCheck.ResumptionFault;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.junit.jupiter.api.Test;
@@ -43,11 +43,11 @@ class ResumptionTest {
   }
 
   private static String why(BehaviorStatus... search) {
-    return Resumption.fault(HELPED, List.of(search)).map(Fault::why).orElse("");
+    return ResumptionCheck.fault(HELPED, List.of(search)).map(ResumptionFault::why).orElse("");
   }
 
   private static boolean hadSearched(BehaviorStatus... search) {
-    return Resumption.fault(HELPED, List.of(search)).orElseThrow().hadSearched();
+    return ResumptionCheck.fault(HELPED, List.of(search)).orElseThrow().hadSearched();
   }
 
   @Test
@@ -61,8 +61,8 @@ class ResumptionTest {
   void whoNeverHelpedHasNothingToResume() {
     List<RecruitmentStatus> offered =
         List.of(agent(10, ResponderPhase.OFFERED), agent(15, ResponderPhase.FREE));
-    assertThat(Resumption.fault(offered, List.of())).isEmpty();
-    assertThat(Resumption.fault(List.of(), List.of())).isEmpty();
+    assertThat(ResumptionCheck.fault(offered, List.of())).isEmpty();
+    assertThat(ResumptionCheck.fault(List.of(), List.of())).isEmpty();
   }
 
   @Test
@@ -120,8 +120,8 @@ class ResumptionTest {
 
   @Test
   void whoIsStillAwayHasNotResumed() {
-    assertThat(Resumption.fault(HELPED.subList(0, 4), List.of(RUNS, PAUSES)))
-        .contains(new Fault(true, "was recruited and is not free again"));
+    assertThat(ResumptionCheck.fault(HELPED.subList(0, 4), List.of(RUNS, PAUSES)))
+        .contains(new ResumptionFault(true, "was recruited and is not free again"));
   }
 
   @Test
@@ -132,14 +132,14 @@ class ResumptionTest {
     BehaviorStatus again = search(70, SEARCH, Phase.RUNNING, 0.3);
     BehaviorStatus left = search(81, SEARCH, Phase.PAUSED, 0.3);
     assertThat(
-            Resumption.fault(
+            ResumptionCheck.fault(
                 twice, List.of(RUNS, PAUSES, again, left, search(95, SEARCH, Phase.RUNNING, 0.4))))
         .isEmpty();
-    assertThat(Resumption.fault(twice, List.of(RUNS, PAUSES, again, left)))
+    assertThat(ResumptionCheck.fault(twice, List.of(RUNS, PAUSES, again, left)))
         .as("the second time")
         .isPresent();
     BehaviorStatus over = search(75, SEARCH, Phase.SUCCEEDED, 1);
-    assertThat(Resumption.fault(twice, List.of(RUNS, PAUSES, again, over)))
+    assertThat(ResumptionCheck.fault(twice, List.of(RUNS, PAUSES, again, over)))
         .as("nothing was left to be called away from")
         .hasValueSatisfying(fault -> assertThat(fault.hadSearched()).isFalse());
   }
@@ -152,19 +152,19 @@ class ResumptionTest {
     again.add(agent(60, ResponderPhase.FREE));
     BehaviorStatus late = search(61, SEARCH, Phase.RUNNING, 0.25);
     assertThat(
-            Resumption.fault(
+            ResumptionCheck.fault(
                 again, List.of(RUNS, PAUSES, late, search(70, SEARCH, Phase.RUNNING, 0.5))))
         .isEmpty();
-    assertThat(Resumption.fault(again, List.of(RUNS, PAUSES, late)))
+    assertThat(ResumptionCheck.fault(again, List.of(RUNS, PAUSES, late)))
         .as("no more was done after the second time")
         .hasValueSatisfying(fault -> assertThat(fault.hadSearched()).isTrue());
     BehaviorStatus idle = search(2, SEARCH, Phase.PAUSED, 0.25);
-    assertThat(Resumption.fault(again, List.of(RUNS, idle, late)))
+    assertThat(ResumptionCheck.fault(again, List.of(RUNS, idle, late)))
         .as("it did not search before the first time either")
         .hasValueSatisfying(fault -> assertThat(fault.hadSearched()).isFalse());
     BehaviorStatus back = search(50, SEARCH, Phase.RUNNING, 0.3);
     BehaviorStatus halted = search(51, SEARCH, Phase.PAUSED, 0.3);
-    assertThat(Resumption.fault(again, List.of(RUNS, PAUSES, back, halted, late)))
+    assertThat(ResumptionCheck.fault(again, List.of(RUNS, PAUSES, back, halted, late)))
         .as("it was back, and somebody halted it")
         .hasValueSatisfying(fault -> assertThat(fault.hadSearched()).isFalse());
   }

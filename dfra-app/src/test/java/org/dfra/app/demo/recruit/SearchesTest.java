@@ -17,8 +17,8 @@ import java.util.function.BiFunction;
 import org.dfra.agent.RecruitmentStatus;
 import org.dfra.agent.RequesterPhase;
 import org.dfra.agent.ResponderPhase;
-import org.dfra.app.demo.recruit.Resumption.Fault;
-import org.dfra.app.demo.stage.Narration;
+import org.dfra.app.demo.harness.ProgressReporter;
+import org.dfra.app.demo.recruit.ResumptionCheck.ResumptionFault;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.RasterSearch;
@@ -45,9 +45,9 @@ class SearchesTest {
   private final Map<String, ModuleListener> listeners = new HashMap<>();
   private final Map<String, UUID> goals = new HashMap<>();
   private final List<String> cancelled = new ArrayList<>();
-  private final Searches searches =
-      new Searches(
-          new Narration(new PrintWriter(said), () -> 0),
+  private final BackgroundSearches searches =
+      new BackgroundSearches(
+          new ProgressReporter(new PrintWriter(said), () -> 0),
           fake(ModuleDirectory.class, this::directory),
           new LocalFrame(new GeoPosition(48, 11, 0)),
           Duration.ofMillis(20));
@@ -120,7 +120,7 @@ class SearchesTest {
       tells(robot, 11, Phase.PAUSED, 0.25);
     }
     tells("ugv1", 30, Phase.RUNNING, 0.5);
-    Map<String, Fault> faults = searches.end(Map.of("ugv1", HELPED, "ugv2", HELPED));
+    Map<String, ResumptionFault> faults = searches.end(Map.of("ugv1", HELPED, "ugv2", HELPED));
     assertThat(faults).containsOnlyKeys("ugv2");
     assertThat(faults.get("ugv2").hadSearched()).isTrue();
     assertThat(said())
@@ -135,9 +135,9 @@ class SearchesTest {
   void whoWasRecruitedWithoutSearchingIsNamed() throws Exception {
     begun("ugv1");
     tells("ugv1", 9, Phase.SUCCEEDED, 1);
-    Map<String, Fault> faults = searches.end(Map.of("ugv1", HELPED, "ugv3", HELPED));
+    Map<String, ResumptionFault> faults = searches.end(Map.of("ugv1", HELPED, "ugv3", HELPED));
     assertThat(faults).containsOnlyKeys("ugv1", "ugv3");
-    assertThat(faults.values()).noneMatch(Fault::hadSearched);
+    assertThat(faults.values()).noneMatch(ResumptionFault::hadSearched);
     assertThat(said())
         .contains("ugv1 was not searching when it was recruited: its search was SUCCEEDED")
         .contains("ugv3 was not searching when it was recruited: it had no search.");
@@ -168,7 +168,7 @@ class SearchesTest {
     begun("ugv1");
     tells("ugv1", 5, Phase.RUNNING, 0.5);
     assertThat(searches.last("ugv1"))
-        .hasValueSatisfying(last -> assertThat(last.done()).isEqualTo(0.5));
+        .hasValueSatisfying(last -> assertThat(last.completion()).isEqualTo(0.5));
     searches.close();
     assertThat(listeners).isEmpty();
   }

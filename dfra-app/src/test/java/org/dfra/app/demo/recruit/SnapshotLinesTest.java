@@ -9,7 +9,7 @@ import java.util.List;
 import org.dfra.agent.RecruitmentStatus;
 import org.dfra.agent.RequesterPhase;
 import org.dfra.agent.ResponderPhase;
-import org.dfra.app.demo.recruit.Snapshot.Fate;
+import org.dfra.app.demo.recruit.Snapshot.Availability;
 import org.dfra.app.demo.recruit.Snapshot.Robot;
 import org.dfra.app.terminal.LiveBlock;
 import org.dfra.behavior.BehaviorStatus;
@@ -25,11 +25,11 @@ class SnapshotLinesTest {
   private static final Instant NOW = BEGIN.plusMillis(142_400);
 
   private static final Robot UNSEEN =
-      new Robot("ugv4", Fate.ABSENT, false, null, null, null, null, null);
+      new Robot("ugv4", Availability.ABSENT, false, null, null, null, null, null);
   private static final Robot UAV =
       new Robot(
           "uav",
-          Fate.PRESENT,
+          Availability.PRESENT,
           true,
           agent(RequesterPhase.AWARDED, "ugv1", ResponderPhase.FREE, null, 0),
           null,
@@ -60,7 +60,7 @@ class SnapshotLinesTest {
       @Nullable BehaviorStatus search,
       @Nullable Double distance,
       @Nullable Double lease) {
-    return new Robot("ugv1", Fate.PRESENT, false, agent, search, distance, lease, 0.5);
+    return new Robot("ugv1", Availability.PRESENT, false, agent, search, distance, lease, 0.5);
   }
 
   private static List<String> lines(@Nullable CallState call, Robot... robots) {
@@ -113,7 +113,7 @@ class SnapshotLinesTest {
                     null),
                 new Robot(
                     "ugv2",
-                    Fate.PRESENT,
+                    Availability.PRESENT,
                     false,
                     responder(ResponderPhase.FREE, 0.45),
                     search(Phase.RUNNING, 0.239),
@@ -135,7 +135,7 @@ class SnapshotLinesTest {
     Robot widest =
         new Robot(
             "ugv1",
-            Fate.CUT_OFF,
+            Availability.UNREACHABLE,
             false,
             responder(ResponderPhase.FREE, 1),
             search(Phase.RUNNING, 1),
@@ -151,13 +151,17 @@ class SnapshotLinesTest {
     assertThat(lines(null, UNSEEN).get(3))
         .isEqualTo(
             "ugv4   ?                 ?                   ?                               ?");
-    Robot fresh = new Robot("ugv1", Fate.PRESENT, false, null, null, null, null, null);
+    Robot fresh = new Robot("ugv1", Availability.PRESENT, false, null, null, null, null, null);
     assertThat(lines(null, fresh).get(3))
         .as("it is there, and has told nothing as yet")
         .isEqualTo(
             "ugv1   waiting           idle                ..... 0.00                      ?");
     Robot nameless =
-        ugv(agent(RequesterPhase.DONE, null, ResponderPhase.FREE, null, 0), null, null, null);
+        ugv(
+            agent(RequesterPhase.BEING_HELPED, null, ResponderPhase.FREE, null, 0),
+            null,
+            null,
+            null);
     assertThat(under("RECRUITMENT", nameless)).isEqualTo("helped by ?");
   }
 
@@ -166,7 +170,7 @@ class SnapshotLinesTest {
     Robot dead =
         new Robot(
             "ugv2",
-            Fate.DEAD,
+            Availability.DEAD,
             false,
             responder(ResponderPhase.TRAVELLING, 1),
             search(Phase.RUNNING, 0.5),
@@ -223,12 +227,13 @@ class SnapshotLinesTest {
             under(
                 "RECRUITMENT",
                 ugv(
-                    agent(RequesterPhase.DONE, "ugv3", ResponderPhase.FREE, null, 0),
+                    agent(RequesterPhase.BEING_HELPED, "ugv3", ResponderPhase.FREE, null, 0),
                     null,
                     null,
                     null)))
         .isEqualTo("helped by ugv3");
-    Robot cutOff = new Robot("uav", Fate.CUT_OFF, true, UAV.agent(), null, null, null, 0.9);
+    Robot cutOff =
+        new Robot("uav", Availability.UNREACHABLE, true, UAV.agent(), null, null, null, 0.9);
     assertThat(under("RECRUITMENT", cutOff)).isEqualTo("cannot be reached");
     assertThat(under("DOES", cutOff)).isEqualTo("flying");
   }
@@ -261,7 +266,8 @@ class SnapshotLinesTest {
 
   @Test
   void longNamesWidenTheirColumnForAll() {
-    Robot named = new Robot("pathfinder", Fate.PRESENT, false, null, null, null, null, null);
+    Robot named =
+        new Robot("pathfinder", Availability.PRESENT, false, null, null, null, null, null);
     List<String> lines = lines(120, null, named, UAV);
     int column = lines.get(2).indexOf("DOES");
     assertThat(column).isEqualTo("pathfinder".length() + 2);

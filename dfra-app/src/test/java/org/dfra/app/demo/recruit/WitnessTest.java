@@ -27,24 +27,24 @@ class WitnessTest {
   void spansThatWereEndedOverlap() {
     List<RecruitmentStatus> other =
         List.of(at(25, ResponderPhase.TRAVELLING), at(40, ResponderPhase.FREE));
-    assertThat(Witness.doubled(Map.of("ugv1", TEN_TO_THIRTY, "ugv2", other), Map.of()))
+    assertThat(AgentMonitor.overlapSeconds(Map.of("ugv1", TEN_TO_THIRTY, "ugv2", other), Map.of()))
         .isEqualTo(5);
   }
 
   @Test
   void whoNeverToldItsEndHelpsUntilTheLastThatWasTold() {
     List<RecruitmentStatus> open = List.of(at(12, ResponderPhase.TRAVELLING));
-    assertThat(Witness.doubled(Map.of("ugv1", TEN_TO_THIRTY, "ugv2", open), Map.of()))
+    assertThat(AgentMonitor.overlapSeconds(Map.of("ugv1", TEN_TO_THIRTY, "ugv2", open), Map.of()))
         .as("one of them")
         .isEqualTo(18);
     assertThat(
-            Witness.doubled(
+            AgentMonitor.overlapSeconds(
                 Map.of("ugv1", List.of(at(10, ResponderPhase.LEASED)), "ugv2", open), Map.of()))
         .as("both of them, until the latter's beginning, which was told last")
         .isZero();
     List<RecruitmentStatus> silent = List.of(at(50, ResponderPhase.FREE));
     assertThat(
-            Witness.doubled(
+            AgentMonitor.overlapSeconds(
                 Map.of("ugv1", List.of(at(10, ResponderPhase.LEASED)), "ugv2", open, "x", silent),
                 Map.of()))
         .as("both of them, until another told something")
@@ -55,13 +55,13 @@ class WitnessTest {
   void whoDiedHelpsNoLonger() {
     List<RecruitmentStatus> open = List.of(at(5, ResponderPhase.TRAVELLING));
     assertThat(
-            Witness.doubled(
+            AgentMonitor.overlapSeconds(
                 Map.of("ugv1", TEN_TO_THIRTY, "ugv2", open), Map.of("ugv2", BEGIN.plusSeconds(8))))
         .as("it died before another came")
         .isZero();
     List<RecruitmentStatus> back = List.of(at(12, ResponderPhase.TRAVELLING));
     assertThat(
-            Witness.doubled(
+            AgentMonitor.overlapSeconds(
                 Map.of("ugv1", TEN_TO_THIRTY, "ugv2", back), Map.of("ugv2", BEGIN.plusSeconds(8))))
         .as("it came back, and helps again")
         .isEqualTo(18);

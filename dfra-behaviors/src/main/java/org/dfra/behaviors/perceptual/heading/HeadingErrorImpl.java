@@ -44,11 +44,15 @@ public final class HeadingErrorImpl extends PerceptualSchemaImpl<PoseEstimate>
         0.5);
     this.guidance = new LineGuidance(settings().number("lookahead", 2.2, 0.5, 50));
     this.base = context.robot() + "/base_link";
-    takes(PositionEstimator.class, "position", PoseEstimate.class, (source, pose) -> keep(pose));
+    declareInput(
+        PositionEstimator.class,
+        "position",
+        PoseEstimate.class,
+        (source, pose) -> setPercept(pose));
   }
 
   @Override
-  protected PerceptualSchemaAttributes qualities() {
+  protected PerceptualSchemaAttributes schemaAttributes() {
     return new PerceptualSchemaAttributes("HeadingPercept", null, "lookahead", null, null);
   }
 
@@ -59,7 +63,7 @@ public final class HeadingErrorImpl extends PerceptualSchemaImpl<PoseEstimate>
     LocalPosition from = local.toLocal(leg.from());
     LocalPosition to = local.toLocal(leg.to());
     HeadingPercept percept = guidance.towards(pose, from, to, base);
-    tell(percept);
+    publish(percept);
     return percept;
   }
 

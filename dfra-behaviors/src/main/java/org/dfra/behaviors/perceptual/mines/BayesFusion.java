@@ -14,17 +14,17 @@ public final class BayesFusion implements Fusion {
    * @param prior probability of a mine where no one has looked, above 0 and below 1
    */
   public BayesFusion(double prior) {
-    this.prior = Priors.checked(prior);
+    this.prior = PriorProbability.requireValid(prior);
   }
 
   @Override
-  public Opinion nothing() {
+  public Opinion uninformed() {
     return NOTHING;
   }
 
   /** A look not trusted is as likely with a mine as without: the mean of both. */
   @Override
-  public Opinion of(Evidence evidence) {
+  public Opinion opinionOf(Evidence evidence) {
     double mean = (1 - evidence.trust()) * (evidence.ifMine() + evidence.ifClear()) / 2;
     return Opinion.of(
         evidence.trust() * evidence.ifMine() + mean,

@@ -9,5 +9,5 @@ interface Contrast {
    * @param picture of the band that it is made for
    * @return from 1 on it is taken for a mine; below 0 it is anything but
    */
-  double of(Picture picture, Window window);
+  double score(DecodedImage picture, DetectionWindow window);
 }

@@ -20,16 +20,16 @@ public final class DempsterShaferFusion implements Fusion {
    * @param prior probability of a mine where no one has looked, above 0 and below 1
    */
   public DempsterShaferFusion(double prior) {
-    this.prior = Priors.checked(prior);
+    this.prior = PriorProbability.requireValid(prior);
   }
 
   @Override
-  public Opinion nothing() {
+  public Opinion uninformed() {
     return NOTHING;
   }
 
   @Override
-  public Opinion of(Evidence evidence) {
+  public Opinion opinionOf(Evidence evidence) {
     double mine = Math.max(0, 1 - evidence.ifClear() / evidence.ifMine()) * evidence.trust();
     double clear = Math.max(0, 1 - evidence.ifMine() / evidence.ifClear()) * evidence.trust();
     return new Opinion(mine, clear, 1 - mine - clear);

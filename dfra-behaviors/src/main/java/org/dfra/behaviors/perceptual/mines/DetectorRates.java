@@ -29,7 +29,7 @@ public record DetectorRates(double truePositive, double falsePositive, double tr
   }
 
   /** What it means that it looked and raised none. */
-  public Evidence silence() {
+  public Evidence noAlarm() {
     return new Evidence(1 - truePositive, 1 - falsePositive, trust);
   }
 }

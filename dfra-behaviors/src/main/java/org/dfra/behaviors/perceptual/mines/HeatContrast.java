@@ -4,23 +4,24 @@ package org.dfra.behaviors.perceptual.mines;
  * A mine is warmer than what lies around it, on all sides, or colder on all sides. A strip of
  * shadow is not: it goes on to at least one side.
  *
- * @param least kelvin from the mine to the side that is most like it, from which it counts as one
+ * @param minContrast kelvin from the mine to the side that is most like it, from which it counts as
+ *     one
  */
-record HeatContrast(double least) implements Contrast {
+record HeatContrast(double minContrast) implements Contrast {
 
   private static final double PER_KELVIN = 100;
 
   @Override
-  public double of(Picture picture, Window window) {
+  public double score(DecodedImage picture, DetectionWindow window) {
     SummedTable heat = picture.channels().get(0);
     double inside = heat.mean(window.inside());
-    Sides warmer = new Sides();
-    Sides colder = new Sides();
-    for (Box box : window.around()) {
+    BlobScore warmer = new BlobScore();
+    BlobScore colder = new BlobScore();
+    for (PixelRect box : window.surroundings()) {
       double difference = (inside - heat.mean(box)) / PER_KELVIN;
       warmer.add(difference);
       colder.add(-difference);
     }
-    return Math.max(warmer.blob(least), colder.blob(least));
+    return Math.max(warmer.score(minContrast), colder.score(minContrast));
   }
 }

@@ -6,19 +6,19 @@ package org.dfra.behaviors.perceptual.mines;
  * of red, green and blue count.
  *
  * @param target whose colour it has
- * @param least natural logarithm of how many times brighter the side that is most like it is, from
- *     which it counts as a mine
+ * @param minContrast natural logarithm of how many times brighter the side that is most like it is,
+ *     from which it counts as a mine
  * @param tolerance of the colour: the most that the shares may differ by, their distance
  */
-record LightContrast(Target target, double least, double tolerance) implements Contrast {
+record LightContrast(MineModel target, double minContrast, double tolerance) implements Contrast {
 
   private static final double DARKEST = 1; // level: below that there is no colour
 
   @Override
-  public double of(Picture picture, Window window) {
+  public double score(DecodedImage picture, DetectionWindow window) {
     double[] inside = levels(picture, window.inside());
-    Sides darker = new Sides();
-    for (Box box : window.around()) {
+    BlobScore darker = new BlobScore();
+    for (PixelRect box : window.surroundings()) {
       double[] beside = levels(picture, box);
       double sum = 0;
       for (int i = 0; i < inside.length; i++) {
@@ -27,7 +27,7 @@ record LightContrast(Target target, double least, double tolerance) implements C
       darker.add(sum / inside.length);
     }
     double likeness = tolerance / Math.max(1e-6, distance(inside));
-    return Math.min(darker.blob(least), likeness);
+    return Math.min(darker.score(minContrast), likeness);
   }
 
   /** From the colour looked for, by the shares. */
@@ -41,7 +41,7 @@ record LightContrast(Target target, double least, double tolerance) implements C
     return Math.sqrt(squares);
   }
 
-  private static double[] levels(Picture picture, Box box) {
+  private static double[] levels(DecodedImage picture, PixelRect box) {
     double[] levels = new double[3];
     for (int i = 0; i < levels.length; i++) {
       levels[i] = Math.max(DARKEST, picture.channels().get(i).mean(box));

@@ -14,7 +14,7 @@ import org.dfra.core.module.PerceptualSchemaImpl;
 import org.dfra.directory.ModuleListing;
 import org.dfra.flow.perceptual.MineDetector;
 import org.dfra.flow.perceptual.MinePercept;
-import org.dfra.flow.perceptual.MinePercept.Sighting;
+import org.dfra.flow.perceptual.MinePercept.Detection;
 import org.dfra.flow.perceptual.PoseEstimate;
 import org.dfra.flow.perceptual.PositionEstimator;
 import org.dfra.flow.sensor.CameraImage;
@@ -27,8 +27,9 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Finds mines on the ground by all cameras of its robot, in light and in heat, and where the robot
- * is; see {@link Eye} and {@link Places}. A camera stands where its persona says, on the robot's
- * base; one that stands on anything else, such as a head, is not used, and the log says so.
+ * is; see {@link ImageMineDetector} and {@link MineCandidateMap}. A camera stands where its persona
+ * says, on the robot's base; one that stands on anything else, such as a head, is not used, and the
+ * log says so.
  *
  * <p>It looks when the robot has gone on by {@code look_spacing} or turned by 0.3 rad since its
  * last look, by the next image of each band. It does not look while the yaw is not known to 0.15
@@ -52,7 +53,7 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code near}, {@code far}: between which it looks, metres forward of the base; default 0.9
  *       and 3.5
  *   <li>{@code heat_contrast}: kelvin, default 1; {@code light_contrast}: natural logarithm,
- *       default 0.18; {@code colour_tolerance}: default 0.03; see {@link EyeSettings}
+ *       default 0.18; {@code colour_tolerance}: default 0.03; see {@link ImageMineDetectorSettings}
  *   <li>{@code look_spacing}: metres, 0.05 to 10, default 0.5; {@code gate}: metres, 0.05 to 5,
  *       default 0.5
  *   <li>{@code least_probability}: from which on something is told, 0 to 1; default 0.05
@@ -68,20 +69,22 @@ public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
   private static final double MOST_TURN_RATE = 0.5; // radians per second
   private static final double TURN = 0.3; // radians
 
-  private final MineDetectorSettings told;
+  private final MineDetectorSettings detectorSettings;
   private final String base;
   private final Object lock = new Object();
-  private final Places places; // guarded by lock
-  private final PoseTrail trail = new PoseTrail(); // guarded by lock
-  private final Pairing<View> pairing = new Pairing<>(); // guarded by lock
-  private final Map<String, Eye> eyes = new HashMap<>(); // by camera; guarded by lock
+  private final MineCandidateMap places; // guarded by lock
+  private final PoseBuffer trail = new PoseBuffer(); // guarded by lock
+  private final ImageSynchronizer<ImageSource> pairing =
+      new ImageSynchronizer<>(); // guarded by lock
+  private final Map<String, ImageMineDetector> imageDetectors =
+      new HashMap<>(); // by camera; guarded by lock
   private final Set<String> unusable = new HashSet<>(); // cameras; guarded by lock
   private final Map<Band, Integer> broken = new EnumMap<>(Band.class); // guarded by lock
   private @Nullable Viewpoint lastLook; // guarded by lock
-  private List<Sighting> sightings = List.of(); // guarded by lock
+  private List<Detection> sightings = List.of(); // guarded by lock
 
   /** Whose image it is, and where both stood. */
-  private record View(String camera, Transform mount, Viewpoint from) {}
+  private record ImageSource(String camera, Transform mount, Viewpoint from) {}
 
   /**
    * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
@@ -95,12 +98,20 @@ public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
         MinePercept.class,
         "MinePercept",
         5);
-    this.told = MineDetectorSettings.of(settings());
-    this.places = new Places(told.fusion(), told.rates(), told.gate(), told.spacing());
+    this.detectorSettings = MineDetectorSettings.of(settings());
+    this.places =
+        new MineCandidateMap(
+            detectorSettings.fusion(),
+            detectorSettings.rates(),
+            detectorSettings.associationGate(),
+            detectorSettings.observationSpacing());
     this.base = context.robot() + "/base_link";
-    takes(PositionEstimator.class, "position", PoseEstimate.class, (source, pose) -> take(pose));
-    takesAll(CameraSensor.class, CameraImage.class, this::take);
-    declared().show("undecoded", "images that were not what they said, by band", this::undecoded);
+    declareInput(
+        PositionEstimator.class, "position", PoseEstimate.class, (source, pose) -> take(pose));
+    declareInputFromAll(CameraSensor.class, CameraImage.class, this::take);
+    parameterTable()
+        .declareReadOnly(
+            "undecoded", "images that were not what they said, by band", this::undecoded);
   }
 
   private String undecoded() {
@@ -118,20 +129,20 @@ public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
   private void take(ModuleListing<?> source, CameraImage image) {
     synchronized (lock) {
       Optional<Transform> mount = mount(source);
-      Optional<PoseEstimate> pose = trail.near(image.measured());
+      Optional<PoseEstimate> pose = trail.nearest(image.measured());
       if (mount.isEmpty() || pose.isEmpty()) {
         return;
       }
-      Viewpoint from = trail.at(image.measured(), pose.get());
+      Viewpoint from = trail.extrapolate(image.measured(), pose.get());
       boolean isSteady =
           pose.get().yawSigma() <= MOST_YAW_SIGMA
-              && Math.abs(pose.get().turnRate()) <= MOST_TURN_RATE;
-      List<Pairing.Taken<View>> complete =
+              && Math.abs(pose.get().yawRate()) <= MOST_TURN_RATE;
+      List<ImageSynchronizer.TaggedImage<ImageSource>> complete =
           isSteady && isElsewhere(from)
-              ? pairing.add(image, new View(source.path(), mount.get(), from))
+              ? pairing.add(image, new ImageSource(source.path(), mount.get(), from))
               : List.of();
       if (complete.isEmpty()) {
-        keep(new MinePercept(image.measured(), EARTH, sightings));
+        setPercept(new MinePercept(image.measured(), EARTH, sightings));
       } else {
         lastLook = from;
         look(complete, image.measured());
@@ -141,7 +152,9 @@ public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
 
   private boolean isElsewhere(Viewpoint from) {
     Viewpoint last = lastLook;
-    return last == null || last.distance(from) >= told.spacing() || last.turn(from) >= TURN;
+    return last == null
+        || last.distance(from) >= detectorSettings.observationSpacing()
+        || last.yawDifference(from) >= TURN;
   }
 
   /** Where the camera stands on the base, by its persona; nothing if it does not. */
@@ -161,32 +174,39 @@ public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
     return pose.map(at -> Transform.of(at.x(), at.y(), at.z(), at.roll(), at.pitch(), at.yaw()));
   }
 
-  private void look(List<Pairing.Taken<View>> images, Instant measured) {
-    List<Look.View> views = new ArrayList<>();
-    for (Pairing.Taken<View> each : images) {
-      View with = each.with();
-      eyes.computeIfAbsent(with.camera(), unused -> new Eye(told.eye()))
-          .look(each.image(), with.mount())
+  private void look(List<ImageSynchronizer.TaggedImage<ImageSource>> images, Instant measured) {
+    List<MineObservation.LocatedDetections> views = new ArrayList<>();
+    for (ImageSynchronizer.TaggedImage<ImageSource> each : images) {
+      ImageSource with = each.tag();
+      imageDetectors
+          .computeIfAbsent(
+              with.camera(), unused -> new ImageMineDetector(detectorSettings.imageDetector()))
+          .detect(each.image(), with.mount())
           .ifPresentOrElse(
-              glance -> views.add(new Look.View(with.from(), glance)),
+              glance -> views.add(new MineObservation.LocatedDetections(with.from(), glance)),
               () -> broken.merge(each.image().band(), 1, Integer::sum));
     }
     if (!views.isEmpty()) {
-      places.take(new Look(views));
+      places.add(new MineObservation(views));
       sightings =
-          places.candidates(told.least()).stream()
+          places.candidates(detectorSettings.minProbability()).stream()
               .map(
                   each ->
-                      new Sighting(trail.position(each.place()), each.probability(), each.looks()))
+                      new Detection(
+                          trail.toGeo(each.position()), each.probability(), each.observations()))
               .toList();
-      perceive(new MinePercept(measured, EARTH, sightings));
+      publishPercept(new MinePercept(measured, EARTH, sightings));
     }
   }
 
   @Override
-  protected PerceptualSchemaAttributes qualities() {
+  protected PerceptualSchemaAttributes schemaAttributes() {
     return new PerceptualSchemaAttributes(
-        "MinePercept", "probability", told.method(), told.truePositive(), told.falsePositive());
+        "MinePercept",
+        "probability",
+        detectorSettings.fusionMethod(),
+        detectorSettings.truePositive(),
+        detectorSettings.falsePositive());
   }
 
   @Override

@@ -12,68 +12,68 @@ import org.jspecify.annotations.Nullable;
 /**
  * What a mine detector is told, see {@link MineDetectorImpl}.
  *
- * @param method {@code bayes} or {@code dempster-shafer}
+ * @param fusionMethod {@code bayes} or {@code dempster-shafer}
  * @param fusion the same at work
  * @param rates of the cameras, as measured
  * @param truePositive of both cameras fused, as measured with that method; null where not told
  * @param falsePositive likewise
- * @param spacing from look to look, metres
- * @param gate how far what belongs to one place may be apart, metres
- * @param least probability from which on it is told
+ * @param observationSpacing from look to look, metres
+ * @param associationGate how far what belongs to one place may be apart, metres
+ * @param minProbability probability from which on it is told
  */
 record MineDetectorSettings(
-    EyeSettings eye,
-    String method,
+    ImageMineDetectorSettings imageDetector,
+    String fusionMethod,
     Fusion fusion,
-    Map<Band, Repeated> rates,
+    Map<Band, RepeatedDetectionRates> rates,
     @Nullable Double truePositive,
     @Nullable Double falsePositive,
-    double spacing,
-    double gate,
-    double least) {
+    double observationSpacing,
+    double associationGate,
+    double minProbability) {
 
   private static final String BAYES = "bayes";
   private static final String DEMPSTER = "dempster-shafer";
   private static final double RAREST = 1e-6;
 
-  static MineDetectorSettings of(Parameters told) {
-    EyeSettings usual = EyeSettings.DEFAULT;
-    EyeSettings eye =
-        new EyeSettings(
-            told.number("mine_radius", usual.radius(), 0.02, 1),
-            told.number("mine_height", usual.height(), 0, 1),
-            colour(told, usual.colour()),
-            told.number("near", usual.near(), 0, 50),
-            told.number("far", usual.far(), 0.5, 100),
-            told.number("heat_contrast", usual.leastHeat(), 0.05, 50),
-            told.number("light_contrast", usual.leastDark(), 0.01, 5),
-            told.number("colour_tolerance", usual.tolerance(), 0.001, 1));
-    if (eye.far() <= eye.near()) {
-      throw told.find("far").isPresent()
-          ? told.fault("far", "more than near, which is " + eye.near() + " m", null)
-          : told.fault("near", "less than far, which is " + eye.far() + " m", null);
+  static MineDetectorSettings of(Parameters parameters) {
+    ImageMineDetectorSettings usual = ImageMineDetectorSettings.DEFAULT;
+    ImageMineDetectorSettings eye =
+        new ImageMineDetectorSettings(
+            parameters.number("mine_radius", usual.radius(), 0.02, 1),
+            parameters.number("mine_height", usual.height(), 0, 1),
+            colour(parameters, usual.colour()),
+            parameters.number("near", usual.minDistance(), 0, 50),
+            parameters.number("far", usual.maxDistance(), 0.5, 100),
+            parameters.number("heat_contrast", usual.minThermalContrast(), 0.05, 50),
+            parameters.number("light_contrast", usual.minVisibleContrast(), 0.01, 5),
+            parameters.number("colour_tolerance", usual.colourTolerance(), 0.001, 1));
+    if (eye.maxDistance() <= eye.minDistance()) {
+      throw parameters.find("far").isPresent()
+          ? parameters.fault("far", "more than near, which is " + eye.minDistance() + " m", null)
+          : parameters.fault("near", "less than far, which is " + eye.maxDistance() + " m", null);
     }
-    double prior = told.number("prior", 0.01, RAREST, 1 - RAREST);
-    String method = told.find("fusion").orElse(BAYES).strip();
+    double prior = parameters.number("prior", 0.01, RAREST, 1 - RAREST);
+    String method = parameters.find("fusion").orElse(BAYES).strip();
     Fusion fusion =
         switch (method) {
           case BAYES -> new BayesFusion(prior);
           case DEMPSTER -> new DempsterShaferFusion(prior);
-          default -> throw told.fault("fusion", BAYES + " or " + DEMPSTER, null);
+          default -> throw parameters.fault("fusion", BAYES + " or " + DEMPSTER, null);
         };
-    Map<String, Shares> measured =
-        Map.of(BAYES, shares(told, BAYES), DEMPSTER, shares(told, DEMPSTER));
-    Shares fused = Objects.requireNonNull(measured.get(method));
+    Map<String, MeasuredRates> measured =
+        Map.of(BAYES, shares(parameters, BAYES), DEMPSTER, shares(parameters, DEMPSTER));
+    MeasuredRates fused = Objects.requireNonNull(measured.get(method));
     return new MineDetectorSettings(
         eye,
         method,
         fusion,
-        rates(told),
+        rates(parameters),
         fused.truePositive(),
         fused.falsePositive(),
-        told.number("look_spacing", 0.5, 0.05, 10),
-        told.number("gate", 0.5, 0.05, 5),
-        told.number("least_probability", 0.05, 0, 1));
+        parameters.number("look_spacing", 0.5, 0.05, 10),
+        parameters.number("gate", 0.5, 0.05, 5),
+        parameters.number("least_probability", 0.05, 0, 1));
   }
 
   private static int colour(Parameters told, int usual) {
@@ -88,13 +88,13 @@ record MineDetectorSettings(
     return Integer.parseInt(hex.substring(1), 16);
   }
 
-  private static Map<Band, Repeated> rates(Parameters told) {
-    Map<Band, Repeated> rates = new EnumMap<>(Band.class);
+  private static Map<Band, RepeatedDetectionRates> rates(Parameters told) {
+    Map<Band, RepeatedDetectionRates> rates = new EnumMap<>(Band.class);
     for (Band band : Band.values()) {
       String name = band.name().toLowerCase(Locale.ROOT);
       rates.put(
           band,
-          new Repeated(
+          new RepeatedDetectionRates(
               rates(told, name, ""),
               rates(told, name, "_after_alarm"),
               rates(told, name, "_after_silence")));
@@ -114,12 +114,13 @@ record MineDetectorSettings(
   }
 
   /** How often a method of fusion was right and wrong; null where nobody has measured it. */
-  private record Shares(@Nullable Double truePositive, @Nullable Double falsePositive) {}
+  private record MeasuredRates(@Nullable Double truePositive, @Nullable Double falsePositive) {}
 
   /** Of every method, chosen or not: so that what is written of the other is looked at too. */
-  private static Shares shares(Parameters told, String method) {
+  private static MeasuredRates shares(Parameters told, String method) {
     String name = method.replace('-', '_');
-    return new Shares(share(told, name + "_true_positive"), share(told, name + "_false_positive"));
+    return new MeasuredRates(
+        share(told, name + "_true_positive"), share(told, name + "_false_positive"));
   }
 
   private static @Nullable Double share(Parameters told, String name) {

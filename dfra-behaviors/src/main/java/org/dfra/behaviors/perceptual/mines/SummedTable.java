@@ -35,7 +35,7 @@ final class SummedTable {
   }
 
   /** Mean of the samples in a box that lies in the picture. */
-  double mean(Box box) {
+  double mean(PixelRect box) {
     int above = box.top() * (width + 1);
     int below = box.bottom() * (width + 1);
     long sum =

@@ -10,20 +10,20 @@ package org.dfra.behaviors.perceptual.mines;
 public record Viewpoint(double east, double north, double yaw) {
 
   /** From the robot's base, x forward, y left, to the map, x east, y north. */
-  public Spot toMap(Spot spot) {
+  public GroundPoint toMap(GroundPoint spot) {
     double cos = Math.cos(yaw);
     double sin = Math.sin(yaw);
-    return new Spot(
+    return new GroundPoint(
         east + cos * spot.x() - sin * spot.y(), north + sin * spot.x() + cos * spot.y());
   }
 
   /** From the map to the robot's base. */
-  public Spot toBase(Spot spot) {
+  public GroundPoint toBase(GroundPoint spot) {
     double cos = Math.cos(yaw);
     double sin = Math.sin(yaw);
     double dx = spot.x() - east;
     double dy = spot.y() - north;
-    return new Spot(cos * dx + sin * dy, cos * dy - sin * dx);
+    return new GroundPoint(cos * dx + sin * dy, cos * dy - sin * dx);
   }
 
   /** Metres to another, turned or not. */
@@ -32,7 +32,7 @@ public record Viewpoint(double east, double north, double yaw) {
   }
 
   /** How far it is turned from another, radians, 0 to π. */
-  public double turn(Viewpoint other) {
+  public double yawDifference(Viewpoint other) {
     return Math.abs(Math.IEEEremainder(yaw - other.yaw, 2 * Math.PI));
   }
 }

@@ -5,11 +5,11 @@
  * <pre>
  *   CameraImage --&gt; Picture --&gt; Finder --&gt; Glance --+
  *                   Windows (where a mine would be)   |--&gt; Look --&gt; Places --&gt; MinePercept
- *   PoseEstimate --&gt; PoseTrail ---&gt; Viewpoint -------+        (Fusion of Evidence)
+ *   PoseEstimate --&gt; PoseBuffer ---&gt; Viewpoint -------+        (Fusion of Evidence)
  * </pre>
  *
  * <p>Enter at {@link org.dfra.behaviors.perceptual.mines.MineDetectorImpl}, at {@link
- * org.dfra.behaviors.perceptual.mines.Eye} for one image, or at {@link
+ * org.dfra.behaviors.perceptual.mines.ImageMineDetector} for one image, or at {@link
  * org.dfra.behaviors.perceptual.mines.Fusion} for evidence alone.
  */
 @NullMarked

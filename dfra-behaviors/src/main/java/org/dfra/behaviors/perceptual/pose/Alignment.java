@@ -32,21 +32,21 @@ record Alignment(
 
   /** Standard deviation of the yaw, radians; that of any yaw at all where it is less certain. */
   double yawSigma() {
-    return Math.min(FixWindow.UNKNOWN_YAW, 1 / Math.sqrt(certainty));
+    return Math.min(FixWindow.UNKNOWN_YAW_SIGMA, 1 / Math.sqrt(certainty));
   }
 
   /** Metres from the centre to a place on the track, eastward. */
-  double eastward(Track.Pose pose) {
+  double eastward(DeadReckoningTrack.Pose pose) {
     return Math.cos(yaw) * (pose.x() - trackX) - Math.sin(yaw) * (pose.y() - trackY);
   }
 
   /** Metres from the centre to a place on the track, northward. */
-  double northward(Track.Pose pose) {
+  double northward(DeadReckoningTrack.Pose pose) {
     return Math.sin(yaw) * (pose.x() - trackX) + Math.cos(yaw) * (pose.y() - trackY);
   }
 
   /** Standard deviation of the position of a place on the track along its worst direction. */
-  double positionSigma(Track.Pose pose, double bias) {
+  double positionSigma(DeadReckoningTrack.Pose pose, double bias) {
     double far = Math.hypot(pose.x() - trackX, pose.y() - trackY) * yawSigma();
     double shared = 0;
     for (double share : shares) {

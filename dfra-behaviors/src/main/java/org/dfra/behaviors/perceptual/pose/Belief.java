@@ -23,11 +23,11 @@ final class Belief {
   static final int EAST = 0;
   static final int NORTH = 1;
   static final int YAW = 2;
-  static final int TURN = 3;
-  static final int SCALE = 4;
-  static final int SPIN = 5;
-  static final int SLOW = 6;
-  static final int SIZE = SLOW + 2 * FixIntake.SOURCES;
+  static final int GYRO_BIAS = 3;
+  static final int WHEEL_SCALE = 4;
+  static final int WHEEL_YAW_SCALE = 5;
+  static final int GPS_BIAS = 6;
+  static final int SIZE = GPS_BIAS + 2 * FixPreprocessor.MAX_RECEIVERS;
 
   /** What the scale changes by after a second, per root second. */
   private static final double SCALE_DRIFT = 3e-4;
@@ -42,7 +42,7 @@ final class Belief {
   final DMatrixRMaj covariance = new DMatrixRMaj(SIZE, SIZE);
 
   private final TrackerSettings settings;
-  private final Transition transition = new Transition();
+  private final StateTransitionMatrix transition = new StateTransitionMatrix();
   private final Correction byRest = new Correction(SIZE, 1);
   private final FixCorrection byFix;
   private long time;
@@ -76,12 +76,12 @@ final class Belief {
   }
 
   /** To the left, radians per second, in the last step. */
-  double turnRate() {
+  double yawRate() {
     return turnRate;
   }
 
   /** Begins at a pose: nothing is known of the rest but what is known before all. */
-  void begin(long at, double east, double north, double yaw) {
+  void initialize(long at, double east, double north, double yaw) {
     time = at;
     speed = 0;
     turnRate = 0;
@@ -90,16 +90,16 @@ final class Belief {
     state.set(EAST, east);
     state.set(NORTH, north);
     state.set(YAW, yaw);
-    know(TURN, 0, settings.gyro().bias());
-    know(SCALE, 0, settings.wheels().scale());
-    know(SPIN, 0, settings.wheels().turnScale());
-    for (int slot = 0; slot < FixIntake.SOURCES; slot++) {
-      forget(slot);
+    setUncorrelated(GYRO_BIAS, 0, settings.gyro().biasSigma());
+    setUncorrelated(WHEEL_SCALE, 0, settings.wheels().scaleSigma());
+    setUncorrelated(WHEEL_YAW_SCALE, 0, settings.wheels().yawScaleSigma());
+    for (int slot = 0; slot < FixPreprocessor.MAX_RECEIVERS; slot++) {
+      resetReceiverBias(slot);
     }
   }
 
   /** Sets one number of the state, tied to no other. */
-  void know(int index, double value, double sigma) {
+  void setUncorrelated(int index, double value, double sigma) {
     for (int i = 0; i < SIZE; i++) {
       covariance.set(index, i, 0);
       covariance.set(i, index, 0);
@@ -109,45 +109,47 @@ final class Belief {
   }
 
   /** Makes the slow error of a receiver what it is before all. */
-  void forget(int slot) {
-    know(SLOW + 2 * slot, 0, slowSigma());
-    know(SLOW + 2 * slot + 1, 0, slowSigma());
+  void resetReceiverBias(int slot) {
+    setUncorrelated(GPS_BIAS + 2 * slot, 0, slowSigma());
+    setUncorrelated(GPS_BIAS + 2 * slot + 1, 0, slowSigma());
   }
 
   private double slowSigma() {
-    return Math.max(LEAST, settings.gps().bias());
+    return Math.max(LEAST, settings.gps().biasSigma());
   }
 
   /** Doubts the position by some metres and the yaw by some radians more. */
-  void doubt(double metres, double radians) {
+  void inflate(double metres, double radians) {
     covariance.add(EAST, EAST, metres * metres);
     covariance.add(NORTH, NORTH, metres * metres);
     covariance.add(YAW, YAW, radians * radians);
   }
 
   /** Moves by a step. */
-  void predict(Step step) {
+  void predict(MotionIncrement step) {
     double dt = step.seconds();
-    boolean rests = step.rests(get(TURN), Math.sqrt(variance(TURN)), settings.gyro().noise());
+    boolean rests =
+        step.isRobotStationary(
+            get(GYRO_BIAS), Math.sqrt(variance(GYRO_BIAS)), settings.gyro().noiseDensity());
     double turn = turn(step, dt, rests);
     double middle = state.get(YAW) + turn / 2;
     double cos = Math.cos(middle);
     double sin = Math.sin(middle);
-    double way = step.way() * (1 + state.get(SCALE));
-    double keep = Math.exp(-dt / settings.gps().biasTime());
+    double way = step.distance() * (1 + state.get(WHEEL_SCALE));
+    double keep = Math.exp(-dt / settings.gps().biasCorrelationTime());
     transition.clear(keep);
-    transition.place(YAW, -way * sin, way * cos);
-    transition.place(SCALE, step.way() * cos, step.way() * sin);
+    transition.setPositionTerms(YAW, -way * sin, way * cos);
+    transition.setPositionTerms(WHEEL_SCALE, step.distance() * cos, step.distance() * sin);
     if (step.hasGyro() && !rests) {
-      transition.yaw(-dt, 0);
-      transition.place(TURN, way * sin * dt / 2, -way * cos * dt / 2);
+      transition.setYawTerms(-dt, 0);
+      transition.setPositionTerms(GYRO_BIAS, way * sin * dt / 2, -way * cos * dt / 2);
     }
     if (!step.hasGyro()) {
-      double change = rests ? 0 : step.wheelTurn();
-      transition.yaw(0, change);
-      transition.place(SPIN, -way * sin * change / 2, way * cos * change / 2);
+      double change = rests ? 0 : step.wheelYaw();
+      transition.setYawTerms(0, change);
+      transition.setPositionTerms(WHEEL_YAW_SCALE, -way * sin * change / 2, way * cos * change / 2);
     }
-    for (int i = SLOW; i < SIZE; i++) {
+    for (int i = GPS_BIAS; i < SIZE; i++) {
       state.set(i, state.get(i) * keep);
     }
     state.add(EAST, 0, way * cos);
@@ -160,59 +162,66 @@ final class Belief {
     speed = dt > 0 ? way / dt : 0;
     turnRate = dt > 0 ? turn / dt : 0;
     if (rests && step.hasGyro() && dt > 0) {
-      learnTurn(step.gyroTurn() / dt, dt);
+      learnTurn(step.gyroYaw() / dt, dt);
     }
   }
 
-  private double turn(Step step, double dt, boolean rests) {
+  private double turn(MotionIncrement step, double dt, boolean rests) {
     if (rests) {
       return 0;
     }
     return step.hasGyro()
-        ? step.gyroTurn() - state.get(TURN) * dt
-        : step.wheelTurn() * (1 + state.get(SPIN));
+        ? step.gyroYaw() - state.get(GYRO_BIAS) * dt
+        : step.wheelYaw() * (1 + state.get(WHEEL_YAW_SCALE));
   }
 
   private void addNoise(
-      Step step, double dt, boolean rests, double turn, double keep, double cos, double sin) {
+      MotionIncrement step,
+      double dt,
+      boolean rests,
+      double turn,
+      double keep,
+      double cos,
+      double sin) {
     TrackerSettings.WheelErrors wheels = settings.wheels();
     TrackerSettings.GyroErrors gyro = settings.gyro();
-    double lost = step.lostWay() * step.lostWay();
-    double along = wheels.along() * wheels.along() * Math.abs(step.way()) + lost;
-    double side = wheels.side() * wheels.side() * Math.abs(step.way()) + lost;
+    double lost = step.distanceSigma() * step.distanceSigma();
+    double along =
+        wheels.longitudinalSlip() * wheels.longitudinalSlip() * Math.abs(step.distance()) + lost;
+    double side = wheels.lateralSlip() * wheels.lateralSlip() * Math.abs(step.distance()) + lost;
     covariance.add(EAST, EAST, along * cos * cos + side * sin * sin);
     covariance.add(NORTH, NORTH, along * sin * sin + side * cos * cos);
     covariance.add(EAST, NORTH, (along - side) * sin * cos);
     covariance.add(NORTH, EAST, (along - side) * sin * cos);
     double angle = Math.abs(turn);
     if (step.hasGyro()) {
-      double noise = rests ? 0 : gyro.noise() * gyro.noise() * dt;
-      covariance.add(YAW, YAW, noise + gyro.scale() * gyro.scale() * angle);
+      double noise = rests ? 0 : gyro.noiseDensity() * gyro.noiseDensity() * dt;
+      covariance.add(YAW, YAW, noise + gyro.scaleNoise() * gyro.scaleNoise() * angle);
     } else if (!rests) {
       covariance.add(
           YAW,
           YAW,
-          wheels.turn() * wheels.turn() * angle
-              + wheels.turnDrift() * wheels.turnDrift() * dt
-              + step.lostTurn() * step.lostTurn());
+          wheels.yawSlip() * wheels.yawSlip() * angle
+              + wheels.yawRandomWalk() * wheels.yawRandomWalk() * dt
+              + step.yawSigma() * step.yawSigma());
     }
-    covariance.add(TURN, TURN, gyro.drift() * gyro.drift() * dt);
-    covariance.add(SCALE, SCALE, SCALE_DRIFT * SCALE_DRIFT * dt);
+    covariance.add(GYRO_BIAS, GYRO_BIAS, gyro.biasRandomWalk() * gyro.biasRandomWalk() * dt);
+    covariance.add(WHEEL_SCALE, WHEEL_SCALE, SCALE_DRIFT * SCALE_DRIFT * dt);
     if (!step.hasGyro()) {
-      covariance.add(SPIN, SPIN, SPIN_DRIFT * SPIN_DRIFT * dt);
+      covariance.add(WHEEL_YAW_SCALE, WHEEL_YAW_SCALE, SPIN_DRIFT * SPIN_DRIFT * dt);
     }
     double fresh = slowSigma() * slowSigma() * (1 - keep * keep);
-    for (int i = SLOW; i < SIZE; i++) {
+    for (int i = GPS_BIAS; i < SIZE; i++) {
       covariance.add(i, i, fresh);
     }
   }
 
   /** The robot stands, so what the gyro shows is its bias. */
   private void learnTurn(double rate, double dt) {
-    double noise = settings.gyro().noise();
+    double noise = settings.gyro().noiseDensity();
     byRest.jacobian.zero();
-    byRest.jacobian.set(0, TURN, 1);
-    byRest.innovation.set(0, 0, rate - state.get(TURN));
+    byRest.jacobian.set(0, GYRO_BIAS, 1);
+    byRest.innovation.set(0, 0, rate - state.get(GYRO_BIAS));
     byRest.noise.set(0, 0, noise * noise / dt);
     byRest.apply(state, covariance, Double.POSITIVE_INFINITY);
   }
@@ -225,13 +234,13 @@ final class Belief {
   /** Whether the fix's course says anything of the yaw, as the last step went. */
   boolean canUseCourse(LocalFix fix) {
     return !Double.isNaN(fix.course())
-        && Math.abs(speed) > FixWindow.ROLLING
-        && Math.abs(turnRate) < FixWindow.STRAIGHT;
+        && Math.abs(speed) > FixWindow.MIN_COURSE_SPEED
+        && Math.abs(turnRate) < FixWindow.MAX_COURSE_YAW_RATE;
   }
 
   /** Corrects by the direction in which a fix travels; false if it was too unlikely. */
   boolean correctCourse(LocalFix fix) {
-    return byFix.course(fix, fix.ahead(speed, turnRate), state, covariance);
+    return byFix.course(fix, fix.antennaDirection(speed, turnRate), state, covariance);
   }
 
   /** Standard deviation of the position along its worst direction, metres. */
@@ -246,7 +255,7 @@ final class Belief {
   }
 
   /** Whether all numbers are finite and all variances positive. */
-  boolean isSound() {
+  boolean isValid() {
     for (int i = 0; i < SIZE; i++) {
       if (!Double.isFinite(state.get(i)) || !(variance(i) > 0)) {
         return false;

@@ -20,7 +20,7 @@ final class FixCorrection {
     double sin = Math.sin(state.get(Belief.YAW));
     double armEast = cos * fix.forward() - sin * fix.left();
     double armNorth = sin * fix.forward() + cos * fix.left();
-    int slow = Belief.SLOW + 2 * fix.slot();
+    int slow = Belief.GPS_BIAS + 2 * fix.slot();
     DMatrixRMaj jacobian = byPosition.jacobian;
     jacobian.zero();
     jacobian.set(0, Belief.EAST, 1);
@@ -35,7 +35,7 @@ final class FixCorrection {
         1, 0, fix.north() - state.get(Belief.NORTH) - armNorth - state.get(slow + 1));
     CommonOps_DDRM.setIdentity(byPosition.noise);
     CommonOps_DDRM.scale(fix.sigma() * fix.sigma(), byPosition.noise);
-    return byPosition.apply(state, covariance, settings.gate());
+    return byPosition.apply(state, covariance, settings.positionGate());
   }
 
   /**

@@ -18,7 +18,7 @@ import java.util.Optional;
 final class FixWindow {
 
   /** Standard deviation of a yaw of which nothing is known, radians: π/√3. */
-  static final double UNKNOWN_YAW = 1.8138;
+  static final double UNKNOWN_YAW_SIGMA = 1.8138;
 
   private static final int MOST = 256;
 
@@ -26,10 +26,10 @@ final class FixWindow {
   private static final double OUTLYING = 4;
 
   /** Turning faster than this a receiver's course is late, radians per second. */
-  static final double STRAIGHT = 0.2;
+  static final double MAX_COURSE_YAW_RATE = 0.2;
 
   /** Slower by its wheels, metres per second, a robot's course is not its own. */
-  static final double ROLLING = 0.2;
+  static final double MIN_COURSE_SPEED = 0.2;
 
   private final TrackerSettings settings;
   private final List<Entry> entries = new ArrayList<>();
@@ -48,19 +48,21 @@ final class FixWindow {
    * @param speed of the robot then, forward is +, metres per second
    * @param turnRate of the robot then, radians per second
    */
-  void add(LocalFix fix, Track.Pose pose, double speed, double turnRate) {
+  void add(LocalFix fix, DeadReckoningTrack.Pose pose, double speed, double turnRate) {
     double cos = Math.cos(pose.yaw());
     double sin = Math.sin(pose.yaw());
     boolean hasCourse =
-        !Double.isNaN(fix.course()) && Math.abs(speed) > ROLLING && Math.abs(turnRate) < STRAIGHT;
-    double ahead = fix.ahead(speed, turnRate) + pose.yaw();
+        !Double.isNaN(fix.course())
+            && Math.abs(speed) > MIN_COURSE_SPEED
+            && Math.abs(turnRate) < MAX_COURSE_YAW_RATE;
+    double ahead = fix.antennaDirection(speed, turnRate) + pose.yaw();
     entries.add(
         new Entry(
             fix,
             pose.x() + cos * fix.forward() - sin * fix.left(),
             pose.y() + sin * fix.forward() + cos * fix.left(),
             hasCourse ? fix.course() - ahead : Double.NaN));
-    long oldest = fix.time() - settings.window().toNanos();
+    long oldest = fix.time() - settings.fixWindow().toNanos();
     entries.removeIf(entry -> entry.fix.time() < oldest);
     if (entries.size() > MOST) {
       entries.remove(0);
@@ -88,7 +90,7 @@ final class FixWindow {
     double median = sorted[sorted.length / 2];
     List<Entry> good = new ArrayList<>();
     for (int i = 0; i < residuals.length; i++) {
-      double noise = Math.hypot(entries.get(i).fix.sigma(), settings.gps().bias());
+      double noise = Math.hypot(entries.get(i).fix.sigma(), settings.gps().biasSigma());
       if (residuals[i] <= OUTLYING * Math.max(median, noise)) {
         good.add(entries.get(i));
       }
@@ -97,7 +99,7 @@ final class FixWindow {
   }
 
   private static double residual(Alignment to, Entry entry) {
-    Track.Pose place = new Track.Pose(entry.x, entry.y, 0);
+    DeadReckoningTrack.Pose place = new DeadReckoningTrack.Pose(entry.x, entry.y, 0);
     return Math.hypot(
         to.east() + to.eastward(place) - entry.fix.east(),
         to.north() + to.northward(place) - entry.fix.north());
@@ -106,9 +108,9 @@ final class FixWindow {
   private Alignment fit(List<Entry> chosen) {
     double[] centre = new double[4];
     double[] z = new double[2];
-    double[] shares = new double[FixIntake.SOURCES];
+    double[] shares = new double[FixPreprocessor.MAX_RECEIVERS];
     double variance = 0;
-    for (int slot = 0; slot < FixIntake.SOURCES; slot++) {
+    for (int slot = 0; slot < FixPreprocessor.MAX_RECEIVERS; slot++) {
       double[] mean = mean(chosen, slot);
       shares[slot] = mean[4] / chosen.size();
       for (int i = 0; i < centre.length; i++) {

@@ -14,10 +14,10 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * An extended Kalman filter of pose, gyro bias, wheel scale and the slow error of each receiver;
- * see {@link Belief}. Late fixes count at their own time; see {@link Replay}.
+ * see {@link Belief}. Late fixes count at their own time; see {@link DelayedFixFilter}.
  *
  * <p>A filter that is linear about its belief must know its yaw roughly. So it begins only when the
- * way has shown the yaw, and until then answers as {@link HistoryTracker} does. It goes back to
+ * way has shown the yaw, and until then answers as {@link FixWindowTracker} does. It goes back to
  * this when it must be wrong.
  *
  * <pre>
@@ -50,9 +50,9 @@ public final class KalmanTracker implements PoseTracker {
    * @param yaw radians, 0 is east, counter-clockwise is +
    * @param sigma its standard deviation, radians, above 0
    */
-  public record KnownYaw(double yaw, double sigma) {
+  public record InitialYaw(double yaw, double sigma) {
 
-    public KnownYaw {
+    public InitialYaw {
       if (!Double.isFinite(yaw) || !(sigma > 0 && sigma < Double.POSITIVE_INFINITY)) {
         throw new IllegalArgumentException(
             "a yaw of " + yaw + " ± " + sigma + " rad is none; give a finite one");
@@ -61,15 +61,15 @@ public final class KalmanTracker implements PoseTracker {
   }
 
   private final TrackerSettings settings;
-  private final FixIntake intake;
-  private final Poses poses;
-  private final Reckoning reckoning;
-  private final Replay replay;
+  private final FixPreprocessor intake;
+  private final PoseEstimateFactory poses;
+  private final DeadReckoning reckoning;
+  private final DelayedFixFilter replay;
   private final Belief ahead;
   private final List<LocalFix> waiting = new ArrayList<>();
-  private final Distrust positions;
-  private final Distrust courses;
-  private @Nullable KnownYaw known;
+  private final RejectionCounter positions;
+  private final RejectionCounter courses;
+  private @Nullable InitialYaw known;
   private boolean isTracking;
   private long used;
   private boolean hasDoubted;
@@ -84,39 +84,39 @@ public final class KalmanTracker implements PoseTracker {
       TrackerSettings settings,
       String frame,
       @Nullable GeoPosition datum,
-      @Nullable KnownYaw known) {
+      @Nullable InitialYaw known) {
     this.settings = settings;
-    this.intake = new FixIntake(settings.gps(), datum);
-    this.poses = new Poses(frame, intake);
-    this.reckoning = new Reckoning(settings);
-    this.replay = new Replay(settings);
+    this.intake = new FixPreprocessor(settings.gps(), datum);
+    this.poses = new PoseEstimateFactory(frame, intake);
+    this.reckoning = new DeadReckoning(settings);
+    this.replay = new DelayedFixFilter(settings);
     this.ahead = new Belief(settings);
-    this.positions = new Distrust(ENOUGH, settings.lostAfter().toNanos());
-    this.courses = new Distrust(ENOUGH, settings.lostAfter().toNanos());
+    this.positions = new RejectionCounter(ENOUGH, settings.rejectionTimeout().toNanos());
+    this.courses = new RejectionCounter(ENOUGH, settings.rejectionTimeout().toNanos());
     this.known = known;
   }
 
   @Override
-  public void take(AngularRate rate) {
+  public void addMeasurement(AngularRate rate) {
     reckoning.take(rate);
   }
 
   @Override
-  public void take(Odometry odometry) {
+  public void addMeasurement(Odometry odometry) {
     follow(reckoning.take(odometry));
   }
 
   @Override
-  public void take(GpsFix fix, String source, Transform antenna, Instant received) {
-    LocalFix local = intake.take(fix, source, antenna, received);
+  public void addMeasurement(GpsFix fix, String source, Transform antenna, Instant received) {
+    LocalFix local = intake.process(fix, source, antenna, received);
     if (local == null) {
       return;
     }
-    follow(reckoning.catchUp(local.time()));
+    follow(reckoning.advanceTo(local.time()));
     if (local.isNewSource()) {
       reckoning.window().clear();
       if (isTracking) {
-        replay.head().forget(local.slot());
+        replay.head().resetReceiverBias(local.slot());
         replay.rebase();
       }
     }
@@ -133,7 +133,7 @@ public final class KalmanTracker implements PoseTracker {
     }
   }
 
-  private void follow(@Nullable Step step) {
+  private void follow(@Nullable MotionIncrement step) {
     if (step == null) {
       return;
     }
@@ -142,7 +142,7 @@ public final class KalmanTracker implements PoseTracker {
       return;
     }
     replay.add(step);
-    if (step.isBreach()) {
+    if (step.isClockJump()) {
       waiting.clear();
       positions.clear();
       courses.clear();
@@ -154,7 +154,7 @@ public final class KalmanTracker implements PoseTracker {
         correct(fix);
       }
     }
-    if (isTracking && (replay.head().yawSigma() > LOST_YAW || !replay.head().isSound())) {
+    if (isTracking && (replay.head().yawSigma() > LOST_YAW || !replay.head().isValid())) {
       realign(step.time());
     }
   }
@@ -168,15 +168,15 @@ public final class KalmanTracker implements PoseTracker {
           courses.clear();
         }
       }
-      case DISBELIEVED -> {
-        if (positions.add(fix.time())) {
+      case REJECTED -> {
+        if (positions.recordRejection(fix.time())) {
           doubt(fix);
         }
       }
-      case COURSE_DISBELIEVED -> {
+      case COURSE_REJECTED -> {
         used = Math.max(used, fix.time());
         positions.clear();
-        if (courses.add(fix.time())) {
+        if (courses.recordRejection(fix.time())) {
           realign(courses.since());
         }
       }
@@ -186,7 +186,7 @@ public final class KalmanTracker implements PoseTracker {
 
   /** All fixes have been disbelieved for long: the position is wrong, or more than that. */
   private void doubt(LocalFix fix) {
-    long lasts = DOUBT_LASTS * settings.lostAfter().toNanos();
+    long lasts = DOUBT_LASTS * settings.rejectionTimeout().toNanos();
     if (hasDoubted && Math.abs(fix.time() - doubted) < lasts) {
       realign(positions.since());
       return;
@@ -196,7 +196,7 @@ public final class KalmanTracker implements PoseTracker {
     Belief head = replay.head();
     double off =
         Math.hypot(fix.east() - head.get(Belief.EAST), fix.north() - head.get(Belief.NORTH));
-    head.doubt(off, DOUBTED_YAW);
+    head.inflate(off, DOUBTED_YAW);
     replay.rebase();
     positions.clear();
   }
@@ -215,19 +215,19 @@ public final class KalmanTracker implements PoseTracker {
   /** Begins to track if the yaw is certain enough. */
   private void align() {
     Optional<Alignment> found = reckoning.align().map(this::withKnown);
-    if (found.isEmpty() || !(found.get().yawSigma() < settings.startYawSigma())) {
+    if (found.isEmpty() || !(found.get().yawSigma() < settings.maxInitialYawSigma())) {
       return;
     }
     Belief head = replay.head();
-    FirstBelief.begin(head, found.get(), reckoning, settings);
+    BeliefInitializer.initialize(head, found.get(), reckoning, settings);
     replay.rebase();
-    isTracking = head.isSound();
+    isTracking = head.isValid();
     known = null;
   }
 
   /** The alignment with the yaw that was known before, if that has not been used. */
   private Alignment withKnown(Alignment found) {
-    KnownYaw before = known;
+    InitialYaw before = known;
     if (before == null) {
       return found;
     }
@@ -237,10 +237,10 @@ public final class KalmanTracker implements PoseTracker {
 
   @Override
   public Optional<PoseEstimate> estimate(Instant now) {
-    long time = Math.max(Ticks.of(now), reckoning.steps().time());
+    long time = Math.max(EpochNanos.of(now), reckoning.steps().time());
     double speed = reckoning.steps().speed();
     if (!isTracking) {
-      Track.Pose pose = reckoning.ahead(time);
+      DeadReckoningTrack.Pose pose = reckoning.predict(time);
       return reckoning
           .align()
           .map(this::withKnown)
@@ -248,27 +248,27 @@ public final class KalmanTracker implements PoseTracker {
               found ->
                   poses.estimate(
                       time,
-                      HistoryTracker.found(found, pose, settings),
+                      FixWindowTracker.toPose(found, pose, settings),
                       speed,
-                      reckoning.turnRate(),
+                      reckoning.yawRate(),
                       used));
     }
     Belief head = replay.head();
-    double rate = reckoning.steps().gyroRate();
+    double rate = reckoning.steps().gyroYawRate();
     ahead.set(head);
     if (time > head.time()) {
-      ahead.predict(reckoning.steps().ahead(time));
+      ahead.predict(reckoning.steps().extrapolate(time));
     }
     return poses.estimate(
         time,
-        new Poses.Found(
+        new PoseEstimateFactory.UncertainPose(
             ahead.get(Belief.EAST),
             ahead.get(Belief.NORTH),
             ahead.get(Belief.YAW),
             ahead.positionSigma(),
             ahead.yawSigma()),
-        speed * (1 + head.get(Belief.SCALE)),
-        Double.isNaN(rate) ? reckoning.steps().wheelRate() : rate - head.get(Belief.TURN),
+        speed * (1 + head.get(Belief.WHEEL_SCALE)),
+        Double.isNaN(rate) ? reckoning.steps().wheelYawRate() : rate - head.get(Belief.GYRO_BIAS),
         used);
   }
 

@@ -4,7 +4,7 @@ package org.dfra.behaviors.perceptual.pose;
  * A fix in the frame of a tracker.
  *
  * @param time of the fix itself, nanoseconds by the robot's clock
- * @param slot number of its receiver, 0 to {@link FixIntake#SOURCES} less 1
+ * @param slot number of its receiver, 0 to {@link FixPreprocessor#MAX_RECEIVERS} less 1
  * @param isNewSource whether the slot was given to another receiver before
  * @param east metres east of the datum, of the antenna
  * @param north metres north of it
@@ -26,7 +26,7 @@ record LocalFix(
     double sigma,
     double speed,
     double course)
-    implements Event {
+    implements FilterInput {
 
   /**
    * Direction on the robot in which its antenna travels, radians from its x, to the left is +: the
@@ -35,7 +35,7 @@ record LocalFix(
    * @param robotSpeed v, forward is +, metres per second
    * @param turnRate ω, to the left is +, radians per second
    */
-  double ahead(double robotSpeed, double turnRate) {
+  double antennaDirection(double robotSpeed, double turnRate) {
     return Math.atan2(turnRate * forward, robotSpeed - turnRate * left);
   }
 }

@@ -5,7 +5,7 @@ import java.time.Instant;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import org.dfra.behaviors.perceptual.pose.KalmanTracker.KnownYaw;
+import org.dfra.behaviors.perceptual.pose.KalmanTracker.InitialYaw;
 import org.dfra.behaviors.perceptual.pose.TrackerSettings.GpsErrors;
 import org.dfra.behaviors.perceptual.pose.TrackerSettings.GyroErrors;
 import org.dfra.behaviors.perceptual.pose.TrackerSettings.WheelErrors;
@@ -80,9 +80,11 @@ public final class PositionEstimatorImpl extends PerceptualSchemaImpl<PoseEstima
             context.robot() + "/map",
             datum(settings()),
             yaw(settings()));
-    takes(OdometrySensor.class, "odometry", Odometry.class, (source, reading) -> take(reading));
-    takes(AngularRateSensor.class, "gyro", AngularRate.class, (source, reading) -> take(reading));
-    takesAll(LocationSensor.class, GpsFix.class, this::take);
+    declareInput(
+        OdometrySensor.class, "odometry", Odometry.class, (source, reading) -> take(reading));
+    declareInput(
+        AngularRateSensor.class, "gyro", AngularRate.class, (source, reading) -> take(reading));
+    declareInputFromAll(LocationSensor.class, GpsFix.class, this::take);
   }
 
   private static TrackerKind kind(Parameters settings) {
@@ -105,52 +107,52 @@ public final class PositionEstimatorImpl extends PerceptualSchemaImpl<PoseEstima
     GpsErrors gps = usual.gps();
     GpsErrors told =
         new GpsErrors(
-            settings.number("gps_white", gps.white(), 0.01, 50),
-            settings.number("gps_bias", gps.bias(), 0, 50),
-            settings.number("gps_bias_time", gps.biasTime(), 1, 100_000),
-            gps.velocity(),
-            gps.courseSpeed(),
-            gps.leastLatency(),
-            gps.dilution());
+            settings.number("gps_white", gps.whiteNoiseSigma(), 0.01, 50),
+            settings.number("gps_bias", gps.biasSigma(), 0, 50),
+            settings.number("gps_bias_time", gps.biasCorrelationTime(), 1, 100_000),
+            gps.velocitySigma(),
+            gps.minCourseSpeed(),
+            gps.minLatency(),
+            gps.referenceDilution());
     Duration window =
-        settings.seconds("window", usual.window(), Duration.ofSeconds(2), Duration.ofMinutes(2));
+        settings.seconds("window", usual.fixWindow(), Duration.ofSeconds(2), Duration.ofMinutes(2));
     return new TrackerSettings(
         told,
         wheels(settings, usual.wheels()),
         gyro(settings, usual.gyro()),
-        settings.number("gate", usual.gate(), 1, 1000),
+        settings.number("gate", usual.positionGate(), 1, 1000),
         usual.courseGate(),
         window,
-        usual.horizon(),
-        usual.lostAfter(),
-        usual.startYawSigma());
+        usual.maxFixDelay(),
+        usual.rejectionTimeout(),
+        usual.maxInitialYawSigma());
   }
 
   private static WheelErrors wheels(Parameters settings, WheelErrors usual) {
     return new WheelErrors(
-        settings.number("wheel_scale", usual.scale(), 0.001, 1),
-        settings.number("wheel_turn_scale", usual.turnScale(), 0.001, 1),
-        settings.number("wheel_slip", usual.along(), 0.001, 1),
-        usual.side(),
-        settings.number("wheel_turn_slip", usual.turn(), 0.001, 2),
-        usual.turnDrift(),
+        settings.number("wheel_scale", usual.scaleSigma(), 0.001, 1),
+        settings.number("wheel_turn_scale", usual.yawScaleSigma(), 0.001, 1),
+        settings.number("wheel_slip", usual.longitudinalSlip(), 0.001, 1),
+        usual.lateralSlip(),
+        settings.number("wheel_turn_slip", usual.yawSlip(), 0.001, 2),
+        usual.yawRandomWalk(),
         usual.maxSpeed(),
-        usual.maxTurnRate());
+        usual.maxYawRate());
   }
 
   private static GyroErrors gyro(Parameters settings, GyroErrors usual) {
     return new GyroErrors(
-        settings.number("gyro_noise", usual.noise(), 1e-6, 1),
-        settings.number("gyro_bias", usual.bias(), 1e-6, 1),
-        settings.number("gyro_drift", usual.drift(), 1e-7, 0.1),
-        usual.scale());
+        settings.number("gyro_noise", usual.noiseDensity(), 1e-6, 1),
+        settings.number("gyro_bias", usual.biasSigma(), 1e-6, 1),
+        settings.number("gyro_drift", usual.biasRandomWalk(), 1e-7, 0.1),
+        usual.scaleNoise());
   }
 
-  private static @Nullable KnownYaw yaw(Parameters settings) {
+  private static @Nullable InitialYaw yaw(Parameters settings) {
     double sigma = settings.number("initial_yaw_sigma", 0.1, 0.01, 1);
     return settings.find("initial_yaw").isEmpty()
         ? null
-        : new KnownYaw(settings.number("initial_yaw", 0, -6.3, 6.3), sigma);
+        : new InitialYaw(settings.number("initial_yaw", 0, -6.3, 6.3), sigma);
   }
 
   private static @Nullable GeoPosition datum(Parameters settings) {
@@ -170,14 +172,14 @@ public final class PositionEstimatorImpl extends PerceptualSchemaImpl<PoseEstima
 
   private void take(Odometry reading) {
     synchronized (tracker) {
-      tracker.take(reading);
-      tracker.estimate(clock().instant()).ifPresent(this::perceive);
+      tracker.addMeasurement(reading);
+      tracker.estimate(clock().instant()).ifPresent(this::publishPercept);
     }
   }
 
   private void take(AngularRate reading) {
     synchronized (tracker) {
-      tracker.take(reading);
+      tracker.addMeasurement(reading);
     }
   }
 
@@ -189,12 +191,12 @@ public final class PositionEstimatorImpl extends PerceptualSchemaImpl<PoseEstima
             .map(at -> Transform.of(at.x(), at.y(), at.z(), at.roll(), at.pitch(), at.yaw()))
             .orElse(Transform.IDENTITY);
     synchronized (tracker) {
-      tracker.take(fix, source.path(), antenna, received);
+      tracker.addMeasurement(fix, source.path(), antenna, received);
     }
   }
 
   @Override
-  protected PerceptualSchemaAttributes qualities() {
+  protected PerceptualSchemaAttributes schemaAttributes() {
     return new PerceptualSchemaAttributes(
         "PoseEstimate", "covariance", kind.name().toLowerCase(Locale.ROOT), null, null);
   }

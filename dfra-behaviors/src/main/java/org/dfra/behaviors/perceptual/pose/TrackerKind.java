@@ -7,9 +7,9 @@ import org.jspecify.annotations.Nullable;
 public enum TrackerKind {
   /** An extended Kalman filter: {@link KalmanTracker}. */
   KALMAN,
-  /** The last fixes against dead reckoning: {@link HistoryTracker}. */
-  HISTORY,
-  /** The last fix as it is: {@link RawGps}. */
+  /** The last fixes against dead reckoning: {@link FixWindowTracker}. */
+  FIX_WINDOW,
+  /** The last fix as it is: {@link RawGpsTracker}. */
   RAW;
 
   /**
@@ -32,11 +32,11 @@ public enum TrackerKind {
       TrackerSettings settings,
       String frame,
       @Nullable GeoPosition datum,
-      KalmanTracker.@Nullable KnownYaw known) {
+      KalmanTracker.@Nullable InitialYaw known) {
     return switch (this) {
       case KALMAN -> new KalmanTracker(settings, frame, datum, known);
-      case HISTORY -> new HistoryTracker(settings, frame, datum);
-      case RAW -> new RawGps(settings, frame, datum);
+      case FIX_WINDOW -> new FixWindowTracker(settings, frame, datum);
+      case RAW -> new RawGpsTracker(settings, frame, datum);
     };
   }
 }

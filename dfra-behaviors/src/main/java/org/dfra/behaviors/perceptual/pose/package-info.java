@@ -2,10 +2,10 @@
  * Where a robot is: wheels, gyro and satellites put together.
  *
  * <pre>
- *   AngularRate -&gt; GyroTurns -.
- *   Odometry ----------------- Steps --&gt; Track ---- FixWindow --&gt; HistoryTracker
+ *   AngularRate -&gt; GyroIntegrator -.
+ *   Odometry ----------------- Steps --&gt; Track ---- FixWindow --&gt; FixWindowTracker
  *                                \                     \ first yaw
- *   GpsFix -&gt; FixIntake -&gt; LocalFix ------&gt; Replay -&gt; Belief ---&gt; KalmanTracker
+ *   GpsFix -&gt; FixPreprocessor -&gt; LocalFix ------&gt; Replay -&gt; Belief ---&gt; KalmanTracker
  * </pre>
  *
  * <p>Enter at {@link org.dfra.behaviors.perceptual.pose.PoseTracker}; its kinds are listed in

@@ -32,11 +32,11 @@ final class GhostFilter {
 
   private static final Duration MEMORY = Duration.ofSeconds(1); // at least
 
-  private record Past(RangeScan scan, double x, double y, double yaw) {}
+  private record PastScan(RangeScan scan, double x, double y, double yaw) {}
 
   private final int depth;
   private final Duration spacing;
-  private final Deque<Past> past = new ArrayDeque<>(); // the newest first
+  private final Deque<PastScan> past = new ArrayDeque<>(); // the newest first
   private @Nullable Odometry odometry;
   private double lag; // seconds
 
@@ -80,14 +80,15 @@ final class GhostFilter {
    */
   Optional<float[]> take(RangeScan scan) {
     @Nullable Odometry at = odometry;
-    Past now = at == null ? new Past(scan, 0, 0, 0) : new Past(scan, at.x(), at.y(), at.yaw());
+    PastScan now =
+        at == null ? new PastScan(scan, 0, 0, 0) : new PastScan(scan, at.x(), at.y(), at.yaw());
     forgetOthers(now);
     lag = lag(now);
     float[] median = null;
     if (past.size() + 1 > depth / 2) {
       median = median(now);
     }
-    @Nullable Past newest = past.peekFirst();
+    @Nullable PastScan newest = past.peekFirst();
     if (newest == null || !scan.measured().isBefore(newest.scan().measured().plus(spacing))) {
       past.addFirst(now);
       if (past.size() >= depth) {
@@ -106,10 +107,10 @@ final class GhostFilter {
     return lag;
   }
 
-  private double lag(Past now) {
-    Past deciding = now;
+  private double lag(PastScan now) {
+    PastScan deciding = now;
     int older = past.size() / 2; // how many scans back the one in the middle is
-    for (Past each : past) {
+    for (PastScan each : past) {
       if (older == 0) {
         break;
       }
@@ -120,15 +121,15 @@ final class GhostFilter {
   }
 
   /** Scans of another shape, from the future, or too old to say anything. */
-  private void forgetOthers(Past now) {
+  private void forgetOthers(PastScan now) {
     Duration span = spacing.multipliedBy(3L * depth);
     Duration oldest = span.compareTo(MEMORY) < 0 ? MEMORY : span;
-    for (Iterator<Past> all = past.iterator(); all.hasNext(); ) {
+    for (Iterator<PastScan> all = past.iterator(); all.hasNext(); ) {
       RangeScan scan = all.next().scan();
       Duration age = Duration.between(scan.measured(), now.scan().measured());
       if (scan.beams() != now.scan().beams()
           || scan.firstAngle() != now.scan().firstAngle()
-          || scan.step() != now.scan().step()
+          || scan.angleIncrement() != now.scan().angleIncrement()
           || age.isNegative()
           || age.compareTo(oldest) > 0) {
         all.remove();
@@ -136,14 +137,14 @@ final class GhostFilter {
     }
   }
 
-  private float[] median(Past now) {
+  private float[] median(PastScan now) {
     int beams = now.scan().beams();
     float[] result = new float[beams];
     float[] column = new float[past.size() + 1];
     for (int beam = 0; beam < beams; beam++) {
       int known = 0;
       known = add(column, known, now.scan().range(beam));
-      for (Past each : past) {
+      for (PastScan each : past) {
         known = add(column, known, seen(each, now, beam));
       }
       if (2 * known <= column.length) {
@@ -165,10 +166,10 @@ final class GhostFilter {
   }
 
   /** What an older scan says of a beam of the present one. */
-  private static float seen(Past then, Past now, int beam) {
+  private static float seen(PastScan then, PastScan now, int beam) {
     RangeScan scan = then.scan();
     double turned = now.yaw() - then.yaw();
-    int old = beam + (int) Math.rint(turned / scan.step());
+    int old = beam + (int) Math.rint(turned / scan.angleIncrement());
     if (old < 0 || old >= scan.beams()) {
       return UNKNOWN;
     }

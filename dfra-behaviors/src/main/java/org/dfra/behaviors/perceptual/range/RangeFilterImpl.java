@@ -18,7 +18,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Tells the room around its robot from the robot's range sensor; see {@link GhostFilter}, {@link
- * Surrounds} and {@link Passed}. The sensor stands where its persona says, on the robot's base.
+ * ClearanceCalculator} and {@link ObstacleMemory}. The sensor stands where its persona says, on the
+ * robot's base.
  *
  * <p>The median of the last scans shows another robot where it was at the scan in the middle. The
  * distances that motor schemas keep allow for that while scans come in time. Where they come late,
@@ -51,9 +52,9 @@ public final class RangeFilterImpl extends PerceptualSchemaImpl<Clearance> imple
 
   private static final double MOST_LAG = 1; // seconds beyond the usual that count
 
-  private final Surrounds surrounds;
+  private final ClearanceCalculator surrounds;
   private final GhostFilter filter; // guarded by itself
-  private final Passed passed; // guarded by filter
+  private final ObstacleMemory obstacles; // guarded by filter
   private @Nullable Odometry odometry; // guarded by filter
   private final String base;
   private final double peerSpeed;
@@ -75,24 +76,25 @@ public final class RangeFilterImpl extends PerceptualSchemaImpl<Clearance> imple
     int middle = scans / 2;
     this.usualLag = middle * spacing + USUAL_LAG;
     this.peerSpeed = settings().number("peer_speed", 0.7, 0, 10);
-    this.passed =
-        new Passed(
+    this.obstacles =
+        new ObstacleMemory(
             settings()
                 .seconds("memory", Duration.ofSeconds(3), Duration.ZERO, Duration.ofMinutes(2)));
     this.surrounds =
-        new Surrounds(
+        new ClearanceCalculator(
             settings().number("body_length", LENGTH, 0.1, 10) / 2,
             settings().number("body_width", WIDTH, 0.1, 10) / 2,
             settings().number("reach", 8, 1, 100));
     this.base = context.robot() + "/base_link";
-    takes(OdometrySensor.class, "odometry", Odometry.class, (source, reading) -> take(reading));
-    takes(RangeSensor.class, "range_sensor", RangeScan.class, this::take);
+    declareInput(
+        OdometrySensor.class, "odometry", Odometry.class, (source, reading) -> take(reading));
+    declareInput(RangeSensor.class, "range_sensor", RangeScan.class, this::take);
   }
 
   private void take(Odometry reading) {
     synchronized (filter) {
       if (filter.take(reading)) {
-        passed.clear();
+        obstacles.clear();
       }
       odometry = reading;
     }
@@ -103,24 +105,25 @@ public final class RangeFilterImpl extends PerceptualSchemaImpl<Clearance> imple
     Clearance clearance;
     synchronized (filter) {
       Optional<float[]> ranges = filter.take(scan);
-      if (ranges.isEmpty() || !Surrounds.suffices(ranges.get())) {
+      if (ranges.isEmpty() || !ClearanceCalculator.hasEnoughBeams(ranges.get())) {
         return;
       }
       Clearance seen =
           surrounds.clearance(scan, ranges.get(), mount, beside(scan, ranges.get(), mount), base);
       double late = Math.max(0, Math.min(MOST_LAG, filter.lag() - usualLag));
-      clearance = late > 0 ? surrounds.nearer(seen, peerSpeed * late) : seen;
+      clearance = late > 0 ? surrounds.reducedBy(seen, peerSpeed * late) : seen;
     }
-    perceive(clearance);
+    publishPercept(clearance);
   }
 
   /** What the robot has passed; holds the filter's lock. */
-  private Surrounds.Beside beside(RangeScan scan, float[] ranges, Transform mount) {
-    Surrounds.Beside beside = surrounds.new Beside();
+  private ClearanceCalculator.SideClearance beside(
+      RangeScan scan, float[] ranges, Transform mount) {
+    ClearanceCalculator.SideClearance beside = surrounds.new SideClearance();
     @Nullable Odometry at = odometry;
     if (at != null) {
-      passed.take(scan, ranges, mount, at);
-      passed.tell(at, beside);
+      obstacles.take(scan, ranges, mount, at);
+      obstacles.forEach(at, beside);
     }
     return beside;
   }
@@ -130,11 +133,11 @@ public final class RangeFilterImpl extends PerceptualSchemaImpl<Clearance> imple
     return source
         .attributes(PoseAttributes.class)
         .map(at -> Transform.of(at.x(), at.y(), at.z(), at.roll(), at.pitch(), at.yaw()))
-        .orElseGet(() -> Transform.shift(surrounds.halfLength(), 0, 0));
+        .orElseGet(() -> Transform.translation(surrounds.halfLength(), 0, 0));
   }
 
   @Override
-  protected PerceptualSchemaAttributes qualities() {
+  protected PerceptualSchemaAttributes schemaAttributes() {
     return new PerceptualSchemaAttributes("Clearance", null, "median", null, null);
   }
 

@@ -13,9 +13,9 @@ import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.flow.perceptual.PoseEstimate;
 import org.dfra.flow.perceptual.PositionEstimator;
-import org.dfra.flow.perceptual.TeamMate;
 import org.dfra.flow.perceptual.TeamPositions;
 import org.dfra.flow.perceptual.TeamTracker;
+import org.dfra.flow.perceptual.Teammate;
 import org.dfra.module.Incident;
 import org.dfra.persona.PerceptualSchemaAttributes;
 import org.dfra.time.Scheduler;
@@ -43,11 +43,11 @@ public final class TeamTrackerImpl extends PerceptualSchemaImpl<TeamPositions>
 
   private final String robot;
   private final Scheduler time;
-  private final long silence; // nanoseconds
+  private final long peerTimeoutNanos; // nanoseconds
   private final Duration interval;
-  private final OwnTrail own = new OwnTrail(); // guarded by itself, as what follows
-  private final Map<String, MateTrail> mates = new TreeMap<>();
-  private @Nullable Instant told;
+  private final OwnPoseBuffer own = new OwnPoseBuffer(); // guarded by itself, as what follows
+  private final Map<String, TeammateTracker> teammates = new TreeMap<>();
+  private @Nullable Instant lastPublished;
 
   /** See {@link org.dfra.core.module.ModuleImpl}. */
   public TeamTrackerImpl(ModuleContext context) {
@@ -61,9 +61,9 @@ public final class TeamTrackerImpl extends PerceptualSchemaImpl<TeamPositions>
         1);
     this.robot = context.robot();
     this.time = context.robotTime();
-    this.silence = Math.round(settings().number("silence", 3, 0.5, 600) * 1e9);
+    this.peerTimeoutNanos = Math.round(settings().number("silence", 3, 0.5, 600) * 1e9);
     this.interval = Duration.ofNanos(Math.round(1e9 / settings().number("rate", 5, 0.1, 10)));
-    takesAllOfTeam(
+    declareInputFromTeam(
         ModuleQuery.of(PositionEstimator.class)
             .name(settings().find("estimator").orElse("position")),
         PoseEstimate.class,
@@ -78,9 +78,9 @@ public final class TeamTrackerImpl extends PerceptualSchemaImpl<TeamPositions>
     Optional<String> news;
     synchronized (own) {
       news =
-          mates
-              .computeIfAbsent(source.robot(), MateTrail::new)
-              .take(pose, sequence, clock().instant(), time.nanos(), silence);
+          teammates
+              .computeIfAbsent(source.robot(), TeammateTracker::new)
+              .receive(pose, sequence, clock().instant(), time.nanos(), peerTimeoutNanos);
     }
     news.ifPresent(this::report);
   }
@@ -91,33 +91,34 @@ public final class TeamTrackerImpl extends PerceptualSchemaImpl<TeamPositions>
     boolean isDue;
     synchronized (own) {
       own.add(pose);
-      List<TeamMate> all = new ArrayList<>();
-      for (MateTrail each : mates.values()) {
-        each.look(time.nanos(), silence).ifPresent(news::add);
-        all.add(each.seenFrom(own));
+      List<Teammate> all = new ArrayList<>();
+      for (TeammateTracker each : teammates.values()) {
+        each.checkSilence(time.nanos(), peerTimeoutNanos).ifPresent(news::add);
+        all.add(each.relativeTo(own));
       }
       fresh = new TeamPositions(pose.measured(), pose.frame(), all);
       isDue =
-          told == null || Duration.between(told, pose.measured()).abs().compareTo(interval) >= 0;
+          lastPublished == null
+              || Duration.between(lastPublished, pose.measured()).abs().compareTo(interval) >= 0;
       if (isDue) {
-        told = pose.measured();
+        lastPublished = pose.measured();
       }
     }
     news.forEach(this::report);
     if (isDue) {
-      perceive(fresh);
+      publishPercept(fresh);
     } else {
-      keep(fresh);
+      setPercept(fresh);
     }
   }
 
   private void report(String news) {
     log.warn("{}: {}", path(), news);
-    note(Incident.Kind.GAP, news);
+    recordIncident(Incident.Kind.GAP, news);
   }
 
   @Override
-  protected PerceptualSchemaAttributes qualities() {
+  protected PerceptualSchemaAttributes schemaAttributes() {
     return new PerceptualSchemaAttributes(
         "TeamPositions", "standard deviation", "same instant", null, null);
   }

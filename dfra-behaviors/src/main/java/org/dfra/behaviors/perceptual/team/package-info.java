@@ -2,8 +2,8 @@
  * What a robot knows of the others of its team, by the poses that they tell.
  *
  * <pre>
- *   own PoseEstimate ----> OwnTrail --where it was at that instant--.
- *   others' PoseEstimate -> MateTrail --on the robot's own clock-----+--> TeamPositions
+ *   own PoseEstimate ----> OwnPoseBuffer --where it was at that instant--.
+ *   others' PoseEstimate -> TeammateTracker --on the robot's own clock-----+--> TeamPositions
  *                              '------silence, gaps--> history, log
  * </pre>
  *

@@ -34,8 +34,8 @@ class LineGuidanceTest {
     HeadingPercept seen = towards(pose(0, 5, Math.PI / 2), BEGIN, NORTH);
     assertThat(seen.headingError()).isCloseTo(0, NEAR);
     assertThat(seen.crossTrack()).isCloseTo(0, NEAR);
-    assertThat(seen.along()).isCloseTo(5, NEAR);
-    assertThat(seen.remaining()).isCloseTo(15, NEAR);
+    assertThat(seen.alongTrack()).isCloseTo(5, NEAR);
+    assertThat(seen.remainingAlongTrack()).isCloseTo(15, NEAR);
     assertThat(seen.distance()).isCloseTo(15, NEAR);
     assertThat(seen.headingSigma()).isEqualTo(0.03);
   }
@@ -58,10 +58,10 @@ class LineGuidanceTest {
   @Test
   void beforeItsBeginningItHeadsForTheLineAndBeyondItsEndBack() {
     HeadingPercept before = towards(pose(0, -10, Math.PI / 2), BEGIN, NORTH);
-    assertThat(before.along()).isCloseTo(-10, NEAR);
+    assertThat(before.alongTrack()).isCloseTo(-10, NEAR);
     assertThat(before.headingError()).isCloseTo(0, NEAR);
     HeadingPercept beyond = towards(pose(0, 21, Math.PI / 2), BEGIN, NORTH);
-    assertThat(beyond.remaining()).isCloseTo(-1, NEAR);
+    assertThat(beyond.remainingAlongTrack()).isCloseTo(-1, NEAR);
     assertThat(beyond.distance()).isCloseTo(1, NEAR);
     assertThat(Math.abs(beyond.headingError())).isCloseTo(Math.PI, NEAR);
   }
@@ -72,8 +72,8 @@ class LineGuidanceTest {
     HeadingPercept seen = towards(pose(-4, 3, 0), BEGIN, to);
     assertThat(seen.headingError()).isCloseTo(Math.atan2(-3, 4.03), NEAR);
     assertThat(seen.distance()).isCloseTo(Math.hypot(4.03, 3), NEAR);
-    assertThat(seen.remaining()).isEqualTo(seen.distance());
-    assertThat(seen.along()).as("it changes as the robot moves").isEqualTo(-seen.distance());
+    assertThat(seen.remainingAlongTrack()).isEqualTo(seen.distance());
+    assertThat(seen.alongTrack()).as("it changes as the robot moves").isEqualTo(-seen.distance());
     assertThat(seen.crossTrack()).isZero();
   }
 

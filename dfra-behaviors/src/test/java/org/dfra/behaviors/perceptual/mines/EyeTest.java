@@ -12,32 +12,32 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** On painted ground, where mines are flat: it is told so. */
 class EyeTest {
 
-  private static final EyeSettings USUAL = EyeSettings.DEFAULT;
-  private static final EyeSettings FLAT =
-      new EyeSettings(
+  private static final ImageMineDetectorSettings USUAL = ImageMineDetectorSettings.DEFAULT;
+  private static final ImageMineDetectorSettings FLAT =
+      new ImageMineDetectorSettings(
           USUAL.radius(),
           0,
           USUAL.colour(),
-          USUAL.near(),
-          USUAL.far(),
-          USUAL.leastHeat(),
-          USUAL.leastDark(),
-          USUAL.tolerance());
+          USUAL.minDistance(),
+          USUAL.maxDistance(),
+          USUAL.minThermalContrast(),
+          USUAL.minVisibleContrast(),
+          USUAL.colourTolerance());
   private static final double CLOSE = 0.08; // metres: a place of the lattice and a half
-  private static final Spot MINE = new Spot(2, 0.4);
+  private static final GroundPoint MINE = new GroundPoint(2, 0.4);
 
-  private static List<Spot> found(CameraImage image) {
-    return new Eye(FLAT).look(image, Ground.MOUNT).orElseThrow().found();
+  private static List<GroundPoint> found(CameraImage image) {
+    return new ImageMineDetector(FLAT).detect(image, Ground.MOUNT).orElseThrow().points();
   }
 
-  private static boolean isOnMine(Spot spot) {
+  private static boolean isOnMine(GroundPoint spot) {
     return spot.distance(MINE) < USUAL.radius();
   }
 
   @ParameterizedTest
   @CsvSource({"300, true", "-200, true", "60, false", "0, false"})
   void heatThatDiffersIsFoundWarmOrCold(int hundredths, boolean isFound) {
-    List<Spot> found =
+    List<GroundPoint> found =
         found(Ground.heat(new Random(1), spot -> Ground.WARM + (isOnMine(spot) ? hundredths : 0)));
     assertThat(found).hasSize(isFound ? 1 : 0);
     assertThat(found).allMatch(spot -> spot.distance(MINE) < CLOSE);
@@ -47,7 +47,7 @@ class EyeTest {
   void aStripOfColdIsNoMine() {
     for (int degrees = 0; degrees < 180; degrees += 15) {
       double angle = Math.toRadians(degrees);
-      List<Spot> found =
+      List<GroundPoint> found =
           found(
               Ground.heat(
                   new Random(1),
@@ -65,14 +65,15 @@ class EyeTest {
 
   @Test
   void whatIsDarkAndOliveIsFound() {
-    List<Spot> found = found(Ground.light(spot -> isOnMine(spot) ? Ground.OLIVE : Ground.GRASS));
+    List<GroundPoint> found =
+        found(Ground.light(spot -> isOnMine(spot) ? Ground.OLIVE : Ground.GRASS));
     assertThat(found).hasSize(1);
     assertThat(found.get(0).distance(MINE)).isLessThan(CLOSE);
   }
 
   @Test
   void dimLightChangesNothing() {
-    List<Spot> found = found(Ground.light(spot -> isOnMine(spot) ? 0x202313 : 0x293619));
+    List<GroundPoint> found = found(Ground.light(spot -> isOnMine(spot) ? 0x202313 : 0x293619));
     assertThat(found).hasSize(1);
   }
 
@@ -93,8 +94,8 @@ class EyeTest {
 
   @Test
   void twoMinesAreTwo() {
-    Spot other = new Spot(2.4, -0.5);
-    List<Spot> found =
+    GroundPoint other = new GroundPoint(2.4, -0.5);
+    List<GroundPoint> found =
         found(
             Ground.heat(
                 new Random(1),
@@ -108,11 +109,13 @@ class EyeTest {
 
   @Test
   void whatIsOutsideThePictureIsNotSeen() {
-    Glance glance =
-        new Eye(FLAT).look(Ground.light(spot -> Ground.GRASS), Ground.MOUNT).orElseThrow();
-    assertThat(glance.sees(MINE)).isTrue();
-    assertThat(glance.sees(new Spot(1.2, 1.2))).as("beside the picture").isFalse();
-    assertThat(glance.sees(new Spot(3.7, 0))).as("too far").isFalse();
-    assertThat(glance.sees(new Spot(-1, 0))).as("behind").isFalse();
+    ImageDetections glance =
+        new ImageMineDetector(FLAT)
+            .detect(Ground.light(spot -> Ground.GRASS), Ground.MOUNT)
+            .orElseThrow();
+    assertThat(glance.covers(MINE)).isTrue();
+    assertThat(glance.covers(new GroundPoint(1.2, 1.2))).as("beside the picture").isFalse();
+    assertThat(glance.covers(new GroundPoint(3.7, 0))).as("too far").isFalse();
+    assertThat(glance.covers(new GroundPoint(-1, 0))).as("behind").isFalse();
   }
 }

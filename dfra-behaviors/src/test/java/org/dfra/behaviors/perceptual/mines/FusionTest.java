@@ -35,10 +35,10 @@ class FusionTest {
   @Test
   void bayesByHand() {
     Fusion bayes = new BayesFusion(PRIOR);
-    Opinion alarms = both(bayes, bayes.of(HEAT.alarm()), bayes.of(LIGHT.alarm()));
+    Opinion alarms = both(bayes, bayes.opinionOf(HEAT.alarm()), bayes.opinionOf(LIGHT.alarm()));
     // 0.1·0.8·0.6 = 0.048; 0.9·0.1·0.2 = 0.018; 48/66
     assertThat(bayes.probability(alarms)).isCloseTo(48.0 / 66, EXACT);
-    Opinion mixed = both(bayes, bayes.of(HEAT.alarm()), bayes.of(LIGHT.silence()));
+    Opinion mixed = both(bayes, bayes.opinionOf(HEAT.alarm()), bayes.opinionOf(LIGHT.noAlarm()));
     // 0.1·0.8·0.4 = 0.032; 0.9·0.1·0.8 = 0.072; 32/104
     assertThat(bayes.probability(mixed)).isCloseTo(32.0 / 104, EXACT);
   }
@@ -47,8 +47,8 @@ class FusionTest {
   void dempsterByHand() {
     Fusion dempster = new DempsterShaferFusion(PRIOR);
     // Alarm of heat: 1 − 0.1/0.8 = 7/8 mine. Silence of light: 1 − 0.4/0.8 = 1/2 clear.
-    Opinion heat = dempster.of(HEAT.alarm());
-    Opinion light = dempster.of(LIGHT.silence());
+    Opinion heat = dempster.opinionOf(HEAT.alarm());
+    Opinion light = dempster.opinionOf(LIGHT.noAlarm());
     assertClose(heat, new Opinion(7.0 / 8, 0, 1.0 / 8), "heat");
     assertClose(light, new Opinion(0, 1.0 / 2, 1.0 / 2), "light");
     Fusion.Combined combined = dempster.combine(heat, light);
@@ -75,13 +75,13 @@ class FusionTest {
     Random random = new Random(seed);
     for (int i = 0; i < 1000; i++) {
       String what = "-Ddfra.seed=" + seed + ", round " + i;
-      Opinion a = fusion.of(evidence(random, random.nextDouble()));
-      Opinion b = fusion.of(evidence(random, random.nextDouble()));
-      Opinion c = fusion.of(evidence(random, 1));
+      Opinion a = fusion.opinionOf(evidence(random, random.nextDouble()));
+      Opinion b = fusion.opinionOf(evidence(random, random.nextDouble()));
+      Opinion c = fusion.opinionOf(evidence(random, 1));
       assertClose(both(fusion, a, b), both(fusion, b, a), what);
       assertClose(both(fusion, a, both(fusion, b, c)), both(fusion, both(fusion, a, b), c), what);
-      assertClose(both(fusion, a, fusion.nothing()), a, what);
-      assertClose(both(fusion, a, fusion.of(evidence(random, 0))), a, what);
+      assertClose(both(fusion, a, fusion.uninformed()), a, what);
+      assertClose(both(fusion, a, fusion.opinionOf(evidence(random, 0))), a, what);
       assertThat(fusion.probability(both(fusion, a, b))).as(what).isBetween(0.0, 1.0);
     }
   }
@@ -93,14 +93,14 @@ class FusionTest {
   @ParameterizedTest
   @MethodSource("fusions")
   void noLookLeavesThePrior(Fusion fusion) {
-    assertThat(fusion.probability(fusion.nothing())).isCloseTo(PRIOR, EXACT);
+    assertThat(fusion.probability(fusion.uninformed())).isCloseTo(PRIOR, EXACT);
   }
 
   @ParameterizedTest
   @MethodSource("fusions")
   void anAlarmMakesAMineLikelierAndSilenceLess(Fusion fusion) {
-    assertThat(fusion.probability(fusion.of(HEAT.alarm()))).isGreaterThan(PRIOR);
-    assertThat(fusion.probability(fusion.of(HEAT.silence()))).isLessThan(PRIOR);
+    assertThat(fusion.probability(fusion.opinionOf(HEAT.alarm()))).isGreaterThan(PRIOR);
+    assertThat(fusion.probability(fusion.opinionOf(HEAT.noAlarm()))).isLessThan(PRIOR);
   }
 
   @ParameterizedTest
@@ -108,7 +108,7 @@ class FusionTest {
   void whollyContradictoryOpinionsLeaveNothing(Fusion fusion) {
     Fusion.Combined combined = fusion.combine(new Opinion(1, 0, 0), new Opinion(0, 1, 0));
     assertThat(combined.conflict()).isEqualTo(1);
-    assertThat(combined.opinion()).isEqualTo(fusion.nothing());
+    assertThat(combined.opinion()).isEqualTo(fusion.uninformed());
   }
 
   @Test
@@ -118,12 +118,12 @@ class FusionTest {
     Fusion bayes = new BayesFusion(PRIOR);
     Fusion dempster = new DempsterShaferFusion(PRIOR);
     for (int round = 0; round < 200; round++) {
-      Opinion likelihoods = bayes.nothing();
+      Opinion likelihoods = bayes.uninformed();
       Opinion masses = new Opinion(PRIOR, 1 - PRIOR, 0);
       for (int look = 0; look < 5; look++) {
         Evidence evidence = evidence(random, 1);
-        likelihoods = both(bayes, likelihoods, bayes.of(evidence));
-        masses = both(dempster, masses, dempster.of(evidence));
+        likelihoods = both(bayes, likelihoods, bayes.opinionOf(evidence));
+        masses = both(dempster, masses, dempster.opinionOf(evidence));
       }
       assertThat(dempster.probability(masses))
           .as("-Ddfra.seed=%d, round %d", seed, round)
@@ -135,12 +135,12 @@ class FusionTest {
   void bothBecomeCertainAlike() {
     Fusion bayes = new BayesFusion(PRIOR);
     Fusion dempster = new DempsterShaferFusion(PRIOR);
-    Opinion likelihoods = bayes.nothing();
-    Opinion masses = dempster.nothing();
+    Opinion likelihoods = bayes.uninformed();
+    Opinion masses = dempster.uninformed();
     for (int look = 0; look < 20; look++) {
-      Evidence evidence = look % 4 == 0 ? LIGHT.silence() : HEAT.alarm();
-      likelihoods = both(bayes, likelihoods, bayes.of(evidence));
-      masses = both(dempster, masses, dempster.of(evidence));
+      Evidence evidence = look % 4 == 0 ? LIGHT.noAlarm() : HEAT.alarm();
+      likelihoods = both(bayes, likelihoods, bayes.opinionOf(evidence));
+      masses = both(dempster, masses, dempster.opinionOf(evidence));
     }
     assertThat(bayes.probability(likelihoods)).isCloseTo(1, within(1e-6));
     assertThat(dempster.probability(masses))

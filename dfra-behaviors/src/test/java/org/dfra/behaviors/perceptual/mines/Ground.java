@@ -8,7 +8,7 @@ import java.time.Instant;
 import java.util.Random;
 import java.util.function.ToIntFunction;
 import javax.imageio.ImageIO;
-import org.dfra.behaviors.perceptual.mines.PinHole.Pixel;
+import org.dfra.behaviors.perceptual.mines.PinholeCamera.Pixel;
 import org.dfra.flow.sensor.CameraImage;
 import org.dfra.flow.sensor.CameraImage.Band;
 import org.dfra.geometry.Transform;
@@ -18,14 +18,14 @@ import org.jspecify.annotations.Nullable;
 final class Ground {
 
   static final Transform MOUNT = Transform.of(0.35, 0, 0.7, 0, 0.5, 0);
-  static final PinHole CAMERA = new PinHole(MOUNT, 320, 240, 276);
+  static final PinholeCamera CAMERA = new PinholeCamera(MOUNT, 320, 240, 276);
   static final int GRASS = 0x526C32;
   static final int OLIVE = 0x3F4526;
   static final int WARM = 30_315;
 
   private Ground() {}
 
-  static CameraImage heat(Random random, ToIntFunction<Spot> paint) {
+  static CameraImage heat(Random random, ToIntFunction<GroundPoint> paint) {
     BufferedImage image = new BufferedImage(320, 240, BufferedImage.TYPE_USHORT_GRAY);
     paint(
         paint,
@@ -34,7 +34,7 @@ final class Ground {
     return image(Band.THERMAL, "image/png", encoded(image, "png"));
   }
 
-  static CameraImage light(ToIntFunction<Spot> paint) {
+  static CameraImage light(ToIntFunction<GroundPoint> paint) {
     BufferedImage image = new BufferedImage(320, 240, BufferedImage.TYPE_INT_RGB);
     paint(paint, image::setRGB);
     return image(Band.VISIBLE, "image/jpeg", encoded(image, "jpeg"));
@@ -48,11 +48,11 @@ final class Ground {
     void set(int x, int y, int sample);
   }
 
-  private static void paint(ToIntFunction<Spot> paint, Dots dots) {
+  private static void paint(ToIntFunction<GroundPoint> paint, Dots dots) {
     for (int y = 0; y < 240; y++) {
       for (int x = 0; x < 320; x++) {
-        @Nullable Spot spot = CAMERA.spot(new Pixel(x + 0.5, y + 0.5), 0);
-        dots.set(x, y, paint.applyAsInt(spot == null ? new Spot(1e3, 0) : spot));
+        @Nullable GroundPoint spot = CAMERA.backProject(new Pixel(x + 0.5, y + 0.5), 0);
+        dots.set(x, y, paint.applyAsInt(spot == null ? new GroundPoint(1e3, 0) : spot));
       }
     }
   }

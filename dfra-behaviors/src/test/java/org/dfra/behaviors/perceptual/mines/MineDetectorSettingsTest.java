@@ -30,7 +30,7 @@ class MineDetectorSettingsTest {
   @Test
   void ratesAreThoseOfTheirCameraAndOfTheLookBefore() {
     told.put("thermal_false_positive_after_alarm", "0.7");
-    Repeated heat = settings().rates().get(Band.THERMAL);
+    RepeatedDetectionRates heat = settings().rates().get(Band.THERMAL);
     assertThat(heat).isNotNull();
     assertThat(heat.afterAlarm().falsePositive()).isEqualTo(0.7);
     assertThat(heat.first().falsePositive()).isEqualTo(0.1);

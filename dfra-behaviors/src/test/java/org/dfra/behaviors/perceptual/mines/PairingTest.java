@@ -10,13 +10,15 @@ import org.junit.jupiter.api.Test;
 
 class PairingTest {
 
-  private final Pairing<String> pairing = new Pairing<>();
+  private final ImageSynchronizer<String> pairing = new ImageSynchronizer<>();
 
   private List<String> add(Band band, long millis) {
     CameraImage image =
         new CameraImage(
             Instant.ofEpochMilli(millis), "robot/c", band, 1, 1, 1, "image/png", new byte[0]);
-    return pairing.add(image, band + " " + millis).stream().map(Pairing.Taken::with).toList();
+    return pairing.add(image, band + " " + millis).stream()
+        .map(ImageSynchronizer.TaggedImage::tag)
+        .toList();
   }
 
   @Test

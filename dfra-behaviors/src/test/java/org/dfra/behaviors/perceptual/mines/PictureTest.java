@@ -17,20 +17,20 @@ class PictureTest {
     BufferedImage image = new BufferedImage(320, 240, BufferedImage.TYPE_USHORT_GRAY);
     image.getRaster().setSample(7, 3, 0, 40_000);
     image.getRaster().setSample(8, 3, 0, 65_535);
-    Picture picture =
-        Picture.decode(Ground.image(Band.THERMAL, "image/png", Ground.encoded(image, "png")))
+    DecodedImage picture =
+        DecodedImage.decode(Ground.image(Band.THERMAL, "image/png", Ground.encoded(image, "png")))
             .orElseThrow();
     SummedTable heat = picture.channels().get(0);
-    assertThat(heat.mean(new Box(7, 3, 8, 4))).isEqualTo(40_000);
-    assertThat(heat.mean(new Box(7, 3, 9, 4))).isEqualTo((40_000 + 65_535) / 2.0);
-    assertThat(heat.mean(new Box(0, 0, 320, 240)))
+    assertThat(heat.mean(new PixelRect(7, 3, 8, 4))).isEqualTo(40_000);
+    assertThat(heat.mean(new PixelRect(7, 3, 9, 4))).isEqualTo((40_000 + 65_535) / 2.0);
+    assertThat(heat.mean(new PixelRect(0, 0, 320, 240)))
         .isCloseTo((40_000 + 65_535) / (320.0 * 240), within(1e-9));
   }
 
   @Test
   void lightHasRedGreenAndBlue() {
-    Picture picture = Picture.decode(Ground.light(spot -> Ground.OLIVE)).orElseThrow();
-    Box box = new Box(100, 100, 200, 200);
+    DecodedImage picture = DecodedImage.decode(Ground.light(spot -> Ground.OLIVE)).orElseThrow();
+    PixelRect box = new PixelRect(100, 100, 200, 200);
     assertThat(picture.channels().get(0).mean(box)).isCloseTo(0x3F, within(3.0));
     assertThat(picture.channels().get(1).mean(box)).isCloseTo(0x45, within(3.0));
     assertThat(picture.channels().get(2).mean(box)).isCloseTo(0x26, within(3.0));
@@ -40,17 +40,20 @@ class PictureTest {
   void whatIsNoSuchImageIsNothing() {
     CameraImage whole = Ground.light(spot -> Ground.GRASS);
     byte[] data = whole.data();
-    assertThat(Picture.decode(Ground.image(Band.VISIBLE, "image/jpeg", new byte[0]))).isEmpty();
-    assertThat(Picture.decode(Ground.image(Band.THERMAL, "image/png", data))).isEmpty();
-    assertThat(Picture.decode(Ground.image(Band.VISIBLE, "text/html", data))).isEmpty();
+    assertThat(DecodedImage.decode(Ground.image(Band.VISIBLE, "image/jpeg", new byte[0])))
+        .isEmpty();
+    assertThat(DecodedImage.decode(Ground.image(Band.THERMAL, "image/png", data))).isEmpty();
+    assertThat(DecodedImage.decode(Ground.image(Band.VISIBLE, "text/html", data))).isEmpty();
     BufferedImage small = new BufferedImage(319, 240, BufferedImage.TYPE_INT_RGB);
     assertThat(
-            Picture.decode(Ground.image(Band.VISIBLE, "image/jpeg", Ground.encoded(small, "jpeg"))))
+            DecodedImage.decode(
+                Ground.image(Band.VISIBLE, "image/jpeg", Ground.encoded(small, "jpeg"))))
         .as("not as large as it says")
         .isEmpty();
     BufferedImage colours = new BufferedImage(320, 240, BufferedImage.TYPE_INT_RGB);
     assertThat(
-            Picture.decode(Ground.image(Band.THERMAL, "image/png", Ground.encoded(colours, "png"))))
+            DecodedImage.decode(
+                Ground.image(Band.THERMAL, "image/png", Ground.encoded(colours, "png"))))
         .as("heat in colours")
         .isEmpty();
   }
@@ -73,7 +76,9 @@ class PictureTest {
             isLight
                 ? Ground.image(Band.VISIBLE, "image/jpeg", data)
                 : Ground.image(Band.THERMAL, "image/png", data);
-        assertThat(Picture.decode(image)).as("-Ddfra.seed=" + seed + ", round " + i).isNotNull();
+        assertThat(DecodedImage.decode(image))
+            .as("-Ddfra.seed=" + seed + ", round " + i)
+            .isNotNull();
       }
     }
   }

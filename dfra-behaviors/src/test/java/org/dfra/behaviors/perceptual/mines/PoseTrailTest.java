@@ -14,7 +14,7 @@ class PoseTrailTest {
 
   private static final GeoPosition DATUM = new GeoPosition(48, 11, 0);
 
-  private final PoseTrail trail = new PoseTrail();
+  private final PoseBuffer trail = new PoseBuffer();
 
   private static Instant at(double seconds) {
     return Instant.EPOCH.plusNanos(Math.round(seconds * 1e9));
@@ -29,17 +29,19 @@ class PoseTrailTest {
   void anImageBetweenPosesIsLaidWhereTheRobotWasThen() {
     trail.add(pose(DATUM, 10, 5, 0));
     trail.add(pose(DATUM, 10.5, 5.5, 0));
-    PoseEstimate near = trail.near(at(10.2)).orElseThrow();
+    PoseEstimate near = trail.nearest(at(10.2)).orElseThrow();
     assertThat(near.measured()).isEqualTo(at(10));
-    assertThat(trail.at(at(10.2), near).east()).isCloseTo(5.2, within(1e-9));
-    assertThat(trail.at(at(9.9), near).east()).as("before the first").isCloseTo(4.9, within(1e-9));
+    assertThat(trail.extrapolate(at(10.2), near).east()).isCloseTo(5.2, within(1e-9));
+    assertThat(trail.extrapolate(at(9.9), near).east())
+        .as("before the first")
+        .isCloseTo(4.9, within(1e-9));
   }
 
   @Test
   void anImageFarFromAllPosesIsLaidNowhere() {
     trail.add(pose(DATUM, 10, 5, 0));
-    assertThat(trail.near(at(10.5))).isEmpty();
-    assertThat(trail.near(at(9.5))).isEmpty();
+    assertThat(trail.nearest(at(10.5))).isEmpty();
+    assertThat(trail.nearest(at(9.5))).isEmpty();
   }
 
   @Test
@@ -48,9 +50,9 @@ class PoseTrailTest {
     trail.add(pose(DATUM, 10, 5, 0));
     PoseEstimate moved = pose(frame.toGeo(new LocalPosition(3, 4, 0)), 11, 5, 0);
     trail.add(moved);
-    Viewpoint from = trail.at(at(11), moved);
+    Viewpoint from = trail.extrapolate(at(11), moved);
     assertThat(from.east()).isCloseTo(8, within(1e-4));
     assertThat(from.north()).isCloseTo(4, within(1e-4));
-    assertThat(frame.toLocal(trail.position(new Spot(8, 4))).east()).isCloseTo(8, within(1e-6));
+    assertThat(frame.toLocal(trail.toGeo(new GroundPoint(8, 4))).east()).isCloseTo(8, within(1e-6));
   }
 }

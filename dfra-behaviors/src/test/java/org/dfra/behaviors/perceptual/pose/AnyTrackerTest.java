@@ -92,9 +92,9 @@ class AnyTrackerTest {
     Field field = new Field(1, Errors.WHITE, 120);
     for (int i = -1000; i < 0; i++) {
       Instant time = field.host(i / 100.0);
-      tracker.take(new AngularRate(time, "r/gyro", 0.25));
+      tracker.addMeasurement(new AngularRate(time, "r/gyro", 0.25));
       if (i % 10 == 0) {
-        tracker.take(new Odometry(time, "r/odom", "r/base", 0, 0, 0, 0, 0));
+        tracker.addMeasurement(new Odometry(time, "r/odom", "r/base", 0, 0, 0, 0, 0));
       }
     }
     Ride ride = new Ride(field, tracker).go(60).compare(60, 120);
@@ -129,9 +129,10 @@ class AnyTrackerTest {
       case 0 -> {
         double x = odd(random);
         double y = odd(random);
-        tracker.take(new Odometry(time, "o", "b", x, y, odd(random), odd(random), odd(random)));
+        tracker.addMeasurement(
+            new Odometry(time, "o", "b", x, y, odd(random), odd(random), odd(random)));
       }
-      case 1 -> tracker.take(new AngularRate(time, "g", odd(random)));
+      case 1 -> tracker.addMeasurement(new AngularRate(time, "g", odd(random)));
       case 2 -> {
         double latitude = 48 + random.nextGaussian() * (random.nextInt(5) == 0 ? 10 : 1e-3);
         GeoPosition position =
@@ -150,8 +151,8 @@ class AnyTrackerTest {
                 dilution,
                 -3,
                 99);
-        Transform antenna = Transform.shift(odd(random), odd(random), odd(random));
-        tracker.take(fix, "gps_" + random.nextInt(6), antenna, time);
+        Transform antenna = Transform.translation(odd(random), odd(random), odd(random));
+        tracker.addMeasurement(fix, "gps_" + random.nextInt(6), antenna, time);
       }
       default ->
           tracker

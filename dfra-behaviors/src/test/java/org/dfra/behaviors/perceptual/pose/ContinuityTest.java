@@ -2,34 +2,34 @@ package org.dfra.behaviors.perceptual.pose;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.dfra.behaviors.perceptual.pose.Continuity.Verdict;
+import org.dfra.behaviors.perceptual.pose.TimestampMonitor.Classification;
 import org.junit.jupiter.api.Test;
 
 class ContinuityTest {
 
-  private final Continuity continuity = new Continuity();
+  private final TimestampMonitor continuity = new TimestampMonitor();
 
-  private Verdict at(double seconds) {
-    return continuity.judge(Ticks.of(seconds));
+  private Classification at(double seconds) {
+    return continuity.classify(EpochNanos.of(seconds));
   }
 
   @Test
   void goesOn() {
-    assertThat(at(100)).isEqualTo(Verdict.FIRST);
-    assertThat(at(101)).isEqualTo(Verdict.NEXT);
-    assertThat(at(101)).isEqualTo(Verdict.OLD);
-    assertThat(at(99)).isEqualTo(Verdict.OLD);
-    assertThat(at(106)).isEqualTo(Verdict.NEXT);
+    assertThat(at(100)).isEqualTo(Classification.FIRST);
+    assertThat(at(101)).isEqualTo(Classification.NEXT);
+    assertThat(at(101)).isEqualTo(Classification.OUT_OF_ORDER);
+    assertThat(at(99)).isEqualTo(Classification.OUT_OF_ORDER);
+    assertThat(at(106)).isEqualTo(Classification.NEXT);
   }
 
   @Test
   void believesALeapTheSecondTime() {
     at(100);
-    assertThat(at(200)).isEqualTo(Verdict.SUSPECT);
-    assertThat(at(100.1)).isEqualTo(Verdict.NEXT);
-    assertThat(at(200)).isEqualTo(Verdict.SUSPECT);
-    assertThat(at(-500)).isEqualTo(Verdict.SUSPECT);
-    assertThat(at(-499)).isEqualTo(Verdict.BREAK);
-    assertThat(at(-498)).isEqualTo(Verdict.NEXT);
+    assertThat(at(200)).isEqualTo(Classification.SUSPECT);
+    assertThat(at(100.1)).isEqualTo(Classification.NEXT);
+    assertThat(at(200)).isEqualTo(Classification.SUSPECT);
+    assertThat(at(-500)).isEqualTo(Classification.SUSPECT);
+    assertThat(at(-499)).isEqualTo(Classification.JUMP);
+    assertThat(at(-498)).isEqualTo(Classification.NEXT);
   }
 }

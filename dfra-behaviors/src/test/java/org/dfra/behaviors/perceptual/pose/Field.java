@@ -25,7 +25,7 @@ final class Field {
 
   /** Antennas ahead of and behind the middle. */
   static final List<Transform> ANTENNAS =
-      List.of(Transform.shift(0.3, 0, 0.6), Transform.shift(-0.3, 0, 0.6));
+      List.of(Transform.translation(0.3, 0, 0.6), Transform.translation(-0.3, 0, 0.6));
 
   static final List<String> SOURCES = List.of("gps_front", "gps_rear");
 

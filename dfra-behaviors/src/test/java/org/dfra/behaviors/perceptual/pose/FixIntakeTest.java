@@ -12,10 +12,11 @@ class FixIntakeTest {
 
   private static final Field FIELD = new Field(1, new Field.Errors(0.6, 0, 0.2, true, 100), 1);
 
-  private final FixIntake intake = new FixIntake(TrackerSettings.GpsErrors.DEFAULT, Field.DATUM);
+  private final FixPreprocessor intake =
+      new FixPreprocessor(TrackerSettings.GpsErrors.DEFAULT, Field.DATUM);
 
   private @Nullable LocalFix take(GpsFix fix, String source, double received) {
-    return intake.take(fix, source, Transform.shift(0.3, 0.1, 1), FIELD.host(received));
+    return intake.process(fix, source, Transform.translation(0.3, 0.1, 1), FIELD.host(received));
   }
 
   private static GpsFix fix(double t) {
@@ -27,7 +28,7 @@ class FixIntakeTest {
     LocalFix local = take(fix(5), "a", 5.4);
     assertThat(local).isNotNull();
     // Heard 0.4 s later, of which 0.16 s are known for latency.
-    assertThat(Ticks.instant(local.time())).isBetween(FIELD.host(5.239), FIELD.host(5.241));
+    assertThat(EpochNanos.instant(local.time())).isBetween(FIELD.host(5.239), FIELD.host(5.241));
     assertThat(local.east()).isCloseTo(3, within(1e-6));
     assertThat(local.north()).isCloseTo(4, within(1e-6));
     assertThat(local.course()).as("northward").isCloseTo(Math.PI / 2, within(1e-9));
@@ -41,7 +42,7 @@ class FixIntakeTest {
     take(fix(6), "a", 6.16);
     LocalFix late = take(fix(7), "a", 8.5);
     assertThat(late).isNotNull();
-    assertThat(Ticks.instant(late.time())).isBetween(FIELD.host(6.999), FIELD.host(7.001));
+    assertThat(EpochNanos.instant(late.time())).isBetween(FIELD.host(6.999), FIELD.host(7.001));
   }
 
   @Test
@@ -52,7 +53,7 @@ class FixIntakeTest {
     take(fix(3600), "b", 10.2);
     LocalFix good = take(fix(11), "a", 11.2);
     assertThat(good).isNotNull();
-    assertThat(Ticks.instant(good.time())).isBetween(FIELD.host(11), FIELD.host(11.05));
+    assertThat(EpochNanos.instant(good.time())).isBetween(FIELD.host(11), FIELD.host(11.05));
   }
 
   @Test

@@ -16,12 +16,12 @@ class FixWindowTest {
 
   /** Adds a fix of the antenna 0.3 m ahead, a track laid into the map by the constants above. */
   private void add(int i, int slot, double biasEast, double noiseEast, double noiseNorth) {
-    Track.Pose pose = new Track.Pose(0.6 * i, 0.02 * i * i, 0.04 * i);
+    DeadReckoningTrack.Pose pose = new DeadReckoningTrack.Pose(0.6 * i, 0.02 * i * i, 0.04 * i);
     double x = pose.x() + 0.3 * Math.cos(pose.yaw());
     double y = pose.y() + 0.3 * Math.sin(pose.yaw());
     window.add(
         new LocalFix(
-            i * Ticks.SECOND,
+            i * EpochNanos.SECOND,
             slot,
             false,
             EAST + Math.cos(YAW) * x - Math.sin(YAW) * y + biasEast + noiseEast,
@@ -43,7 +43,7 @@ class FixWindowTest {
     }
     Alignment found = window.align().orElseThrow();
     assertThat(found.yaw()).isCloseTo(YAW, within(1e-9));
-    Track.Pose origin = new Track.Pose(0, 0, 0);
+    DeadReckoningTrack.Pose origin = new DeadReckoningTrack.Pose(0, 0, 0);
     assertThat(found.east() + found.eastward(origin)).isCloseTo(EAST, within(1e-9));
     assertThat(found.north() + found.northward(origin)).isCloseTo(NORTH, within(1e-9));
   }

@@ -152,7 +152,7 @@ class KalmanTrackerTest {
             TrackerTable.told(0),
             "r/map",
             Field.DATUM,
-            new KalmanTracker.KnownYaw(yaw + 0.05, 0.1));
+            new KalmanTracker.InitialYaw(yaw + 0.05, 0.1));
     new Ride(field, tracker).go(9);
     PoseEstimate standing = tracker.estimate(field.host(9)).orElseThrow();
     assertThat(Math.IEEEremainder(standing.yaw() - yaw, 2 * Math.PI)).isBetween(-0.1, 0.2);
@@ -167,12 +167,12 @@ class KalmanTrackerTest {
     for (int i = 0; i <= 200; i++) {
       double t = i / 10.0;
       double x = -0.5 * t;
-      tracker.take(new Odometry(field.host(t), "r/odom", "r/base", x, 0, 0, -0.5, 0));
-      tracker.take(new AngularRate(field.host(t), "r/gyro", 0));
+      tracker.addMeasurement(new Odometry(field.host(t), "r/odom", "r/base", x, 0, 0, -0.5, 0));
+      tracker.addMeasurement(new AngularRate(field.host(t), "r/gyro", 0));
       if (i % 10 == 5) {
         double then = t - 0.3;
         GpsFix fix = field.fix(then, -0.5 * then + 0.3, 0, -0.5, 0);
-        tracker.take(fix, "gps_front", Field.ANTENNAS.get(0), field.host(then + 0.16));
+        tracker.addMeasurement(fix, "gps_front", Field.ANTENNAS.get(0), field.host(then + 0.16));
       }
     }
     PoseEstimate pose = tracker.estimate(field.host(20)).orElseThrow();
@@ -186,17 +186,18 @@ class KalmanTrackerTest {
     Field field = new Field(1, Errors.WHITE, 1);
     KalmanTracker tracker =
         new KalmanTracker(
-            TrackerTable.told(0), "r/map", Field.DATUM, new KalmanTracker.KnownYaw(0, 0.1));
+            TrackerTable.told(0), "r/map", Field.DATUM, new KalmanTracker.InitialYaw(0, 0.1));
     for (int i = 0; i <= 600; i++) {
       double t = i / 10.0;
-      tracker.take(new AngularRate(field.host(t), "r/gyro", 0.02));
-      tracker.take(new Odometry(field.host(t), "r/odom", "r/base", 0, 0, 0, 0, 0));
+      tracker.addMeasurement(new AngularRate(field.host(t), "r/gyro", 0.02));
+      tracker.addMeasurement(new Odometry(field.host(t), "r/odom", "r/base", 0, 0, 0, 0, 0));
       if (i == 100) {
-        tracker.take(field.fix(9.8, 0.3, 0, 0, 0), "g", Field.ANTENNAS.get(0), field.host(9.96));
+        tracker.addMeasurement(
+            field.fix(9.8, 0.3, 0, 0, 0), "g", Field.ANTENNAS.get(0), field.host(9.96));
       }
     }
     PoseEstimate pose = tracker.estimate(field.host(60)).orElseThrow();
-    assertThat(pose.turnRate()).isBetween(-1e-3, 1e-3);
+    assertThat(pose.yawRate()).isBetween(-1e-3, 1e-3);
     assertThat(pose.yaw()).isBetween(-0.01, 0.01);
   }
 

@@ -13,15 +13,16 @@ class ReplayTest {
 
   private static final int STEPS = 200;
 
-  private static Step step(int i) {
-    long from = i * Ticks.SECOND / 10;
+  private static MotionIncrement step(int i) {
+    long from = i * EpochNanos.SECOND / 10;
     double turn = 0.02 * Math.sin(i / 9.0);
-    return new Step(from, from + Ticks.SECOND / 10, 0.06, turn, turn, 0, 0, false, false);
+    return new MotionIncrement(
+        from, from + EpochNanos.SECOND / 10, 0.06, turn, turn, 0, 0, false, false);
   }
 
   private static LocalFix fix(Random random) {
-    long time = (long) (random.nextDouble() * (STEPS / 10.0 - 0.001) * Ticks.SECOND);
-    double seconds = Ticks.seconds(0, time);
+    long time = (long) (random.nextDouble() * (STEPS / 10.0 - 0.001) * EpochNanos.SECOND);
+    double seconds = EpochNanos.seconds(0, time);
     return new LocalFix(
         time,
         random.nextInt(2),
@@ -35,29 +36,29 @@ class ReplayTest {
         0.1 * random.nextGaussian());
   }
 
-  private static Replay replay() {
-    Replay replay = new Replay(TrackerSettings.DEFAULT);
-    replay.head().begin(0, 0, 0, 0);
-    replay.head().know(Belief.EAST, 0, 2);
-    replay.head().know(Belief.NORTH, 0, 2);
-    replay.head().know(Belief.YAW, 0, 0.2);
+  private static DelayedFixFilter replay() {
+    DelayedFixFilter replay = new DelayedFixFilter(TrackerSettings.DEFAULT);
+    replay.head().initialize(0, 0, 0, 0);
+    replay.head().setUncorrelated(Belief.EAST, 0, 2);
+    replay.head().setUncorrelated(Belief.NORTH, 0, 2);
+    replay.head().setUncorrelated(Belief.YAW, 0, 0.2);
     replay.rebase();
     return replay;
   }
 
-  private static Replay run(List<LocalFix> fixes, Random late) {
-    Replay replay = replay();
+  private static DelayedFixFilter run(List<LocalFix> fixes, Random late) {
+    DelayedFixFilter replay = replay();
     record Due(LocalFix fix, double at) {}
     List<Due> dues = new ArrayList<>();
     for (LocalFix fix : fixes) {
-      dues.add(new Due(fix, Ticks.seconds(0, fix.time()) + 0.1 + 2.5 * late.nextDouble()));
+      dues.add(new Due(fix, EpochNanos.seconds(0, fix.time()) + 0.1 + 2.5 * late.nextDouble()));
     }
     dues.sort(Comparator.comparingDouble(Due::at));
     int next = 0;
     for (int i = 0; i < STEPS; i++) {
       replay.add(step(i));
       while (next < dues.size() && (dues.get(next).at <= (i + 1) / 10.0 || i == STEPS - 1)) {
-        Replay.Verdict unused = replay.add(dues.get(next++).fix);
+        DelayedFixFilter.FixOutcome unused = replay.add(dues.get(next++).fix);
       }
     }
     return replay;
@@ -81,14 +82,14 @@ class ReplayTest {
 
   @Test
   void aLateFixIsNotTakenForAFreshOne() {
-    Replay replay = replay();
+    DelayedFixFilter replay = replay();
     for (int i = 0; i < 20; i++) {
       replay.add(step(i));
     }
     double east = replay.head().get(Belief.EAST);
     double north = replay.head().get(Belief.NORTH);
     // Exactly where the robot was one second ago.
-    Replay past = replay();
+    DelayedFixFilter past = replay();
     for (int i = 0; i < 10; i++) {
       past.add(step(i));
     }
@@ -97,7 +98,7 @@ class ReplayTest {
     double sin = Math.sin(then.get(Belief.YAW));
     LocalFix fix =
         new LocalFix(
-            Ticks.SECOND,
+            EpochNanos.SECOND,
             0,
             false,
             then.get(Belief.EAST) + 0.3 * cos,
@@ -107,7 +108,7 @@ class ReplayTest {
             0.6,
             0,
             Double.NaN);
-    assertThat(replay.add(fix)).isEqualTo(Replay.Verdict.USED);
+    assertThat(replay.add(fix)).isEqualTo(DelayedFixFilter.FixOutcome.USED);
     assertThat(replay.head().get(Belief.EAST)).isCloseTo(east, within(1e-9));
     assertThat(replay.head().get(Belief.NORTH)).isCloseTo(north, within(1e-9));
     assertThat(replay.head().variance(Belief.EAST)).isLessThan(4);
@@ -115,13 +116,13 @@ class ReplayTest {
 
   @Test
   void refusesWhatIsOlderThanItsHorizon() {
-    Replay replay = replay();
+    DelayedFixFilter replay = replay();
     for (int i = 0; i < 60; i++) {
       replay.add(step(i));
     }
     double east = replay.head().get(Belief.EAST);
-    LocalFix old = new LocalFix(Ticks.SECOND, 0, false, 5, 5, 0, 0, 0.6, 0, Double.NaN);
-    assertThat(replay.add(old)).isEqualTo(Replay.Verdict.TOO_LATE);
+    LocalFix old = new LocalFix(EpochNanos.SECOND, 0, false, 5, 5, 0, 0, 0.6, 0, Double.NaN);
+    assertThat(replay.add(old)).isEqualTo(DelayedFixFilter.FixOutcome.TOO_LATE);
     assertThat(replay.head().get(Belief.EAST)).isEqualTo(east);
   }
 
@@ -129,9 +130,9 @@ class ReplayTest {
   void aStepCutInTwoMovesAsFarAndIsAsUncertain() {
     Belief whole = replay().head();
     Belief halves = replay().head();
-    Step step = step(3);
+    MotionIncrement step = step(3);
     whole.predict(step);
-    long at = step.from() + Ticks.SECOND / 30;
+    long at = step.from() + EpochNanos.SECOND / 30;
     halves.predict(step.before(at));
     halves.predict(step.after(at));
     for (int i = 0; i < Belief.SIZE; i++) {

@@ -57,12 +57,12 @@ final class Ride {
     return new Odometry(
         o.measured().plusNanos(set),
         o.frame(),
-        o.child(),
+        o.childFrame(),
         shift[0] + cos * o.x() - sin * o.y(),
         shift[1] + sin * o.x() + cos * o.y(),
         o.yaw() + shift[2],
         o.speed(),
-        o.turnRate());
+        o.yawRate());
   }
 
   /** What is not heard from now on. */
@@ -84,11 +84,12 @@ final class Ride {
 
   void give(Field.Heard heard) {
     if (heard.reading() instanceof Odometry odometry) {
-      tracker.take(shifted(odometry));
+      tracker.addMeasurement(shifted(odometry));
     } else if (heard.reading() instanceof AngularRate rate) {
-      tracker.take(new AngularRate(rate.measured().plusNanos(set), rate.frame(), rate.rate()));
+      tracker.addMeasurement(
+          new AngularRate(rate.measured().plusNanos(set), rate.frame(), rate.rate()));
     } else {
-      tracker.take(
+      tracker.addMeasurement(
           (GpsFix) heard.reading(),
           Field.SOURCES.get(heard.antenna()),
           Field.ANTENNAS.get(heard.antenna()),

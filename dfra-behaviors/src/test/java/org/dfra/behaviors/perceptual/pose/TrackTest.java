@@ -8,13 +8,13 @@ import org.junit.jupiter.api.Test;
 
 class TrackTest {
 
-  private final Track track = new Track(GyroErrors.DEFAULT);
+  private final DeadReckoningTrack track = new DeadReckoningTrack(GyroErrors.DEFAULT);
   private long now;
 
   /** The wheels rest for a second, and the gyro shows that rate, in radians per second. */
   private void rest(double rate) {
-    long then = now + Ticks.SECOND;
-    track.add(new Step(now, then, 0, 0, rate, 0, 0, true, false));
+    long then = now + EpochNanos.SECOND;
+    track.add(new MotionIncrement(now, then, 0, 0, rate, 0, 0, true, false));
     now = then;
   }
 
@@ -24,7 +24,7 @@ class TrackTest {
     for (int second = 0; second < 600; second++) {
       rest(1e-4 * second);
     }
-    assertThat(track.bias()).isCloseTo(0.06, within(0.01)); // it lags by a minute
+    assertThat(track.gyroBias()).isCloseTo(0.06, within(0.01)); // it lags by a minute
     assertThat(track.end().yaw()).isZero();
   }
 
@@ -35,7 +35,7 @@ class TrackTest {
     for (int second = 0; second < 10; second++) {
       rest(0.25);
     }
-    assertThat(track.bias()).isEqualTo(0.001);
+    assertThat(track.gyroBias()).isEqualTo(0.001);
     assertThat(track.end().yaw()).isCloseTo(2.49, within(1e-9));
   }
 }

@@ -17,21 +17,21 @@ class TransitionTest {
     Random random = new Random(seed);
     for (int i = 0; i < 100; i++) {
       double[] numbers = random.doubles(11, -2, 2).toArray();
-      Transition transition = new Transition();
-      transition.place(Belief.TURN, 7, 7); // of the step before
+      StateTransitionMatrix transition = new StateTransitionMatrix();
+      transition.setPositionTerms(Belief.GYRO_BIAS, 7, 7); // of the step before
       transition.clear(numbers[0]);
       DMatrixRMaj whole = CommonOps_DDRM.identity(Belief.SIZE);
-      for (int slow = Belief.SLOW; slow < Belief.SIZE; slow++) {
+      for (int slow = Belief.GPS_BIAS; slow < Belief.SIZE; slow++) {
         whole.set(slow, slow, numbers[0]);
       }
-      for (int by = Belief.YAW; by < Belief.SLOW; by++) {
-        transition.place(by, numbers[2 * by - 3], numbers[2 * by - 2]);
+      for (int by = Belief.YAW; by < Belief.GPS_BIAS; by++) {
+        transition.setPositionTerms(by, numbers[2 * by - 3], numbers[2 * by - 2]);
         whole.set(Belief.EAST, by, numbers[2 * by - 3]);
         whole.set(Belief.NORTH, by, numbers[2 * by - 2]);
       }
-      transition.yaw(numbers[9], numbers[10]);
-      whole.set(Belief.YAW, Belief.TURN, numbers[9]);
-      whole.set(Belief.YAW, Belief.SPIN, numbers[10]);
+      transition.setYawTerms(numbers[9], numbers[10]);
+      whole.set(Belief.YAW, Belief.GYRO_BIAS, numbers[9]);
+      whole.set(Belief.YAW, Belief.WHEEL_YAW_SCALE, numbers[10]);
 
       DMatrixRMaj covariance =
           RandomMatrices_DDRM.symmetricPosDef(Belief.SIZE, new Random(random.nextLong()));

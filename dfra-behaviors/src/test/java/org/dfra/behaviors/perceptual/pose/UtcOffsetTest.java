@@ -14,15 +14,15 @@ class UtcOffsetTest {
 
   /** Fixes twice a second; the clock is ahead by so many nanoseconds at the beginning. */
   private static ClockOffset after(int fixes, long ahead, double drift, SplittableRandom random) {
-    UtcOffset offset = new UtcOffset();
+    UtcOffsetEstimator offset = new UtcOffsetEstimator();
     long now = 0;
     for (int i = 0; i < fixes; i++) {
       long utc = i * 500_000_000L;
       long heard = utc + LEAST + (long) (-MEAN * Math.log(1 - random.nextDouble()));
       now = heard + ahead + (long) (drift * heard);
-      offset.take(utc, now);
+      offset.addFix(utc, now);
     }
-    return offset.known(now).orElseThrow();
+    return offset.estimate(now).orElseThrow();
   }
 
   @Test
@@ -37,7 +37,7 @@ class UtcOffsetTest {
         ClockOffset told = after(fixes, ahead, drift, random);
         double truly = ahead / 1e9 + drift * fixes * 0.5 + LEAST / 1e9;
         all++;
-        if (Math.abs(told.seconds() - truly) > told.secondsWithin()) {
+        if (Math.abs(told.seconds() - truly) > told.uncertaintySeconds()) {
           wrong++;
         }
       }
@@ -49,24 +49,24 @@ class UtcOffsetTest {
   @Test
   void itIsKnownBetterWithMoreFixesAndWorseWhenTheyStop() {
     SplittableRandom random = new SplittableRandom(1);
-    double one = after(1, 0, 0, random).secondsWithin();
-    double some = after(8, 0, 0, random).secondsWithin();
-    double many = after(64, 0, 0, random).secondsWithin();
+    double one = after(1, 0, 0, random).uncertaintySeconds();
+    double some = after(8, 0, 0, random).uncertaintySeconds();
+    double many = after(64, 0, 0, random).uncertaintySeconds();
     assertThat(many).isLessThan(some).isLessThan(0.02);
     assertThat(some).isLessThan(one);
-    UtcOffset offset = new UtcOffset();
-    offset.take(0, LEAST);
-    double now = offset.known(LEAST).orElseThrow().secondsWithin();
-    double later = offset.known(LEAST + 600_000_000_000L).orElseThrow().secondsWithin();
+    UtcOffsetEstimator offset = new UtcOffsetEstimator();
+    offset.addFix(0, LEAST);
+    double now = offset.estimate(LEAST).orElseThrow().uncertaintySeconds();
+    double later = offset.estimate(LEAST + 600_000_000_000L).orElseThrow().uncertaintySeconds();
     assertThat(later - now).as("a ten-thousandth of ten minutes").isBetween(0.059, 0.061);
   }
 
   @Test
   void withoutAFixNothingIsKnown() {
-    UtcOffset offset = new UtcOffset();
-    assertThat(offset.known(0)).isEmpty();
-    offset.take(0, LEAST);
+    UtcOffsetEstimator offset = new UtcOffsetEstimator();
+    assertThat(offset.estimate(0)).isEmpty();
+    offset.addFix(0, LEAST);
     offset.clear();
-    assertThat(offset.known(0)).isEmpty();
+    assertThat(offset.estimate(0)).isEmpty();
   }
 }

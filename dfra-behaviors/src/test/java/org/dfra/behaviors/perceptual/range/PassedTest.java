@@ -17,10 +17,10 @@ import org.junit.jupiter.api.Test;
 class PassedTest {
 
   private static final Instant BEGIN = Instant.parse("2026-11-21T12:00:00Z");
-  private static final Transform MOUNT = Transform.shift(0.3, 0, 0);
+  private static final Transform MOUNT = Transform.translation(0.3, 0, 0);
   private static final int BEAMS = 181;
 
-  private final Passed passed = new Passed(Duration.ofSeconds(3));
+  private final ObstacleMemory passed = new ObstacleMemory(Duration.ofSeconds(3));
 
   /** A scan that meets a thing at a place of the odometry's frame where it sees it. */
   private void scan(double seconds, double x, double y, double yaw, double thingX, double thingY) {
@@ -45,7 +45,7 @@ class PassedTest {
 
   private List<double[]> told(double x, double y, double yaw) {
     List<double[]> points = new ArrayList<>();
-    passed.tell(
+    passed.forEach(
         odometry(0, x, y, yaw), (forward, left) -> points.add(new double[] {forward, left}));
     return points;
   }

@@ -14,14 +14,14 @@ import org.junit.jupiter.api.Test;
 /** A body of 0.8 m by 0.6 m; its laser 0.3 m ahead of its middle. */
 class SurroundsTest {
 
-  private static final Surrounds SURROUNDS = new Surrounds(0.4, 0.3, 8);
+  private static final ClearanceCalculator SURROUNDS = new ClearanceCalculator(0.4, 0.3, 8);
   private static final Transform FRONT = Transform.of(0.3, 0, 0.35, 0, 0, 0);
   private static final Offset<Double> NEAR = within(1e-6);
   private static final double STEP = Math.PI / 180;
 
   private static Clearance of(Transform mount, double firstAngle, float... ranges) {
     RangeScan scan = new RangeScan(Instant.EPOCH, "laser", firstAngle, STEP, 0, 0, 80, ranges);
-    return SURROUNDS.clearance(scan, ranges, mount, SURROUNDS.new Beside(), "base_link");
+    return SURROUNDS.clearance(scan, ranges, mount, SURROUNDS.new SideClearance(), "base_link");
   }
 
   /** One beam at an angle, the end of which is at a place in the body's frame. */
@@ -40,7 +40,7 @@ class SurroundsTest {
   @Test
   void whatMayHaveComeNearerCountsAsNearerWhereSomethingIsSeen() {
     Clearance seen = new Clearance(Instant.EPOCH, "base_link", 0.2, 2, 8);
-    assertThat(SURROUNDS.nearer(seen, 0.5))
+    assertThat(SURROUNDS.reducedBy(seen, 0.5))
         .as("nothing is seen to the right")
         .isEqualTo(new Clearance(Instant.EPOCH, "base_link", 0, 1.5, 8));
   }
@@ -82,7 +82,7 @@ class SurroundsTest {
     assertThat(room.centre()).isCloseTo(2, NEAR);
     assertThat(room.left()).isCloseTo(1.5, NEAR);
     assertThat(room.right()).isCloseTo(1, NEAR);
-    assertThat(room.least()).isCloseTo(1, NEAR);
+    assertThat(room.min()).isCloseTo(1, NEAR);
   }
 
   @Test
@@ -100,9 +100,9 @@ class SurroundsTest {
 
   @Test
   void whatWasPassedCountsBesideTheBodyOnly() {
-    Surrounds.Beside passed = SURROUNDS.new Beside();
-    passed.at(-0.2, 0.7); // 0.4 m from its left flank
-    passed.at(-0.8, -0.3); // 0.4 m behind its right corner
+    ClearanceCalculator.SideClearance passed = SURROUNDS.new SideClearance();
+    passed.accept(-0.2, 0.7); // 0.4 m from its left flank
+    passed.accept(-0.8, -0.3); // 0.4 m behind its right corner
     RangeScan scan = new RangeScan(Instant.EPOCH, "laser", 0, STEP, 0, 0, 80, new float[] {79});
     Clearance seen = SURROUNDS.clearance(scan, scan.ranges(), FRONT, passed, "base_link");
     assertThat(seen.left()).isCloseTo(0.4, NEAR);
@@ -119,9 +119,9 @@ class SurroundsTest {
   void aScanSaysNothingWhereMoreThanAQuarterFailed() {
     float[] ranges = new float[100];
     Arrays.fill(ranges, 0, 25, Float.NaN);
-    assertThat(Surrounds.suffices(ranges)).isTrue();
+    assertThat(ClearanceCalculator.hasEnoughBeams(ranges)).isTrue();
     ranges[25] = Float.NaN;
-    assertThat(Surrounds.suffices(ranges)).isFalse();
-    assertThat(Surrounds.suffices(new float[0])).isFalse();
+    assertThat(ClearanceCalculator.hasEnoughBeams(ranges)).isFalse();
+    assertThat(ClearanceCalculator.hasEnoughBeams(new float[0])).isFalse();
   }
 }

@@ -7,7 +7,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.Optional;
 import org.dfra.flow.perceptual.PoseEstimate;
-import org.dfra.flow.perceptual.TeamMate;
+import org.dfra.flow.perceptual.Teammate;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.time.ClockOffset;
 import org.jspecify.annotations.Nullable;
@@ -19,20 +19,20 @@ class MateTrailTest {
   private static final Instant BEGIN = Instant.parse("2026-11-21T12:00:00Z");
   private static final long LONGEST = 3_000_000_000L;
 
-  private final MateTrail mate = new MateTrail("atrv2");
+  private final TeammateTracker mate = new TeammateTracker("atrv2");
 
   private Optional<String> hear(double seconds, long number) {
     Instant now = BEGIN.plusNanos(Math.round(seconds * 1e9));
     PoseEstimate pose = pose(seconds, 0, null);
-    return mate.take(pose, number, now, Math.round(seconds * 1e9), LONGEST);
+    return mate.receive(pose, number, now, Math.round(seconds * 1e9), LONGEST);
   }
 
   private Optional<String> look(double seconds) {
-    return mate.look(Math.round(seconds * 1e9), LONGEST);
+    return mate.checkSilence(Math.round(seconds * 1e9), LONGEST);
   }
 
-  private TeamMate known() {
-    return mate.seenFrom(new OwnTrail());
+  private Teammate known() {
+    return mate.relativeTo(new OwnPoseBuffer());
   }
 
   private static PoseEstimate pose(double seconds, double east, @Nullable ClockOffset clock) {
@@ -54,35 +54,35 @@ class MateTrailTest {
   @Test
   void withoutASatelliteHeardTheOffsetIsUnknownAndSoIsThePlace() {
     ClockOffset some = new ClockOffset(Duration.ofMillis(800), Duration.ofMillis(10));
-    OwnTrail own = new OwnTrail();
+    OwnPoseBuffer own = new OwnPoseBuffer();
     own.add(pose(0, 0, some));
     own.add(pose(1, 1, some));
     assertThat(hear(0.5, 1)).as("its poses carry no offset").isEmpty();
-    assertThat(mate.seenFrom(own).clock()).isNull();
-    assertThat(mate.seenFrom(own).near()).isNull();
-    assertThat(mate.seenFrom(own).heard()).isEqualTo(BEGIN.plusMillis(500));
+    assertThat(mate.relativeTo(own).clockOffset()).isNull();
+    assertThat(mate.relativeTo(own).relativePosition()).isNull();
+    assertThat(mate.relativeTo(own).lastReceived()).isEqualTo(BEGIN.plusMillis(500));
 
-    OwnTrail without = new OwnTrail();
+    OwnPoseBuffer without = new OwnPoseBuffer();
     without.add(pose(0, 0, null));
-    Optional<String> unused = mate.take(pose(0.6, 7, some), 2, BEGIN, 600_000_000, LONGEST);
-    assertThat(mate.seenFrom(without).clock()).isNull();
+    Optional<String> unused = mate.receive(pose(0.6, 7, some), 2, BEGIN, 600_000_000, LONGEST);
+    assertThat(mate.relativeTo(without).clockOffset()).isNull();
   }
 
   @Test
   void comparesPlacesOfOneInstantWhateverTheClocksShow() {
-    OwnTrail own = new OwnTrail(); // 1 m/s to the east, its clock 0.2 s behind
+    OwnPoseBuffer own = new OwnPoseBuffer(); // 1 m/s to the east, its clock 0.2 s behind
     ClockOffset mine = new ClockOffset(Duration.ofMillis(-200), Duration.ofMillis(10));
     own.add(pose(9, 9.2, mine));
     own.add(pose(10, 10.2, mine));
     ClockOffset its = new ClockOffset(Duration.ofMillis(800), Duration.ofMillis(20));
     // It was 30 m east when its clock showed 10.5: that is 9.7 UTC and 9.5 of this robot.
-    Optional<String> unused = mate.take(pose(10.5, 30, its), 1, BEGIN, 0, LONGEST);
-    TeamMate seen = mate.seenFrom(own);
-    assertThat(seen.clock())
+    Optional<String> unused = mate.receive(pose(10.5, 30, its), 1, BEGIN, 0, LONGEST);
+    Teammate seen = mate.relativeTo(own);
+    assertThat(seen.clockOffset())
         .isEqualTo(new ClockOffset(Duration.ofSeconds(1), Duration.ofMillis(30)));
-    assertThat(seen.near().at()).isEqualTo(BEGIN.plusMillis(9500));
-    assertThat(seen.near().east()).isCloseTo(30 - 9.7, within(1e-6));
-    assertThat(seen.near().sigma()).isCloseTo(0.3 * Math.sqrt(2), within(1e-9));
+    assertThat(seen.relativePosition().time()).isEqualTo(BEGIN.plusMillis(9500));
+    assertThat(seen.relativePosition().east()).isCloseTo(30 - 9.7, within(1e-6));
+    assertThat(seen.relativePosition().sigma()).isCloseTo(0.3 * Math.sqrt(2), within(1e-9));
   }
 
   @Test
@@ -95,7 +95,7 @@ class MateTrailTest {
     assertThat(known().isOutOfReach()).isTrue();
     assertThat(hear(61.1, 711)).contains("atrv2 was out of reach for 61 s, 609 readings missed");
     assertThat(known().isOutOfReach()).isFalse();
-    assertThat(known().missed()).isEqualTo(609);
+    assertThat(known().missedReadings()).isEqualTo(609);
     assertThat(look(62)).isEmpty();
   }
 
@@ -103,12 +103,12 @@ class MateTrailTest {
   void countsWhatWasMissedWithoutASilence() {
     assertThat(hear(0, 1)).isEmpty();
     assertThat(hear(0.5, 6)).isEmpty();
-    assertThat(known().missed()).isEqualTo(4);
+    assertThat(known().missedReadings()).isEqualTo(4);
   }
 
   @Test
   void whatWasToldBeforeItListenedIsNotMissed() {
     assertThat(hear(100, 5000)).isEmpty();
-    assertThat(known().missed()).isZero();
+    assertThat(known().missedReadings()).isZero();
   }
 }

@@ -38,7 +38,7 @@ final class OwnTime implements InstantSource, Scheduler {
   }
 
   @Override
-  public Task after(long nanos, Runnable task) {
+  public ScheduledTask after(long nanos, Runnable task) {
     return truth.after(nanos, task);
   }
 

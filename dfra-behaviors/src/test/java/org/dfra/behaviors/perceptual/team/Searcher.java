@@ -14,7 +14,7 @@ import org.dfra.core.directory.InMemoryModuleDirectory;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.core.state.StateStore;
-import org.dfra.directory.Watch;
+import org.dfra.directory.DirectoryRegistration;
 import org.dfra.flow.sensor.GpsFix;
 
 /**
@@ -39,7 +39,7 @@ final class Searcher implements AutoCloseable {
   private final double speed;
   private final Wheels wheels;
   private final Receiver receiver;
-  private final Map<ModuleImpl, Watch> listed = new HashMap<>();
+  private final Map<ModuleImpl, DirectoryRegistration> listed = new HashMap<>();
   private long ticks;
 
   /**
@@ -80,7 +80,7 @@ final class Searcher implements AutoCloseable {
             Parameters.of(name + "/" + module, parameters),
             time,
             StateStore.inMemory())
-        .among(directory);
+        .withDirectory(directory);
   }
 
   private <M extends ModuleImpl> M add(M module) {

@@ -8,7 +8,7 @@ import java.util.Objects;
 import org.dfra.behaviors.SteppedTime;
 import org.dfra.core.directory.InMemoryModuleDirectory;
 import org.dfra.flow.perceptual.PoseEstimate;
-import org.dfra.flow.perceptual.TeamMate;
+import org.dfra.flow.perceptual.Teammate;
 import org.dfra.module.Incident;
 import org.dfra.time.ClockOffset;
 import org.junit.jupiter.api.AfterEach;
@@ -48,8 +48,8 @@ class TeamTrackerTest {
     robots = List.of(first, second);
   }
 
-  private static TeamMate mateOf(Searcher robot) {
-    List<TeamMate> mates = robot.team.team().mates();
+  private static Teammate mateOf(Searcher robot) {
+    List<Teammate> mates = robot.team.team().teammates();
     assertThat(mates).hasSize(1);
     return mates.get(0);
   }
@@ -62,17 +62,17 @@ class TeamTrackerTest {
     double naiveMost = 0;
     for (int i = 0; i < 400; i++) {
       truth.step(0.25);
-      TeamMate second = mateOf(robots.get(0));
-      ClockOffset clock = Objects.requireNonNull(second.clock());
+      Teammate second = mateOf(robots.get(0));
+      ClockOffset clock = Objects.requireNonNull(second.clockOffset());
       double truly = ahead.ahead() - behind.ahead(); // 1.1 s and more
-      assertThat(clock.secondsWithin()).as("seed %d", seed).isLessThan(BOUND);
+      assertThat(clock.uncertaintySeconds()).as("seed %d", seed).isLessThan(BOUND);
       assertThat(clock.seconds())
           .as("seed %d: %s", seed, clock)
-          .isCloseTo(truly, within(clock.secondsWithin()));
+          .isCloseTo(truly, within(clock.uncertaintySeconds()));
 
-      TeamMate.Near near = Objects.requireNonNull(second.near());
+      Teammate.RelativePosition near = Objects.requireNonNull(second.relativePosition());
       // The instant, by the first robot's clock, is at most one step of its wheels ago.
-      double age = (behind.instant().toEpochMilli() - near.at().toEpochMilli()) / 1e3;
+      double age = (behind.instant().toEpochMilli() - near.time().toEpochMilli()) / 1e3;
       assertThat(age).isBetween(-0.001, 0.25);
       double apart = robots.get(1).east() - robots.get(0).east() + 2 * SPEED * age;
       // Both estimates are off by centimetres: their fixes have no error, the latencies have.
@@ -98,12 +98,13 @@ class TeamTrackerTest {
   void bothSayTheSameOfEachOther() {
     begin(7);
     truth.step(90);
-    ClockOffset second = Objects.requireNonNull(mateOf(robots.get(0)).clock());
-    ClockOffset first = Objects.requireNonNull(mateOf(robots.get(1)).clock());
+    ClockOffset second = Objects.requireNonNull(mateOf(robots.get(0)).clockOffset());
+    ClockOffset first = Objects.requireNonNull(mateOf(robots.get(1)).clockOffset());
     assertThat(second.seconds()).isCloseTo(-first.seconds(), within(1e-3));
     // One is of poses that are a turn older than the other's, and clocks drift meanwhile.
-    assertThat(second.secondsWithin()).isCloseTo(first.secondsWithin(), within(1e-3));
-    TeamMate.Near near = Objects.requireNonNull(mateOf(robots.get(1)).near());
+    assertThat(second.uncertaintySeconds()).isCloseTo(first.uncertaintySeconds(), within(1e-3));
+    Teammate.RelativePosition near =
+        Objects.requireNonNull(mateOf(robots.get(1)).relativePosition());
     assertThat(near.east()).as("150 m less what both have driven").isCloseTo(-24, within(0.3));
   }
 
@@ -119,13 +120,15 @@ class TeamTrackerTest {
     assertThat(gaps()).singleElement().asString().startsWith("atrv2 is out of reach");
     truth.step(20);
     assertThat(gaps()).as("it says so once").hasSize(1);
-    assertThat(mateOf(robots.get(0)).near()).as("what was known stays known").isNotNull();
+    assertThat(mateOf(robots.get(0)).relativePosition())
+        .as("what was known stays known")
+        .isNotNull();
   }
 
   private List<String> gaps() {
     return robots.get(0).team.history().recent().stream()
         .filter(each -> each.kind() == Incident.Kind.GAP)
-        .map(Incident::what)
+        .map(Incident::description)
         .toList();
   }
 }

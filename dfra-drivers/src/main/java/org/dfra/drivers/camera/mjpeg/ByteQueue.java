@@ -11,11 +11,11 @@ final class ByteQueue {
   private int end;
 
   /**
-   * @param most bytes that it holds at the most
+   * @param maxBytes bytes that it holds at the most
    */
-  ByteQueue(int most) {
-    this.most = most;
-    this.bytes = new byte[Math.min(FIRST, most)];
+  ByteQueue(int maxBytes) {
+    this.most = maxBytes;
+    this.bytes = new byte[Math.min(FIRST, maxBytes)];
   }
 
   /** Takes as many as it has room for; how many. */
@@ -30,10 +30,10 @@ final class ByteQueue {
   }
 
   private void makeRoom(int length) {
-    int wanted = size() + length;
+    int required = size() + length;
     byte[] next = bytes;
-    if (wanted > bytes.length) {
-      next = new byte[(int) Math.min(most, Math.max(wanted, 2L * bytes.length))];
+    if (required > bytes.length) {
+      next = new byte[(int) Math.min(most, Math.max(required, 2L * bytes.length))];
     }
     int held = size();
     System.arraycopy(bytes, start, next, 0, held);

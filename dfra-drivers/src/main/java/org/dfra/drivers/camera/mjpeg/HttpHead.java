@@ -86,8 +86,8 @@ public record HttpHead(int status, String reason, Map<String, String> headers) {
     if (!mediaType().startsWith("multipart/") || !matcher.matches()) {
       return "";
     }
-    String told = matcher.group(1) == null ? matcher.group(2) : matcher.group(1);
-    String core = told.replaceFirst("^-+", "");
+    String reported = matcher.group(1) == null ? matcher.group(2) : matcher.group(1);
+    String core = reported.replaceFirst("^-+", "");
     return core.length() > LONGEST_BOUNDARY ? "" : core;
   }
 }

@@ -9,7 +9,7 @@ import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ParameterTable;
 import org.dfra.core.module.SensorImpl;
 import org.dfra.drivers.camera.mjpeg.MjpegMessage.Part;
-import org.dfra.drivers.device.DeviceLine;
+import org.dfra.drivers.device.DeviceLink;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.flow.sensor.CameraImage;
@@ -72,7 +72,7 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
 
   private final MjpegSettings written;
   private final LatestReading<CameraImage> latest;
-  private final DeviceLine line;
+  private final DeviceLink deviceLink;
 
   private volatile double fieldOfView;
   private volatile double idlePeriod;
@@ -90,62 +90,65 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
   MjpegCameraImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
     super(context, "network camera, MJPEG", "DFRA", "1.0", List.of("CameraImage"), PRECONDITIONS);
     this.written = MjpegSettings.of(settings());
-    this.latest = new LatestReading<>("image", this, this::become, ticker::nanos, this::longestAge);
+    this.latest =
+        new LatestReading<>("image", this, this::transitionTo, ticker::nanos, this::longestAge);
     this.fieldOfView = written.fieldOfView();
     this.idlePeriod = written.idlePeriod();
     LinkKeeper.Source connecting = source == null ? () -> written.address().open(ticker) : source;
-    MjpegProtocol protocol = new MjpegProtocol(written, ticker, this::rest, new Camera());
-    this.line =
-        new DeviceLine(context, protocol, ticker, () -> RestingLink.open(connecting, ticker), log);
-    this.line.declareIn(examinations(), declared());
-    ImageExamination image = new ImageExamination(line, protocol, this::image);
-    examinations().test("image", image::look);
+    MjpegProtocol protocol =
+        new MjpegProtocol(written, ticker, this::requiredIdlePeriod, new Camera());
+    this.deviceLink =
+        new DeviceLink(
+            context, protocol, ticker, () -> SuspendableLink.open(connecting, ticker), log);
+    this.deviceLink.declareIn(diagnostics(), parameterTable());
+    ImageDiagnostics image = new ImageDiagnostics(deviceLink, protocol, this::image);
+    diagnostics().addTest("image", image::checkNextImage);
     declareParameters();
   }
 
   private void declareParameters() {
-    declared().show("password", "never shown", () -> "");
-    declared()
-        .number(
+    parameterTable().declareReadOnly("password", "never shown", () -> "");
+    parameterTable()
+        .declareNumber(
             "field_of_view",
             "angle from the left edge to the right",
-            ParameterTable.Range.of(MjpegSettings.NARROWEST, MjpegSettings.WIDEST, "rad"),
+            ParameterTable.NumberRange.of(MjpegSettings.NARROWEST, MjpegSettings.WIDEST, "rad"),
             () -> fieldOfView,
             value -> fieldOfView = value);
-    declared()
-        .number(
+    parameterTable()
+        .declareNumber(
             "idle_period",
             "time from one image to the next without clients, 0: it streams all the time",
-            ParameterTable.Range.of(0, MjpegSettings.LONGEST_IDLE, "s"),
+            ParameterTable.NumberRange.of(0, MjpegSettings.LONGEST_IDLE, "s"),
             () -> idlePeriod,
             value -> idlePeriod = value);
   }
 
   /** Seconds from one image to the next now; 0 while it is to stream. */
-  private double rest() {
+  private double requiredIdlePeriod() {
     return hasClients ? 0 : idlePeriod;
   }
 
   @Override
   protected void onStart() {
-    latest.awaits("its link is being opened");
-    line.start();
+    latest.setMissing("its link is being opened");
+    deviceLink.start();
   }
 
   @Override
   protected void onClose() {
-    line.close();
-    latest.forget("it has ended");
+    deviceLink.close();
+    latest.clear("it has ended");
   }
 
   @Override
-  protected void onClients(int number) {
+  protected void onClientCount(int number) {
     hasClients = number > 0; // the reader looks at it every 0.1 s
   }
 
   @Override
   public double updateRate() {
-    double period = rest();
+    double period = requiredIdlePeriod();
     return period > 0 ? Math.min(1 / period, written.frameRate()) : written.frameRate();
   }
 
@@ -159,7 +162,7 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
   }
 
   @Override
-  protected List<? extends Attributes> traits() {
+  protected List<? extends Attributes> deviceAttributes() {
     List<Attributes> all = new ArrayList<>();
     double most = written.frameRate();
     double least = idlePeriod > 0 ? Math.min(1 / idlePeriod, most) : most;
@@ -179,14 +182,14 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
   private final class Camera implements MjpegProtocol.Listener {
 
     @Override
-    public boolean took(Part part) {
-      ImageShape shape = part.shape();
+    public boolean imageReceived(Part part) {
+      ImageFormat shape = part.shape();
       boolean isThermal = written.band() == Band.THERMAL;
       boolean isRight =
           shape.mediaType().equals(written.mediaType())
               && (!isThermal || (shape.isGrey() && shape.bits() == 16));
       if (!isRight) {
-        latest.awaits(
+        latest.setMissing(
             "the camera sends "
                 + shape.mediaType()
                 + " of "
@@ -195,7 +198,7 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
                 + (isThermal
                     ? "thermal is image/png, grey with 16 bits"
                     : "visible is image/jpeg"));
-        log.debug("{}: {}", path(), latest.awaits());
+        log.debug("{}: {}", path(), latest.missing());
         return false;
       }
       serve(part);
@@ -203,7 +206,7 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
     }
 
     private void serve(Part part) {
-      ImageShape shape = part.shape();
+      ImageFormat shape = part.shape();
       double angle = fieldOfView;
       double focalLength = shape.width() / 2.0 / Math.tan(angle / 2);
       CameraImage image =
@@ -218,16 +221,16 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
               part.data());
       can = new CameraAttributes(written.band(), shape.width(), shape.height(), angle);
       latest.set(image);
-      line.alive();
-      line.heard().count(ImageExamination.IMAGE);
-      tell(image);
+      deviceLink.reportAlive();
+      deviceLink.eventCounter().increment(ImageDiagnostics.IMAGE);
+      publish(image);
     }
 
     /** When it was taken: as the camera says, where its clock can be right; else by now. */
     private Instant taken(Part part) {
       Instant now = clock().instant();
-      return TimeStamp.of(part.head().header("x-timestamp"))
-          .filter(told -> Duration.between(told, now).abs().compareTo(MOST_OFF) <= 0)
+      return TimestampParser.of(part.head().header("x-timestamp"))
+          .filter(reported -> Duration.between(reported, now).abs().compareTo(MOST_OFF) <= 0)
           .orElse(now);
     }
 
@@ -235,7 +238,7 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
     public void refused(String reason) {
       log.debug("{}: {}", path(), reason);
       if (readiness() == Readiness.INITIALIZING) {
-        latest.awaits(reason);
+        latest.setMissing(reason);
       }
     }
 
@@ -243,8 +246,8 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
     public void lost(String reason) {
       boolean isVague =
           reason.endsWith("no image for 5 s") && readiness() == Readiness.INITIALIZING;
-      boolean isKnown = isVague && latest.awaits().startsWith("the camera sends");
-      latest.lose(isKnown ? latest.awaits() : reason);
+      boolean isKnown = isVague && latest.missing().startsWith("the camera sends");
+      latest.markLost(isKnown ? latest.missing() : reason);
     }
   }
 }

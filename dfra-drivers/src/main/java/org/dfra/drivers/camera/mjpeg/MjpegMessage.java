@@ -18,7 +18,7 @@ public sealed interface MjpegMessage {
    * @param data the image as the camera encoded it; nobody else holds it
    */
   record Part(
-      HttpHead head, ImageShape shape, @SuppressWarnings("ArrayRecordComponent") byte[] data)
+      HttpHead head, ImageFormat shape, @SuppressWarnings("ArrayRecordComponent") byte[] data)
       implements MjpegMessage {}
 
   /**

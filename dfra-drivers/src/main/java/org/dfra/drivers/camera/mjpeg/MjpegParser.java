@@ -39,19 +39,19 @@ public final class MjpegParser implements StreamParser {
   private static final byte[] HTTP = {'H', 'T', 'T', 'P', '/'};
 
   private enum State {
-    HEAD,
-    BETWEEN,
+    RESPONSE_HEAD,
+    SEEKING_BOUNDARY,
     PART_HEAD,
-    COUNTED,
-    UNCOUNTED,
-    DEAF
+    FIXED_LENGTH_BODY,
+    DELIMITED_BODY,
+    DISCARDING
   }
 
   private final int largest;
   private final Consumer<? super MjpegMessage> messages;
   private final ByteQueue pending;
 
-  private State state = State.HEAD;
+  private State state = State.RESPONSE_HEAD;
   private byte[] delimiter = {};
   private HttpHead partHead = HttpHead.ofPart(delimiter, 0, 0);
   private int length; // of the part, where it is counted
@@ -94,7 +94,7 @@ public final class MjpegParser implements StreamParser {
   @Override
   public void finish() {
     drop(pending.size());
-    state = State.HEAD;
+    state = State.RESPONSE_HEAD;
   }
 
   @Override
@@ -125,12 +125,12 @@ public final class MjpegParser implements StreamParser {
   /** Whether there is something left to be understood. */
   private boolean step() {
     return switch (state) {
-      case HEAD -> head();
-      case BETWEEN -> between();
+      case RESPONSE_HEAD -> head();
+      case SEEKING_BOUNDARY -> between();
       case PART_HEAD -> partHead();
-      case COUNTED -> counted();
-      case UNCOUNTED -> uncounted();
-      case DEAF -> {
+      case FIXED_LENGTH_BODY -> parseFixedLengthBody();
+      case DELIMITED_BODY -> uncounted();
+      case DISCARDING -> {
         drop(pending.size());
         yield false;
       }
@@ -158,7 +158,10 @@ public final class MjpegParser implements StreamParser {
     structure(end - start);
     String boundary = head.get().boundary();
     delimiter = ("--" + boundary).getBytes(StandardCharsets.ISO_8859_1);
-    state = head.get().status() == 200 && !boundary.isEmpty() ? State.BETWEEN : State.DEAF;
+    state =
+        head.get().status() == 200 && !boundary.isEmpty()
+            ? State.SEEKING_BOUNDARY
+            : State.DISCARDING;
     messages.accept(new Response(head.get()));
     return true;
   }
@@ -175,12 +178,12 @@ public final class MjpegParser implements StreamParser {
     if (end < 0 && pending.end() - after < LONGEST_DELIMITER) {
       return false;
     }
-    String rest = end < 0 ? "?" : text(after, end).strip();
-    if (rest.equals("--")) {
+    String remainder = end < 0 ? "?" : text(after, end).strip();
+    if (remainder.equals("--")) {
       structure(end - pending.start());
       return end("the camera has ended its stream");
     }
-    if (!rest.isEmpty()) { // another word that begins the same
+    if (!remainder.isEmpty()) { // another word that begins the same
       drop(1);
       return true;
     }
@@ -211,25 +214,25 @@ public final class MjpegParser implements StreamParser {
     }
     partHead = HttpHead.ofPart(pending.array(), pending.start(), end - pending.start());
     structure(end - pending.start());
-    String told = partHead.header("content-length");
-    if (told.isEmpty()) {
+    String lengthText = partHead.header("content-length");
+    if (lengthText.isEmpty()) {
       searched = 0;
-      state = State.UNCOUNTED;
+      state = State.DELIMITED_BODY;
       return true;
     }
-    if (!told.matches("[0-9]{1,18}")) {
-      return refuse("a part's Content-Length is no number: " + told);
+    if (!lengthText.matches("[0-9]{1,18}")) {
+      return refuse("a part's Content-Length is no number: " + lengthText);
     }
-    long count = Long.parseLong(told);
+    long count = Long.parseLong(lengthText);
     if (count > largest) {
       return refuse("a part of " + count + " bytes is larger than " + largest);
     }
     length = (int) count;
-    state = State.COUNTED;
+    state = State.FIXED_LENGTH_BODY;
     return true;
   }
 
-  private boolean counted() {
+  private boolean parseFixedLengthBody() {
     if (pending.size() < length) {
       return false;
     }
@@ -288,7 +291,7 @@ public final class MjpegParser implements StreamParser {
 
   private Optional<Part> part(int size) {
     int start = pending.start();
-    return ImageShape.of(pending.array(), start, size)
+    return ImageFormat.of(pending.array(), start, size)
         .map(
             shape ->
                 new Part(
@@ -299,7 +302,7 @@ public final class MjpegParser implements StreamParser {
     parts++;
     imageBytes += part.data().length;
     pending.skip(part.data().length);
-    state = State.BETWEEN;
+    state = State.SEEKING_BOUNDARY;
     messages.accept(part);
   }
 
@@ -307,13 +310,13 @@ public final class MjpegParser implements StreamParser {
   private boolean refuse(String reason) {
     parts++;
     malformed++;
-    state = State.BETWEEN;
+    state = State.SEEKING_BOUNDARY;
     messages.accept(new Malformed(reason));
     return true;
   }
 
   private boolean end(String reason) {
-    state = State.DEAF;
+    state = State.DISCARDING;
     messages.accept(new Ended(reason));
     return true;
   }

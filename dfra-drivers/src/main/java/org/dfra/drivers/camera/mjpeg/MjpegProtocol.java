@@ -34,7 +34,7 @@ final class MjpegProtocol implements DeviceProtocol {
   interface Listener {
 
     /** An image has come that the camera should send; whether it is one to be served. */
-    boolean took(Part part);
+    boolean imageReceived(Part part);
 
     /** A part was none that the camera should send. */
     void refused(String reason);
@@ -51,9 +51,9 @@ final class MjpegProtocol implements DeviceProtocol {
   private final Listener listener;
   private final MjpegParser parser;
 
-  private String trouble = ""; // why the stream must be opened anew; empty while all is well
+  private String fault = ""; // why the stream must be opened anew; empty while all is well
   private boolean hasSeen; // an image since it was connected
-  private volatile boolean rests; // also read by those who wait for an image
+  private volatile boolean isIdle; // also read by those who wait for an image
   private volatile long connectedNanos;
   private volatile long lifeNanos; // when the last image came, or the link was opened anew
 
@@ -66,19 +66,19 @@ final class MjpegProtocol implements DeviceProtocol {
     this.ticker = ticker;
     this.idlePeriod = idlePeriod;
     this.listener = listener;
-    this.parser = new MjpegParser(settings.largest(), this::heard);
+    this.parser = new MjpegParser(settings.maxImageBytes(), this::messageReceived);
   }
 
   @Override
   public void opened(SerialLink link) throws IOException {
     lifeNanos = ticker.nanos();
-    ask(link);
+    sendRequest(link);
   }
 
-  private void ask(SerialLink link) throws IOException {
-    trouble = "";
+  private void sendRequest(SerialLink link) throws IOException {
+    fault = "";
     hasSeen = false;
-    rests = false;
+    isIdle = false;
     connectedNanos = ticker.nanos();
     link.write(settings.request());
   }
@@ -89,28 +89,28 @@ final class MjpegProtocol implements DeviceProtocol {
   }
 
   @Override
-  public void tend(SerialLink link) throws IOException {
-    if (!trouble.isEmpty()) {
-      throw new IOException(link + ": " + trouble);
+  public void periodic(SerialLink link) throws IOException {
+    if (!fault.isEmpty()) {
+      throw new IOException(link + ": " + fault);
     }
     double period = idlePeriod.getAsDouble();
-    RestingLink resting = (RestingLink) link;
-    if (resting.isResting()) {
+    SuspendableLink suspendable = (SuspendableLink) link;
+    if (suspendable.isResting()) {
       if (ticker.nanos() - connectedNanos >= Math.round(period * 1e9)) {
-        resting.wake();
-        ask(link);
+        suspendable.resume();
+        sendRequest(link);
       }
     } else if (period > 0 && hasSeen) {
-      resting.rest();
-      rests = true;
+      suspendable.suspend();
+      isIdle = true;
       parser.finish();
     }
   }
 
   @Override
-  public Duration longestSilence() {
+  public Duration livenessTimeout() {
     // Counted from the last image on, which was rightly long ago when it was connected again.
-    return rests
+    return isIdle
         ? SILENCE.plusNanos(Math.round(idlePeriod.getAsDouble() * 1e9))
         : SILENCE.plusNanos(Math.max(0, connectedNanos - lifeNanos));
   }
@@ -125,18 +125,18 @@ final class MjpegProtocol implements DeviceProtocol {
     listener.lost(reason);
   }
 
-  private void heard(MjpegMessage message) {
+  private void messageReceived(MjpegMessage message) {
     if (message instanceof Response response) {
-      trouble = HttpTrouble.of(response.head(), settings.path(), settings.user());
+      fault = HttpFault.of(response.head(), settings.path(), settings.user());
     } else if (message instanceof Part part) {
-      if (listener.took(part)) {
+      if (listener.imageReceived(part)) {
         hasSeen = true;
         lifeNanos = ticker.nanos();
       }
     } else if (message instanceof Malformed malformed) {
       listener.refused(malformed.reason());
-    } else if (message instanceof Ended ended && trouble.isEmpty()) {
-      trouble = ended.reason();
+    } else if (message instanceof Ended ended && fault.isEmpty()) {
+      fault = ended.reason();
     }
   }
 }

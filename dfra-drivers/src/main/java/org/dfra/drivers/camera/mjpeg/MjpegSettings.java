@@ -22,7 +22,7 @@ import org.dfra.flow.sensor.CameraImage.Band;
  * @param fieldOfView from the left edge to the right, radians
  * @param frameRate images per second, as it is set up
  * @param idlePeriod seconds from one image to the next without clients; 0: as with clients
- * @param largest bytes of the largest image allowed
+ * @param maxImageBytes bytes of the largest image allowed
  */
 record MjpegSettings(
     LinkAddress address,
@@ -33,7 +33,7 @@ record MjpegSettings(
     double fieldOfView,
     double frameRate,
     double idlePeriod,
-    int largest) {
+    int maxImageBytes) {
 
   static final double NARROWEST = 0.001;
   static final double WIDEST = 3.1;

@@ -4,8 +4,8 @@
  *
  * <pre>
  *   bytes --&gt; MjpegParser --MjpegMessage: Response, Part ...--&gt; MjpegProtocol --&gt; MjpegCameraImpl
- *             HttpHead, ImageShape
- *   RestingLink: the connection, closed while nobody wants images
+ *             HttpHead, ImageFormat
+ *   SuspendableLink: the connection, closed while nobody wants images
  * </pre>
  *
  * <p>Enter at {@link org.dfra.drivers.camera.mjpeg.MjpegCameraImpl}. Sources: RFC 9110 and 9112

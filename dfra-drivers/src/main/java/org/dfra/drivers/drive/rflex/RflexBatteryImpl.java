@@ -3,10 +3,10 @@ package org.dfra.drivers.drive.rflex;
 import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
-import org.dfra.core.module.Examinations.Finding;
+import org.dfra.core.module.Diagnostics.DiagnosticFinding;
 import org.dfra.core.module.LatestReading;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.core.module.ParameterTable.Range;
+import org.dfra.core.module.ParameterTable.NumberRange;
 import org.dfra.core.module.SensorImpl;
 import org.dfra.drivers.drive.rflex.RflexMessage.SystemStatus;
 import org.dfra.drivers.link.LinkKeeper;
@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
  * The battery of an ATRV-Jr, as its rFLEX controller measures it. It is in one group with the
  * drive; see {@link RflexDriveImpl}.
  *
- * <p>Parameters, besides those of {@link RflexPort}, all of which can be set while it runs:
+ * <p>Parameters, besides those of {@link RflexLinkHandle}, all of which can be set while it runs:
  *
  * <ul>
  *   <li>{@code status_period}: seconds from one reading to the next, 0.2 to 60; default 1
@@ -52,7 +52,7 @@ public final class RflexBatteryImpl extends SensorImpl implements BatterySensor 
           "BatteryState", List.of("continuous"), 1 / LONGEST, 1 / SHORTEST, null, List.of());
 
   private final LatestReading<BatteryState> latest;
-  private final RflexPort port;
+  private final RflexLinkHandle port;
 
   private volatile double period;
   private volatile double offset;
@@ -76,20 +76,20 @@ public final class RflexBatteryImpl extends SensorImpl implements BatterySensor 
         List.of("BatteryState"),
         RflexDriveImpl.PRECONDITIONS);
     this.latest =
-        new LatestReading<>("reading", this, this::become, ticker::nanos, this::longestAge);
+        new LatestReading<>("reading", this, this::transitionTo, ticker::nanos, this::longestAge);
     this.period = settings().number("status_period", 1, SHORTEST, LONGEST);
     this.offset = settings().number("voltage_offset", 1.2, -5, 5);
     this.least = settings().number("least_voltage", 23, 0, 60);
     this.curve = curve();
-    this.port = new RflexPort(new Member(), context, ticker, source);
-    port.declareIn(examinations(), declared());
-    examinations()
-        .test(
+    this.port = new RflexLinkHandle(new Member(), context, ticker, source);
+    port.declareIn(diagnostics(), parameterTable());
+    diagnostics()
+        .addTest(
             "readings",
-            port.next(
+            port.arrivalCheck(
                 RflexController.STATUS,
-                () -> new Finding(true, "the controller tells its status")));
-    examinations().test("voltage", port.next(RflexController.STATUS, this::voltage));
+                () -> new DiagnosticFinding(true, "the controller tells its status")));
+    diagnostics().addTest("voltage", port.arrivalCheck(RflexController.STATUS, this::voltage));
     declare();
   }
 
@@ -108,29 +108,29 @@ public final class RflexBatteryImpl extends SensorImpl implements BatterySensor 
   }
 
   private void declare() {
-    declared()
-        .number(
+    parameterTable()
+        .declareNumber(
             "status_period",
             "from one reading to the next",
-            Range.of(SHORTEST, LONGEST, "s"),
+            NumberRange.of(SHORTEST, LONGEST, "s"),
             () -> period,
             value -> period = value);
-    declared()
-        .number(
+    parameterTable()
+        .declareNumber(
             "voltage_offset",
             "at the battery above what the controller measures",
-            Range.of(-5, 5, "V"),
+            NumberRange.of(-5, 5, "V"),
             () -> offset,
             value -> offset = value);
-    declared()
-        .number(
+    parameterTable()
+        .declareNumber(
             "least_voltage",
             "below it the test of the voltage fails",
-            Range.of(0, 60, "V"),
+            NumberRange.of(0, 60, "V"),
             () -> least,
             value -> least = value);
-    declared()
-        .text(
+    parameterTable()
+        .declareText(
             "charge_curve",
             "what is left at which voltage, volts:share",
             () -> curve.toString(),
@@ -139,14 +139,14 @@ public final class RflexBatteryImpl extends SensorImpl implements BatterySensor 
 
   @Override
   protected void onStart() {
-    latest.awaits("its link is being opened");
+    latest.setMissing("its link is being opened");
     port.start();
   }
 
   @Override
   protected void onClose() {
     port.close();
-    latest.forget("it has ended");
+    latest.clear("it has ended");
   }
 
   @Override
@@ -169,15 +169,15 @@ public final class RflexBatteryImpl extends SensorImpl implements BatterySensor 
     return Duration.ofMillis(Math.round(3000 * period) + 2000);
   }
 
-  private Finding voltage() {
-    @Nullable BatteryState told = latest.peek();
-    if (told == null) {
-      return new Finding(false, "no voltage has been told yet");
+  private DiagnosticFinding voltage() {
+    @Nullable BatteryState reported = latest.peek();
+    if (reported == null) {
+      return new DiagnosticFinding(false, "no voltage has been told yet");
     }
-    double volts = told.voltage();
+    double volts = reported.voltage();
     return volts >= least
-        ? new Finding(true, plain(volts) + " V")
-        : new Finding(
+        ? new DiagnosticFinding(true, plain(volts) + " V")
+        : new DiagnosticFinding(
             false, plain(volts) + " V, less than " + plain(least) + " V; charge the battery");
   }
 
@@ -186,12 +186,12 @@ public final class RflexBatteryImpl extends SensorImpl implements BatterySensor 
   }
 
   @Override
-  protected List<? extends Attributes> traits() {
+  protected List<? extends Attributes> deviceAttributes() {
     return List.of(sensor);
   }
 
   /** On the reader thread. */
-  private final class Member implements RflexMember {
+  private final class Member implements RflexClient {
 
     @Override
     public String path() {
@@ -205,23 +205,23 @@ public final class RflexBatteryImpl extends SensorImpl implements BatterySensor 
 
     @Override
     public void opened() {
-      latest.awaits("the link is open, its status has not been told yet");
+      latest.setMissing("the link is open, its status has not been told yet");
     }
 
     @Override
-    public void heard(RflexMessage message) {
+    public void messageReceived(RflexMessage message) {
       if (message instanceof SystemStatus status) {
         double volts = Math.max(0, status.voltage() + offset);
         BatteryState now =
             new BatteryState(clock().instant(), volts, null, curve.remaining(volts), true);
         latest.set(now);
-        tell(now);
+        publish(now);
       }
     }
 
     @Override
     public void lost(String reason) {
-      latest.lose(reason);
+      latest.markLost(reason);
     }
   }
 }

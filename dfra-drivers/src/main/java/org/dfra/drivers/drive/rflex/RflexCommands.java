@@ -35,8 +35,8 @@ public final class RflexCommands {
   public static byte[] velocity(Axis axis, long velocity, long acceleration, long torque) {
     ByteBuffer data = ByteBuffer.allocate(VELOCITY_LENGTH);
     data.put((byte) axis.ordinal());
-    data.putInt((int) EscapeFree.nearest(Math.abs(velocity)));
-    data.putInt((int) EscapeFree.nearest(acceleration));
+    data.putInt((int) EscapeFreeNumbers.nearest(Math.abs(velocity)));
+    data.putInt((int) EscapeFreeNumbers.nearest(acceleration));
     data.putInt((int) torque);
     data.put((byte) (velocity < 0 ? 0 : 1));
     return clean(RflexDecoder.MOTION, SET_VELOCITY, data, TORQUE_AT, torque);
@@ -68,19 +68,20 @@ public final class RflexCommands {
   }
 
   /** The frame with the number at {@code at}, or the nearest one, that makes it free of 1B. */
-  private static byte[] clean(int port, int opcode, ByteBuffer data, int at, long wanted) {
-    long below = EscapeFree.atMost(wanted);
-    long above = EscapeFree.atLeast(wanted);
+  private static byte[] clean(int port, int opcode, ByteBuffer data, int at, long requested) {
+    long below = EscapeFreeNumbers.atMost(requested);
+    long above = EscapeFreeNumbers.atLeast(requested);
     while (true) { // ends soon: a number next to another has another checksum
-      boolean isBelow = above > EscapeFree.MOST || (below >= 0 && wanted - below <= above - wanted);
+      boolean isBelow =
+          above > EscapeFreeNumbers.MOST || (below >= 0 && requested - below <= above - requested);
       byte[] made = frame(port, opcode, data.putInt(at, (int) (isBelow ? below : above)).array());
       if (made[made.length - 3] != RflexFramer.ESCAPE) {
         return made;
       }
       if (isBelow) {
-        below = below == 0 ? -1 : EscapeFree.atMost(below - 1);
+        below = below == 0 ? -1 : EscapeFreeNumbers.atMost(below - 1);
       } else {
-        above = above == EscapeFree.MOST ? above + 1 : EscapeFree.atLeast(above + 1);
+        above = above == EscapeFreeNumbers.MOST ? above + 1 : EscapeFreeNumbers.atLeast(above + 1);
       }
     }
   }

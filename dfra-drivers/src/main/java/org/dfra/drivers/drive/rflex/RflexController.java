@@ -3,10 +3,10 @@ package org.dfra.drivers.drive.rflex;
 import java.time.Duration;
 import java.util.function.Function;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.drivers.device.DeviceLine;
+import org.dfra.drivers.device.DeviceLink;
 import org.dfra.drivers.device.DeviceProtocol;
-import org.dfra.drivers.device.SharedLine;
-import org.dfra.drivers.device.SharedLines;
+import org.dfra.drivers.device.SharedDeviceLink;
+import org.dfra.drivers.device.SharedLinkRegistry;
 import org.dfra.drivers.drive.rflex.RflexMessage.MotorReport;
 import org.dfra.drivers.link.LinkAddress;
 import org.dfra.drivers.link.LinkKeeper;
@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * An rFLEX controller, shared by the modules of a virtual machine that name the same link, as a
- * {@link SharedLine}.
+ * {@link SharedDeviceLink}.
  *
  * <p>It has the controller report both axes as often as the most curious member wants, and asks for
  * battery and brake likewise. A controller that reports nothing for {@link #LOST_AFTER} is lost,
@@ -27,7 +27,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Threads: one reader ({@code rflex reader}) and one writer ({@code rflex writer}, see {@link
  * RflexOutbox}), from the first module to the last.
  */
-final class RflexController extends SharedLine<RflexMember> {
+final class RflexController extends SharedDeviceLink<RflexClient> {
 
   /** After so long without a report. */
   static final Duration LOST_AFTER = Duration.ofSeconds(1);
@@ -46,13 +46,14 @@ final class RflexController extends SharedLine<RflexMember> {
   private static final String HINT =
       " (if another process has it: modules that share a controller must be in one group)";
 
-  private static final SharedLines<RflexMember, RflexController> LINES = new SharedLines<>();
+  private static final SharedLinkRegistry<RflexClient, RflexController> LINES =
+      new SharedLinkRegistry<>();
 
   private final LinkAddress address;
   private final Ticker ticker;
-  private final DeviceLine line;
+  private final DeviceLink deviceLink;
   private final RflexOutbox outbox;
-  private final RflexParser parser = new RflexParser(this::heard);
+  private final RflexParser parser = new RflexParser(this::messageReceived);
 
   // confined to the reader
   private @Nullable Duration requested; // how often it is to report; null before it was told
@@ -70,7 +71,7 @@ final class RflexController extends SharedLine<RflexMember> {
     super(LINES, "rflex", context);
     this.address = address;
     this.ticker = ticker;
-    this.line = lineFor(new Protocol(), ticker, source);
+    this.deviceLink = newDeviceLink(new Protocol(), ticker, source);
     this.outbox = new RflexOutbox("rflex", ticker, this::write);
   }
 
@@ -81,29 +82,29 @@ final class RflexController extends SharedLine<RflexMember> {
    * @throws org.dfra.core.config.ConfigurationException if others name the same port in another way
    */
   static RflexController join(
-      RflexMember member,
+      RflexClient client,
       ModuleContext context,
       Ticker ticker,
       LinkKeeper.@Nullable Source source) {
     LinkAddress address = LinkSettings.address(context.parameters());
     return LINES.join(
-        member,
-        place(address),
+        client,
+        linkKey(address),
         ticker,
         () -> new RflexController(address, context, ticker, source),
-        found -> found.agree(address, context));
+        found -> found.requireSameAddress(address, context));
   }
 
-  private void agree(LinkAddress wanted, ModuleContext context) {
-    if (!address.equals(wanted)) {
+  private void requireSameAddress(LinkAddress desired, ModuleContext context) {
+    if (!address.equals(desired)) {
       throw context
           .parameters()
-          .fault("link", "\"" + address + "\" as " + first() + " has it", null);
+          .fault("link", "\"" + address + "\" as " + firstClientPath() + " has it", null);
     }
   }
 
   /** A serial port is one, however its line is set. */
-  private static String place(LinkAddress address) {
+  private static String linkKey(LinkAddress address) {
     return address instanceof SerialAddress serial ? "serial:" + serial.port() : address.toString();
   }
 
@@ -120,8 +121,8 @@ final class RflexController extends SharedLine<RflexMember> {
   }
 
   @Override
-  public DeviceLine line() {
-    return line;
+  public DeviceLink deviceLink() {
+    return deviceLink;
   }
 
   /** Where the controller is told something. */
@@ -130,24 +131,25 @@ final class RflexController extends SharedLine<RflexMember> {
   }
 
   private void write(byte[] frame) {
-    boolean unused = line.sendNow(frame); // where there is no link, nobody is told later
+    boolean unused = deviceLink.sendNow(frame); // where there is no link, nobody is told later
   }
 
-  private void heard(RflexMessage message) {
+  private void messageReceived(RflexMessage message) {
     if (message instanceof MotorReport) {
       reportedNanos = ticker.nanos();
-      line.alive();
-      line.heard().count(REPORT);
+      deviceLink.reportAlive();
+      deviceLink.eventCounter().increment(REPORT);
     } else if (message instanceof RflexMessage.SystemStatus) {
-      line.heard().count(STATUS);
+      deviceLink.eventCounter().increment(STATUS);
     }
-    members().greet(RflexMember::opened);
-    members().tell(member -> member.heard(message));
+    clients().notifyConnected(RflexClient::opened);
+    clients().dispatch(client -> client.messageReceived(message));
   }
 
   /** What the most curious member wants. */
-  private Duration shortest(Function<RflexMember, Duration> wanted, Duration fallback) {
-    return members().ask(all -> all.stream().map(wanted).min(Duration::compareTo).orElse(fallback));
+  private Duration shortest(Function<RflexClient, Duration> desired, Duration fallback) {
+    return clients()
+        .query(all -> all.stream().map(desired).min(Duration::compareTo).orElse(fallback));
   }
 
   /** What happens on the link; on the reader thread. */
@@ -168,10 +170,10 @@ final class RflexController extends SharedLine<RflexMember> {
     }
 
     @Override
-    public void tend(SerialLink link) {
-      members().greet(RflexMember::opened);
-      Duration reports = shortest(RflexMember::reports, RflexMember.USUAL_REPORTS);
-      Duration status = shortest(RflexMember::status, RflexMember.USUAL_STATUS);
+    public void periodic(SerialLink link) {
+      clients().notifyConnected(RflexClient::opened);
+      Duration reports = shortest(RflexClient::reports, RflexClient.USUAL_REPORTS);
+      Duration status = shortest(RflexClient::status, RflexClient.USUAL_STATUS);
       long now = ticker.nanos();
       boolean isSilent =
           Math.min(now - reportedNanos, now - requestedNanos)
@@ -188,7 +190,7 @@ final class RflexController extends SharedLine<RflexMember> {
     }
 
     @Override
-    public Duration longestSilence() {
+    public Duration livenessTimeout() {
       return LOST_AFTER;
     }
 
@@ -202,7 +204,7 @@ final class RflexController extends SharedLine<RflexMember> {
       outbox.clear();
       boolean isSoon = !wasOpen || ticker.nanos() - openedNanos < SOON.toNanos();
       wasOpen = false;
-      members().lose(isSoon ? reason + HINT : reason);
+      clients().notifyLost(isSoon ? reason + HINT : reason);
     }
   }
 }

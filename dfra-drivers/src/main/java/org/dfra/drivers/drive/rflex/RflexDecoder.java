@@ -35,7 +35,7 @@ public final class RflexDecoder {
   private RflexDecoder() {}
 
   /** Whether the controller sends frames with data of this length. */
-  static boolean mayBe(int port, int opcode, int length) {
+  static boolean isKnownLength(int port, int opcode, int length) {
     if (port < SYSTEM || port > LAST_PORT) {
       return false;
     }

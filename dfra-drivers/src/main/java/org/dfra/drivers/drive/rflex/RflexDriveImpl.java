@@ -5,10 +5,10 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import org.dfra.core.effector.DriveImpl;
-import org.dfra.core.module.Examinations.Finding;
+import org.dfra.core.module.Diagnostics.DiagnosticFinding;
 import org.dfra.core.module.LatestReading;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.drivers.device.SharedPort;
+import org.dfra.drivers.device.SharedLinkHandle;
 import org.dfra.drivers.drive.rflex.RflexMessage.Axis;
 import org.dfra.drivers.drive.rflex.RflexMessage.MotorReport;
 import org.dfra.drivers.drive.rflex.RflexMessage.SystemStatus;
@@ -24,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  * controller are modules too, all of them are in one group and name the same {@code link}; see
  * {@link RflexController}.
  *
- * <p>Parameters, besides those of {@link DriveImpl} and {@link RflexPort}:
+ * <p>Parameters, besides those of {@link DriveImpl} and {@link RflexLinkHandle}:
  *
  * <ul>
  *   <li>{@code units_per_metre}, {@code units_per_radian}: what the controller counts, 1000 to
@@ -58,7 +58,7 @@ public final class RflexDriveImpl extends DriveImpl {
       List.of(new Precondition("temperature", 0, 40, "°C"));
 
   /** Slower is standing: 1 mm/s and 1 mrad/s. */
-  private static final double STANDING = 1e-3;
+  private static final double STOPPED_RATE = 1e-3;
 
   /** From a halt to the next, where the wheels turn on. */
   private static final Duration HALT_AGAIN = Duration.ofMillis(200);
@@ -67,21 +67,22 @@ public final class RflexDriveImpl extends DriveImpl {
   private static final Duration BRAKE_OBEYED = Duration.ofSeconds(2);
 
   private final Ticker ticker;
-  private final RflexWheels wheels;
-  private final RflexPort port;
+  private final RflexDriveSettings wheels;
+  private final RflexLinkHandle port;
 
   /** Taken after the base class' locks, and before none. */
-  private final Object told = new Object();
+  private final Object commandLock = new Object();
 
   private boolean halted = true; // guarded by told
   private long haltedNanos; // guarded by told
-  private @Nullable Boolean brakeTold; // guarded by told; null when the status is to be believed
+  private @Nullable Boolean
+      commandedBrake; // guarded by told; null when the status is to be believed
   private long brakeNanos; // guarded by told
 
   // written by the reader
   private final Map<Axis, MotorReport> reports = new EnumMap<>(Axis.class);
   private volatile @Nullable SystemStatus status;
-  private volatile boolean standing;
+  private volatile boolean stopped;
   private volatile String awaits = "it has not been started";
 
   /**
@@ -93,35 +94,36 @@ public final class RflexDriveImpl extends DriveImpl {
 
   /** For tests: by another time, and over links made in another way. */
   RflexDriveImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
-    this(context, ticker, source, RflexWheels.in(context.parameters()));
+    this(context, ticker, source, RflexDriveSettings.from(context.parameters()));
   }
 
   private RflexDriveImpl(
       ModuleContext context,
       Ticker ticker,
       LinkKeeper.@Nullable Source source,
-      RflexWheels wheels) {
+      RflexDriveSettings wheels) {
     super(
         context,
         "wheels of an ATRV-Jr, by an rFLEX controller",
         "DFRA",
         "1.0",
-        RflexWheels.ATRV_JR,
+        RflexDriveSettings.ATRV_JR,
         wheels.braking(),
         PRECONDITIONS);
     this.ticker = ticker;
     this.wheels = wheels;
-    this.port = new RflexPort(new Member(), context, ticker, source);
-    port.declareIn(examinations(), declared());
-    examinations()
-        .test(
+    this.port = new RflexLinkHandle(new Member(), context, ticker, source);
+    port.declareIn(diagnostics(), parameterTable());
+    diagnostics()
+        .addTest(
             "readings",
-            port.next(
+            port.arrivalCheck(
                 RflexController.REPORT,
-                () -> new Finding(true, "the controller reports both axes")));
-    examinations().test("brake", port.next(RflexController.STATUS, this::brakeFinding));
-    examinations().test("voltage", port.next(RflexController.STATUS, this::voltageFinding));
-    examinations().recovery("reset_defaults", this::resetDefaults);
+                () -> new DiagnosticFinding(true, "the controller reports both axes")));
+    diagnostics().addTest("brake", port.arrivalCheck(RflexController.STATUS, this::brakeFinding));
+    diagnostics()
+        .addTest("voltage", port.arrivalCheck(RflexController.STATUS, this::voltageFinding));
+    diagnostics().addRecovery("reset_defaults", this::resetDefaults);
   }
 
   @Override
@@ -137,21 +139,22 @@ public final class RflexDriveImpl extends DriveImpl {
   }
 
   @Override
-  protected String awaits() {
+  protected String unavailableReason() {
     return awaits;
   }
 
   @Override
-  protected void turn(Velocity wanted) {
-    if (wanted.isZero()) {
+  protected void setVelocity(Velocity commanded) {
+    if (commanded.isZero()) {
       halt();
       return;
     }
     RflexOutbox outbox = outbox();
-    synchronized (told) {
+    synchronized (commandLock) {
       halted = false;
     }
-    outbox.velocity(wheels.frame(Axis.TRANSLATION, wanted), wheels.frame(Axis.ROTATION, wanted));
+    outbox.velocity(
+        wheels.frame(Axis.TRANSLATION, commanded), wheels.frame(Axis.ROTATION, commanded));
   }
 
   private RflexOutbox outbox() {
@@ -164,7 +167,7 @@ public final class RflexDriveImpl extends DriveImpl {
 
   @Override
   protected void halt() {
-    synchronized (told) {
+    synchronized (commandLock) {
       halted = true;
       haltedNanos = ticker.nanos();
     }
@@ -183,49 +186,52 @@ public final class RflexDriveImpl extends DriveImpl {
   @Override
   protected void brake(boolean set) {
     RflexOutbox outbox = outbox();
-    synchronized (told) {
-      brakeTold = set;
+    synchronized (commandLock) {
+      commandedBrake = set;
       brakeNanos = ticker.nanos();
     }
     outbox.add(RflexCommands.brake(set));
     outbox.add(RflexCommands.status());
   }
 
-  private Finding brakeFinding() {
+  private DiagnosticFinding brakeFinding() {
     @Nullable SystemStatus now = status;
     return now == null
-        ? new Finding(false, "the controller has not told its status yet")
-        : new Finding(true, now.brakeSet() ? "the brake is set" : "the brake is released");
+        ? new DiagnosticFinding(false, "the controller has not told its status yet")
+        : new DiagnosticFinding(
+            true, now.brakeSet() ? "the brake is set" : "the brake is released");
   }
 
-  private Finding voltageFinding() {
+  private DiagnosticFinding voltageFinding() {
     @Nullable SystemStatus now = status;
     return now == null || now.voltage() <= 0
-        ? new Finding(false, "the controller measures no voltage; look at the battery's cable")
-        : new Finding(true, "the controller measures " + now.voltage() + " V");
+        ? new DiagnosticFinding(
+            false, "the controller measures no voltage; look at the battery's cable")
+        : new DiagnosticFinding(true, "the controller measures " + now.voltage() + " V");
   }
 
-  private Finding resetDefaults() throws Exception {
-    return port.onOpen(
+  private DiagnosticFinding resetDefaults() throws Exception {
+    return port.runOnOpenLink(
         controller -> {
-          if (!drive().velocity().isZero() || !standing) {
-            return new Finding(
+          if (!driveState().velocity().isZero() || !stopped) {
+            return new DiagnosticFinding(
                 false, "the wheels turn, or are not known to stand; halt them first");
           }
           controller.outbox().add(RflexCommands.defaults());
-          long before = controller.line().heard().sofar(RflexController.REPORT);
+          long before = controller.deviceLink().eventCounter().total(RflexController.REPORT);
           return controller
-                  .line()
-                  .heard()
-                  .await(RflexController.REPORT, before + 2, SharedPort.ANSWER)
-              ? new Finding(true, "the controller has its defaults again, and reports")
-              : new Finding(
-                  false, "no report has come within " + LatestReading.seconds(SharedPort.ANSWER));
+                  .deviceLink()
+                  .eventCounter()
+                  .await(RflexController.REPORT, before + 2, SharedLinkHandle.ANSWER)
+              ? new DiagnosticFinding(true, "the controller has its defaults again, and reports")
+              : new DiagnosticFinding(
+                  false,
+                  "no report has come within " + LatestReading.seconds(SharedLinkHandle.ANSWER));
         });
   }
 
   /** On the reader thread. */
-  private final class Member implements RflexMember {
+  private final class Member implements RflexClient {
 
     @Override
     public String path() {
@@ -242,17 +248,17 @@ public final class RflexDriveImpl extends DriveImpl {
     }
 
     @Override
-    public void heard(RflexMessage message) {
+    public void messageReceived(RflexMessage message) {
       if (message instanceof MotorReport report) {
         reports.put(report.axis(), report);
-        standing = isStanding();
+        stopped = isStanding();
         haltAgain();
       } else if (message instanceof SystemStatus now) {
         status = now;
         believe(now.brakeSet());
       }
       if (readiness() == Readiness.INITIALIZING && status != null && reports.size() == 2) {
-        become(Readiness.READY);
+        transitionTo(Readiness.READY);
       }
     }
 
@@ -261,15 +267,15 @@ public final class RflexDriveImpl extends DriveImpl {
       @Nullable MotorReport about = reports.get(Axis.ROTATION);
       return along != null
           && about != null
-          && Math.abs(along.velocity() / wheels.perMetre()) < STANDING
-          && Math.abs(about.velocity() / wheels.perRadian()) < STANDING;
+          && Math.abs(along.velocity() / wheels.countsPerMetre()) < STOPPED_RATE
+          && Math.abs(about.velocity() / wheels.countsPerRadian()) < STOPPED_RATE;
     }
 
     private void haltAgain() {
-      if (standing || reports.size() < 2) {
+      if (stopped || reports.size() < 2) {
         return;
       }
-      synchronized (told) {
+      synchronized (commandLock) {
         // Not after a velocity: under this lock it is either told already, or told after this.
         if (halted && ticker.nanos() - haltedNanos >= HALT_AGAIN.toNanos()) {
           haltedNanos = ticker.nanos();
@@ -281,31 +287,31 @@ public final class RflexDriveImpl extends DriveImpl {
     @Override
     public void lost(String reason) {
       awaits = reason;
-      standing = false;
+      stopped = false;
       if (readiness().serves()) {
-        become(Readiness.INITIALIZING, reason); // from here on nothing is obeyed
-        forgotten(drive().brake());
+        transitionTo(Readiness.INITIALIZING, reason); // from here on nothing is obeyed
+        deviceReset(driveState().parkingBrakeEngaged());
       }
-      synchronized (told) {
+      synchronized (commandLock) {
         halted = true;
-        brakeTold = null;
+        commandedBrake = null;
       }
     }
   }
 
   /** A status that was under way when the brake was told something is older than that. */
   private void believe(boolean isSet) {
-    synchronized (told) {
-      Boolean wanted = brakeTold;
-      if (wanted != null && wanted != isSet) {
+    synchronized (commandLock) {
+      Boolean commanded = commandedBrake;
+      if (commanded != null && commanded != isSet) {
         if (ticker.nanos() - brakeNanos < BRAKE_OBEYED.toNanos()) {
           return;
         }
         log.warn(
             "{}: its brake is {}, against what it was told", path(), isSet ? "set" : "released");
       }
-      brakeTold = null;
+      commandedBrake = null;
     }
-    brakeFound(isSet);
+    brakeReported(isSet);
   }
 }

@@ -27,7 +27,7 @@ public final class RflexFramer extends FrameScanner {
   }
 
   @Override
-  protected int frameAt(byte[] bytes, int at, int end) {
+  protected int frameLengthAt(byte[] bytes, int at, int end) {
     int there = end - at;
     if (bytes[at] != ESCAPE || (there > 1 && bytes[at + 1] != START)) {
       return NONE;
@@ -37,7 +37,7 @@ public final class RflexFramer extends FrameScanner {
     }
     int port = bytes[at + 2] & 0xFF;
     int data = bytes[at + 5] & 0xFF;
-    if (!RflexDecoder.mayBe(port, bytes[at + 4] & 0xFF, data)) {
+    if (!RflexDecoder.isKnownLength(port, bytes[at + 4] & 0xFF, data)) {
       return NONE;
     }
     int length = data + AROUND;

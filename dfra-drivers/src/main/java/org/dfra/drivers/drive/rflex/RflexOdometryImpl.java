@@ -2,10 +2,10 @@ package org.dfra.drivers.drive.rflex;
 
 import java.time.Duration;
 import java.util.List;
-import org.dfra.core.module.Examinations.Finding;
+import org.dfra.core.module.Diagnostics.DiagnosticFinding;
 import org.dfra.core.module.LatestReading;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.core.module.ParameterTable.Range;
+import org.dfra.core.module.ParameterTable.NumberRange;
 import org.dfra.core.module.SensorImpl;
 import org.dfra.drivers.drive.rflex.RflexMessage.MotorReport;
 import org.dfra.drivers.link.LinkKeeper;
@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
  * How far the wheels of an ATRV-Jr have carried it, by its rFLEX controller. It is in one group
  * with the drive; see {@link RflexDriveImpl}.
  *
- * <p>Parameters, besides those of {@link RflexPort}:
+ * <p>Parameters, besides those of {@link RflexLinkHandle}:
  *
  * <ul>
  *   <li>{@code units_per_metre}, {@code units_per_radian}: as of {@link RflexDriveImpl}; write the
@@ -33,7 +33,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>The pose is that of {@code robot/base_link} in {@code robot/odom}, which stands where the
  * robot was when this module was started. When the controller is switched off and on, or the link
- * is lost, the pose goes on from where it was; {@link WheelCount} tells how that is noticed.
+ * is lost, the pose goes on from where it was; {@link WheelOdometer} tells how that is noticed.
  *
  * <p>INITIALIZING until both axes were reported, and again when the link is lost. A reading is
  * served for five periods, and half a second at least.
@@ -53,8 +53,8 @@ public final class RflexOdometryImpl extends SensorImpl implements OdometrySenso
   private final String odom;
   private final String base;
   private final LatestReading<Odometry> latest;
-  private final RflexPort port;
-  private final WheelCount count; // confined to the reader
+  private final RflexLinkHandle port;
+  private final WheelOdometer count; // confined to the reader
 
   private volatile double period;
   private volatile long restarts;
@@ -78,31 +78,31 @@ public final class RflexOdometryImpl extends SensorImpl implements OdometrySenso
     this.odom = context.robot() + "/odom";
     this.base = context.robot() + "/base_link";
     this.latest =
-        new LatestReading<>("reading", this, this::become, ticker::nanos, this::longestAge);
+        new LatestReading<>("reading", this, this::transitionTo, ticker::nanos, this::longestAge);
     this.count =
-        new WheelCount(
-            RflexWheels.perMetre(settings()),
-            RflexWheels.perRadian(settings()),
-            RflexWheels.ATRV_JR.maxSpeed(),
-            RflexWheels.ATRV_JR.maxTurnRate());
+        new WheelOdometer(
+            RflexDriveSettings.countsPerMetre(settings()),
+            RflexDriveSettings.countsPerRadian(settings()),
+            RflexDriveSettings.ATRV_JR.maxSpeed(),
+            RflexDriveSettings.ATRV_JR.maxYawRate());
     this.period = settings().number("report_period", USUAL, SHORTEST, LONGEST);
-    this.port = new RflexPort(new Member(), context, ticker, source);
-    port.declareIn(examinations(), declared());
-    examinations()
-        .test(
+    this.port = new RflexLinkHandle(new Member(), context, ticker, source);
+    port.declareIn(diagnostics(), parameterTable());
+    diagnostics()
+        .addTest(
             "readings",
-            port.next(
+            port.arrivalCheck(
                 RflexController.REPORT,
-                () -> new Finding(true, "the controller reports both axes")));
-    declared()
-        .number(
+                () -> new DiagnosticFinding(true, "the controller reports both axes")));
+    parameterTable()
+        .declareNumber(
             "report_period",
             "from one reading to the next",
-            Range.of(SHORTEST, LONGEST, "s"),
+            NumberRange.of(SHORTEST, LONGEST, "s"),
             () -> period,
             value -> period = value);
-    declared()
-        .show(
+    parameterTable()
+        .declareReadOnly(
             "restarts",
             "how often the controller began to count anew",
             () -> Long.toString(restarts));
@@ -110,14 +110,14 @@ public final class RflexOdometryImpl extends SensorImpl implements OdometrySenso
 
   @Override
   protected void onStart() {
-    latest.awaits("its link is being opened");
+    latest.setMissing("its link is being opened");
     port.start();
   }
 
   @Override
   protected void onClose() {
     port.close();
-    latest.forget("it has ended");
+    latest.clear("it has ended");
   }
 
   @Override
@@ -141,12 +141,12 @@ public final class RflexOdometryImpl extends SensorImpl implements OdometrySenso
   }
 
   @Override
-  protected List<? extends Attributes> traits() {
+  protected List<? extends Attributes> deviceAttributes() {
     return List.of(sensor);
   }
 
   /** On the reader thread. */
-  private final class Member implements RflexMember {
+  private final class Member implements RflexClient {
 
     @Override
     public String path() {
@@ -160,14 +160,14 @@ public final class RflexOdometryImpl extends SensorImpl implements OdometrySenso
 
     @Override
     public void opened() {
-      latest.awaits("the link is open, both axes have not been reported yet");
-      count.gap();
+      latest.setMissing("the link is open, both axes have not been reported yet");
+      count.linkInterrupted();
     }
 
     @Override
-    public void heard(RflexMessage message) {
+    public void messageReceived(RflexMessage message) {
       if (message instanceof MotorReport report) {
-        boolean isNew = count.take(report);
+        boolean isNew = count.update(report);
         if (restarts != count.restarts()) {
           restarts = count.restarts();
           log.info("{}: the controller counts anew; the pose goes on from where it was", path());
@@ -188,14 +188,14 @@ public final class RflexOdometryImpl extends SensorImpl implements OdometrySenso
               count.y(),
               count.yaw(),
               count.speed(),
-              count.turnRate());
+              count.yawRate());
       latest.set(now);
-      tell(now);
+      publish(now);
     }
 
     @Override
     public void lost(String reason) {
-      latest.lose(reason);
+      latest.markLost(reason);
     }
   }
 }

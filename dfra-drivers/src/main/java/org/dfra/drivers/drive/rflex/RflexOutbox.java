@@ -40,7 +40,7 @@ final class RflexOutbox implements AutoCloseable {
   private static final Duration IDLE = Duration.ofMinutes(1);
 
   private final Ticker ticker;
-  private final Consumer<byte[]> line;
+  private final Consumer<byte[]> sink;
   private final Thread writer;
 
   private final ReentrantLock lock = new ReentrantLock();
@@ -56,11 +56,11 @@ final class RflexOutbox implements AutoCloseable {
   /**
    * @param name the thread is called {@code name writer}
    * @param ticker the time to wait by
-   * @param line takes each frame; may block
+   * @param sink takes each frame; may block
    */
-  RflexOutbox(String name, Ticker ticker, Consumer<byte[]> line) {
+  RflexOutbox(String name, Ticker ticker, Consumer<byte[]> sink) {
     this.ticker = ticker;
-    this.line = line;
+    this.sink = sink;
     this.changed = ticker.newCondition(lock);
     this.writer = ticker.newThread(name + " writer", this::run);
   }
@@ -143,8 +143,8 @@ final class RflexOutbox implements AutoCloseable {
 
   private void run() {
     for (byte[] frame = take(); frame != null; frame = take()) {
-      line.accept(frame);
-      rest();
+      sink.accept(frame);
+      awaitSpacing();
     }
   }
 
@@ -180,7 +180,7 @@ final class RflexOutbox implements AutoCloseable {
     return axis == Axis.TRANSLATION ? Axis.ROTATION : Axis.TRANSLATION;
   }
 
-  private void rest() {
+  private void awaitSpacing() {
     lock.lock();
     try {
       long begin = ticker.nanos();

@@ -23,7 +23,7 @@ public final class GpsdFramer extends FrameScanner {
   }
 
   @Override
-  protected int frameAt(byte[] bytes, int at, int end) {
+  protected int frameLengthAt(byte[] bytes, int at, int end) {
     int head = Math.min(HEAD.length, end - at);
     for (int i = 0; i < head; i++) {
       if (bytes[at + i] != HEAD[i]) {

@@ -7,12 +7,12 @@ import java.util.List;
 import java.util.Locale;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.drivers.gps.FixedPace;
-import org.dfra.drivers.gps.ReceiverImpl;
-import org.dfra.drivers.gps.ReceiverKind;
-import org.dfra.drivers.gps.ReceiverProtocol;
+import org.dfra.drivers.gps.FixedReportingPeriod;
+import org.dfra.drivers.gps.GpsReceiverImpl;
+import org.dfra.drivers.gps.GpsReceiverProtocol;
+import org.dfra.drivers.gps.GpsReceiverType;
+import org.dfra.drivers.gps.GpsSolution;
 import org.dfra.drivers.gps.SatelliteInView;
-import org.dfra.drivers.gps.Solution;
 import org.dfra.drivers.gps.gpsd.GpsdMessage.Device;
 import org.dfra.drivers.gps.gpsd.GpsdMessage.Tpv;
 import org.dfra.drivers.link.LinkKeeper;
@@ -26,7 +26,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * A receiver that gpsd serves, at {@code tcp://host:2947}.
  *
- * <p>Parameters, besides those of every {@link ReceiverImpl}:
+ * <p>Parameters, besides those of every {@link GpsReceiverImpl}:
  *
  * <ul>
  *   <li>{@code device}: which of gpsd's receivers, by its path, e.g. {@code /dev/ttyUSB0}; by
@@ -37,10 +37,11 @@ import org.jspecify.annotations.Nullable;
  * <p>A 3-D fix needs the height above the ellipsoid ({@code altHAE}), which gpsd tells from version
  * 3.20 on. Test, besides: {@code identification}, gpsd answers {@code ?VERSION} within 3 s.
  */
-public final class GpsdImpl extends ReceiverImpl<GpsdImpl.Protocol> {
+public final class GpsdImpl extends GpsReceiverImpl<GpsdImpl.Protocol> {
 
-  private static final ReceiverKind KIND =
-      ReceiverKind.of("receiver behind gpsd", 1.0 / 3600, 50, List.of(ReceiverKind.SATELLITES));
+  private static final GpsReceiverType KIND =
+      GpsReceiverType.of(
+          "receiver behind gpsd", 1.0 / 3600, 50, List.of(GpsReceiverType.SATELLITES));
 
   /**
    * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
@@ -54,12 +55,12 @@ public final class GpsdImpl extends ReceiverImpl<GpsdImpl.Protocol> {
     super(
         context,
         KIND,
-        FixedPace.in(context.parameters()),
+        FixedReportingPeriod.from(context.parameters()),
         listener -> new Protocol(context, listener),
         ticker,
         source);
-    examinations()
-        .test(
+    diagnostics()
+        .addTest(
             "identification",
             () ->
                 examination()
@@ -75,14 +76,14 @@ public final class GpsdImpl extends ReceiverImpl<GpsdImpl.Protocol> {
   }
 
   /** Asks gpsd to tell what it hears, and takes it. */
-  static final class Protocol implements ReceiverProtocol {
+  static final class Protocol implements GpsReceiverProtocol {
 
     private static final String SYSTEMS = "GSEC?JRI";
 
     private final ModuleContext context;
     private final Listener listener;
     private final String device;
-    private final GpsdParser parser = new GpsdParser(this::heard);
+    private final GpsdParser parser = new GpsdParser(this::messageReceived);
 
     private volatile String release = ""; // read by anyone
     private List<SatelliteInView> satellites = List.of();
@@ -121,35 +122,35 @@ public final class GpsdImpl extends ReceiverImpl<GpsdImpl.Protocol> {
       return parser;
     }
 
-    private void heard(GpsdMessage message) {
+    private void messageReceived(GpsdMessage message) {
       if (message instanceof Tpv tpv) {
         if (device.isEmpty() || tpv.device().isEmpty() || tpv.device().equals(device)) {
-          listener.solved(solution(tpv));
+          listener.solutionReceived(solution(tpv));
         }
       } else if (message instanceof GpsdMessage.Sky sky) {
         take(sky);
       } else if (message instanceof GpsdMessage.Version version) {
         release = version.release();
         identify("", "");
-      } else if (message instanceof Device told) {
-        identify(told);
+      } else if (message instanceof Device reported) {
+        identify(reported);
       } else if (message instanceof GpsdMessage.Devices all) {
         all.devices().forEach(this::identify);
       } else if (message instanceof GpsdMessage.Malformed malformed) {
-        listener.malformed(malformed.name(), malformed.reason());
+        listener.malformedReceived(malformed.name(), malformed.reason());
       }
-      listener.heard(message.name());
+      listener.messageReceived(message.name());
     }
 
-    private void identify(Device told) {
-      if (device.isEmpty() || told.path().equals(device)) {
-        identify(told.driver(), told.subtype());
+    private void identify(Device reported) {
+      if (device.isEmpty() || reported.path().equals(device)) {
+        identify(reported.driver(), reported.subtype());
       }
     }
 
     private void identify(String driver, String subtype) {
       String model = (driver + " " + subtype).strip();
-      listener.identified(
+      listener.identityReceived(
           new GpsReceiverAttributes(
               model.isEmpty() ? null : model,
               null,
@@ -162,51 +163,52 @@ public final class GpsdImpl extends ReceiverImpl<GpsdImpl.Protocol> {
     private void take(GpsdMessage.Sky sky) {
       pdop = Double.isNaN(sky.pdop()) ? pdop : sky.pdop();
       hdop = Double.isNaN(sky.hdop()) ? hdop : sky.hdop();
-      List<GpsdMessage.Satellite> told = sky.satellites();
-      if (told != null) {
+      List<GpsdMessage.Satellite> reported = sky.satellites();
+      if (reported != null) {
         List<SatelliteInView> all = new ArrayList<>();
-        told.forEach(satellite -> all.add(inView(satellite)));
+        reported.forEach(satellite -> all.add(inView(satellite)));
         satellites = List.copyOf(all);
-        listener.saw(satellites);
+        listener.satellitesReceived(satellites);
       }
     }
 
-    private Solution solution(Tpv told) {
-      GpsFix.Mode mode = mode(told);
+    private GpsSolution solution(Tpv reported) {
+      GpsFix.Mode mode = mode(reported);
       boolean none = mode == GpsFix.Mode.NONE;
       double dilution = mode == GpsFix.Mode.FIX_3D ? pdop : hdop;
       int heard = (int) satellites.stream().filter(SatelliteInView::isTracked).count();
-      return new Solution(
+      return new GpsSolution(
           new GpsFix(
               mode,
               none
                   ? null
-                  : new GeoPosition(told.latitude(), told.longitude(), orZero(told.height())),
-              told.time() == null ? context.clock().instant() : told.time(),
-              told.speed(),
-              told.track(),
+                  : new GeoPosition(
+                      reported.latitude(), reported.longitude(), orZero(reported.height())),
+              reported.time() == null ? context.clock().instant() : reported.time(),
+              reported.speed(),
+              reported.track(),
               none ? 0 : orZero(dilution),
               satellites.size(),
               heard),
-          told.time() == null ? "gpsd has not told the time yet" : null,
+          reported.time() == null ? "gpsd has not told the time yet" : null,
           (none ? "searching for satellites, " : "giving a fix, ")
               + heard
               + " of "
               + satellites.size()
               + " heard",
-          told.horizontalError(),
-          told.verticalError());
+          reported.horizontalError(),
+          reported.verticalError());
     }
 
-    private static GpsFix.Mode mode(Tpv told) {
-      boolean placed = !Double.isNaN(told.latitude()) && !Double.isNaN(told.longitude());
-      if (told.mode() < 2 || told.status() == 5 || !placed) { // 5 is dead reckoning alone
+    private static GpsFix.Mode mode(Tpv reported) {
+      boolean placed = !Double.isNaN(reported.latitude()) && !Double.isNaN(reported.longitude());
+      if (reported.mode() < 2 || reported.status() == 5 || !placed) { // 5 is dead reckoning alone
         return GpsFix.Mode.NONE;
       }
-      if (told.status() == 7) {
+      if (reported.status() == 7) {
         return GpsFix.Mode.POSITION_HOLD;
       }
-      return told.mode() == 2 || Double.isNaN(told.height())
+      return reported.mode() == 2 || Double.isNaN(reported.height())
           ? GpsFix.Mode.FIX_2D
           : GpsFix.Mode.FIX_3D;
     }
@@ -215,22 +217,23 @@ public final class GpsdImpl extends ReceiverImpl<GpsdImpl.Protocol> {
       return Double.isNaN(number) ? 0 : number;
     }
 
-    private static SatelliteInView inView(GpsdMessage.Satellite told) {
+    private static SatelliteInView inView(GpsdMessage.Satellite reported) {
       return new SatelliteInView(
-          name(told),
-          Double.isNaN(told.elevation()) ? null : (int) Math.round(told.elevation()),
-          Double.isNaN(told.azimuth()) ? null : (int) Math.round(told.azimuth()),
-          !(told.signal() > 0) ? null : (int) Math.round(told.signal()),
-          told.used());
+          name(reported),
+          Double.isNaN(reported.elevation()) ? null : (int) Math.round(reported.elevation()),
+          Double.isNaN(reported.azimuth()) ? null : (int) Math.round(reported.azimuth()),
+          !(reported.signal() > 0) ? null : (int) Math.round(reported.signal()),
+          reported.used());
     }
 
-    private static String name(GpsdMessage.Satellite told) {
-      if (told.system() >= 0 && told.system() < SYSTEMS.length() && told.number() > 0) {
-        char system = SYSTEMS.charAt(told.system());
-        int number = system == 'S' && told.number() > 100 ? told.number() - 100 : told.number();
+    private static String name(GpsdMessage.Satellite reported) {
+      if (reported.system() >= 0 && reported.system() < SYSTEMS.length() && reported.number() > 0) {
+        char system = SYSTEMS.charAt(reported.system());
+        int number =
+            system == 'S' && reported.number() > 100 ? reported.number() - 100 : reported.number();
         return String.format(Locale.ROOT, "%c%02d", system, number);
       }
-      int prn = told.prn(); // by its range, as in NMEA
+      int prn = reported.prn(); // by its range, as in NMEA
       if (prn > 64 && prn <= 96) {
         return String.format(Locale.ROOT, "R%02d", prn - 64);
       }

@@ -88,7 +88,7 @@ public final class M12Commands {
    * {@code @@At}: solve for this; for receivers of eight channels, which have no {@code @@Gd}.
    * Answered by the same.
    */
-  public static byte[] positionHold(PositionHold.Mode mode) {
+  public static byte[] positionHold(PositionHoldMode.Mode mode) {
     return encode("At", mode.ordinal());
   }
 

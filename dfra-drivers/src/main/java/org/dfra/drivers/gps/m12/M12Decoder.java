@@ -38,11 +38,11 @@ public final class M12Decoder {
             new PositionControl(
                 PositionControl.Mode.values()[fields.within("mode", fields.u8(4), 0, 3)]);
         case "At" ->
-            new PositionHold(
-                PositionHold.Mode.values()[fields.within("position hold", fields.u8(4), 0, 2)]);
+            new PositionHoldMode(
+                PositionHoldMode.Mode.values()[fields.within("position hold", fields.u8(4), 0, 2)]);
         case "Gb" -> new ReceiverClock(fields.clock(), fields.localOffset(11));
-        case "As" -> new HoldPosition(fields.heldPosition());
-        case "Bo" -> new UtcOffset((byte) fields.u8(4));
+        case "As" -> new HeldPosition(fields.heldPosition());
+        case "Bo" -> new M12UtcOffset((byte) fields.u8(4));
         case "Aw" -> new TimeScale(fields.within("time scale", fields.u8(4), 0, 1) == 1);
         case "Cj" -> ReceiverIdentification.of(bytes, offset + 4, offset + length - 3);
         default -> new OtherMessage(id, Arrays.copyOfRange(bytes, offset + 4, offset + length - 3));
@@ -100,12 +100,12 @@ public final class M12Decoder {
 
   private static VisibleSatellites visible(M12Fields fields) throws MalformedException {
     int count = fields.u8(4);
-    int told = Math.min(count, 12);
-    List<VisibleSatellites.Place> places = new ArrayList<>(told);
-    for (int i = 0; i < told; i++) {
+    int reported = Math.min(count, 12);
+    List<VisibleSatellites.VisibleSatellite> places = new ArrayList<>(reported);
+    for (int i = 0; i < reported; i++) {
       int at = 5 + 7 * i;
       places.add(
-          new VisibleSatellites.Place(
+          new VisibleSatellites.VisibleSatellite(
               fields.u8(at),
               fields.i16(at + 1),
               fields.within("elevation", fields.u8(at + 3), 0, 90),

@@ -14,7 +14,7 @@ public final class M12Framer extends FrameScanner {
   }
 
   @Override
-  protected int frameAt(byte[] bytes, int at, int end) {
+  protected int frameLengthAt(byte[] bytes, int at, int end) {
     int there = end - at;
     if (bytes[at] != '@' || (there > 1 && bytes[at + 1] != '@')) {
       return NONE;

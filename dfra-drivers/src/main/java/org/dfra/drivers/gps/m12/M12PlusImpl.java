@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.core.module.ParameterTable.Range;
-import org.dfra.drivers.gps.ReceiverImpl;
-import org.dfra.drivers.gps.ReceiverKind;
+import org.dfra.core.module.ParameterTable.NumberRange;
+import org.dfra.drivers.gps.GpsReceiverImpl;
+import org.dfra.drivers.gps.GpsReceiverType;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.persona.GpsReceiverAttributes;
@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Motorola Oncore M12+ GPS receiver, and its eight-channel forerunners.
  *
- * <p>Parameters, besides those of every {@link ReceiverImpl}:
+ * <p>Parameters, besides those of every {@link GpsReceiverImpl}:
  *
  * <ul>
  *   <li>{@code rate}: seconds from one position to the next, a whole number from 1 to 255; default
@@ -30,23 +30,23 @@ import org.jspecify.annotations.Nullable;
  * </ul>
  *
  * <p>A receiver that has had no client yet works at {@code rate}, so that it is warm when the first
- * one comes. What it can be examined for is in {@link M12Examination}.
+ * one comes. What it can be examined for is in {@link M12Diagnostics}.
  *
  * <p>Positions are the receiver's filtered ones, with the height above the ellipsoid; speed is the
  * one over ground.
  */
-public final class M12PlusImpl extends ReceiverImpl<M12Protocol> {
+public final class M12PlusImpl extends GpsReceiverImpl<M12Protocol> {
 
   /** The receiver's rate is 1 Hz to one position in 255 s; user's guide, message @@Ha. */
-  private static final ReceiverKind KIND =
-      new ReceiverKind(
+  private static final GpsReceiverType KIND =
+      new GpsReceiverType(
           "Motorola Oncore M12+ GPS receiver",
-          1.0 / M12Rate.LONGEST,
+          1.0 / M12ReportingPeriod.LONGEST,
           1,
           new GpsReceiverAttributes(null, null, null, null, null, List.of("2D", "3D")),
-          M12Examination.PRECONDITIONS);
+          M12Diagnostics.PRECONDITIONS);
 
-  private final M12Rate rate;
+  private final M12ReportingPeriod rate;
 
   /**
    * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
@@ -65,40 +65,40 @@ public final class M12PlusImpl extends ReceiverImpl<M12Protocol> {
         context,
         ticker,
         source,
-        M12Rate.in(context.parameters()),
-        M12Orders.in(context.parameters()));
+        M12ReportingPeriod.from(context.parameters()),
+        M12ReceiverSettings.from(context.parameters()));
   }
 
   private M12PlusImpl(
       ModuleContext context,
       Ticker ticker,
       LinkKeeper.@Nullable Source source,
-      M12Rate rate,
-      M12Orders orders) {
+      M12ReportingPeriod rate,
+      M12ReceiverSettings settings) {
     super(
         context,
         KIND,
         rate,
-        listener -> new M12Protocol(rate, orders, context.clock(), ticker, listener),
+        listener -> new M12Protocol(rate, settings, context.clock(), ticker, listener),
         ticker,
         source);
     this.rate = rate;
     declareRates();
-    declareState(orders);
-    new M12Examination(examination(), protocol(), clock()).declareIn(examinations());
+    declareState(settings);
+    new M12Diagnostics(examination(), protocol(), clock()).declareIn(diagnostics());
   }
 
   private void declareRates() {
-    Range seconds = Range.whole(1, M12Rate.LONGEST, "s");
-    declared()
-        .number(
+    NumberRange seconds = NumberRange.isInteger(1, M12ReportingPeriod.LONGEST, "s");
+    parameterTable()
+        .declareNumber(
             "rate",
             "from one position to the next",
             seconds,
             rate::working,
             value -> rate.setWorking((int) value));
-    declared()
-        .number(
+    parameterTable()
+        .declareNumber(
             "idle_rate",
             "from one position to the next when the last client has gone",
             seconds,
@@ -106,31 +106,35 @@ public final class M12PlusImpl extends ReceiverImpl<M12Protocol> {
             value -> rate.setIdle((int) value));
   }
 
-  private void declareState(M12Orders orders) {
-    declared()
-        .text(
+  private void declareState(M12ReceiverSettings settings) {
+    parameterTable()
+        .declareText(
             "positioning",
             "what the receiver solves for: position_3d, altitude_hold, hold or survey",
-            () -> orders.positioning().word(),
-            orders::setPositioning);
-    declared()
-        .show(
+            () -> settings.positioning().word(),
+            settings::setPositioning);
+    parameterTable()
+        .declareReadOnly(
             "integrity",
             "what time RAIM found of the last solution",
             () -> protocol().timeRaim().map(TimeRaim::inWords).orElse("not told"));
-    declared()
-        .show(
+    parameterTable()
+        .declareReadOnly(
             "held_position",
             "the position for position hold, degrees and metres above the ellipsoid",
             () -> protocol().held().map(M12PlusImpl::inWords).orElse("not told"));
-    declared()
-        .show(
+    parameterTable()
+        .declareReadOnly(
             "utc_offset",
             "GPS time minus UTC, s",
-            () -> protocol().utcOffset().map(told -> told.seconds() + "").orElse("not known"));
+            () ->
+                protocol()
+                    .utcOffset()
+                    .map(reported -> reported.seconds() + "")
+                    .orElse("not known"));
   }
 
-  private static String inWords(HoldPosition held) {
+  private static String inWords(HeldPosition held) {
     M12Position position = held.position();
     return String.format(
         Locale.ROOT,
@@ -141,8 +145,8 @@ public final class M12PlusImpl extends ReceiverImpl<M12Protocol> {
   }
 
   @Override
-  protected void onClients(int number) {
-    rate.rest(number == 0);
+  protected void onClientCount(int number) {
+    rate.setIdleMode(number == 0);
   }
 
   /** What the receiver says it is; empty until it has said so. */

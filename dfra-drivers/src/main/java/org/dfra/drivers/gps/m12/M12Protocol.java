@@ -6,8 +6,8 @@ import java.time.Instant;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.Optional;
-import org.dfra.drivers.gps.ReceiverProtocol;
-import org.dfra.drivers.gps.Solution;
+import org.dfra.drivers.gps.GpsReceiverProtocol;
+import org.dfra.drivers.gps.GpsSolution;
 import org.dfra.drivers.link.SerialLink;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.flow.sensor.GpsFix;
@@ -29,7 +29,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Confined to the reader thread, but for what it was last told, which anyone may ask.
  */
-final class M12Protocol implements ReceiverProtocol {
+final class M12Protocol implements GpsReceiverProtocol {
 
   private static final int PATIENCE_SECONDS = 2;
 
@@ -41,44 +41,48 @@ final class M12Protocol implements ReceiverProtocol {
   private static final String NO_SATELLITE =
       "tracks no satellite, so its time is that of its own clock";
 
-  private final M12Rate rate;
-  private final M12Orders orders;
+  private final M12ReportingPeriod rate;
+  private final M12ReceiverSettings settings;
   private final InstantSource clock;
   private final Ticker ticker;
   private final Listener listener;
-  private final M12Parser parser = new M12Parser(this::heard);
-  private final M12Settlement settlement;
-  private final M12Sky sky = new M12Sky();
+  private final M12Parser parser = new M12Parser(this::messageReceived);
+  private final AckTracker acks;
+  private final M12SatelliteTracker satelliteTracker = new M12SatelliteTracker();
 
-  private int toldRate;
-  private PositionControl.@Nullable Mode toldPositioning;
-  private boolean toBeTold;
+  private int sentPeriod;
+  private PositionControl.@Nullable Mode sentPositioning;
+  private boolean isConfigurationDue;
   private long openedNanos;
   private boolean has12Channels;
   private boolean asked8Channels;
-  private boolean toldUtc;
-  private PositionHold.@Nullable Mode positionHold; // of an eight-channel receiver
+  private boolean sentUtc;
+  private PositionHoldMode.@Nullable Mode positionHold; // of an eight-channel receiver
   private boolean asksPositionHold;
 
   // written by the reader, read by anyone
   private volatile @Nullable ReceiverStatus status;
   private volatile @Nullable TimeRaim timeRaim;
-  private volatile @Nullable HoldPosition held;
+  private volatile @Nullable HeldPosition held;
   private volatile @Nullable ReceiverClock receiverClock;
-  private volatile @Nullable UtcOffset utcOffset;
+  private volatile @Nullable M12UtcOffset utcOffset;
   private volatile @Nullable ReceiverIdentification identification;
 
   /**
    * @param clock stamps what the receiver reports while it does not know UTC
    */
   M12Protocol(
-      M12Rate rate, M12Orders orders, InstantSource clock, Ticker ticker, Listener listener) {
+      M12ReportingPeriod rate,
+      M12ReceiverSettings orders,
+      InstantSource clock,
+      Ticker ticker,
+      Listener listener) {
     this.rate = rate;
-    this.orders = orders;
+    this.settings = orders;
     this.clock = clock;
     this.ticker = ticker;
     this.listener = listener;
-    this.settlement = new M12Settlement(ticker);
+    this.acks = new AckTracker(ticker);
   }
 
   /** The last receiver status; empty before the first of a link. */
@@ -92,7 +96,7 @@ final class M12Protocol implements ReceiverProtocol {
   }
 
   /** The position that would be held; empty before the receiver has told it. */
-  Optional<HoldPosition> held() {
+  Optional<HeldPosition> held() {
     return Optional.ofNullable(held);
   }
 
@@ -102,7 +106,7 @@ final class M12Protocol implements ReceiverProtocol {
   }
 
   /** GPS time minus UTC; empty before the receiver has told it. */
-  Optional<UtcOffset> utcOffset() {
+  Optional<M12UtcOffset> utcOffset() {
     return Optional.ofNullable(utcOffset);
   }
 
@@ -119,32 +123,32 @@ final class M12Protocol implements ReceiverProtocol {
     held = null;
     receiverClock = null;
     utcOffset = null;
-    toldUtc = false;
+    sentUtc = false;
     positionHold = null;
     asksPositionHold = false;
-    sky.forget();
+    satelliteTracker.forget();
     begin(link);
   }
 
   private void begin(SerialLink link) throws IOException {
-    toBeTold = false;
+    isConfigurationDue = false;
     asked8Channels = false;
     openedNanos = ticker.nanos();
-    settlement.forget();
+    acks.forget();
     link.write(M12Commands.identification());
-    settlement.send(link, "Aw", M12Commands.utcTime());
-    tellPositioning(link);
-    toldRate = rate.now();
-    link.write(position(toldRate));
-    settlement.send(link, "Ge", M12Commands.timeRaimOn());
-    link.write(M12Commands.timeRaimOf12Channels(toldRate));
+    acks.send(link, "Aw", M12Commands.utcTime());
+    sendPositioning(link);
+    sentPeriod = rate.now();
+    link.write(position(sentPeriod));
+    acks.send(link, "Ge", M12Commands.timeRaimOn());
+    link.write(M12Commands.timeRaimOf12Channels(sentPeriod));
     link.write(M12Commands.visibleSatellites(true));
     link.write(M12Commands.utcOffset());
     link.write(M12Commands.askHoldPosition());
   }
 
   private byte[] position(int seconds) {
-    return orders.shortPositions()
+    return settings.shortPositions()
         ? M12Commands.shortPosition(seconds)
         : M12Commands.positionOf12Channels(seconds);
   }
@@ -155,17 +159,18 @@ final class M12Protocol implements ReceiverProtocol {
   }
 
   @Override
-  public void tend(SerialLink link) throws IOException {
-    if (toBeTold) {
+  public void periodic(SerialLink link) throws IOException {
+    if (isConfigurationDue) {
       begin(link);
     }
-    tellRate(link);
-    if (orders.positioning() != toldPositioning) {
-      tellPositioning(link);
+    sendPeriod(link);
+    if (settings.positioning() != sentPositioning) {
+      sendPositioning(link);
     }
-    String unsettled = settlement.tend(link);
-    if (unsettled != null && has12Channels) { // an eight-channel receiver does not know them all
-      listener.warned("the receiver has not acknowledged @@" + unsettled + ", which it should");
+    String unacknowledged = acks.resendDue(link);
+    if (unacknowledged != null
+        && has12Channels) { // an eight-channel receiver does not know them all
+      listener.warn("the receiver has not acknowledged @@" + unacknowledged + ", which it should");
     }
     if (has12Channels && asked8Channels) {
       asked8Channels = false;
@@ -175,9 +180,9 @@ final class M12Protocol implements ReceiverProtocol {
         && !asked8Channels
         && ticker.nanos() - openedNanos > Duration.ofSeconds(PATIENCE_SECONDS).toNanos()) {
       asked8Channels = true;
-      tellPositionHold(link);
-      link.write(M12Commands.positionOf8Channels(toldRate));
-      link.write(M12Commands.timeRaimOf8Channels(toldRate));
+      sendPositionHold(link);
+      link.write(M12Commands.positionOf8Channels(sentPeriod));
+      link.write(M12Commands.timeRaimOf8Channels(sentPeriod));
     }
     if (asksPositionHold) {
       asksPositionHold = false;
@@ -185,58 +190,58 @@ final class M12Protocol implements ReceiverProtocol {
     }
   }
 
-  private void tellPositioning(SerialLink link) throws IOException {
-    PositionControl.Mode wanted = orders.positioning();
-    toldPositioning = wanted;
-    settlement.send(link, "Gd", M12Commands.positionControl(wanted));
+  private void sendPositioning(SerialLink link) throws IOException {
+    PositionControl.Mode target = settings.positioning();
+    sentPositioning = target;
+    acks.send(link, "Gd", M12Commands.positionControl(target));
     if (asked8Channels) {
-      tellPositionHold(link);
+      sendPositionHold(link);
     }
   }
 
   /** Eight channels have no {@code @@Gd}, and no altitude hold that this driver knows. */
-  private void tellPositionHold(SerialLink link) throws IOException {
-    PositionControl.Mode wanted = orders.positioning();
-    settlement.send(
+  private void sendPositionHold(SerialLink link) throws IOException {
+    PositionControl.Mode target = settings.positioning();
+    acks.send(
         link,
         "At",
         M12Commands.positionHold(
-            switch (wanted) {
-              case HOLD -> PositionHold.Mode.ON;
-              case SURVEY -> PositionHold.Mode.SURVEY;
-              case POSITION_3D, ALTITUDE_HOLD -> PositionHold.Mode.OFF;
+            switch (target) {
+              case HOLD -> PositionHoldMode.Mode.ON;
+              case SURVEY -> PositionHoldMode.Mode.SURVEY;
+              case POSITION_3D, ALTITUDE_HOLD -> PositionHoldMode.Mode.OFF;
             }));
-    if (wanted == PositionControl.Mode.ALTITUDE_HOLD) {
-      listener.warned(
+    if (target == PositionControl.Mode.ALTITUDE_HOLD) {
+      listener.warn(
           "a receiver of eight channels cannot be set to altitude_hold by this driver; it solves"
               + " for a 3-D position");
     }
   }
 
-  private void tellRate(SerialLink link) throws IOException {
-    int wanted = rate.now();
-    if (wanted != toldRate) {
-      toldRate = wanted;
-      link.write(position(wanted));
-      link.write(M12Commands.timeRaimOf12Channels(wanted));
+  private void sendPeriod(SerialLink link) throws IOException {
+    int target = rate.now();
+    if (target != sentPeriod) {
+      sentPeriod = target;
+      link.write(position(target));
+      link.write(M12Commands.timeRaimOf12Channels(target));
       if (asked8Channels) {
-        link.write(M12Commands.positionOf8Channels(wanted));
-        link.write(M12Commands.timeRaimOf8Channels(wanted));
+        link.write(M12Commands.positionOf8Channels(target));
+        link.write(M12Commands.timeRaimOf8Channels(target));
       }
     }
   }
 
-  private void heard(M12Message message) {
+  private void messageReceived(M12Message message) {
     if (message instanceof M12PositionMessage position) {
       take(position);
     } else if (message instanceof MalformedMessage malformed) {
-      listener.malformed("@@" + malformed.id(), malformed.reason());
+      listener.malformedReceived("@@" + malformed.id(), malformed.reason());
       return;
     } else {
-      remember(message);
+      store(message);
     }
-    settlement.settled(message.id());
-    listener.heard(message.id());
+    acks.acknowledge(message.id());
+    listener.messageReceived(message.id());
   }
 
   private void take(M12PositionMessage position) {
@@ -246,7 +251,7 @@ final class M12Protocol implements ReceiverProtocol {
       }
     } else {
       has12Channels = true;
-      if (orders.shortPositions() == position instanceof ShortPosition) {
+      if (settings.shortPositions() == position instanceof ShortPosition) {
         solved(position);
       }
     }
@@ -258,28 +263,28 @@ final class M12Protocol implements ReceiverProtocol {
     } else if (message instanceof ShortPosition brief) {
       status = brief.status();
     }
-    if (toldRate == rate.now()) {
+    if (sentPeriod == rate.now()) {
       rate.arrivedAtThisRate();
     }
     boolean mayHold = message instanceof Position8Channels eight && eight.mayHold();
-    boolean holds = mayHold && positionHold == PositionHold.Mode.ON;
+    boolean holds = mayHold && positionHold == PositionHoldMode.Mode.ON;
     // A survey ends without a message: the receiver holds then, and says so when it is asked.
-    asksPositionHold |= mayHold && positionHold == PositionHold.Mode.SURVEY;
+    asksPositionHold |= mayHold && positionHold == PositionHoldMode.Mode.SURVEY;
     GpsFix.Mode mode = holds ? GpsFix.Mode.POSITION_HOLD : message.mode();
-    listener.saw(sky.with(message, mode));
-    String doubt = utcDoubt(message, holds);
-    Instant utc = doubt == null ? message.utc() : clock.instant();
-    listener.solved(
-        new Solution(
+    listener.satellitesReceived(satelliteTracker.with(message, mode));
+    String unconfirmedReason = utcUnconfirmedReason(message, holds);
+    Instant utc = unconfirmedReason == null ? message.utc() : clock.instant();
+    listener.solutionReceived(
+        new GpsSolution(
             message.toFix(mode, utc),
-            doubt,
+            unconfirmedReason,
             holds
                 ? ReceiverStatus.State.POSITION_HOLD.inWords(message.tracked(), message.visible())
                 : message.stateInWords()));
-    tellWhatItIs(); // it may have become clear how many channels there are
+    reportIdentity(); // it may have become clear how many channels there are
   }
 
-  private @Nullable String utcDoubt(M12PositionMessage message, boolean holds) {
+  private @Nullable String utcUnconfirmedReason(M12PositionMessage message, boolean holds) {
     if (holds && message.tracked() == 0) {
       return NO_SATELLITE;
     }
@@ -289,44 +294,44 @@ final class M12Protocol implements ReceiverProtocol {
     if (message instanceof Position12Channels || utcOffset == null) {
       return UTC_UNKNOWN;
     }
-    return toldUtc ? null : SCALE_UNKNOWN;
+    return sentUtc ? null : SCALE_UNKNOWN;
   }
 
-  private void remember(M12Message message) {
+  private void store(M12Message message) {
     if (message instanceof VisibleSatellites visible) {
-      listener.saw(sky.with(visible));
+      listener.satellitesReceived(satelliteTracker.with(visible));
     } else if (message instanceof TimeRaim raim) {
       timeRaim = raim;
-    } else if (message instanceof HoldPosition position) {
+    } else if (message instanceof HeldPosition position) {
       held = position;
-    } else if (message instanceof ReceiverClock told) {
-      receiverClock = told;
-    } else if (message instanceof UtcOffset offset) {
+    } else if (message instanceof ReceiverClock reported) {
+      receiverClock = reported;
+    } else if (message instanceof M12UtcOffset offset) {
       utcOffset = offset.isKnown() ? offset : null;
-    } else if (message instanceof PositionHold hold) {
+    } else if (message instanceof PositionHoldMode hold) {
       positionHold = hold.mode();
     } else if (message instanceof TimeScale scale) {
-      toldUtc = scale.isUtc();
-    } else if (message instanceof ReceiverIdentification told) {
-      identification = told;
-      tellWhatItIs();
+      sentUtc = scale.isUtc();
+    } else if (message instanceof ReceiverIdentification reported) {
+      identification = reported;
+      reportIdentity();
     } else if (message.id().equals("Cf")) {
-      toBeTold = true; // it sends nothing any more
+      isConfigurationDue = true; // it sends nothing any more
     }
   }
 
-  private void tellWhatItIs() {
-    ReceiverIdentification told = identification;
+  private void reportIdentity() {
+    ReceiverIdentification reported = identification;
     Integer channels = has12Channels ? Integer.valueOf(12) : asked8Channels ? 8 : null;
     List<String> modes = List.of("2D", "3D");
-    listener.identified(
-        told == null
+    listener.identityReceived(
+        reported == null
             ? new GpsReceiverAttributes(null, null, null, null, channels, modes)
             : new GpsReceiverAttributes(
-                known(told.model()),
-                known(told.serialNumber()),
-                known(told.softwarePartNumber()),
-                known(told.softwareVersion()),
+                known(reported.model()),
+                known(reported.serialNumber()),
+                known(reported.softwarePartNumber()),
+                known(reported.softwareVersion()),
                 channels,
                 modes));
   }

@@ -68,8 +68,10 @@ public record Position12Channels(
   /** {@inheritDoc} Where the receiver tells GPS time and knows the offset, it is converted. */
   @Override
   public Instant utc() {
-    Instant told = time.toInstant();
-    return utcState.isUtc() || !utcState.isKnown() ? told : told.minusSeconds(utcState.offset());
+    Instant reported = time.toInstant();
+    return utcState.isUtc() || !utcState.isKnown()
+        ? reported
+        : reported.minusSeconds(utcState.offset());
   }
 
   @Override

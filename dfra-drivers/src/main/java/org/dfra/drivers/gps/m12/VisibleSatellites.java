@@ -9,7 +9,8 @@ import java.util.List;
  * @param count how many there are; may exceed the twelve that are told of one by one
  * @param satellites at most twelve of them
  */
-public record VisibleSatellites(int count, List<Place> satellites) implements M12Message {
+public record VisibleSatellites(int count, List<VisibleSatellite> satellites)
+    implements M12Message {
 
   /**
    * Where a satellite stands.
@@ -20,7 +21,8 @@ public record VisibleSatellites(int count, List<Place> satellites) implements M1
    * @param azimuth from true north, clockwise, degrees, 0 to 360
    * @param health the health bits of the almanac; 0 is healthy
    */
-  public record Place(int satellite, int doppler, int elevation, int azimuth, int health) {}
+  public record VisibleSatellite(
+      int satellite, int doppler, int elevation, int azimuth, int health) {}
 
   public VisibleSatellites {
     satellites = List.copyOf(satellites);

@@ -24,7 +24,7 @@ final class NmeaCalendar {
   }
 
   /** The receiver reports this date and time, UTC; without either it reports nothing. */
-  void take(@Nullable LocalDate date, @Nullable LocalTime time) {
+  void update(@Nullable LocalDate date, @Nullable LocalTime time) {
     if (date != null && time != null) {
       last = time.atDate(date).toInstant(ZoneOffset.UTC);
     }
@@ -39,7 +39,7 @@ final class NmeaCalendar {
    * The moment of this time of day that is nearest to the last one known; before the first, the
    * nearest to the host's.
    */
-  Instant at(LocalTime time, Instant host) {
+  Instant resolve(LocalTime time, Instant host) {
     Instant near = last == null ? host : last;
     Instant there =
         time.atDate(LocalDate.ofInstant(near, ZoneOffset.UTC)).toInstant(ZoneOffset.UTC);

@@ -146,14 +146,14 @@ final class NmeaDecoder {
       }
     }
     // Four fields for each satellite; a single one after them is the signal.
-    boolean tellsSignal = fields.count() > 4 && (fields.count() - 4) % 4 == 1;
+    boolean hasSignal = fields.count() > 4 && (fields.count() - 4) % 4 == 1;
     return new Gsv(
         talker,
         Math.max(1, fields.whole("number of sentences", 1, 1, 99)),
         Math.max(1, fields.whole("sentence", 2, 1, 99)),
         Math.max(0, fields.whole("satellites in view", 3, 0, 999)),
         satellites,
-        tellsSignal ? system(fields.count() - 1) : -1);
+        hasSignal ? system(fields.count() - 1) : -1);
   }
 
   /** A hexadecimal digit; −1 if it is empty. */

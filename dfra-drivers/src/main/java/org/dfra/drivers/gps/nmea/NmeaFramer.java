@@ -33,7 +33,7 @@ public final class NmeaFramer extends FrameScanner {
   }
 
   @Override
-  protected int frameAt(byte[] bytes, int at, int end) {
+  protected int frameLengthAt(byte[] bytes, int at, int end) {
     if (bytes[at] != '$') {
       return NONE;
     }

@@ -2,10 +2,10 @@ package org.dfra.drivers.gps.nmea;
 
 import java.util.List;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.drivers.gps.FixedPace;
-import org.dfra.drivers.gps.ReceiverImpl;
-import org.dfra.drivers.gps.ReceiverKind;
-import org.dfra.drivers.gps.ReceiverProtocol;
+import org.dfra.drivers.gps.FixedReportingPeriod;
+import org.dfra.drivers.gps.GpsReceiverImpl;
+import org.dfra.drivers.gps.GpsReceiverProtocol;
+import org.dfra.drivers.gps.GpsReceiverType;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.SerialLink;
 import org.dfra.drivers.link.Ticker;
@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * ZDA}, {@code GSA} and {@code GSV} of any talker. Nothing is sent to it: it is set up with its
  * maker's tool.
  *
- * <p>Parameter, besides those of every {@link ReceiverImpl}: {@code period}, seconds from one
+ * <p>Parameter, besides those of every {@link GpsReceiverImpl}: {@code period}, seconds from one
  * position to the next, as the receiver is set up; default 1. It only says how long silence may
  * last.
  *
@@ -26,10 +26,10 @@ import org.jspecify.annotations.Nullable;
  * after that. Where neither {@code RMC} nor {@code ZDA} has come there is no {@code time}, since
  * the date is missing.
  */
-public final class NmeaImpl extends ReceiverImpl<NmeaImpl.Protocol> {
+public final class NmeaImpl extends GpsReceiverImpl<NmeaImpl.Protocol> {
 
-  private static final ReceiverKind KIND =
-      ReceiverKind.of("NMEA 0183 receiver", 1.0 / 3600, 50, List.of(ReceiverKind.SATELLITES));
+  private static final GpsReceiverType KIND =
+      GpsReceiverType.of("NMEA 0183 receiver", 1.0 / 3600, 50, List.of(GpsReceiverType.SATELLITES));
 
   /**
    * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
@@ -43,22 +43,22 @@ public final class NmeaImpl extends ReceiverImpl<NmeaImpl.Protocol> {
     super(
         context,
         KIND,
-        FixedPace.in(context.parameters()),
+        FixedReportingPeriod.from(context.parameters()),
         listener -> new Protocol(context, listener),
         ticker,
         source);
   }
 
   /** Listens only. */
-  static final class Protocol implements ReceiverProtocol {
+  static final class Protocol implements GpsReceiverProtocol {
 
     private final Listener listener;
-    private final NmeaEpoch epoch;
-    private final NmeaParser parser = new NmeaParser(this::heard);
+    private final NmeaEpochAssembler epoch;
+    private final NmeaParser parser = new NmeaParser(this::messageReceived);
 
     Protocol(ModuleContext context, Listener listener) {
       this.listener = listener;
-      this.epoch = new NmeaEpoch(context.clock(), listener::solved);
+      this.epoch = new NmeaEpochAssembler(context.clock(), listener::solutionReceived);
     }
 
     @Override
@@ -71,11 +71,11 @@ public final class NmeaImpl extends ReceiverImpl<NmeaImpl.Protocol> {
       return parser;
     }
 
-    private void heard(NmeaSentence sentence) {
+    private void messageReceived(NmeaSentence sentence) {
       if (sentence instanceof NmeaSentence.Malformed malformed) {
-        listener.malformed(malformed.talker() + malformed.type(), malformed.reason());
+        listener.malformedReceived(malformed.talker() + malformed.type(), malformed.reason());
       } else if (epoch.take(sentence)) {
-        listener.saw(epoch.satellites());
+        listener.satellitesReceived(epoch.satellites());
       }
     }
   }

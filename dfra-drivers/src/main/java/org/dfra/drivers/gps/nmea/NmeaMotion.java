@@ -8,13 +8,13 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Speed and course, which other sentences have than the position, and which many receivers send
- * less often: the last ones count for {@link #KEPT}, by the receiver's own time. Confined to one
+ * less often: the last ones count for {@link #MAX_AGE}, by the receiver's own time. Confined to one
  * thread.
  */
 final class NmeaMotion {
 
   /** How long they count. */
-  static final Duration KEPT = Duration.ofSeconds(2);
+  static final Duration MAX_AGE = Duration.ofSeconds(2);
 
   private static final Duration DAY = Duration.ofDays(1);
 
@@ -59,14 +59,14 @@ final class NmeaMotion {
   }
 
   /** Drops what is too old at that time of day; without the time of either nothing is kept. */
-  void age(@Nullable LocalTime now) {
+  void expire(@Nullable LocalTime now) {
     LocalTime then = reported;
     if (now == null || then == null) {
       forget();
       return;
     }
     Duration age = Duration.between(then, now);
-    if ((age.isNegative() ? age.plus(DAY) : age).compareTo(KEPT) > 0) {
+    if ((age.isNegative() ? age.plus(DAY) : age).compareTo(MAX_AGE) > 0) {
       forget();
     }
   }

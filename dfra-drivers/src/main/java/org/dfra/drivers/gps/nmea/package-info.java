@@ -2,7 +2,7 @@
  * Receivers that speak NMEA 0183, which nearly all do: lines of text.
  *
  * <pre>
- *   bytes --&gt; NmeaFramer --&gt; NmeaDecoder --&gt; NmeaSentence --&gt; NmeaEpoch --&gt; NmeaImpl
+ *   bytes --&gt; NmeaFramer --&gt; NmeaDecoder --&gt; NmeaSentence --&gt; NmeaEpochAssembler --&gt; NmeaImpl
  *             finds sentences, pure,                           puts the sentences
  *             counts the rest  never throws                    of a moment together
  * </pre>

@@ -40,7 +40,7 @@ public final class UbxFramer extends FrameScanner {
   }
 
   @Override
-  protected int frameAt(byte[] bytes, int at, int end) {
+  protected int frameLengthAt(byte[] bytes, int at, int end) {
     int there = end - at;
     if (bytes[at] != (byte) 0xB5 || (there > 1 && bytes[at + 1] != 0x62)) {
       return NONE;

@@ -6,12 +6,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.drivers.gps.FixedPace;
-import org.dfra.drivers.gps.ReceiverImpl;
-import org.dfra.drivers.gps.ReceiverKind;
-import org.dfra.drivers.gps.ReceiverProtocol;
+import org.dfra.drivers.gps.FixedReportingPeriod;
+import org.dfra.drivers.gps.GpsReceiverImpl;
+import org.dfra.drivers.gps.GpsReceiverProtocol;
+import org.dfra.drivers.gps.GpsReceiverType;
+import org.dfra.drivers.gps.GpsSolution;
 import org.dfra.drivers.gps.SatelliteInView;
-import org.dfra.drivers.gps.Solution;
 import org.dfra.drivers.gps.ubx.UbxMessage.NavPvt;
 import org.dfra.drivers.gps.ubx.UbxMessage.Version;
 import org.dfra.drivers.link.LinkKeeper;
@@ -31,22 +31,22 @@ import org.jspecify.annotations.Nullable;
  * send ({@code CFG-MSG}), in its working memory only. One that refuses a setting is said to, and
  * serves all the same where it was set up with its maker's tool.
  *
- * <p>Parameter, besides those of every {@link ReceiverImpl}: {@code period}, seconds from one
+ * <p>Parameter, besides those of every {@link GpsReceiverImpl}: {@code period}, seconds from one
  * position to the next, 0.05 to 60; default 1.
  *
  * <p>Test, besides: {@code identification}, the receiver answers {@code MON-VER} within 3 s.
  */
-public final class UbxImpl extends ReceiverImpl<UbxImpl.Protocol> {
+public final class UbxImpl extends GpsReceiverImpl<UbxImpl.Protocol> {
 
   private static final List<Precondition> PRECONDITIONS =
       List.of(
           new Precondition("temperature of the receiver", -40, 85, "°C"),
           new Precondition("altitude", -1000, 50_000, "m"),
           new Precondition("speed", 0, 500, "m/s"),
-          ReceiverKind.SATELLITES);
+          GpsReceiverType.SATELLITES);
 
-  private static final ReceiverKind KIND =
-      ReceiverKind.of("u-blox receiver, by UBX", 1.0 / 60, 20, PRECONDITIONS);
+  private static final GpsReceiverType KIND =
+      GpsReceiverType.of("u-blox receiver, by UBX", 1.0 / 60, 20, PRECONDITIONS);
 
   /**
    * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
@@ -58,14 +58,20 @@ public final class UbxImpl extends ReceiverImpl<UbxImpl.Protocol> {
   /** For tests: by another time, and over links made in another way. */
   UbxImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
     this(
-        context, ticker, source, new FixedPace(context.parameters().number("period", 1, 0.05, 60)));
+        context,
+        ticker,
+        source,
+        new FixedReportingPeriod(context.parameters().number("period", 1, 0.05, 60)));
   }
 
   private UbxImpl(
-      ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source, FixedPace pace) {
+      ModuleContext context,
+      Ticker ticker,
+      LinkKeeper.@Nullable Source source,
+      FixedReportingPeriod pace) {
     super(context, KIND, pace, listener -> new Protocol(context, pace, listener), ticker, source);
-    examinations()
-        .test(
+    diagnostics()
+        .addTest(
             "identification",
             () ->
                 examination()
@@ -77,27 +83,27 @@ public final class UbxImpl extends ReceiverImpl<UbxImpl.Protocol> {
   }
 
   /** Tells the receiver what to send, and takes it. */
-  static final class Protocol implements ReceiverProtocol {
+  static final class Protocol implements GpsReceiverProtocol {
 
     private static final String SYSTEMS = "GSEC?JRI";
     private static final int SKY_EVERY = 5; // solutions; the sky turns slowly
 
     private final ModuleContext context;
-    private final FixedPace pace;
+    private final FixedReportingPeriod pace;
     private final Listener listener;
-    private final UbxParser parser = new UbxParser(this::heard);
+    private final UbxParser parser = new UbxParser(this::messageReceived);
     private volatile @Nullable Version version; // read by anyone
     private int visible;
 
-    Protocol(ModuleContext context, FixedPace pace, Listener listener) {
+    Protocol(ModuleContext context, FixedReportingPeriod pace, Listener listener) {
       this.context = context;
       this.pace = pace;
       this.listener = listener;
     }
 
     String model() {
-      Version told = version;
-      String model = told == null ? null : told.extension("MOD");
+      Version reported = version;
+      String model = reported == null ? null : reported.extension("MOD");
       return model == null ? "a u-blox receiver" : model;
     }
 
@@ -115,57 +121,64 @@ public final class UbxImpl extends ReceiverImpl<UbxImpl.Protocol> {
       return parser;
     }
 
-    private void heard(UbxMessage message) {
+    private void messageReceived(UbxMessage message) {
       if (message instanceof NavPvt position) {
-        listener.solved(solution(position));
+        listener.solutionReceived(solution(position));
       } else if (message instanceof UbxMessage.NavSat sky) {
         List<SatelliteInView> satellites = inView(sky);
         visible = satellites.size();
-        listener.saw(satellites);
-      } else if (message instanceof Version told) {
-        version = told;
-        listener.identified(
+        listener.satellitesReceived(satellites);
+      } else if (message instanceof Version reported) {
+        version = reported;
+        listener.identityReceived(
             new GpsReceiverAttributes(
-                told.extension("MOD"), null, null, told.software(), null, List.of("2D", "3D")));
+                reported.extension("MOD"),
+                null,
+                null,
+                reported.software(),
+                null,
+                List.of("2D", "3D")));
       } else if (message instanceof UbxMessage.Ack ack && !ack.accepted()) {
-        listener.warned(
+        listener.warn(
             String.format(
                 Locale.ROOT,
                 "the receiver refuses setting %04X; set it up with its maker's tool to send"
                     + " NAV-PVT",
                 ack.type()));
       } else if (message instanceof UbxMessage.Malformed malformed) {
-        listener.malformed(malformed.name(), malformed.reason());
+        listener.malformedReceived(malformed.name(), malformed.reason());
       }
-      listener.heard(message.name());
+      listener.messageReceived(message.name());
     }
 
-    private Solution solution(NavPvt told) {
+    private GpsSolution solution(NavPvt reported) {
       GpsFix.Mode mode =
-          switch (told.fixOk() ? told.fixType() : 0) {
+          switch (reported.fixOk() ? reported.fixType() : 0) {
             case 2 -> GpsFix.Mode.FIX_2D;
             case 3, 4 -> GpsFix.Mode.FIX_3D;
             case 5 -> GpsFix.Mode.POSITION_HOLD;
             default -> GpsFix.Mode.NONE;
           };
       boolean none = mode == GpsFix.Mode.NONE;
-      return new Solution(
+      return new GpsSolution(
           new GpsFix(
               mode,
-              none ? null : new GeoPosition(told.latitude(), told.longitude(), told.height()),
-              told.utc() == null ? context.clock().instant() : told.utc(),
-              told.groundSpeed(),
-              told.course(),
-              none ? 0 : told.pdop(),
-              Math.max(visible, told.satellites()),
-              told.satellites()),
-          told.utc() != null && told.resolved()
+              none
+                  ? null
+                  : new GeoPosition(reported.latitude(), reported.longitude(), reported.height()),
+              reported.utc() == null ? context.clock().instant() : reported.utc(),
+              reported.groundSpeed(),
+              reported.course(),
+              none ? 0 : reported.pdop(),
+              Math.max(visible, reported.satellites()),
+              reported.satellites()),
+          reported.utc() != null && reported.resolved()
               ? null
               : "does not know UTC for sure yet; after a cold start that takes up to 12.5 minutes",
-          none ? "searching for satellites, " + told.satellites() + " used" : "giving a fix",
-          told.horizontalAccuracy(),
-          told.verticalAccuracy(),
-          told.utc() != null);
+          none ? "searching for satellites, " + reported.satellites() + " used" : "giving a fix",
+          reported.horizontalAccuracy(),
+          reported.verticalAccuracy(),
+          reported.utc() != null);
     }
 
     private static List<SatelliteInView> inView(UbxMessage.NavSat sky) {

@@ -18,7 +18,7 @@ public final class Dsp3000Framer extends FrameScanner {
   }
 
   @Override
-  protected int frameAt(byte[] bytes, int at, int end) {
+  protected int frameLengthAt(byte[] bytes, int at, int end) {
     if (bytes[at] != '\n') {
       return NONE;
     }

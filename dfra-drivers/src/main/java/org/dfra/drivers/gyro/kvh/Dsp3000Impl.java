@@ -4,12 +4,12 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
-import org.dfra.core.module.Examinations.Finding;
+import org.dfra.core.module.Diagnostics.DiagnosticFinding;
 import org.dfra.core.module.LatestReading;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ParameterTable;
 import org.dfra.core.module.SensorImpl;
-import org.dfra.drivers.device.DeviceLine;
+import org.dfra.drivers.device.DeviceLink;
 import org.dfra.drivers.device.DeviceProtocol;
 import org.dfra.drivers.gyro.kvh.Dsp3000Message.Malformed;
 import org.dfra.drivers.gyro.kvh.Dsp3000Message.Rate;
@@ -71,12 +71,12 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
           new Precondition("temperature", -40, 75, "°C"));
 
   private final LatestReading<AngularRate> latest;
-  private final DeviceLine line;
+  private final DeviceLink deviceLink;
 
   private volatile boolean inverted;
   private volatile double bias;
   private volatile boolean lastWasValid;
-  private volatile @Nullable StandingMean measuring; // null: nobody wants the bias
+  private volatile @Nullable StationaryBiasEstimator measuring; // null: nobody wants the bias
 
   /**
    * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
@@ -94,37 +94,38 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
         "1.0",
         List.of("AngularRate"),
         PRECONDITIONS);
-    this.latest = new LatestReading<>("rate", this, this::become, ticker::nanos, () -> OLDEST);
+    this.latest =
+        new LatestReading<>("rate", this, this::transitionTo, ticker::nanos, () -> OLDEST);
     this.inverted = invertedIn(settings().find("inverted").orElse("false"));
     this.bias = settings().number("bias", 0, -MOST_BIAS, MOST_BIAS);
-    this.line = new DeviceLine(context, new Gyro(), ticker, source, log);
-    this.line.declareIn(examinations(), declared());
-    examinations().test("validity", this::validity);
-    examinations().recovery("zero_while_standing", this::zero);
-    declared()
-        .text(
+    this.deviceLink = new DeviceLink(context, new Gyro(), ticker, source, log);
+    this.deviceLink.declareIn(diagnostics(), parameterTable());
+    diagnostics().addTest("validity", this::validity);
+    diagnostics().addRecovery("zero_while_standing", this::zero);
+    parameterTable()
+        .declareText(
             "inverted",
             "whether it is mounted upside down, true or false",
             () -> Boolean.toString(inverted),
-            text -> inverted = truth(text));
-    declared()
-        .number(
+            text -> inverted = parseBoolean(text));
+    parameterTable()
+        .declareNumber(
             "bias",
             "what it tells while it stands, to the left +",
-            ParameterTable.Range.of(-MOST_BIAS, MOST_BIAS, "rad/s"),
+            ParameterTable.NumberRange.of(-MOST_BIAS, MOST_BIAS, "rad/s"),
             () -> bias,
             value -> bias = value);
   }
 
   private boolean invertedIn(String text) {
     try {
-      return truth(text);
+      return parseBoolean(text);
     } catch (IllegalArgumentException e) {
       throw settings().fault("inverted", String.valueOf(e.getMessage()), e);
     }
   }
 
-  private static boolean truth(String text) {
+  private static boolean parseBoolean(String text) {
     if (!text.equals("true") && !text.equals("false")) {
       throw new IllegalArgumentException("true or false");
     }
@@ -133,14 +134,14 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
 
   @Override
   protected void onStart() {
-    latest.awaits("its link is being opened");
-    line.start();
+    latest.setMissing("its link is being opened");
+    deviceLink.start();
   }
 
   @Override
   protected void onClose() {
-    line.close();
-    latest.forget("it has ended");
+    deviceLink.close();
+    latest.clear("it has ended");
   }
 
   @Override
@@ -154,7 +155,7 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
   }
 
   @Override
-  protected List<? extends Attributes> traits() {
+  protected List<? extends Attributes> deviceAttributes() {
     return List.of(
         new SensorAttributes(
             "AngularRate",
@@ -165,37 +166,38 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
             List.of("It turns no faster than 375°/s.")));
   }
 
-  private Finding validity() throws InterruptedException {
-    Finding link = line.link();
+  private DiagnosticFinding validity() throws InterruptedException {
+    DiagnosticFinding link = deviceLink.link();
     if (!link.passed()) {
       return link;
     }
-    if (!line.heard().await(LINE, line.heard().sofar(LINE), NEXT)) {
-      return new Finding(false, "no line has come within " + LatestReading.seconds(NEXT));
+    if (!deviceLink.eventCounter().await(LINE, deviceLink.eventCounter().total(LINE), NEXT)) {
+      return new DiagnosticFinding(false, "no line has come within " + LatestReading.seconds(NEXT));
     }
     return lastWasValid
-        ? new Finding(true, "the gyro vouches for its rate")
-        : new Finding(false, "the gyro says that its rate is not valid: it starts, or is broken");
+        ? new DiagnosticFinding(true, "the gyro vouches for its rate")
+        : new DiagnosticFinding(
+            false, "the gyro says that its rate is not valid: it starts, or is broken");
   }
 
-  private Finding zero() throws InterruptedException {
+  private DiagnosticFinding zero() throws InterruptedException {
     if (!readiness().serves()) {
-      return new Finding(false, "it tells no valid rate: " + latest.awaits());
+      return new DiagnosticFinding(false, "it tells no valid rate: " + latest.missing());
     }
-    StandingMean mean = new StandingMean();
-    long before = line.heard().sofar(MEAN);
+    StationaryBiasEstimator mean = new StationaryBiasEstimator();
+    long before = deviceLink.eventCounter().total(MEAN);
     measuring = mean;
-    boolean done = line.heard().await(MEAN, before, MEASURING);
+    boolean done = deviceLink.eventCounter().await(MEAN, before, MEASURING);
     measuring = null;
     if (!done) {
-      return new Finding(
+      return new DiagnosticFinding(
           false,
           "it has not told "
-              + StandingMean.READINGS
+              + StationaryBiasEstimator.READINGS
               + " valid rates within "
               + LatestReading.seconds(MEASURING));
     }
-    Finding finding = mean.finding();
+    DiagnosticFinding finding = mean.finding();
     if (finding.passed()) {
       bias = mean.bias();
     }
@@ -210,13 +212,13 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
 
     private static final Duration SILENCE = Duration.ofSeconds(2);
 
-    private final Dsp3000Parser parser = new Dsp3000Parser(this::heard);
+    private final Dsp3000Parser parser = new Dsp3000Parser(this::messageReceived);
     private int valid; // lines in a row
 
     @Override
     public void opened(SerialLink link) throws IOException {
       valid = 0;
-      latest.awaits(link + " is open, no line has come yet");
+      latest.setMissing(link + " is open, no line has come yet");
       link.write(RATE_MODE.getBytes(StandardCharsets.US_ASCII));
     }
 
@@ -226,7 +228,7 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
     }
 
     @Override
-    public Duration longestSilence() {
+    public Duration livenessTimeout() {
       return SILENCE;
     }
 
@@ -235,44 +237,45 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
       return "line";
     }
 
-    private void heard(Dsp3000Message message) {
+    private void messageReceived(Dsp3000Message message) {
       if (message instanceof Rate rate) {
         take(rate);
-        line.alive();
-        line.heard().count(LINE);
+        deviceLink.reportAlive();
+        deviceLink.eventCounter().increment(LINE);
       } else if (message instanceof Malformed malformed) {
         log.debug("{}: a line tells no rate: {}", path(), malformed.line());
       }
     }
 
-    private void take(Rate told) {
-      lastWasValid = told.isValid();
-      if (!told.isValid()) {
+    private void take(Rate reported) {
+      lastWasValid = reported.isValid();
+      if (!reported.isValid()) {
         valid = 0;
-        latest.lose("the gyro says that its rate is not valid");
+        latest.markLost("the gyro says that its rate is not valid");
         return;
       }
-      double left = Math.toRadians(inverted ? told.degreesPerSecond() : -told.degreesPerSecond());
+      double left =
+          Math.toRadians(inverted ? reported.degreesPerSecond() : -reported.degreesPerSecond());
       measure(left);
       if (++valid < TRUSTED) {
         return;
       }
       AngularRate rate = new AngularRate(clock().instant(), frame(), left - bias);
       latest.set(rate);
-      tell(rate);
+      publish(rate);
     }
 
     private void measure(double left) {
-      StandingMean mean = measuring;
-      if (mean != null && mean.take(left)) {
+      StationaryBiasEstimator mean = measuring;
+      if (mean != null && mean.add(left)) {
         measuring = null;
-        line.heard().count(MEAN);
+        deviceLink.eventCounter().increment(MEAN);
       }
     }
 
     @Override
     public void lost(String reason) {
-      latest.lose(reason);
+      latest.markLost(reason);
     }
   }
 }

@@ -23,16 +23,16 @@ public record LmsAttributes(
 
   static final LmsAttributes UNKNOWN = new LmsAttributes(null, null, null, null, null);
 
-  LmsAttributes withType(String told) {
-    return new LmsAttributes(told, software, baud, measuringMode, windowClean);
+  LmsAttributes withType(String reported) {
+    return new LmsAttributes(reported, software, baud, measuringMode, windowClean);
   }
 
-  LmsAttributes with(LmsStatus told) {
+  LmsAttributes with(LmsStatus reported) {
     return new LmsAttributes(
         type,
-        told.software(),
-        told.baud().map(LmsBaud::rate).orElse(null),
-        told.modeCode(),
-        told.pollution().stream().min(Integer::compare).orElse(null));
+        reported.software(),
+        reported.baud().map(LmsBaud::rate).orElse(null),
+        reported.modeCode(),
+        reported.pollution().stream().min(Integer::compare).orElse(null));
   }
 }

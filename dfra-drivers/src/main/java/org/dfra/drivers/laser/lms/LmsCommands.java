@@ -65,10 +65,10 @@ public final class LmsCommands {
   public static byte[] variant(LmsVariant variant) {
     return telegram(
         0x3B,
-        variant.degrees() & 0xFF,
-        variant.degrees() >> 8,
-        variant.hundredths() & 0xFF,
-        variant.hundredths() >> 8);
+        variant.fieldDegrees() & 0xFF,
+        variant.fieldDegrees() >> 8,
+        variant.stepHundredths() & 0xFF,
+        variant.stepHundredths() >> 8);
   }
 
   /** Asks for its configuration; {@code F4} answers. */

@@ -39,13 +39,13 @@ public final class LmsDecoder {
     return switch (command) {
       case 0xB0 -> scan(bytes, at, end, status);
       case 0x90, 0xBA ->
-          new LmsMessage.Type(command == 0x90, text(bytes, at + 1, end - at - 1), status);
-      case 0x91 -> new LmsMessage.Resets(status);
-      case 0x92 -> new LmsMessage.Refused(status);
+          new LmsMessage.TypeReply(command == 0x90, text(bytes, at + 1, end - at - 1), status);
+      case 0x91 -> new LmsMessage.ResetReply(status);
+      case 0x92 -> new LmsMessage.RefusedReply(status);
       case 0xA0 ->
           end - at < 2
               ? malformed(command, "it has no result")
-              : new LmsMessage.ModeSet(bytes[at + 1] & 0xFF, status);
+              : new LmsMessage.ModeReply(bytes[at + 1] & 0xFF, status);
       case 0xB1 -> status(bytes, at, end, status);
       case 0xB2 -> errors(bytes, at + 1, end, status);
       case 0xBB -> variant(bytes, at, end, status);
@@ -112,7 +112,7 @@ public final class LmsDecoder {
       errors.add(new LmsError(bytes[i] & 0xFF, bytes[i + 1] & 0xFF));
     }
     return (end - at) % 2 == 0
-        ? new LmsMessage.Errors(errors, status)
+        ? new LmsMessage.ErrorsReply(errors, status)
         : malformed(0xB2, (end - at) + " bytes are no pairs of type and number");
   }
 
@@ -123,7 +123,8 @@ public final class LmsDecoder {
     int degrees = LmsFramer.u16(bytes, at + 2);
     int hundredths = LmsFramer.u16(bytes, at + 4);
     return LmsVariant.of(degrees, hundredths)
-        .<LmsMessage>map(told -> new LmsMessage.VariantSet(bytes[at + 1] == 1, told, status))
+        .<LmsMessage>map(
+            reported -> new LmsMessage.VariantReply(bytes[at + 1] == 1, reported, status))
         .orElseGet(
             () -> malformed(0xBB, degrees + "° by 0.01 × " + hundredths + "° are no variant"));
   }
@@ -135,10 +136,10 @@ public final class LmsDecoder {
     if (length < LmsConfiguration.SHORTEST || length > LmsConfiguration.LONGEST) {
       return malformed(bytes[at] & 0xFF, length + " bytes are no configuration");
     }
-    LmsConfiguration told = new LmsConfiguration(Arrays.copyOfRange(bytes, from, end));
+    LmsConfiguration reported = new LmsConfiguration(Arrays.copyOfRange(bytes, from, end));
     return isAnswer
-        ? new LmsMessage.ConfigurationSet(bytes[at + 1] == 1, told, status)
-        : new LmsMessage.Configured(told, status);
+        ? new LmsMessage.ConfigurationChangeReply(bytes[at + 1] == 1, reported, status)
+        : new LmsMessage.ConfigurationReply(reported, status);
   }
 
   private static LmsMessage malformed(int command, String reason) {

@@ -35,7 +35,7 @@ public final class LmsFramer extends FrameScanner {
   }
 
   @Override
-  protected int frameAt(byte[] bytes, int at, int end) {
+  protected int frameLengthAt(byte[] bytes, int at, int end) {
     int first = bytes[at];
     if (first == NAK) {
       return 1;

@@ -6,7 +6,7 @@ import java.util.List;
 import org.dfra.core.module.LatestReading;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.SensorImpl;
-import org.dfra.drivers.device.DeviceLine;
+import org.dfra.drivers.device.DeviceLink;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.LinkSettings;
 import org.dfra.drivers.link.Ticker;
@@ -37,28 +37,28 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code idle_after}: seconds without clients before it stops sending, 0 to 3600, 0 is never;
  *       default 10; can be set while it runs
  *   <li>{@code mount_frame}, {@code mount_x} and so on: where it is, see {@link SensorImpl}
- *   <li>to be read only: {@code status}, {@code flash_writes}, and those of {@link DeviceLine}
+ *   <li>to be read only: {@code status}, {@code flash_writes}, and those of {@link DeviceLink}
  * </ul>
  *
  * <p>INITIALIZING until the first scan, and again when the link is lost, when the laser does not
  * answer, or when no scan came for three periods and 2 s. A laser that rests is READY but has no
  * scan; the first client wakes it, and so does {@link #scan}. What it can be examined for is in
- * {@link LmsExamination}.
+ * {@link LmsDiagnostics}.
  *
  * <p>A scan's time is when its last byte came, less the time its telegram takes on the line and the
  * time the mirror takes for it; how long the laser thinks in between is not known, and not counted.
  *
- * <p>Threads: one reader ({@code name reader}), owned by a {@link DeviceLine} from {@code start} to
+ * <p>Threads: one reader ({@code name reader}), owned by a {@link DeviceLink} from {@code start} to
  * {@code close}, does all the work. Askers see immutable snapshots and never wait for the laser.
  */
 public final class LmsImpl extends SensorImpl implements RangeSensor {
 
   private final LatestReading<RangeScan> latest;
-  private final LmsOrders orders;
-  private final LmsRest rest;
+  private final LmsSettings settings;
+  private final LmsIdlePolicy idlePolicy;
   private final LmsProtocol protocol;
-  private final DeviceLine line;
-  private final LmsExamination examination;
+  private final DeviceLink deviceLink;
+  private final LmsDiagnostics examination;
   private final LmsPersona persona;
 
   // written by the reader, read by anyone
@@ -84,51 +84,52 @@ public final class LmsImpl extends SensorImpl implements RangeSensor {
         "DFRA",
         "1.0",
         List.of("RangeScan"),
-        LmsExamination.PRECONDITIONS);
-    this.latest = new LatestReading<>("scan", this, this::become, ticker::nanos, () -> longestAge);
-    this.orders = LmsOrders.in(settings());
-    this.rest = new LmsRest(ticker, LmsOrders.idleAfterIn(settings()));
-    this.persona = new LmsPersona(orders);
+        LmsDiagnostics.PRECONDITIONS);
+    this.latest =
+        new LatestReading<>("scan", this, this::transitionTo, ticker::nanos, () -> longestAge);
+    this.settings = LmsSettings.from(settings());
+    this.idlePolicy = new LmsIdlePolicy(ticker, LmsSettings.idleAfterIn(settings()));
+    this.persona = new LmsPersona(settings);
     Reader reader = new Reader();
-    this.protocol = new LmsProtocol(orders, ticker, reader);
-    this.line = new DeviceLine(context, protocol, ticker, source, log);
-    this.examination = new LmsExamination(line, protocol, rest);
-    line.declareIn(examinations(), declared());
-    examination.declareIn(examinations());
-    orders.declareIn(declared());
-    rest.declareIn(declared());
-    declared().show("status", "how the laser is", () -> health.inWords());
-    declared()
-        .show(
+    this.protocol = new LmsProtocol(settings, ticker, reader);
+    this.deviceLink = new DeviceLink(context, protocol, ticker, source, log);
+    this.examination = new LmsDiagnostics(deviceLink, protocol, idlePolicy);
+    deviceLink.declareIn(diagnostics(), parameterTable());
+    examination.declareIn(diagnostics());
+    settings.declareIn(parameterTable());
+    idlePolicy.declareIn(parameterTable());
+    parameterTable().declareReadOnly("status", "how the laser is", () -> health.inWords());
+    parameterTable()
+        .declareReadOnly(
             "flash_writes",
             "how often its flash memory was written since the start",
-            () -> Integer.toString(protocol.writes()));
+            () -> Integer.toString(protocol.flashWrites()));
   }
 
   @Override
   protected void onStart() {
-    latest.awaits("its link is being opened");
-    line.start();
+    latest.setMissing("its link is being opened");
+    deviceLink.start();
   }
 
   @Override
   protected void onClose() {
-    line.close();
-    latest.forget("it has ended");
+    deviceLink.close();
+    latest.clear("it has ended");
   }
 
   @Override
-  protected void onClients(int number) {
-    rest.setClients(number);
+  protected void onClientCount(int number) {
+    idlePolicy.setClients(number);
   }
 
   /** {@inheritDoc} While it rests, of the time when it works again. */
   @Override
   public double updateRate() {
-    if (orders.isPolled()) {
-      return 1 / orders.period();
+    if (settings.isPolled()) {
+      return 1 / settings.period();
     }
-    return orders.variant().rate(persona.baud());
+    return settings.variant().rate(persona.baud());
   }
 
   /**
@@ -139,39 +140,39 @@ public final class LmsImpl extends SensorImpl implements RangeSensor {
    */
   @Override
   public RangeScan scan() {
-    boolean rested = rest.isDue();
-    rest.used();
-    if (rested && latest.isTooOld()) {
+    boolean wasIdle = idlePolicy.mayIdle();
+    idlePolicy.used();
+    if (wasIdle && latest.isTooOld()) {
       throw new NotReadyException(
           path(),
           readiness(),
           "it rests, since nobody used it for "
-              + rest.idleSeconds()
+              + idlePolicy.idleSeconds()
               + " s; it wakes now, ask again in a second");
     }
     return latest.get();
   }
 
   @Override
-  protected List<? extends Attributes> traits() {
+  protected List<? extends Attributes> deviceAttributes() {
     return persona.all();
   }
 
   /** Takes what the protocol tells; on the reader thread. */
   private final class Reader implements LmsListener {
 
-    private boolean toldMalformed;
+    private boolean malformedReported;
 
     @Override
-    public void heard(String name) {
-      line.heard().count(name);
+    public void messageReceived(String name) {
+      deviceLink.eventCounter().increment(name);
     }
 
     @Override
-    public void scanned(LmsScan scan, MeasuringMode mode, LmsVariant variant, int baud) {
+    public void scanReceived(LmsScan scan, MeasuringMode mode, LmsVariant variant, int baud) {
       double seconds = variant.duration() + 10.0 * variant.telegramBytes() / baud;
       Instant measured = clock().instant().minusNanos(Math.round(1e9 * seconds));
-      double period = orders.isPolled() ? orders.period() : 1 / variant.rate(baud);
+      double period = settings.isPolled() ? settings.period() : 1 / variant.rate(baud);
       RangeScan reading =
           new RangeScan(
               measured,
@@ -180,55 +181,55 @@ public final class LmsImpl extends SensorImpl implements RangeSensor {
               variant.step(),
               variant.duration(),
               0,
-              mode.longest(scan.unit()),
+              mode.maxRange(scan.unit()),
               scan.ranges(mode));
       longestAge = Duration.ofMillis(Math.round(500 + 3000 * period));
-      persona.sees(mode, scan.unit(), variant);
+      persona.updateRangeAttributes(mode, scan.unit(), variant);
       latest.set(reading);
-      line.heard().count(LmsExamination.SCAN);
-      tell(reading);
+      deviceLink.eventCounter().increment(LmsDiagnostics.SCAN);
+      publish(reading);
     }
 
     @Override
-    public void told(LmsMessage.Telegram telegram) {
-      line.alive();
+    public void telegramReceived(LmsMessage.Telegram telegram) {
+      deviceLink.reportAlive();
       if (!telegram.status().equals(health)) {
         health = telegram.status();
         log.info("{}: status {}", path(), health.inWords());
       }
-      examination.told(telegram);
-      persona.told(telegram);
+      examination.telegramReceived(telegram);
+      persona.update(telegram);
     }
 
     @Override
-    public void malformed(String name, String reason) {
-      if (toldMalformed) {
+    public void malformedReceived(String name, String reason) {
+      if (malformedReported) {
         log.debug("malformed {}: {}", name, reason);
       } else {
-        toldMalformed = true;
+        malformedReported = true;
         log.warn("malformed {}: {}; more of them until scans come are told at DEBUG", name, reason);
       }
     }
 
     @Override
-    public void warned(String sentence) {
+    public void warn(String sentence) {
       log.warn("{}: {}", path(), sentence);
     }
 
     @Override
-    public void awaits(String what) {
-      latest.awaits(what);
+    public void awaiting(String what) {
+      latest.setMissing(what);
     }
 
     @Override
-    public void withoutScans(String reason) {
-      toldMalformed = false;
-      latest.lose(reason);
+    public void scansLost(String reason) {
+      malformedReported = false;
+      latest.markLost(reason);
     }
 
     @Override
-    public boolean rests() {
-      return readiness().serves() && rest.isDue();
+    public boolean isIdleRequested() {
+      return readiness().serves() && idlePolicy.mayIdle();
     }
   }
 }

@@ -4,7 +4,7 @@ package org.dfra.drivers.laser.lms;
 interface LmsListener {
 
   /** Something intact has come, or {@link LmsProtocol#PREPARED}; for those who wait for it. */
-  void heard(String name);
+  void messageReceived(String name);
 
   /**
    * A scan that is understood.
@@ -13,23 +13,23 @@ interface LmsListener {
    * @param variant where its beams are
    * @param baud bits per second of the line that it came over
    */
-  void scanned(LmsScan scan, MeasuringMode mode, LmsVariant variant, int baud);
+  void scanReceived(LmsScan scan, MeasuringMode mode, LmsVariant variant, int baud);
 
   /** Every intact telegram. */
-  void told(LmsMessage.Telegram telegram);
+  void telegramReceived(LmsMessage.Telegram telegram);
 
   /** An intact telegram that cannot be believed. */
-  void malformed(String name, String reason);
+  void malformedReceived(String name, String reason);
 
   /** Something that a person should know, a sentence. */
-  void warned(String sentence);
+  void warn(String sentence);
 
   /** There are no scans now, for this reason, a clause. */
-  void withoutScans(String reason);
+  void scansLost(String reason);
 
   /** The laser answers, but no scan has come yet: what is awaited, a clause. */
-  void awaits(String what);
+  void awaiting(String what);
 
   /** Whether no scans are wanted now. */
-  boolean rests();
+  boolean isIdleRequested();
 }

@@ -29,16 +29,16 @@ public sealed interface LmsMessage {
   }
 
   /** {@code 90}: it is ready, at 9600 baud, after power-on or reset; {@code BA}: what it is. */
-  record Type(boolean wakes, String type, StatusByte status) implements Reply {
+  record TypeReply(boolean isPowerOn, String type, StatusByte status) implements Reply {
 
     @Override
     public String name() {
-      return wakes ? "90" : "BA";
+      return isPowerOn ? "90" : "BA";
     }
   }
 
   /** {@code 91}: it resets itself now. */
-  record Resets(StatusByte status) implements Reply {
+  record ResetReply(StatusByte status) implements Reply {
 
     @Override
     public String name() {
@@ -47,7 +47,7 @@ public sealed interface LmsMessage {
   }
 
   /** {@code 92}: it does not know the command, or must not obey it now. */
-  record Refused(StatusByte status) implements Reply {
+  record RefusedReply(StatusByte status) implements Reply {
 
     @Override
     public String name() {
@@ -60,7 +60,7 @@ public sealed interface LmsMessage {
    *
    * @param result 0 done, 1 the password is wrong, 2 the laser has a fault
    */
-  record ModeSet(int result, StatusByte status) implements Reply {
+  record ModeReply(int result, StatusByte status) implements Reply {
 
     @Override
     public String name() {
@@ -79,7 +79,7 @@ public sealed interface LmsMessage {
    * @param isDone whether it was changed
    * @param variant the one it has now
    */
-  record VariantSet(boolean isDone, LmsVariant variant, StatusByte status) implements Reply {
+  record VariantReply(boolean isDone, LmsVariant variant, StatusByte status) implements Reply {
 
     @Override
     public String name() {
@@ -88,7 +88,7 @@ public sealed interface LmsMessage {
   }
 
   /** {@code F4}: its configuration. */
-  record Configured(LmsConfiguration configuration, StatusByte status) implements Reply {
+  record ConfigurationReply(LmsConfiguration configuration, StatusByte status) implements Reply {
 
     @Override
     public String name() {
@@ -102,7 +102,7 @@ public sealed interface LmsMessage {
    * @param isDone whether it was changed
    * @param configuration the one it has now
    */
-  record ConfigurationSet(boolean isDone, LmsConfiguration configuration, StatusByte status)
+  record ConfigurationChangeReply(boolean isDone, LmsConfiguration configuration, StatusByte status)
       implements Reply {
 
     @Override
@@ -112,9 +112,9 @@ public sealed interface LmsMessage {
   }
 
   /** {@code B2}: the errors that it remembers. */
-  record Errors(List<LmsError> errors, StatusByte status) implements Reply {
+  record ErrorsReply(List<LmsError> errors, StatusByte status) implements Reply {
 
-    public Errors {
+    public ErrorsReply {
       errors = List.copyOf(errors);
     }
 

@@ -17,16 +17,16 @@ final class LmsPersona {
           "RangeScan",
           List.of("continuous", "polled"),
           1.0 / 60,
-          LmsVariant.TURNS_PER_SECOND,
+          LmsVariant.REVOLUTIONS_PER_SECOND,
           POWER,
           List.of("Its front window is clean.", "No sun and no other laser shines into it."));
 
-  private final LmsOrders orders;
+  private final LmsSettings settings;
   private volatile LmsAttributes laser = LmsAttributes.UNKNOWN;
   private volatile @Nullable RangeAttributes sight;
 
-  LmsPersona(LmsOrders orders) {
-    this.orders = orders;
+  LmsPersona(LmsSettings orders) {
+    this.settings = orders;
   }
 
   /** All of it: what it sees is what is wanted until the first scan shows what it is. */
@@ -36,29 +36,29 @@ final class LmsPersona {
         seen != null
             ? seen
             : sight(
-                orders.measuringMode().orElse(MeasuringMode.DEFAULT),
-                orders.unit().orElse(LmsUnit.CM),
-                orders.variant());
+                settings.measuringMode().orElse(MeasuringMode.DEFAULT),
+                settings.unit().orElse(LmsUnit.CM),
+                settings.variant());
     return List.of(SENSOR, range, laser);
   }
 
   /** Bits per second of the line, as told, or as wanted. */
   int baud() {
     Integer told = laser.baud();
-    return told == null ? orders.baud().orElse(LmsBaud.B9600).rate() : told;
+    return told == null ? settings.baud().orElse(LmsBaud.B9600).rate() : told;
   }
 
   /** Takes what the laser told. */
-  void told(LmsMessage.Telegram telegram) {
+  void update(LmsMessage.Telegram telegram) {
     if (telegram instanceof LmsStatus status) {
       laser = laser.with(status);
-    } else if (telegram instanceof LmsMessage.Type type) {
+    } else if (telegram instanceof LmsMessage.TypeReply type) {
       laser = laser.withType(type.type());
     }
   }
 
   /** A scan has shown how it sees. */
-  void sees(MeasuringMode mode, LmsUnit unit, LmsVariant variant) {
+  void updateRangeAttributes(MeasuringMode mode, LmsUnit unit, LmsVariant variant) {
     RangeAttributes now = sight(mode, unit, variant);
     if (!now.equals(sight)) {
       sight = now;
@@ -67,6 +67,6 @@ final class LmsPersona {
 
   private static RangeAttributes sight(MeasuringMode mode, LmsUnit unit, LmsVariant variant) {
     return new RangeAttributes(
-        0, mode.longest(unit), variant.field(), variant.step(), unit.accuracy());
+        0, mode.maxRange(unit), variant.fieldOfView(), variant.step(), unit.accuracy());
   }
 }

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * What is said between the driver and the laser, from one opening of the link to the next.
  *
  * <pre>
- *               next speed                     as LmsPlan says
+ *               next speed                     as LmsConfigurator says
  *             .------------.                  .---------------.
  *             v            |                  v               |
  *   opened -&gt; SEARCHING ---'--- answers ---&gt; PREPARING -------'--&gt; WORKING &lt;--clients--&gt; RESTING
@@ -26,48 +26,48 @@ import org.jspecify.annotations.Nullable;
  * <p>One request is under way at a time. It is sent again when the laser could not read it (NAK),
  * and when no answer came. Where the driver may set the speed of the line, the laser is searched at
  * the wanted one, then at the others, and then told to use the wanted one; the driver's own end
- * follows, see {@link LmsTuning}. A laser at rest is asked how it is every {@value #REST_SECONDS}
- * s.
+ * follows, see {@link LmsBaudSynchronizer}. A laser at rest is asked how it is every {@value
+ * #IDLE_POLL_SECONDS} s.
  *
- * <p>Confined to the reader thread, but for {@link #inquire}, {@link #renegotiate} and {@link
+ * <p>Confined to the reader thread, but for {@link #enqueue}, {@link #renegotiate} and {@link
  * #reset}.
  */
 final class LmsProtocol implements DeviceProtocol {
 
-  /** Counted by {@link LmsListener#heard} when the laser has become as wanted. */
+  /** Counted by {@link LmsListener#messageReceived} when the laser has become as wanted. */
   static final String PREPARED = "prepared";
 
-  private static final int REST_SECONDS = 2;
-  private static final Duration LOOK = Duration.ofMillis(10);
+  private static final int IDLE_POLL_SECONDS = 2;
+  private static final Duration POLL_INTERVAL = Duration.ofMillis(10);
   private static final Duration SEARCH = Duration.ofSeconds(12);
 
-  private final LmsOrders orders;
+  private final LmsSettings settings;
   private final Ticker ticker;
   private final LmsListener listener;
-  private final LmsParser parser = new LmsParser(this::heard);
-  private final LmsPlan plan;
-  private final LmsTuning tuning;
-  private final LmsSpeeds speeds;
+  private final LmsParser parser = new LmsParser(this::messageReceived);
+  private final LmsConfigurator plan;
+  private final LmsBaudSynchronizer tuning;
+  private final LmsBaudSearch speeds;
 
-  private final LmsErrand errand = new LmsErrand();
-  private final LmsRhythm rhythm = new LmsRhythm(); // of polls, or looks at one that rests
+  private final PendingRequest pendingRequest = new PendingRequest();
+  private final PollTimer pollTimer = new PollTimer(); // of polls, or looks at one that rests
 
-  private volatile boolean toldPrepared; // since the search began
+  private volatile boolean configuredReported; // since the search began
   private volatile boolean toRenegotiate;
   private volatile boolean toReset;
 
-  LmsProtocol(LmsOrders orders, Ticker ticker, LmsListener listener) {
-    this.orders = orders;
+  LmsProtocol(LmsSettings orders, Ticker ticker, LmsListener listener) {
+    this.settings = orders;
     this.ticker = ticker;
     this.listener = listener;
-    this.plan = new LmsPlan(orders);
-    this.tuning = new LmsTuning(orders.baud());
+    this.plan = new LmsConfigurator(orders);
+    this.tuning = new LmsBaudSynchronizer(orders.baud());
     this.speeds = tuning.speeds();
   }
 
   /** Has something asked when there is time; from any thread. */
-  void inquire(LmsRequest request) {
-    plan.inquire(request);
+  void enqueue(LmsRequest request) {
+    plan.enqueue(request);
   }
 
   /** Has the laser searched at all speeds and told all wishes anew; from any thread. */
@@ -81,13 +81,13 @@ final class LmsProtocol implements DeviceProtocol {
   }
 
   /** Whether the laser has become as wanted since the link was opened; for any thread. */
-  boolean isPrepared() {
-    return toldPrepared;
+  boolean isConfigured() {
+    return configuredReported;
   }
 
   /** How often the laser's flash memory was written; for any thread. */
-  int writes() {
-    return plan.writes();
+  int flashWrites() {
+    return plan.flashWrites();
   }
 
   @Override
@@ -99,21 +99,21 @@ final class LmsProtocol implements DeviceProtocol {
 
   private void begin(SerialLink link) throws IOException {
     plan.forget();
-    speeds.begin();
-    toldPrepared = false;
+    speeds.restart();
+    configuredReported = false;
     search(link);
   }
 
   /** Looks for the laser at the next speed to be tried. */
   private void search(SerialLink link) throws IOException {
-    errand.end();
+    pendingRequest.end();
     plan.lost();
-    rhythm.begin();
-    String trouble = tuning.search(link, ticker.nanos());
-    if (trouble != null) {
-      listener.warned(trouble);
+    pollTimer.begin();
+    String warning = tuning.search(link, ticker.nanos());
+    if (warning != null) {
+      listener.warn(warning);
     }
-    listener.withoutScans(link + " is open, the laser does not answer yet" + speeds.inWords());
+    listener.scansLost(link + " is open, the laser does not answer yet" + speeds.inWords());
   }
 
   @Override
@@ -123,33 +123,33 @@ final class LmsProtocol implements DeviceProtocol {
 
   /** Where it is polled often, or both ends are left alone, 0.1 s would be too long a wait. */
   @Override
-  public Duration attention() {
-    boolean isBusy = orders.isPolled() || tuning.isQuiet(ticker.nanos());
-    return isBusy ? LOOK : DeviceProtocol.super.attention();
+  public Duration pollInterval() {
+    boolean isBusy = settings.isPolled() || tuning.isQuiet(ticker.nanos());
+    return isBusy ? POLL_INTERVAL : DeviceProtocol.super.pollInterval();
   }
 
   @Override
-  public Duration longestSilence() {
-    if (tuning.isWaking()) {
-      return LmsTuning.WAKING.plusSeconds(5);
+  public Duration livenessTimeout() {
+    if (tuning.isPoweringOn()) {
+      return LmsBaudSynchronizer.WAKING.plusSeconds(5);
     }
     LmsVariant variant = plan.variant();
     if (variant == null || !scans()) {
-      return SEARCH.plus(Kind.CONFIGURE.patience());
+      return SEARCH.plus(Kind.CONFIGURE.timeout());
     }
     double period = 1 / variant.rate(speeds.now().orElse(LmsBaud.B9600).rate());
-    return orders.isPolled()
-        ? Duration.ofMillis(Math.round(4000 + 3000 * Math.max(period, orders.period())))
+    return settings.isPolled()
+        ? Duration.ofMillis(Math.round(4000 + 3000 * Math.max(period, settings.period())))
         : Duration.ofMillis(Math.round(2000 + 3000 * period));
   }
 
   /** Whether scans ought to come now. */
   private boolean scans() {
-    return plan.isPrepared() && (plan.isStreaming() || polls());
+    return plan.isConfigured() && (plan.isStreaming() || polls());
   }
 
   private boolean polls() {
-    return orders.isPolled() && !listener.rests() && plan.obstacle() == null;
+    return settings.isPolled() && !listener.isIdleRequested() && plan.unusableReason() == null;
   }
 
   @Override
@@ -159,149 +159,151 @@ final class LmsProtocol implements DeviceProtocol {
 
   @Override
   public void lost(String reason) {
-    errand.end();
-    toldPrepared = false;
+    pendingRequest.end();
+    configuredReported = false;
     plan.lost();
-    listener.withoutScans(reason);
+    listener.scansLost(reason);
   }
 
   @Override
-  public void tend(SerialLink link) throws IOException {
+  public void periodic(SerialLink link) throws IOException {
     long now = ticker.nanos();
-    if (!tuning.tend(link, now) || toRenegotiate) {
+    if (!tuning.update(link, now) || toRenegotiate) {
       toRenegotiate = false;
       begin(link);
-    } else if (errand.isOverdue(now)) {
+    } else if (pendingRequest.isOverdue(now)) {
       judge(link, now);
     }
-    if (errand.kind() == null && !tuning.isQuiet(now)) {
+    if (pendingRequest.kind() == null && !tuning.isQuiet(now)) {
       LmsRequest next = next(now);
       if (next != null && mayBeSent(link, next)) {
         plan.sent(next.kind());
-        errand.begin(link, next, now);
+        pendingRequest.start(link, next, now);
       }
     }
   }
 
   private @Nullable LmsRequest next(long now) {
-    boolean rests = listener.rests();
-    if (toReset && plan.isPrepared()) {
+    boolean rests = listener.isIdleRequested();
+    if (toReset && plan.isConfigured()) {
       toReset = false;
       return LmsRequest.RESET;
     }
     LmsRequest next = plan.next(speeds.now(), rests);
-    if (!toldPrepared && plan.isPrepared() && (next == null || next.kind() == Kind.STREAM)) {
-      toldPrepared = true;
-      listener.heard(PREPARED);
+    if (!configuredReported
+        && plan.isConfigured()
+        && (next == null || next.kind() == Kind.STREAM)) {
+      configuredReported = true;
+      listener.messageReceived(PREPARED);
     }
     if (next != null || plan.isStreaming()) {
       return next;
     }
     boolean polls = polls();
-    return rhythm.isDue(now, polls ? orders.period() : REST_SECONDS)
+    return pollTimer.isDue(now, polls ? settings.period() : IDLE_POLL_SECONDS)
         ? polls ? LmsRequest.SCAN : LmsRequest.STATUS
         : null;
   }
 
   /** Whether it makes sense: a speed that this end cannot have is of no use. */
   private boolean mayBeSent(SerialLink link, LmsRequest next) throws IOException {
-    String trouble = next.kind() == Kind.BAUD ? speeds.tryWanted(link) : null;
-    if (trouble != null) {
-      listener.warned(trouble);
+    String warning = next.kind() == Kind.BAUD ? speeds.tryWanted(link) : null;
+    if (warning != null) {
+      listener.warn(warning);
       plan.giveUp(Kind.BAUD);
     }
-    return trouble == null;
+    return warning == null;
   }
 
   /** No answer has come: asks again, or takes the laser for lost. */
   private void judge(SerialLink link, long now) throws IOException {
-    Kind kind = errand.kind();
-    if (kind == null || errand.repeat(link, speeds.isFound(), now)) {
+    Kind kind = pendingRequest.kind();
+    if (kind == null || pendingRequest.repeat(link, speeds.isFound(), now)) {
       return;
     }
     if (kind == Kind.TYPE || kind == Kind.ERRORS) { // old ones may not know them
-      errand.end();
+      pendingRequest.end();
       plan.giveUp(kind);
-      listener.warned("the laser was asked " + kind.words() + " and does not answer that");
+      listener.warn("the laser was asked " + kind.words() + " and does not answer that");
     } else {
       if (speeds.isFound()) {
-        listener.warned("the laser was asked " + kind.words() + " and does not answer any more");
-        speeds.begin();
+        listener.warn("the laser was asked " + kind.words() + " and does not answer any more");
+        speeds.restart();
       }
       search(link);
     }
   }
 
-  private void heard(LmsMessage message) {
+  private void messageReceived(LmsMessage message) {
     if (message instanceof LmsMessage.Malformed malformed) {
-      listener.malformed(malformed.name(), malformed.reason());
+      listener.malformedReceived(malformed.name(), malformed.reason());
     } else if (message instanceof LmsMessage.Nak) {
-      errand.unread();
+      pendingRequest.markUnreadable();
     } else if (message instanceof LmsMessage.Telegram telegram) {
-      errand.heard();
-      listener.told(telegram);
+      pendingRequest.markResponsive();
+      listener.telegramReceived(telegram);
       take(telegram);
     }
   }
 
   private void take(LmsMessage.Telegram telegram) {
-    Kind kind = errand.kind();
-    if (telegram instanceof LmsMessage.Type type && type.wakes()) {
-      woke();
+    Kind kind = pendingRequest.kind();
+    if (telegram instanceof LmsMessage.TypeReply type && type.isPowerOn()) {
+      poweredOn();
     } else if (kind != null && kind.answer().equals(telegram.name())) {
       answered(kind, telegram);
-    } else if (kind != null && telegram instanceof LmsMessage.Refused) {
-      errand.end();
-      listener.warned(plan.refused(kind));
+    } else if (kind != null && telegram instanceof LmsMessage.RefusedReply) {
+      pendingRequest.end();
+      listener.warn(plan.refused(kind));
     }
     if (telegram instanceof LmsScan scan) {
       take(scan);
     }
-    listener.heard(telegram.name());
+    listener.messageReceived(telegram.name());
   }
 
   /** It was reset, by us or by its switch. */
-  private void woke() {
-    tuning.woke();
-    toldPrepared = false;
-    errand.end();
+  private void poweredOn() {
+    tuning.poweredOn();
+    configuredReported = false;
+    pendingRequest.end();
     plan.forget();
-    listener.withoutScans("the laser has woken and is told what to do");
+    listener.scansLost("the laser has woken and is told what to do");
   }
 
   private void answered(Kind kind, LmsMessage.Telegram answer) {
-    errand.end();
-    speeds.found();
+    pendingRequest.end();
+    speeds.markFound();
     String sentence = plan.answered(kind, answer);
     if (sentence != null) {
-      listener.warned(sentence);
+      listener.warn(sentence);
     } else if (kind == Kind.BAUD) {
       tuning.switched();
     } else if (kind == Kind.RESET) {
       plan.forget();
       tuning.resets(ticker.nanos());
-      listener.withoutScans("the laser resets itself");
+      listener.scansLost("the laser resets itself");
     }
-    if (answer instanceof LmsStatus told) {
-      told.baud().ifPresent(speeds::told);
-      String obstacle = plan.obstacle();
-      listener.awaits(obstacle == null ? "no scan has come yet" : obstacle);
+    if (answer instanceof LmsStatus reported) {
+      reported.baud().ifPresent(speeds::laserReported);
+      String obstacle = plan.unusableReason();
+      listener.awaiting(obstacle == null ? "no scan has come yet" : obstacle);
     }
   }
 
   private void take(LmsScan scan) {
     LmsVariant variant = plan.variant();
     Optional<MeasuringMode> mode = plan.mode();
-    if (variant == null || mode.isEmpty() || !plan.isPrepared()) {
+    if (variant == null || mode.isEmpty() || !plan.isConfigured()) {
       return; // of a stream that somebody else began
     }
     if (scan.beams() != variant.beams()) {
       String reason = scan.beams() + " beams came, where " + variant.inWords() + " was set";
-      listener.malformed("B0", reason);
-      listener.withoutScans(reason);
-      plan.doubt();
+      listener.malformedReceived("B0", reason);
+      listener.scansLost(reason);
+      plan.invalidate();
       return;
     }
-    listener.scanned(scan, mode.get(), variant, speeds.now().orElse(LmsBaud.B9600).rate());
+    listener.scanReceived(scan, mode.get(), variant, speeds.now().orElse(LmsBaud.B9600).rate());
   }
 }

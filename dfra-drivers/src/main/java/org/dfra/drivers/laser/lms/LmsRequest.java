@@ -53,7 +53,7 @@ record LmsRequest(Kind kind, byte[] telegram) {
     }
 
     /** How long the answer may take. */
-    Duration patience() {
+    Duration timeout() {
       return patience;
     }
 

@@ -5,15 +5,15 @@ import java.util.Optional;
 
 /**
  * Where the laser's beams are. They turn from right to left, the middle one is forward. The mirror
- * turns {@value #TURNS_PER_SECOND} times in a second and meets beams a degree apart; finer ones
- * take several turns, each a little further than the last.
+ * turns {@value #REVOLUTIONS_PER_SECOND} times in a second and meets beams a degree apart; finer
+ * ones take several turns, each a little further than the last.
  *
- * @param degrees from the first beam to the last, 100 or 180
- * @param hundredths from beam to beam, hundredths of a degree: 25, 50 or 100
+ * @param fieldDegrees from the first beam to the last, 100 or 180
+ * @param stepHundredths from beam to beam, hundredths of a degree: 25, 50 or 100
  */
-public record LmsVariant(int degrees, int hundredths) {
+public record LmsVariant(int fieldDegrees, int stepHundredths) {
 
-  static final int TURNS_PER_SECOND = 75;
+  static final int REVOLUTIONS_PER_SECOND = 75;
 
   /** Those that there are, of which 0.25° needs the narrow field. */
   private static final List<LmsVariant> ALL =
@@ -32,37 +32,37 @@ public record LmsVariant(int degrees, int hundredths) {
 
   /** How many beams. */
   public int beams() {
-    return degrees * 100 / hundredths + 1;
+    return fieldDegrees * 100 / stepHundredths + 1;
   }
 
   /** Angle of the first beam, radians, 0 is forward, to the left is +. */
   public double firstAngle() {
-    return -Math.toRadians(degrees / 2.0);
+    return -Math.toRadians(fieldDegrees / 2.0);
   }
 
   /** From one beam to the next, radians, to the left. */
   public double step() {
-    return Math.toRadians(hundredths / 100.0);
+    return Math.toRadians(stepHundredths / 100.0);
   }
 
   /** From the first beam to the last, radians. */
-  public double field() {
-    return Math.toRadians(degrees);
+  public double fieldOfView() {
+    return Math.toRadians(fieldDegrees);
   }
 
   /** Turns of the mirror for one scan. */
-  private int turns() {
-    return 100 / hundredths;
+  private int revolutions() {
+    return 100 / stepHundredths;
   }
 
   /** Seconds from one scan to the next, where the line is fast enough. */
   public double period() {
-    return (double) turns() / TURNS_PER_SECOND;
+    return (double) revolutions() / REVOLUTIONS_PER_SECOND;
   }
 
   /** Seconds from the first beam measured to the last: all turns but the rest of the last one. */
   public double duration() {
-    return (turns() - 1 + degrees / 360.0) / TURNS_PER_SECOND;
+    return (revolutions() - 1 + fieldDegrees / 360.0) / REVOLUTIONS_PER_SECOND;
   }
 
   /** Bytes of a scan's telegram. */
@@ -81,7 +81,7 @@ public record LmsVariant(int degrees, int hundredths) {
 
   /** {@code 180° by 0.5°}. */
   public String inWords() {
-    String step = hundredths == 100 ? "1" : hundredths == 50 ? "0.5" : "0.25";
-    return degrees + "° by " + step + "°";
+    String step = stepHundredths == 100 ? "1" : stepHundredths == 50 ? "0.5" : "0.25";
+    return fieldDegrees + "° by " + step + "°";
   }
 }

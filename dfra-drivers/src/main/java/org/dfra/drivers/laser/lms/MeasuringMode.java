@@ -37,7 +37,7 @@ public record MeasuringMode(int code, int bits) {
   }
 
   /** The longest distance that can be told in this unit, metres. */
-  public double longest(LmsUnit unit) {
+  public double maxRange(LmsUnit unit) {
     return Math.min(FARTHEST, (top() - RESERVED - 1) * unit.metres());
   }
 

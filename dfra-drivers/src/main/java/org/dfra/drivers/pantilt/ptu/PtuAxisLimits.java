@@ -7,13 +7,13 @@ import java.util.Locale;
  *
  * @param axis which one
  * @param resolution seconds of arc from one position to the next
- * @param least position farthest to the right, or down; below {@code most}
- * @param most position farthest to the left, or up
- * @param slowest positions per second
- * @param fastest positions per second, not below {@code slowest}
+ * @param minPosition position farthest to the right, or down; below {@code most}
+ * @param maxPosition position farthest to the left, or up
+ * @param minSpeed positions per second
+ * @param maxSpeed positions per second, not below {@code slowest}
  */
 public record PtuAxisLimits(
-    PtuAxis axis, double resolution, int least, int most, int slowest, int fastest) {
+    PtuAxis axis, double resolution, int minPosition, int maxPosition, int minSpeed, int maxSpeed) {
 
   private static final double SECONDS_OF_ARC = Math.toRadians(1.0 / 3600);
   private static final double COARSEST = 3600; // a degree: no such unit was made
@@ -23,12 +23,13 @@ public record PtuAxisLimits(
       throw new IllegalArgumentException(
           "a resolution of " + resolution + " seconds of arc for " + axis);
     }
-    if (least >= most) {
-      throw new IllegalArgumentException(axis + " from position " + least + " to " + most);
-    }
-    if (slowest < 0 || fastest < 1 || slowest > fastest) {
+    if (minPosition >= maxPosition) {
       throw new IllegalArgumentException(
-          axis + " speeds from " + slowest + " to " + fastest + " positions per second");
+          axis + " from position " + minPosition + " to " + maxPosition);
+    }
+    if (minSpeed < 0 || maxSpeed < 1 || minSpeed > maxSpeed) {
+      throw new IllegalArgumentException(
+          axis + " speeds from " + minSpeed + " to " + maxSpeed + " positions per second");
     }
   }
 
@@ -38,18 +39,18 @@ public record PtuAxisLimits(
   }
 
   /** Least angle, radians. */
-  public double leastAngle() {
-    return radians(least);
+  public double minAngle() {
+    return radians(minPosition);
   }
 
   /** Greatest angle, radians. */
-  public double mostAngle() {
-    return radians(most);
+  public double maxAngle() {
+    return radians(maxPosition);
   }
 
   /** Greatest speed, radians per second. */
   public double fastestSpeed() {
-    return radians(fastest);
+    return radians(maxSpeed);
   }
 
   /**
@@ -61,8 +62,8 @@ public record PtuAxisLimits(
   public int position(double angle) {
     double position = angle / (resolution * SECONDS_OF_ARC);
     // Half a position more is the limit, rounded by whoever asked for it.
-    if (position > most + 0.5 || position < least - 0.5) {
-      boolean over = position > most;
+    if (position > maxPosition + 0.5 || position < minPosition - 0.5) {
+      boolean over = position > maxPosition;
       throw new IllegalArgumentException(
           String.format(
               Locale.ROOT,
@@ -70,16 +71,16 @@ public record PtuAxisLimits(
               axis,
               angle,
               over ? "above" : "below",
-              over ? mostAngle() : leastAngle(),
-              leastAngle(),
-              mostAngle()));
+              over ? maxAngle() : minAngle(),
+              minAngle(),
+              maxAngle()));
     }
-    return (int) Math.max(least, Math.min(most, Math.rint(position)));
+    return (int) Math.max(minPosition, Math.min(maxPosition, Math.rint(position)));
   }
 
   /** The speed nearest to so many radians per second that the axis can, positions per second. */
   public int speed(double radiansPerSecond) {
-    double wanted = radiansPerSecond / (resolution * SECONDS_OF_ARC);
-    return (int) Math.max(Math.max(1, slowest), Math.min(fastest, Math.rint(wanted)));
+    double requested = radiansPerSecond / (resolution * SECONDS_OF_ARC);
+    return (int) Math.max(Math.max(1, minSpeed), Math.min(maxSpeed, Math.rint(requested)));
   }
 }

@@ -27,7 +27,7 @@ final class PtuDialogue {
 
   /** What was sent and has no reply yet. */
   private record Pending(
-      String command, boolean isQuestion, Consumer<PtuReply> taker, long sentNanos) {}
+      String command, boolean isQuestion, Consumer<PtuReply> handler, long sentNanos) {}
 
   /** How long the reader waits for a write of another thread, real time. */
   private static final long PATIENCE_MILLIS = 50;
@@ -44,7 +44,7 @@ final class PtuDialogue {
   private final ReentrantLock writing = new ReentrantLock();
 
   /** A halt was sent past a write; it is repeated after that. Cleared under writing. */
-  private volatile boolean isHaltOwed;
+  private volatile boolean isHaltPending;
 
   /**
    * @param sender hands bytes to the line at once; false when there is none
@@ -58,11 +58,11 @@ final class PtuDialogue {
   }
 
   /** Tells the unit to do something; false when there is no link. */
-  boolean tell(List<String> commands) {
+  boolean send(List<String> commands) {
     writing.lock();
     try {
-      haltIfOwed();
-      return tellNow(commands);
+      sendPendingHalt();
+      return sendImmediately(commands);
     } finally {
       unlock();
     }
@@ -75,14 +75,14 @@ final class PtuDialogue {
   boolean halt() {
     List<String> halt = List.of(PtuCommands.HALT);
     if (!lockWithin(HALT_PATIENCE_MILLIS)) {
-      isHaltOwed = true;
-      boolean isSent = tellNow(halt);
+      isHaltPending = true;
+      boolean isSent = sendImmediately(halt);
       repeatHalt(); // where the write has ended meanwhile
       return isSent;
     }
     try {
-      isHaltOwed = false;
-      return tellNow(halt);
+      isHaltPending = false;
+      return sendImmediately(halt);
     } finally {
       unlock();
     }
@@ -90,9 +90,9 @@ final class PtuDialogue {
 
   /** The thread that has written does it, or the one that owes it, if none writes. */
   private void repeatHalt() {
-    while (isHaltOwed && writing.tryLock()) {
+    while (isHaltPending && writing.tryLock()) {
       try {
-        haltIfOwed();
+        sendPendingHalt();
       } finally {
         writing.unlock();
       }
@@ -100,10 +100,10 @@ final class PtuDialogue {
   }
 
   /** Under writing. */
-  private void haltIfOwed() {
-    if (isHaltOwed) {
-      isHaltOwed = false;
-      boolean unused = tellNow(List.of(PtuCommands.HALT));
+  private void sendPendingHalt() {
+    if (isHaltPending) {
+      isHaltPending = false;
+      boolean unused = sendImmediately(List.of(PtuCommands.HALT));
     }
   }
 
@@ -123,11 +123,11 @@ final class PtuDialogue {
   }
 
   /**
-   * The same as {@link #tell(List)}, past a write that is held up. Whichever of the two reaches the
+   * The same as {@link #send(List)}, past a write that is held up. Whichever of the two reaches the
    * unit first, commands are answered alike. Where a question is held up, its number may come where
    * {@code *} was expected; then the unit is set up anew.
    */
-  boolean tellNow(List<String> commands) {
+  boolean sendImmediately(List<String> commands) {
     long now = ticker.nanos();
     synchronized (this) {
       for (String command : commands) {
@@ -138,13 +138,13 @@ final class PtuDialogue {
   }
 
   /** Tells it to do one thing, and hears when it has; by the reader. */
-  boolean tell(String command, Consumer<PtuReply> taker) {
-    return write(new Pending(command, false, taker, ticker.nanos()));
+  boolean send(String command, Consumer<PtuReply> handler) {
+    return write(new Pending(command, false, handler, ticker.nanos()));
   }
 
   /** Asks it something; only when {@link #mayAsk}; by the reader. */
-  boolean ask(String question, Consumer<PtuReply> taker) {
-    return write(new Pending(question, true, taker, ticker.nanos()));
+  boolean ask(String question, Consumer<PtuReply> handler) {
+    return write(new Pending(question, true, handler, ticker.nanos()));
   }
 
   /** False also where a write of another thread is held up. */
@@ -153,7 +153,7 @@ final class PtuDialogue {
       return false;
     }
     try {
-      haltIfOwed();
+      sendPendingHalt();
       synchronized (this) {
         queue.add(next);
       }
@@ -169,7 +169,7 @@ final class PtuDialogue {
   }
 
   /** The unit has replied; false when this cannot be the reply to what is next in the queue. */
-  boolean heard(PtuReply reply) {
+  boolean replyReceived(PtuReply reply) {
     Pending next;
     synchronized (this) {
       next = queue.poll();
@@ -182,7 +182,7 @@ final class PtuDialogue {
     } else if (next.isQuestion() ? !(reply instanceof Value) : !(reply instanceof Done)) {
       return false;
     }
-    next.taker().accept(reply);
+    next.handler().accept(reply);
     return true;
   }
 

@@ -21,7 +21,7 @@ public final class PtuFramer extends FrameScanner {
   }
 
   @Override
-  protected int frameAt(byte[] bytes, int at, int end) {
+  protected int frameLengthAt(byte[] bytes, int at, int end) {
     int from = bytes[at] == '\n' ? at + 1 : at;
     if (end - from < 2) {
       return from == end || isMark(bytes[from]) ? NEEDS_MORE : NONE;

@@ -13,10 +13,10 @@ public record PtuGeometry(PtuAxisLimits pan, PtuAxisLimits tilt) {
   /** As others may search for it; the speed is that of the slower axis. */
   public PanTiltAttributes attributes() {
     return new PanTiltAttributes(
-        pan.leastAngle(),
-        pan.mostAngle(),
-        tilt.leastAngle(),
-        tilt.mostAngle(),
+        pan.minAngle(),
+        pan.maxAngle(),
+        tilt.minAngle(),
+        tilt.maxAngle(),
         Math.min(pan.fastestSpeed(), tilt.fastestSpeed()));
   }
 }

@@ -7,12 +7,12 @@ import org.dfra.core.effector.EffectorImpl;
 import org.dfra.core.module.LatestReading;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ParameterTable;
-import org.dfra.drivers.device.DeviceLine;
+import org.dfra.drivers.device.DeviceLink;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.flow.effector.PanTiltCommand;
 import org.dfra.flow.effector.PanTiltCommand.Halt;
-import org.dfra.flow.effector.PanTiltCommand.Point;
+import org.dfra.flow.effector.PanTiltCommand.PointAt;
 import org.dfra.flow.effector.PanTiltEffector;
 import org.dfra.flow.effector.PanTiltState;
 import org.dfra.geometry.Transform;
@@ -76,9 +76,9 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
   private static final Duration OLDEST = Duration.ofSeconds(3);
 
   private final LatestReading<PanTiltState> latest;
-  private final DeviceLine line;
+  private final DeviceLink deviceLink;
   private final PtuProtocol protocol;
-  private final PtuExamination examination;
+  private final PtuDiagnostics examination;
 
   private volatile double rate;
   private volatile @Nullable PtuGeometry geometry; // null: not told yet
@@ -106,73 +106,77 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
         List.of("Halt", "Point"),
         List.of("PanTiltState"),
         PRECONDITIONS);
-    this.latest = new LatestReading<>("position", this, this::become, ticker::nanos, () -> OLDEST);
+    this.latest =
+        new LatestReading<>("position", this, this::transitionTo, ticker::nanos, () -> OLDEST);
     this.rate = settings().number("rate", USUAL, SLOWEST, FASTEST);
     this.protocol = new PtuProtocol(new Unit(), ticker, () -> rate, this::send);
-    this.line = new DeviceLine(context, protocol, ticker, source, log);
-    this.line.declareIn(examinations(), declared());
+    this.deviceLink = new DeviceLink(context, protocol, ticker, source, log);
+    this.deviceLink.declareIn(diagnostics(), parameterTable());
     this.examination =
-        new PtuExamination(line, protocol, this::commander, () -> stopState().latched());
-    this.examination.declareIn(examinations());
-    declared()
-        .number(
+        new PtuDiagnostics(
+            deviceLink, protocol, this::commander, () -> emergencyStopState().latched());
+    this.examination.declareIn(diagnostics());
+    parameterTable()
+        .declareNumber(
             "rate",
             "how often it is asked where the head points",
-            ParameterTable.Range.of(SLOWEST, FASTEST, "Hz"),
+            ParameterTable.NumberRange.of(SLOWEST, FASTEST, "Hz"),
             () -> rate,
             value -> rate = value);
-    declared().show("refusals", "commands that the unit refused", () -> Long.toString(refusals));
+    parameterTable()
+        .declareReadOnly(
+            "refusals", "commands that the unit refused", () -> Long.toString(refusals));
   }
 
   private boolean send(byte[] bytes) {
-    return line.sendNow(bytes);
+    return deviceLink.sendNow(bytes);
   }
 
   @Override
   protected void onStart() {
-    latest.awaits("its link is being opened");
-    line.start();
+    latest.setMissing("its link is being opened");
+    deviceLink.start();
   }
 
   @Override
   protected void onClose() {
-    line.close();
-    latest.forget("it has ended");
+    deviceLink.close();
+    latest.clear("it has ended");
   }
 
   @Override
-  protected void obey(PanTiltCommand command) {
+  protected void execute(PanTiltCommand command) {
     PtuGeometry known = geometry;
     if (known == null) {
-      throw new NotReadyException(path(), readiness(), latest.awaits());
+      throw new NotReadyException(path(), readiness(), latest.missing());
     }
-    if (command instanceof Point point) {
+    if (command instanceof PointAt point) {
       point(point, known);
     } else if (command instanceof Halt) {
       target = null;
-      tellUnit(List.of(PtuCommands.HALT));
+      sendToUnit(List.of(PtuCommands.HALT));
     }
   }
 
-  private void point(Point point, PtuGeometry known) {
-    Target wanted;
+  private void point(PointAt point, PtuGeometry known) {
+    Target request;
     try {
-      wanted = new Target(known.pan().position(point.pan()), known.tilt().position(point.tilt()));
+      request = new Target(known.pan().position(point.pan()), known.tilt().position(point.tilt()));
     } catch (IllegalArgumentException e) {
       throw new IllegalArgumentException(path() + " cannot point there: " + e.getMessage(), e);
     }
-    halts().prepare(); // what could not be halted later is not begun
-    target = wanted;
-    tellUnit(
+    haltExecutor().prepare(); // what could not be halted later is not begun
+    target = request;
+    sendToUnit(
         PtuCommands.point(
-            wanted.pan(),
-            wanted.tilt(),
+            request.pan(),
+            request.tilt(),
             known.pan().speed(point.speed()),
             known.tilt().speed(point.speed())));
   }
 
-  private void tellUnit(List<String> commands) {
-    if (!protocol.tell(commands)) {
+  private void sendToUnit(List<String> commands) {
+    if (!protocol.send(commands)) {
       throw new NotReadyException(
           path(), readiness(), "its link was lost just now, the head was not told");
     }
@@ -183,36 +187,36 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
    * be told, and stops where it was told to point.
    */
   @Override
-  protected void rest() {
+  protected void stopSafely() {
     target = null;
     boolean unused = protocol.halt();
   }
 
   /** {@inheritDoc} Halts it on another way through the link, if the link has one. */
   @Override
-  protected void restMeanwhile() {
+  protected void stopDuringCommand() {
     target = null;
-    boolean unused = protocol.tellNow(List.of(PtuCommands.HALT));
+    boolean unused = protocol.sendImmediately(List.of(PtuCommands.HALT));
   }
 
   @Override
-  public PanTiltState panTilt() {
+  public PanTiltState panTiltState() {
     return latest.get();
   }
 
   /**
    * {@inheritDoc}
    *
-   * @throws NotReadyException as {@link #panTilt}: where the head points is not known then
+   * @throws NotReadyException as {@link #panTiltState}: where the head points is not known then
    */
   @Override
   public Transform localTransform() {
-    PanTiltState now = panTilt();
+    PanTiltState now = panTiltState();
     return HeadPose.of(super.localTransform(), now.pan(), now.tilt());
   }
 
   @Override
-  protected List<? extends Attributes> traits() {
+  protected List<? extends Attributes> deviceAttributes() {
     List<Attributes> all = new ArrayList<>();
     all.add(
         new EffectorAttributes(
@@ -228,21 +232,21 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
   private final class Unit implements PtuProtocol.Listener {
 
     @Override
-    public void measured(PtuGeometry told) {
-      geometry = told;
+    public void geometryReceived(PtuGeometry reported) {
+      geometry = reported;
     }
 
     @Override
-    public void points(int pan, int tilt) {
+    public void positionReceived(int pan, int tilt) {
       PtuGeometry known = geometry;
       if (known == null || readiness() == Readiness.FAILED) {
         return;
       }
-      Target wanted = target;
+      Target request = target;
       boolean isMoving =
-          wanted == null
+          request == null
               ? latest.peek() != null && (pan != lastPan || tilt != lastTilt)
-              : pan != wanted.pan() || tilt != wanted.tilt();
+              : pan != request.pan() || tilt != request.tilt();
       lastPan = pan;
       lastTilt = tilt;
       PanTiltState state =
@@ -253,19 +257,19 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
               known.tilt().radians(tilt),
               isMoving);
       latest.set(state);
-      tell(state);
+      publish(state);
     }
 
     @Override
-    public void hit(PtuAxis axis) {
+    public void limitHit(PtuAxis axis) {
       String reason =
           "the "
               + axis
               + " axis ran against its end, and the unit lost count of its steps; recover it by"
               + " reset_by_moving";
       unknown(reason);
-      if (readiness().mayBecome(Readiness.FAILED)) {
-        become(Readiness.FAILED, reason);
+      if (readiness().canTransitionTo(Readiness.FAILED)) {
+        transitionTo(Readiness.FAILED, reason);
       }
     }
 
@@ -273,7 +277,7 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
     public void resetting() {
       unknown("it is being reset");
       if (readiness() == Readiness.FAILED || readiness().serves()) {
-        become(Readiness.INITIALIZING, "it is being reset");
+        transitionTo(Readiness.INITIALIZING, "it is being reset");
       }
     }
 
@@ -289,10 +293,10 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
     }
 
     @Override
-    public void puzzled(String how) {
+    public void inconsistentReply(String how) {
       log.warn("{}: {}; it is asked anew", path(), how);
       if (readiness() == Readiness.INITIALIZING) {
-        latest.awaits(how);
+        latest.setMissing(how);
       }
     }
 
@@ -300,18 +304,18 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
     public void lost(String reason) {
       if (readiness() != Readiness.FAILED) {
         target = null;
-        latest.lose(reason);
+        latest.markLost(reason);
       }
     }
 
     @Override
     public void alive() {
-      line.alive();
+      deviceLink.reportAlive();
     }
 
     private void unknown(String reason) {
       target = null;
-      latest.forget(reason);
+      latest.clear(reason);
     }
   }
 }

@@ -32,8 +32,8 @@ import org.dfra.drivers.pantilt.ptu.PtuReply.Refused;
  *   +--- out of step, no reply in time, or reset
  * </pre>
  *
- * <p>Confined to the reader, but for {@link #want}, {@link #tell}, {@link #halt} and {@link
- * #tellNow}.
+ * <p>Confined to the reader, but for {@link #request}, {@link #send}, {@link #halt} and {@link
+ * #sendImmediately}.
  */
 final class PtuProtocol implements DeviceProtocol {
 
@@ -41,13 +41,13 @@ final class PtuProtocol implements DeviceProtocol {
   interface Listener {
 
     /** The unit has told what its axes can. */
-    void measured(PtuGeometry geometry);
+    void geometryReceived(PtuGeometry geometry);
 
     /** The head points there, positions of the unit. */
-    void points(int pan, int tilt);
+    void positionReceived(int pan, int tilt);
 
     /** An axis ran against its end. */
-    void hit(PtuAxis axis);
+    void limitHit(PtuAxis axis);
 
     /** The unit goes through its reset. */
     void resetting();
@@ -55,11 +55,11 @@ final class PtuProtocol implements DeviceProtocol {
     /** A command was refused, for the reason. */
     void refused(String command, String reason);
 
-    /** It answered a question that was {@linkplain #want wanted}, or its reset is done. */
+    /** It answered a question that was {@linkplain #request wanted}, or its reset is done. */
     void answered(String question, PtuReply reply);
 
     /** What it said cannot be; it is asked again. */
-    void puzzled(String how);
+    void inconsistentReply(String how);
 
     /** There is no unit now. */
     void lost(String reason);
@@ -69,9 +69,9 @@ final class PtuProtocol implements DeviceProtocol {
   }
 
   private enum Phase {
-    LISTENING,
-    SETTLING,
-    ASKING,
+    AWAITING_QUIET,
+    CONFIGURING,
+    QUERYING,
     POLLING,
     RESETTING
   }
@@ -86,14 +86,14 @@ final class PtuProtocol implements DeviceProtocol {
   private final Ticker ticker;
   private final DoubleSupplier rate;
   private final PtuDialogue dialogue;
-  private final PtuParser parser = new PtuParser(this::heard);
-  private final Queue<String> wishes = new ConcurrentLinkedQueue<>();
+  private final PtuParser parser = new PtuParser(this::replyReceived);
+  private final Queue<String> requests = new ConcurrentLinkedQueue<>();
 
-  private Phase phase = Phase.LISTENING;
-  private PtuQuestions questions = new PtuQuestions();
+  private Phase phase = Phase.AWAITING_QUIET;
+  private PtuGeometryQuery questions = new PtuGeometryQuery();
   private long quietSince;
   private long polled;
-  private int unsettled;
+  private int pendingConfigurationReplies;
   private int pan;
 
   /**
@@ -110,8 +110,8 @@ final class PtuProtocol implements DeviceProtocol {
   }
 
   /** Tells the unit to do something now; from any thread. False when there is no link. */
-  boolean tell(List<String> commands) {
-    return dialogue.tell(commands);
+  boolean send(List<String> commands) {
+    return dialogue.send(commands);
   }
 
   /** Has the unit stop, past a write of another thread where that is held up; from any thread. */
@@ -119,25 +119,25 @@ final class PtuProtocol implements DeviceProtocol {
     return dialogue.halt();
   }
 
-  /** The same as {@link #tell}, past a command that another thread is held up with. */
-  boolean tellNow(List<String> commands) {
-    return dialogue.tellNow(commands);
+  /** The same as {@link #send}, past a command that another thread is held up with. */
+  boolean sendImmediately(List<String> commands) {
+    return dialogue.sendImmediately(commands);
   }
 
   /** Has a question asked soon, or the unit reset; from any thread. */
-  void want(String question) {
-    wishes.add(question);
+  void request(String question) {
+    requests.add(question);
   }
 
   @Override
   public void opened(SerialLink link) {
-    wishes.clear();
+    requests.clear();
     listen();
   }
 
   private void listen() {
     dialogue.forget();
-    phase = Phase.LISTENING;
+    phase = Phase.AWAITING_QUIET;
     quietSince = ticker.nanos();
   }
 
@@ -147,12 +147,12 @@ final class PtuProtocol implements DeviceProtocol {
   }
 
   @Override
-  public Duration attention() {
+  public Duration pollInterval() {
     return ATTENTION;
   }
 
   @Override
-  public Duration longestSilence() {
+  public Duration livenessTimeout() {
     return phase == Phase.RESETTING ? LONGEST_RESET : SILENCE;
   }
 
@@ -168,55 +168,55 @@ final class PtuProtocol implements DeviceProtocol {
   }
 
   @Override
-  public void tend(SerialLink link) {
-    if (phase == Phase.LISTENING) {
+  public void periodic(SerialLink link) {
+    if (phase == Phase.AWAITING_QUIET) {
       if (since(quietSince).compareTo(QUIET) >= 0) {
-        settle();
+        configure();
       }
       return;
     }
     String overdue = dialogue.overdue(phase == Phase.RESETTING ? LONGEST_RESET : REPLY);
     if (!overdue.isEmpty()) {
-      again("it has not replied to " + overdue);
-    } else if (phase == Phase.ASKING && dialogue.mayAsk()) {
+      resynchronize("it has not replied to " + overdue);
+    } else if (phase == Phase.QUERYING && dialogue.mayAsk()) {
       askNext();
     } else if (phase == Phase.POLLING && dialogue.mayAsk()) {
       poll();
     }
   }
 
-  private void settle() {
+  private void configure() {
     dialogue.forget();
-    phase = Phase.SETTLING;
+    phase = Phase.CONFIGURING;
     List<String> settings =
         List.of(PtuCommands.NO_ECHO, PtuCommands.TERSE, PtuCommands.IMMEDIATELY);
-    unsettled = settings.size();
+    pendingConfigurationReplies = settings.size();
     for (String setting : settings) {
-      if (!dialogue.tell(setting, this::settled)) {
+      if (!dialogue.send(setting, this::configurationReplied)) {
         listen(); // another thread's write is held up; all of them once more, after it
         return;
       }
     }
   }
 
-  private void settled(PtuReply reply) {
+  private void configurationReplied(PtuReply reply) {
     if (reply instanceof Refused refused) {
-      again("it refuses to be set up: " + refused.message());
-    } else if (--unsettled == 0) {
-      questions = new PtuQuestions();
-      phase = Phase.ASKING;
+      resynchronize("it refuses to be set up: " + refused.message());
+    } else if (--pendingConfigurationReplies == 0) {
+      questions = new PtuGeometryQuery();
+      phase = Phase.QUERYING;
     }
   }
 
   private void askNext() {
-    String question = questions.next();
+    String question = questions.nextQuestion();
     boolean unused = dialogue.ask(question, reply -> answered(question, reply));
   }
 
   private void answered(String question, PtuReply reply) {
-    String fault = questions.take(question, reply);
+    String fault = questions.accept(question, reply);
     if (!fault.isEmpty()) {
-      again(fault);
+      resynchronize(fault);
       return;
     }
     listener.alive();
@@ -224,15 +224,15 @@ final class PtuProtocol implements DeviceProtocol {
     if (geometry != null) {
       phase = Phase.POLLING;
       polled = ticker.nanos() - Math.round(1e9 / rate.getAsDouble());
-      listener.measured(geometry);
+      listener.geometryReceived(geometry);
     }
   }
 
   private void poll() {
-    String wish = wishes.peek();
+    String wish = requests.peek();
     if (wish != null) {
-      if (fulfil(wish)) {
-        String unused = wishes.poll();
+      if (handleRequest(wish)) {
+        String unused = requests.poll();
       }
       return;
     }
@@ -245,15 +245,15 @@ final class PtuProtocol implements DeviceProtocol {
   }
 
   /** False where another thread's write is held up, and it is to be tried again. */
-  private boolean fulfil(String wish) {
-    if (!wish.equals(PtuCommands.RESET)) {
-      return dialogue.ask(wish, reply -> listener.answered(wish, reply));
+  private boolean handleRequest(String request) {
+    if (!request.equals(PtuCommands.RESET)) {
+      return dialogue.ask(request, reply -> listener.answered(request, reply));
     }
-    if (dialogue.tell(wish, this::reset)) {
+    if (dialogue.send(request, this::reset)) {
       phase = Phase.RESETTING;
       listener.resetting();
     } else { // later it might move the head under a commander, or while it is stopped
-      listener.answered(wish, new Refused("the line is held up by a command; try again later"));
+      listener.answered(request, new Refused("the line is held up by a command; try again later"));
     }
     return true;
   }
@@ -273,30 +273,30 @@ final class PtuProtocol implements DeviceProtocol {
     double number =
         reply instanceof PtuReply.Value value ? value.number().orElse(Double.NaN) : Double.NaN;
     if (number != Math.rint(number)) { // NaN too
-      again("it tells no position of " + axis);
+      resynchronize("it tells no position of " + axis);
       return;
     }
     taker.accept((int) number);
     if (axis == PtuAxis.PAN) {
-      ask(PtuAxis.TILT, tilt -> listener.points(pan, tilt));
+      ask(PtuAxis.TILT, tilt -> listener.positionReceived(pan, tilt));
     } else {
       listener.alive();
     }
   }
 
-  private void heard(PtuReply reply) {
+  private void replyReceived(PtuReply reply) {
     quietSince = ticker.nanos();
     if (reply instanceof LimitHit hit) {
       if (phase != Phase.RESETTING) { // whose way leads to the ends
-        listener.hit(hit.axis());
+        listener.limitHit(hit.axis());
       }
-    } else if (phase != Phase.LISTENING && !dialogue.heard(reply)) {
-      again("it replied " + reply + " to something else");
+    } else if (phase != Phase.AWAITING_QUIET && !dialogue.replyReceived(reply)) {
+      resynchronize("it replied " + reply + " to something else");
     }
   }
 
-  private void again(String why) {
-    listener.puzzled(why);
+  private void resynchronize(String why) {
+    listener.inconsistentReply(why);
     listen();
   }
 

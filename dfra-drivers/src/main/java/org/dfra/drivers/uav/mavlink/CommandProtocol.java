@@ -30,8 +30,9 @@ import org.jspecify.annotations.Nullable;
  * answered all the same: such strays are expected for a while and not taken for the answer to the
  * next. If one was lost itself, the next is sent once more, which does no harm.
  *
- * <p>Safe for use by several threads. Outcomes are told by the thread that calls {@link #heard},
- * {@link #tend} or {@link #lost}, outside of all locks. Source: mavlink.io, "Command Protocol".
+ * <p>Safe for use by several threads. Outcomes are told by the thread that calls {@link
+ * #acknowledge}, {@link #resendDue} or {@link #lost}, outside of all locks. Source: mavlink.io,
+ * "Command Protocol".
  */
 final class CommandProtocol {
 
@@ -43,7 +44,7 @@ final class CommandProtocol {
 
   /** Puts a command on the link. */
   @FunctionalInterface
-  interface Wire {
+  interface CommandSender {
 
     /**
      * @param times it was sent before
@@ -66,28 +67,28 @@ final class CommandProtocol {
   }
 
   /** Commands of one sort. */
-  private static final class Line {
+  private static final class CommandQueue {
     final ArrayDeque<Exchange> waiting = new ArrayDeque<>(); // the first is under way
-    int strays;
-    long straysUntil;
+    int expectedStrays;
+    long straysExpectedUntil;
   }
 
   /** An end that is yet to be told. */
   private record Ended(Exchange exchange, CommandResult result) {}
 
   private final Ticker ticker;
-  private final Wire wire;
+  private final CommandSender wire;
   private final ReentrantLock lock = new ReentrantLock(); // held during a write
-  private final Map<MavCmd, Line> lines = new EnumMap<>(MavCmd.class); // guarded by lock
+  private final Map<MavCmd, CommandQueue> queues = new EnumMap<>(MavCmd.class); // guarded by lock
   private boolean open; // guarded by lock
 
-  CommandProtocol(Ticker ticker, Wire wire) {
+  CommandProtocol(Ticker ticker, CommandSender wire) {
     this.ticker = ticker;
     this.wire = wire;
   }
 
   /** There is a vehicle to be commanded. */
-  void found() {
+  void open() {
     lock.lock();
     try {
       open = true;
@@ -102,14 +103,14 @@ final class CommandProtocol {
    * @param outcome is told once how it ended, unless it is called off
    * @return null where there is no vehicle: nothing is sent then, and nothing told
    */
-  @Nullable Exchange begin(MavlinkCommand command, Consumer<CommandResult> outcome) {
+  @Nullable Exchange submit(MavlinkCommand command, Consumer<CommandResult> outcome) {
     lock.lock();
     try {
       if (!open) {
         return null;
       }
       Exchange exchange = new Exchange(command, outcome);
-      Line line = lines.computeIfAbsent(command.id(), id -> new Line());
+      CommandQueue line = queues.computeIfAbsent(command.id(), id -> new CommandQueue());
       line.waiting.add(exchange);
       if (line.waiting.size() == 1) {
         send(exchange);
@@ -126,8 +127,8 @@ final class CommandProtocol {
    *
    * @return false, and nothing is done, where another thread's write seems to be held up
    */
-  boolean whileFree(long millis, Runnable task) {
-    if (!isLockedWithin(lock, millis)) {
+  boolean tryRunExclusively(long millis, Runnable task) {
+    if (!tryLock(lock, millis)) {
       return false;
     }
     try {
@@ -139,7 +140,7 @@ final class CommandProtocol {
   }
 
   /** Locks it, also for a thread that is interrupted, where it is free. */
-  static boolean isLockedWithin(ReentrantLock lock, long millis) {
+  static boolean tryLock(ReentrantLock lock, long millis) {
     try {
       return lock.tryLock() || lock.tryLock(millis, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
@@ -149,10 +150,10 @@ final class CommandProtocol {
   }
 
   /** It is not sent again, and its end not told. */
-  void callOff(Exchange exchange) {
+  void cancel(Exchange exchange) {
     lock.lock();
     try {
-      Line line = lines.get(exchange.command.id());
+      CommandQueue line = queues.get(exchange.command.id());
       if (line != null && line.waiting.contains(exchange)) {
         remove(line, exchange, exchange.sent);
       }
@@ -162,7 +163,7 @@ final class CommandProtocol {
   }
 
   /** The vehicle has answered. */
-  void heard(CommandAck ack) {
+  void acknowledge(CommandAck ack) {
     @Nullable Ended ended;
     lock.lock();
     try {
@@ -176,14 +177,14 @@ final class CommandProtocol {
   }
 
   private @Nullable Ended ended(CommandAck ack) {
-    for (Line line : lines.values()) {
+    for (CommandQueue line : queues.values()) {
       @Nullable Exchange first = line.waiting.peek();
       int id = first == null ? -1 : MavlinkEncoder.number(first.command.id());
       if (first == null || id != ack.command()) {
         continue;
       }
-      if (line.strays > 0 && ticker.nanos() - line.straysUntil < 0) {
-        line.strays--;
+      if (line.expectedStrays > 0 && ticker.nanos() - line.straysExpectedUntil < 0) {
+        line.expectedStrays--;
         return null;
       }
       if (ack.result() == CommandResult.IN_PROGRESS) {
@@ -202,13 +203,13 @@ final class CommandProtocol {
    *
    * @return false, and nothing is sent, where another thread sends: its write may be held up
    */
-  boolean tend() {
+  boolean resendDue() {
     if (!lock.tryLock()) {
       return false;
     }
     List<Ended> ended = new ArrayList<>();
     try {
-      for (Line line : lines.values()) {
+      for (CommandQueue line : queues.values()) {
         @Nullable Exchange first = line.waiting.peek();
         if (first == null || ticker.nanos() - first.deadline < 0) {
           continue;
@@ -233,8 +234,8 @@ final class CommandProtocol {
     lock.lock();
     try {
       open = false;
-      lines.values().forEach(line -> all.addAll(line.waiting));
-      lines.clear();
+      queues.values().forEach(line -> all.addAll(line.waiting));
+      queues.clear();
     } finally {
       lock.unlock();
     }
@@ -248,14 +249,14 @@ final class CommandProtocol {
   }
 
   /** Lets the next of its sort go. */
-  private void remove(Line line, Exchange exchange, int strays) {
+  private void remove(CommandQueue line, Exchange exchange, int strays) {
     boolean wasFirst = line.waiting.peek() == exchange;
     line.waiting.remove(exchange);
     if (!wasFirst) {
       return;
     }
-    line.strays = strays;
-    line.straysUntil = ticker.nanos() + ANSWER.toNanos();
+    line.expectedStrays = strays;
+    line.straysExpectedUntil = ticker.nanos() + ANSWER.toNanos();
     @Nullable Exchange next = line.waiting.peek();
     if (next != null) {
       send(next);

@@ -3,50 +3,50 @@ package org.dfra.drivers.uav.mavlink;
 /**
  * What became of a command.
  *
- * @param end how it ended
+ * @param outcome how it ended
  * @param code {@code MAV_RESULT} where it was answered, else 0
  */
-record CommandResult(End end, int code) {
+record CommandResult(CommandOutcome outcome, int code) {
 
   /** How a command may end. */
-  enum End {
+  enum CommandOutcome {
     /** It is, or will be, done. */
     ACCEPTED,
     /** The vehicle will not do it. */
-    REFUSED,
+    REJECTED,
     /** Nothing came back, though it was sent several times; it may be done or not. */
-    UNANSWERED,
+    TIMED_OUT,
     /** The link was lost before an answer came; it may be done or not. */
-    LOST
+    LINK_LOST
   }
 
-  static final CommandResult UNANSWERED = new CommandResult(End.UNANSWERED, 0);
-  static final CommandResult LOST = new CommandResult(End.LOST, 0);
+  static final CommandResult UNANSWERED = new CommandResult(CommandOutcome.TIMED_OUT, 0);
+  static final CommandResult LOST = new CommandResult(CommandOutcome.LINK_LOST, 0);
 
   /** {@code MAV_RESULT_IN_PROGRESS}: no end yet. */
   static final int IN_PROGRESS = 5;
 
   static CommandResult answered(int code) {
-    return new CommandResult(code == 0 ? End.ACCEPTED : End.REFUSED, code);
+    return new CommandResult(code == 0 ? CommandOutcome.ACCEPTED : CommandOutcome.REJECTED, code);
   }
 
   boolean isAccepted() {
-    return end == End.ACCEPTED;
+    return outcome == CommandOutcome.ACCEPTED;
   }
 
   /** Whether it is refused only as things are now. */
-  boolean isForNow() {
-    return end == End.REFUSED && code == 1;
+  boolean isTemporary() {
+    return outcome == CommandOutcome.REJECTED && code == 1;
   }
 
   /** As the rest of a sentence that begins with the command's name. */
   @Override
   public String toString() {
-    return switch (end) {
+    return switch (outcome) {
       case ACCEPTED -> "is accepted";
-      case REFUSED -> "is " + word();
-      case UNANSWERED -> "was sent " + CommandProtocol.MOST + " times and is not answered";
-      case LOST -> "was sent, and the link was lost before an answer came";
+      case REJECTED -> "is " + word();
+      case TIMED_OUT -> "was sent " + CommandProtocol.MOST + " times and is not answered";
+      case LINK_LOST -> "was sent, and the link was lost before an answer came";
     };
   }
 

@@ -3,7 +3,7 @@ package org.dfra.drivers.uav.mavlink;
 import java.util.Locale;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.module.ParameterTable;
-import org.dfra.core.module.ParameterTable.Range;
+import org.dfra.core.module.ParameterTable.NumberRange;
 import org.dfra.drivers.uav.mavlink.MavlinkMessage.GlobalPosition;
 import org.dfra.flow.effector.FlightCommand;
 import org.dfra.flow.effector.FlightCommand.Disarm;
@@ -18,11 +18,11 @@ import org.jspecify.annotations.Nullable;
  */
 final class FlightLimits {
 
-  private static final String TOLD = "told";
-  private static final Range SEPARATION = Range.of(-120, 100, "m");
+  private static final String FROM_AUTOPILOT = "told";
+  private static final NumberRange SEPARATION = NumberRange.of(-120, 100, "m");
 
   private final String module;
-  private final FlightPicture picture;
+  private final VehicleState picture;
   private volatile double maxSpeed;
   private volatile double maxHeight;
   private volatile double rate;
@@ -35,47 +35,51 @@ final class FlightLimits {
    * @param picture goes by the separation of geoid and ellipsoid that is set
    * @throws org.dfra.core.config.ConfigurationException if one of them is wrong
    */
-  FlightLimits(String module, Parameters settings, ParameterTable table, FlightPicture picture) {
+  FlightLimits(String module, Parameters settings, ParameterTable table, VehicleState picture) {
     this.module = module;
     this.picture = picture;
     maxSpeed = settings.number("max_speed", 10, 0.1, 100);
     maxHeight = settings.number("max_height", 120, 1, 10_000);
     rate = settings.number("rate", 5, 0.2, 50);
-    separation = settings.find("geoid_separation").orElse(TOLD);
-    if (!separation.equals(TOLD)) {
-      picture.fixSeparation(settings.number("geoid_separation", 0, -120, 100));
+    separation = settings.find("geoid_separation").orElse(FROM_AUTOPILOT);
+    if (!separation.equals(FROM_AUTOPILOT)) {
+      picture.overrideSeparation(settings.number("geoid_separation", 0, -120, 100));
     }
     declareIn(table);
   }
 
   private void declareIn(ParameterTable table) {
-    table.number(
+    table.declareNumber(
         "max_speed",
         "a faster GoTo is flown at this",
-        Range.of(0.1, 100, "m/s"),
+        NumberRange.of(0.1, 100, "m/s"),
         () -> maxSpeed,
         value -> maxSpeed = value);
-    table.number(
+    table.declareNumber(
         "max_height",
         "above the place of take-off; it is not told to rise above",
-        Range.of(1, 10_000, "m"),
+        NumberRange.of(1, 10_000, "m"),
         () -> maxHeight,
         value -> maxHeight = value);
-    table.number(
-        "rate", "states in a second", Range.of(0.2, 50, "Hz"), () -> rate, value -> rate = value);
-    table.text(
+    table.declareNumber(
+        "rate",
+        "states in a second",
+        NumberRange.of(0.2, 50, "Hz"),
+        () -> rate,
+        value -> rate = value);
+    table.declareText(
         "geoid_separation",
         "height of the geoid above the ellipsoid, metres; told is what the autopilot tells",
         () -> separation,
         this::setSeparation);
-    table.show("separation", "the separation it goes by now", this::separation);
+    table.declareReadOnly("separation", "the separation it goes by now", this::separation);
   }
 
   private void setSeparation(String text) {
-    if (text.equals(TOLD)) {
-      picture.fixSeparation(null);
+    if (text.equals(FROM_AUTOPILOT)) {
+      picture.overrideSeparation(null);
     } else {
-      picture.fixSeparation(number(text));
+      picture.overrideSeparation(number(text));
     }
     separation = text;
   }
@@ -87,7 +91,7 @@ final class FlightLimits {
     } catch (NumberFormatException e) {
       number = Double.NaN;
     }
-    if (!(number >= SEPARATION.least() && number <= SEPARATION.most())) {
+    if (!(number >= SEPARATION.min() && number <= SEPARATION.max())) {
       throw new IllegalArgumentException(SEPARATION + ", or told");
     }
     return number;
@@ -125,13 +129,13 @@ final class FlightLimits {
       throw new IllegalArgumentException(
           module + " flies, and its motors are not stopped in the air; have it land");
     }
-    if (command instanceof TakeOff wanted) {
+    if (command instanceof TakeOff requested) {
       if (!stands) {
         throw new IllegalArgumentException(module + " flies already; tell it where to go");
       }
-      checkHeight(wanted.height());
+      checkHeight(requested.height());
     }
-    if (command instanceof GoTo wanted) {
+    if (command instanceof GoTo requested) {
       if (stands) {
         throw new IllegalArgumentException(
             module + " stands on the ground; have it take off first");
@@ -139,7 +143,7 @@ final class FlightLimits {
       @Nullable Double separation = picture.separation();
       if (here != null && separation != null) {
         double home = here.heightMsl() - here.heightAboveHome() + separation;
-        checkHeight(wanted.position().height() - home);
+        checkHeight(requested.position().height() - home);
       }
     }
   }

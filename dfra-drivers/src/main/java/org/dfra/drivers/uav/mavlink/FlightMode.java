@@ -32,12 +32,12 @@ enum FlightMode {
   /** The command that sets it. */
   MavlinkCommand set(Vehicle vehicle) {
     return vehicle.autopilot() == Vehicle.ARDUPILOT
-        ? MavlinkCommand.Plain.of(MavCmd.MAV_CMD_DO_SET_MODE, CUSTOM, arduPilot)
-        : new MavlinkCommand.Plain(MavCmd.MAV_CMD_DO_SET_MODE, CUSTOM, main, sub, 0, 0, 0, 0);
+        ? MavlinkCommand.CommandLong.of(MavCmd.MAV_CMD_DO_SET_MODE, CUSTOM, arduPilot)
+        : new MavlinkCommand.CommandLong(MavCmd.MAV_CMD_DO_SET_MODE, CUSTOM, main, sub, 0, 0, 0, 0);
   }
 
   /** Whether a heartbeat with this mode says so. */
-  boolean isToldBy(Vehicle vehicle, long mode) {
+  boolean isReportedBy(Vehicle vehicle, long mode) {
     return mode
         == (vehicle.autopilot() == Vehicle.ARDUPILOT
             ? arduPilot

@@ -2,8 +2,8 @@ package org.dfra.drivers.uav.mavlink;
 
 import io.dronefleet.mavlink.common.MavCmd;
 import java.util.List;
-import org.dfra.drivers.uav.mavlink.MavlinkCommand.Placed;
-import org.dfra.drivers.uav.mavlink.MavlinkCommand.Plain;
+import org.dfra.drivers.uav.mavlink.MavlinkCommand.CommandInt;
+import org.dfra.drivers.uav.mavlink.MavlinkCommand.CommandLong;
 import org.dfra.drivers.uav.mavlink.MavlinkMessage.GlobalPosition;
 import org.dfra.flow.effector.FlightCommand;
 import org.dfra.flow.effector.FlightCommand.Arm;
@@ -43,59 +43,59 @@ final class FlightProcedures {
   private FlightProcedures() {}
 
   /** Whether it is known how to command such a vehicle. */
-  static boolean know(Vehicle vehicle) {
+  static boolean supports(Vehicle vehicle) {
     return vehicle.autopilot() == Vehicle.PX4 || vehicle.autopilot() == Vehicle.ARDUPILOT;
   }
 
   /**
    * The steps of a command.
    *
-   * @param here where the vehicle is; null where that is not known
+   * @param position where the vehicle is; null where that is not known
    * @param separation height of the geoid above the ellipsoid, metres; null where it is not known
-   * @param most the fastest it is flown, metres per second
+   * @param maxSpeed the fastest it is flown, metres per second
    * @throws IllegalArgumentException if what is not known is needed; the message says what
    */
   static List<MavlinkCommand> steps(
       FlightCommand command,
       Vehicle vehicle,
-      @Nullable GlobalPosition here,
+      @Nullable GlobalPosition position,
       @Nullable Double separation,
-      double most) {
+      double maxSpeed) {
     boolean arduPilot = vehicle.autopilot() == Vehicle.ARDUPILOT;
     if (command instanceof Arm) {
       FlightMode mode = arduPilot ? FlightMode.GUIDED : FlightMode.HOLD;
       return List.of(mode.set(vehicle), armed(true));
     } else if (command instanceof Disarm) {
       return List.of(armed(false));
-    } else if (command instanceof TakeOff wanted) {
-      return takeOff(wanted, vehicle, here);
-    } else if (command instanceof GoTo wanted) {
-      return goTo(wanted, vehicle, separation, Math.min(wanted.speed(), most));
+    } else if (command instanceof TakeOff requested) {
+      return takeOff(requested, vehicle, position);
+    } else if (command instanceof GoTo requested) {
+      return goTo(requested, vehicle, separation, Math.min(requested.speed(), maxSpeed));
     } else if (command instanceof Hold) {
       return List.of(FlightMode.HOLD.set(vehicle));
     } else if (command instanceof Land) {
       return List.of(here(MavCmd.MAV_CMD_NAV_LAND, arduPilot, 0));
     }
-    return List.of(Plain.of(MavCmd.MAV_CMD_NAV_RETURN_TO_LAUNCH, 0, 0));
+    return List.of(CommandLong.of(MavCmd.MAV_CMD_NAV_RETURN_TO_LAUNCH, 0, 0));
   }
 
   private static MavlinkCommand armed(boolean armed) {
-    return Plain.of(MavCmd.MAV_CMD_COMPONENT_ARM_DISARM, armed ? 1 : 0, 0);
+    return CommandLong.of(MavCmd.MAV_CMD_COMPONENT_ARM_DISARM, armed ? 1 : 0, 0);
   }
 
   private static List<MavlinkCommand> takeOff(
-      TakeOff wanted, Vehicle vehicle, @Nullable GlobalPosition here) {
+      TakeOff requested, Vehicle vehicle, @Nullable GlobalPosition here) {
     if (vehicle.autopilot() == Vehicle.ARDUPILOT) {
       return List.of(
           FlightMode.GUIDED.set(vehicle),
-          here(MavCmd.MAV_CMD_NAV_TAKEOFF, true, (float) wanted.height()));
+          here(MavCmd.MAV_CMD_NAV_TAKEOFF, true, (float) requested.height()));
     }
     if (here == null) {
       throw new IllegalArgumentException(
           vehicle + " knows no position, without which it cannot be told how high to rise");
     }
     return List.of(
-        here(MavCmd.MAV_CMD_NAV_TAKEOFF, false, (float) (here.heightMsl() + wanted.height())));
+        here(MavCmd.MAV_CMD_NAV_TAKEOFF, false, (float) (here.heightMsl() + requested.height())));
   }
 
   /**
@@ -104,32 +104,32 @@ final class FlightProcedures {
    */
   private static MavlinkCommand here(MavCmd id, boolean arduPilot, float height) {
     float place = arduPilot ? 0 : AS_IT_IS;
-    return new Plain(id, 0, 0, 0, place, place, place, height);
+    return new CommandLong(id, 0, 0, 0, place, place, place, height);
   }
 
   private static List<MavlinkCommand> goTo(
-      GoTo wanted, Vehicle vehicle, @Nullable Double separation, double speed) {
+      GoTo requested, Vehicle vehicle, @Nullable Double separation, double speed) {
     if (separation == null) {
       throw new IllegalArgumentException(
           vehicle
               + " has not told how high it is above the ellipsoid, so a height cannot be told it;"
               + " set the parameter geoid_separation");
     }
-    Placed there =
-        new Placed(
+    CommandInt there =
+        new CommandInt(
             MavCmd.MAV_CMD_DO_REPOSITION,
             (float) speed,
             CHANGE_MODE,
             0,
             AS_IT_IS,
-            (int) Math.round(wanted.position().latitude() * 1e7),
-            (int) Math.round(wanted.position().longitude() * 1e7),
-            (float) (wanted.position().height() - separation));
+            (int) Math.round(requested.position().latitude() * 1e7),
+            (int) Math.round(requested.position().longitude() * 1e7),
+            (float) (requested.position().height() - separation));
     return vehicle.autopilot() == Vehicle.ARDUPILOT
         ? List.of(
             FlightMode.GUIDED.set(vehicle),
             there,
-            Plain.of(MavCmd.MAV_CMD_DO_CHANGE_SPEED, GROUND_SPEED, speed))
+            CommandLong.of(MavCmd.MAV_CMD_DO_CHANGE_SPEED, GROUND_SPEED, speed))
         : List.of(there);
   }
 }

@@ -35,7 +35,7 @@ public final class MavlinkBatteryImpl extends MavlinkSensorImpl<BatteryState>
   private final int battery;
   private final SensorAttributes sensor =
       new SensorAttributes("BatteryState", List.of("continuous"), 1.0 / 60, 20, null, List.of());
-  private volatile boolean tellsItself; // whether BATTERY_STATUS has come
+  private volatile boolean hasBatteryStatus; // whether BATTERY_STATUS has come
 
   /**
    * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
@@ -62,36 +62,36 @@ public final class MavlinkBatteryImpl extends MavlinkSensorImpl<BatteryState>
   }
 
   @Override
-  Map<Integer, Double> streams(double rate) {
+  Map<Integer, Double> messageRates(double rate) {
     return Map.of(MessageIds.BATTERY_STATUS, rate, MessageIds.SYS_STATUS, rate);
   }
 
   @Override
-  void heard(MavlinkMessage message) {
-    if (message instanceof BatteryStatus told && told.id() == battery) {
-      tellsItself = true;
-      take(told.voltage(), told.current(), told.remaining());
-    } else if (message instanceof SystemStatus told && battery == 0 && !tellsItself) {
-      take(told.voltage(), told.current(), told.remaining());
+  void messageReceived(MavlinkMessage message) {
+    if (message instanceof BatteryStatus reported && reported.id() == battery) {
+      hasBatteryStatus = true;
+      take(reported.voltage(), reported.current(), reported.remaining());
+    } else if (message instanceof SystemStatus reported && battery == 0 && !hasBatteryStatus) {
+      take(reported.voltage(), reported.current(), reported.remaining());
     }
   }
 
   private void take(
       @Nullable Double voltage, @Nullable Double current, @Nullable Double remaining) {
     if (voltage == null) {
-      useless("the autopilot does not measure the voltage of battery " + battery);
+      reportUnusable("the autopilot does not measure the voltage of battery " + battery);
       return;
     }
     BatteryState now =
         new BatteryState(
             clock().instant(), voltage, current, remaining, remaining != null && current == null);
-    delivered(now);
-    tell(now);
+    publish(now);
+    publish(now);
   }
 
   @Override
   void forget() {
-    tellsItself = false;
+    hasBatteryStatus = false;
   }
 
   /**
@@ -106,7 +106,7 @@ public final class MavlinkBatteryImpl extends MavlinkSensorImpl<BatteryState>
   }
 
   @Override
-  protected List<? extends Attributes> traits() {
+  protected List<? extends Attributes> deviceAttributes() {
     return List.of(sensor);
   }
 }

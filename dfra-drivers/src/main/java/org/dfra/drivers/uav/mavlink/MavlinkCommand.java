@@ -17,12 +17,13 @@ sealed interface MavlinkCommand {
   }
 
   /** {@code COMMAND_LONG}: seven numbers, counted by a confirmation when it is sent again. */
-  record Plain(MavCmd id, float p1, float p2, float p3, float p4, float p5, float p6, float p7)
+  record CommandLong(
+      MavCmd id, float p1, float p2, float p3, float p4, float p5, float p6, float p7)
       implements MavlinkCommand {
 
     /** With two parameters, the others 0. */
-    static Plain of(MavCmd id, double p1, double p2) {
-      return new Plain(id, (float) p1, (float) p2, 0, 0, 0, 0, 0);
+    static CommandLong of(MavCmd id, double p1, double p2) {
+      return new CommandLong(id, (float) p1, (float) p2, 0, 0, 0, 0, 0);
     }
   }
 
@@ -33,7 +34,7 @@ sealed interface MavlinkCommand {
    * @param longitude ten-millionths of a degree, east is +
    * @param heightMsl above mean sea level, metres
    */
-  record Placed(
+  record CommandInt(
       MavCmd id,
       float p1,
       float p2,

@@ -6,10 +6,10 @@ import java.time.Duration;
 import java.util.HashMap;
 import java.util.Map;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.drivers.device.DeviceLine;
+import org.dfra.drivers.device.DeviceLink;
 import org.dfra.drivers.device.DeviceProtocol;
-import org.dfra.drivers.device.SharedLine;
-import org.dfra.drivers.device.SharedLines;
+import org.dfra.drivers.device.SharedDeviceLink;
+import org.dfra.drivers.device.SharedLinkRegistry;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.SerialLink;
 import org.dfra.drivers.link.Ticker;
@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A link to a vehicle, shared by the modules of a virtual machine that name the same one, as a
- * {@link SharedLine}.
+ * {@link SharedDeviceLink}.
  *
  * <p>The vehicle is the first autopilot heard, or the one of the parameter {@code vehicle}; all
  * others on the link, its cameras and its gimbals are passed over. It is lost when its {@code
@@ -29,22 +29,23 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Threads: one reader ({@code mavlink reader}), owned from the first module to the last.
  */
-final class MavlinkConnection extends SharedLine<MavlinkMember> {
+final class MavlinkConnection extends SharedDeviceLink<MavlinkClient> {
 
   /** After so long without a heartbeat a vehicle is lost. */
   static final Duration LOST_AFTER = Duration.ofSeconds(3);
 
   private static final Duration HEARTBEAT_EVERY = Duration.ofSeconds(1);
 
-  private static final SharedLines<MavlinkMember, MavlinkConnection> LINES = new SharedLines<>();
+  private static final SharedLinkRegistry<MavlinkClient, MavlinkConnection> LINES =
+      new SharedLinkRegistry<>();
 
   private final MavlinkSettings settings;
   private final Ticker ticker;
   private final MavlinkEncoder encoder;
-  private final DeviceLine line;
+  private final DeviceLink deviceLink;
   private final CommandProtocol commands;
-  private final MavlinkStreams streams; // confined to the reader
-  private final MavlinkParser parser = new MavlinkParser(this::heard);
+  private final MessageIntervalRequester streams; // confined to the reader
+  private final MavlinkParser parser = new MavlinkParser(this::frameReceived);
 
   private volatile @Nullable Vehicle vehicle; // written by the reader
   private volatile @Nullable String software; // written by the reader
@@ -61,9 +62,9 @@ final class MavlinkConnection extends SharedLine<MavlinkMember> {
     this.settings = settings;
     this.ticker = ticker;
     this.encoder = new MavlinkEncoder(settings.groundStation());
-    this.line = lineFor(new Protocol(), ticker, source);
+    this.deviceLink = newDeviceLink(new Protocol(), ticker, source);
     this.commands = new CommandProtocol(ticker, this::send);
-    this.streams = new MavlinkStreams(commands, ticker, log);
+    this.streams = new MessageIntervalRequester(commands, ticker, log);
   }
 
   /**
@@ -73,25 +74,25 @@ final class MavlinkConnection extends SharedLine<MavlinkMember> {
    * @throws IllegalStateException if the others have other settings
    */
   static MavlinkConnection join(
-      MavlinkMember member,
+      MavlinkClient client,
       ModuleContext context,
       MavlinkSettings settings,
       Ticker ticker,
       LinkKeeper.@Nullable Source source) {
     return LINES.join(
-        member,
+        client,
         settings.link(),
         ticker,
         () -> new MavlinkConnection(context, settings, ticker, source),
-        found -> found.agree(settings, member));
+        found -> found.requireSameSettings(settings, client));
   }
 
-  private void agree(MavlinkSettings wanted, MavlinkMember member) {
+  private void requireSameSettings(MavlinkSettings wanted, MavlinkClient client) {
     if (!settings.equals(wanted)) {
       throw new IllegalStateException(
-          member.path()
+          client.path()
               + " shares its link with "
-              + first()
+              + firstClientPath()
               + ", but not its settings: "
               + wanted
               + " here, "
@@ -101,8 +102,8 @@ final class MavlinkConnection extends SharedLine<MavlinkMember> {
   }
 
   @Override
-  public DeviceLine line() {
-    return line;
+  public DeviceLink deviceLink() {
+    return deviceLink;
   }
 
   /** Where commands are sent. */
@@ -133,8 +134,8 @@ final class MavlinkConnection extends SharedLine<MavlinkMember> {
   /** Has the autopilot tell what it is. */
   void askForVersion() {
     CommandProtocol.@Nullable Exchange unused =
-        commands.begin(
-            MavlinkCommand.Plain.of(
+        commands.submit(
+            MavlinkCommand.CommandLong.of(
                 MavCmd.MAV_CMD_REQUEST_MESSAGE, MessageIds.AUTOPILOT_VERSION, 0),
             result -> {});
   }
@@ -148,15 +149,15 @@ final class MavlinkConnection extends SharedLine<MavlinkMember> {
     @Nullable Vehicle to = vehicle;
     if (to != null) {
       boolean unused =
-          line.sendNow(encoder.command(to, command, times)); // sent again if it is lost
+          deviceLink.sendNow(encoder.command(to, command, times)); // sent again if it is lost
     }
   }
 
-  private void heard(MavlinkFrame frame) {
+  private void frameReceived(MavlinkFrame frame) {
     if (frame.message() instanceof Heartbeat heartbeat
         && heartbeat.autopilot() != Vehicle.NO_AUTOPILOT
         && (settings.vehicle() == 0 || settings.vehicle() == frame.system())) {
-      lives(frame, heartbeat);
+      heartbeatReceived(frame, heartbeat);
     }
     @Nullable Vehicle known = vehicle;
     if (known == null
@@ -171,20 +172,20 @@ final class MavlinkConnection extends SharedLine<MavlinkMember> {
     take(known, frame.message());
   }
 
-  private void lives(MavlinkFrame frame, Heartbeat heartbeat) {
+  private void heartbeatReceived(MavlinkFrame frame, Heartbeat heartbeat) {
     @Nullable Vehicle known = vehicle;
-    Vehicle told =
+    Vehicle reported =
         new Vehicle(frame.system(), frame.component(), heartbeat.type(), heartbeat.autopilot());
     if (known == null) {
-      log.info("found {}", told);
-      vehicle = told;
+      log.info("found {}", reported);
+      vehicle = reported;
       sequence = -1;
-      commands.found();
+      commands.open();
       askForVersion();
     } else if (known.system() != frame.system() || known.component() != frame.component()) {
       return;
     }
-    line.alive();
+    deviceLink.reportAlive();
   }
 
   private void take(Vehicle from, MavlinkMessage message) {
@@ -193,32 +194,32 @@ final class MavlinkConnection extends SharedLine<MavlinkMember> {
           (ack.targetSystem() == 0 || ack.targetSystem() == settings.groundStation())
               && (ack.targetComponent() == 0 || ack.targetComponent() == MavlinkEncoder.COMPONENT);
       if (ours) {
-        commands.heard(ack);
+        commands.acknowledge(ack);
       }
     } else if (message instanceof MavlinkMessage.Version version) {
       software = version.software();
     }
-    streams.heard(message);
-    greet(from);
-    members().tell(member -> member.heard(message));
-    line.heard().count(message.name());
+    streams.messageReceived(message);
+    notifyConnected(from);
+    clients().dispatch(client -> client.messageReceived(message));
+    deviceLink.eventCounter().increment(message.name());
   }
 
   /** Tells those who have joined since that there is a vehicle. */
-  private void greet(Vehicle found) {
-    members().greet(member -> member.found(found));
+  private void notifyConnected(Vehicle found) {
+    clients().notifyConnected(client -> client.vehicleFound(found));
   }
 
   /** Whether one of the modules commands the vehicle. */
   private boolean commanded() {
-    return members().ask(all -> all.stream().anyMatch(MavlinkMember::commands));
+    return clients().query(all -> all.stream().anyMatch(MavlinkClient::commands));
   }
 
   /** The messages that any of them wants, as often as the one that wants them most often. */
-  private Map<Integer, Double> wanted() {
+  private Map<Integer, Double> requestedRates() {
     Map<Integer, Double> wanted = new HashMap<>();
-    members()
-        .ask(all -> all.stream().map(MavlinkMember::streams).toList())
+    clients()
+        .query(all -> all.stream().map(MavlinkClient::messageRates).toList())
         .forEach(each -> each.forEach((id, rate) -> wanted.merge(id, rate, Math::max)));
     return wanted;
   }
@@ -239,24 +240,24 @@ final class MavlinkConnection extends SharedLine<MavlinkMember> {
     }
 
     @Override
-    public void tend(SerialLink link) throws IOException {
+    public void periodic(SerialLink link) throws IOException {
       @Nullable Vehicle known = vehicle;
       if (known != null) {
-        greet(known);
+        notifyConnected(known);
       }
-      members().tell(MavlinkMember::tend);
+      clients().dispatch(MavlinkClient::periodic);
       long now = ticker.nanos();
       if (now - heartbeatNanos >= HEARTBEAT_EVERY.toNanos() && commanded()) {
         heartbeatNanos = now;
         link.write(encoder.heartbeat());
       }
-      if (known != null && commands.tend()) {
-        streams.tend(wanted());
+      if (known != null && commands.resendDue()) {
+        streams.requestDue(requestedRates());
       }
     }
 
     @Override
-    public Duration longestSilence() {
+    public Duration livenessTimeout() {
       return LOST_AFTER;
     }
 
@@ -271,7 +272,7 @@ final class MavlinkConnection extends SharedLine<MavlinkMember> {
     public void lost(String reason) {
       vehicle = null;
       commands.lost();
-      members().lose(reason);
+      clients().notifyLost(reason);
     }
   }
 }

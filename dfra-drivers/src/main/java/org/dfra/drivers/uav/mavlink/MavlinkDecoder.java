@@ -82,61 +82,62 @@ public final class MavlinkDecoder {
     };
   }
 
-  private static MavlinkMessage of(Heartbeat told) {
+  private static MavlinkMessage of(Heartbeat reported) {
     return new MavlinkMessage.Heartbeat(
-        told.type().value(),
-        told.autopilot().value(),
-        (told.baseMode().value() & ARMED) != 0,
-        told.customMode(),
-        told.systemStatus().value());
+        reported.type().value(),
+        reported.autopilot().value(),
+        (reported.baseMode().value() & ARMED) != 0,
+        reported.customMode(),
+        reported.systemStatus().value());
   }
 
-  private static MavlinkMessage of(SysStatus told) {
-    int remaining = told.batteryRemaining();
+  private static MavlinkMessage of(SysStatus reported) {
+    int remaining = reported.batteryRemaining();
     if (remaining < -1 || remaining > 100) {
       return new Malformed("SYS_STATUS", "charge " + remaining + " % is outside 0 to 100 %");
     }
     return new MavlinkMessage.SystemStatus(
-        known(told.voltageBattery(), UNKNOWN_16, 1e-3),
-        known(told.currentBattery(), -1, 1e-2),
+        known(reported.voltageBattery(), UNKNOWN_16, 1e-3),
+        known(reported.currentBattery(), -1, 1e-2),
         known(remaining, -1, 1e-2));
   }
 
-  private static MavlinkMessage of(SystemTime told) {
-    Duration utc = micros(told.timeUnixUsec());
+  private static MavlinkMessage of(SystemTime reported) {
+    Duration utc = micros(reported.timeUnixUsec());
     return new MavlinkMessage.SystemTime(
-        isSince1970(utc) ? Instant.EPOCH.plus(utc) : null, Duration.ofMillis(told.timeBootMs()));
+        isSince1970(utc) ? Instant.EPOCH.plus(utc) : null,
+        Duration.ofMillis(reported.timeBootMs()));
   }
 
-  private static MavlinkMessage of(GpsRawInt told) {
-    String fault = fault(told.lat(), told.lon());
-    int course = told.cog();
+  private static MavlinkMessage of(GpsRawInt reported) {
+    String fault = fault(reported.lat(), reported.lon());
+    int course = reported.cog();
     if (fault == null && course != UNKNOWN_16 && course > 36_000) {
       fault = "course " + course + " is above 36000 hundredths of a degree";
     }
     if (fault != null) {
       return new Malformed("GPS_RAW_INT", fault);
     }
-    int height = told.altEllipsoid();
+    int height = reported.altEllipsoid();
     return new MavlinkMessage.GpsRaw(
-        micros(told.timeUsec()),
-        told.fixType().value(),
-        told.lat() / 1e7,
-        told.lon() / 1e7,
-        told.alt() / 1e3,
+        micros(reported.timeUsec()),
+        reported.fixType().value(),
+        reported.lat() / 1e7,
+        reported.lon() / 1e7,
+        reported.alt() / 1e3,
         height == 0 ? null : height / 1e3, // left out at the payload's end
-        known(told.eph(), UNKNOWN_16, 1e-2),
-        known(told.epv(), UNKNOWN_16, 1e-2),
-        known(told.vel(), UNKNOWN_16, 1e-2),
+        known(reported.eph(), UNKNOWN_16, 1e-2),
+        known(reported.epv(), UNKNOWN_16, 1e-2),
+        known(reported.vel(), UNKNOWN_16, 1e-2),
         course == UNKNOWN_16 ? null : course % 36_000 / 1e2,
-        told.satellitesVisible() == UNKNOWN_8 ? null : told.satellitesVisible(),
-        told.hAcc() == 0 ? null : told.hAcc() / 1e3,
-        told.vAcc() == 0 ? null : told.vAcc() / 1e3);
+        reported.satellitesVisible() == UNKNOWN_8 ? null : reported.satellitesVisible(),
+        reported.hAcc() == 0 ? null : reported.hAcc() / 1e3,
+        reported.vAcc() == 0 ? null : reported.vAcc() / 1e3);
   }
 
-  private static MavlinkMessage of(GlobalPositionInt told) {
-    String fault = fault(told.lat(), told.lon());
-    int heading = told.hdg();
+  private static MavlinkMessage of(GlobalPositionInt reported) {
+    String fault = fault(reported.lat(), reported.lon());
+    int heading = reported.hdg();
     if (fault == null && heading != UNKNOWN_16 && heading > 36_000) {
       fault = "heading " + heading + " is above 36000 hundredths of a degree";
     }
@@ -144,47 +145,50 @@ public final class MavlinkDecoder {
       return new Malformed("GLOBAL_POSITION_INT", fault);
     }
     return new MavlinkMessage.GlobalPosition(
-        Duration.ofMillis(told.timeBootMs()),
-        told.lat() / 1e7,
-        told.lon() / 1e7,
-        told.alt() / 1e3,
-        told.relativeAlt() / 1e3,
-        told.vx() / 1e2,
-        told.vy() / 1e2,
-        told.vz() / 1e2,
+        Duration.ofMillis(reported.timeBootMs()),
+        reported.lat() / 1e7,
+        reported.lon() / 1e7,
+        reported.alt() / 1e3,
+        reported.relativeAlt() / 1e3,
+        reported.vx() / 1e2,
+        reported.vy() / 1e2,
+        reported.vz() / 1e2,
         heading == UNKNOWN_16 ? null : heading % 36_000 / 1e2);
   }
 
-  private static MavlinkMessage of(VfrHud told) {
-    float speed = told.groundspeed();
-    if (!(speed >= 0 && Float.isFinite(speed + told.alt() + told.climb()))) {
+  private static MavlinkMessage of(VfrHud reported) {
+    float speed = reported.groundspeed();
+    if (!(speed >= 0 && Float.isFinite(speed + reported.alt() + reported.climb()))) {
       return new Malformed(
           "VFR_HUD",
           "speed "
               + speed
               + " m/s, height "
-              + told.alt()
+              + reported.alt()
               + " m, climb "
-              + told.climb()
+              + reported.climb()
               + " m/s are not all finite, the first of them ≥ 0");
     }
-    return new MavlinkMessage.Motion(
-        speed, Math.floorMod(told.heading(), 360), told.alt(), told.climb());
+    return new MavlinkMessage.VfrHud(
+        speed, Math.floorMod(reported.heading(), 360), reported.alt(), reported.climb());
   }
 
-  private static MavlinkMessage of(CommandAck told) {
+  private static MavlinkMessage of(CommandAck reported) {
     return new MavlinkMessage.CommandAck(
-        told.command().value(), told.result().value(), told.targetSystem(), told.targetComponent());
+        reported.command().value(),
+        reported.result().value(),
+        reported.targetSystem(),
+        reported.targetComponent());
   }
 
-  private static MavlinkMessage of(BatteryStatus told) {
-    int remaining = told.batteryRemaining();
+  private static MavlinkMessage of(BatteryStatus reported) {
+    int remaining = reported.batteryRemaining();
     if (remaining < -1 || remaining > 100) {
       return new Malformed("BATTERY_STATUS", "charge " + remaining + " % is outside 0 to 100 %");
     }
     int known = 0;
     int millivolts = 0;
-    for (List<Integer> cells : List.of(told.voltages(), told.voltagesExt())) {
+    for (List<Integer> cells : List.of(reported.voltages(), reported.voltagesExt())) {
       for (int cell : cells) {
         if (cell != UNKNOWN_16 && cell != 0) {
           known++;
@@ -193,21 +197,21 @@ public final class MavlinkDecoder {
       }
     }
     return new MavlinkMessage.BatteryStatus(
-        told.id(),
+        reported.id(),
         known == 0 ? null : millivolts / 1e3,
-        known(told.currentBattery(), -1, 1e-2),
+        known(reported.currentBattery(), -1, 1e-2),
         known(remaining, -1, 1e-2));
   }
 
   /** The version stands in the upper three bytes, the sort of release in the lowest. */
-  private static MavlinkMessage of(AutopilotVersion told) {
-    long version = told.flightSwVersion();
+  private static MavlinkMessage of(AutopilotVersion reported) {
+    long version = reported.flightSwVersion();
     return new MavlinkMessage.Version(
         (version >> 24 & 0xFF) + "." + (version >> 16 & 0xFF) + "." + (version >> 8 & 0xFF));
   }
 
-  private static MavlinkMessage of(Statustext told) {
-    return new MavlinkMessage.Text(told.severity().value(), told.text().strip());
+  private static MavlinkMessage of(Statustext reported) {
+    return new MavlinkMessage.Text(reported.severity().value(), reported.text().strip());
   }
 
   private static @Nullable String fault(int latitude, int longitude) {

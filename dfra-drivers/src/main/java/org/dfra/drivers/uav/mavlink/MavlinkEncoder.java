@@ -57,7 +57,7 @@ final class MavlinkEncoder {
    * @param times it was sent before, 0 to 255; only {@code COMMAND_LONG} has room for it
    */
   byte[] command(Vehicle to, MavlinkCommand command, int times) {
-    if (command instanceof MavlinkCommand.Placed placed) {
+    if (command instanceof MavlinkCommand.CommandInt placed) {
       return frame(
           CommandInt.builder()
               .targetSystem(to.system())
@@ -73,7 +73,7 @@ final class MavlinkEncoder {
               .z(placed.heightMsl())
               .build());
     }
-    MavlinkCommand.Plain plain = (MavlinkCommand.Plain) command;
+    MavlinkCommand.CommandLong plain = (MavlinkCommand.CommandLong) command;
     return frame(
         CommandLong.builder()
             .targetSystem(to.system())

@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import org.dfra.core.effector.EffectorImpl;
-import org.dfra.core.module.Examinations.Finding;
+import org.dfra.core.module.Diagnostics.DiagnosticFinding;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.Ticker;
@@ -26,11 +26,11 @@ import org.jspecify.annotations.Nullable;
 /**
  * The flight controller of a multicopter, by MAVLink 2: PX4 or ArduPilot.
  *
- * <p><b>What a caller must know.</b> {@link #obey} returns when the command has been handed to the
- * link. The vehicle answers later, and may refuse:
+ * <p><b>What a caller must know.</b> {@link #execute} returns when the command has been handed to
+ * the link. The vehicle answers later, and may refuse:
  *
  * <ul>
- *   <li>a command is done when {@link #flight} shows it; wait for that, with a time-out
+ *   <li>a command is done when {@link #flightState} shows it; wait for that, with a time-out
  *   <li>one that is refused, or not answered within 2.8 s, is told to listeners as an incident of
  *       the history, logged, and stands in the parameter {@code last_refusal}, with what the
  *       autopilot said of it where it said something; {@code last_order} shows what became of the
@@ -47,12 +47,12 @@ import org.jspecify.annotations.Nullable;
  * autopilot does not tell it. Where neither is known there is no position, and a GoTo is refused.
  * {@link FlightState#height} and {@code max_height} are above the place where it took off.
  *
- * <p><b>Without a commander</b> it comes to rest as {@link FlightRest} has it: it holds its place
- * in the air. While this module runs the vehicle hears our heartbeat; when that ends, by a crash or
- * a lost link, the vehicle's own failsafe acts, which must be set up (PX4: {@code NAV_DLL_ACT},
- * ArduPilot: {@code FS_GCS_ENABLE}).
+ * <p><b>Without a commander</b> it comes to rest as {@link LossOfCommandFailsafe} has it: it holds
+ * its place in the air. While this module runs the vehicle hears our heartbeat; when that ends, by
+ * a crash or a lost link, the vehicle's own failsafe acts, which must be set up (PX4: {@code
+ * NAV_DLL_ACT}, ArduPilot: {@code FS_GCS_ENABLE}).
  *
- * <p>Parameters, besides those of {@link MavlinkPort}:
+ * <p>Parameters, besides those of {@link MavlinkLinkHandle}:
  *
  * <ul>
  *   <li>{@code max_speed}: metres per second over ground, a faster GoTo is flown at this; 0.1 to
@@ -88,15 +88,15 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
   private static final Duration LONGEST_AGE = Duration.ofSeconds(3);
 
   private final Ticker ticker;
-  private final FlightPicture picture = new FlightPicture();
-  private final FlightOrders orders = new FlightOrders(this::ended);
-  private final FlightRefusals refusals;
+  private final VehicleState vehicleState = new VehicleState();
+  private final FlightCommandSequencer sequencer = new FlightCommandSequencer(this::ended);
+  private final CommandFailureLog refusals;
   private final FlightLimits limits;
-  private final FlightRest rest;
-  private final MavlinkPort port;
+  private final LossOfCommandFailsafe failsafe;
+  private final MavlinkLinkHandle port;
 
   private volatile String awaits = "it has not been started";
-  private @Nullable FlightState told; // confined to the reader
+  private @Nullable FlightState publishedState; // confined to the reader
 
   /**
    * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
@@ -116,17 +116,19 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
         List.of("FlightState"),
         PRECONDITIONS);
     this.ticker = ticker;
-    this.refusals = new FlightRefusals(path(), ticker);
-    this.limits = new FlightLimits(path(), settings(), declared(), picture);
-    this.rest = new FlightRest(picture, orders, ticker);
-    this.port = new MavlinkPort(new Member(), context, ticker, source);
-    port.declareIn(examinations(), declared());
+    this.refusals = new CommandFailureLog(path(), ticker);
+    this.limits = new FlightLimits(path(), settings(), parameterTable(), vehicleState);
+    this.failsafe = new LossOfCommandFailsafe(vehicleState, sequencer, ticker);
+    this.port = new MavlinkLinkHandle(new Member(), context, ticker, source);
+    port.declareIn(diagnostics(), parameterTable());
     String position = "GLOBAL_POSITION_INT";
-    examinations().test("readings", port.next(position, position, () -> LONGEST_AGE));
-    examinations().test("position", this::position);
-    declared().show("last_order", "what became of the last command", orders::told);
-    declared().show("last_refusal", "the last command not obeyed, and why", refusals::last);
-    declared().show("last_text", "the autopilot's last warning", refusals::text);
+    diagnostics().addTest("readings", port.arrivalCheck(position, position, () -> LONGEST_AGE));
+    diagnostics().addTest("position", this::position);
+    parameterTable()
+        .declareReadOnly("last_order", "what became of the last command", sequencer::status);
+    parameterTable()
+        .declareReadOnly("last_refusal", "the last command not obeyed, and why", refusals::last);
+    parameterTable().declareReadOnly("last_text", "the autopilot's last warning", refusals::text);
   }
 
   @Override
@@ -139,91 +141,95 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
   protected void onClose() {
     port.close();
     awaits = "it has ended";
-    picture.forget();
+    vehicleState.forget();
   }
 
   @Override
-  protected void obey(FlightCommand command) {
-    @Nullable MavlinkConnection connection = port.joined();
+  protected void execute(FlightCommand command) {
+    @Nullable MavlinkConnection connection = port.sharedLink();
     @Nullable Vehicle vehicle = connection == null ? null : connection.vehicle();
     if (connection == null || vehicle == null) {
       throw new NotReadyException(path(), readiness(), "its vehicle was lost just now");
     }
-    if (!FlightProcedures.know(vehicle)) {
+    if (!FlightProcedures.supports(vehicle)) {
       throw new IllegalArgumentException(
           path() + " has found " + vehicle + ", and only PX4 and ArduPilot are known to it");
     }
-    MavlinkMessage.@Nullable GlobalPosition here = picture.position(ticker.nanos());
+    MavlinkMessage.@Nullable GlobalPosition here = vehicleState.position(ticker.nanos());
     limits.check(command, here);
     List<MavlinkCommand> steps =
-        FlightProcedures.steps(command, vehicle, here, picture.separation(), limits.maxSpeed());
+        FlightProcedures.steps(
+            command, vehicle, here, vehicleState.separation(), limits.maxSpeed());
     if (command instanceof Arm || command instanceof TakeOff || command instanceof GoTo) {
-      halts().prepare(); // what could not be held later is not begun
+      haltExecutor().prepare(); // what could not be held later is not begun
     }
-    if (!rest.interrupt(command, steps, connection)) {
+    if (!failsafe.sendCommand(command, steps, connection)) {
       throw new NotReadyException(path(), readiness(), "its vehicle was lost just now");
     }
   }
 
   @Override
-  protected void rest() {
-    rest.begin(port.joined());
+  protected void stopSafely() {
+    failsafe.trigger(port.sharedLink());
   }
 
-  /** {@inheritDoc} It is held in the air, or disarmed on the ground, as by {@link FlightRest}. */
+  /**
+   * {@inheritDoc} It is held in the air, or disarmed on the ground, as by {@link
+   * LossOfCommandFailsafe}.
+   */
   @Override
-  protected void restMeanwhile() {
-    rest.beginMeanwhile(port.joined(), this::isRestDue);
+  protected void stopDuringCommand() {
+    failsafe.triggerWithoutLocks(port.sharedLink(), this::isStopDue);
   }
 
   /** An order has ended; on the reader thread. */
-  private void ended(String order, MavlinkCommand step, CommandResult result) {
-    log.info("{}: {}: {} {}", path(), order, step.name(), result);
-    rest.ended(order, result, commander() == null);
+  private void ended(String commandName, MavlinkCommand step, CommandResult result) {
+    log.info("{}: {}: {} {}", path(), commandName, step.name(), result);
+    failsafe.ended(commandName, result, commander() == null);
     if (readiness() == Readiness.STOPPED) {
       return; // the last order was to come to rest, and the link outlives this module
     }
     if (!result.isAccepted()) {
-      CommandNotObeyedException refusal = refusals.add(order, step, result);
+      CommandFailedException refusal = refusals.add(commandName, step, result);
       log.warn("{}", refusal.toString());
-      survived(refusal);
+      recordException(refusal);
     }
-    tellState(true);
+    publishState(true);
   }
 
   /** Tells how it flies, where that is known; on the reader thread. */
-  private void tellState(boolean always) {
-    FlightState now = readiness().serves() ? picture.state(ticker.nanos()) : null;
-    FlightState last = told;
+  private void publishState(boolean always) {
+    FlightState now = readiness().serves() ? vehicleState.state(ticker.nanos()) : null;
+    FlightState last = publishedState;
     if (now != null
         && (always
             || last == null
             || last.phase() != now.phase()
             || last.isArmed() != now.isArmed())) {
-      told = now;
-      tell(now);
+      publishedState = now;
+      publish(now);
     }
   }
 
-  private Finding position() {
-    FlightState now = readiness().serves() ? picture.state(ticker.nanos()) : null;
+  private DiagnosticFinding position() {
+    FlightState now = readiness().serves() ? vehicleState.state(ticker.nanos()) : null;
     if (now == null) {
-      return new Finding(false, "it has not told how it flies: " + awaits);
+      return new DiagnosticFinding(false, "it has not told how it flies: " + awaits);
     }
     return now.position() == null
-        ? new Finding(
+        ? new DiagnosticFinding(
             false,
-            picture.separation() == null
+            vehicleState.separation() == null
                 ? "it does not tell its height above the ellipsoid; set geoid_separation"
                 : "it does not know where it is; has it found its satellites?")
-        : new Finding(true, "it is at " + now.position());
+        : new DiagnosticFinding(true, "it is at " + now.position());
   }
 
   /** {@inheritDoc} Its time is when something of it was last heard. */
   @Override
-  public FlightState flight() {
+  public FlightState flightState() {
     Readiness readiness = readiness();
-    FlightState now = readiness.serves() ? picture.state(ticker.nanos()) : null;
+    FlightState now = readiness.serves() ? vehicleState.state(ticker.nanos()) : null;
     if (now == null) {
       throw new NotReadyException(path(), readiness, awaits);
     }
@@ -231,8 +237,8 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
   }
 
   @Override
-  protected List<? extends Attributes> traits() {
-    @Nullable MavlinkConnection connection = port.joined();
+  protected List<? extends Attributes> deviceAttributes() {
+    @Nullable MavlinkConnection connection = port.sharedLink();
     @Nullable Vehicle vehicle = connection == null ? null : connection.vehicle();
     @Nullable String version = connection == null ? null : connection.software();
     return List.of(
@@ -248,7 +254,7 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
   }
 
   /** What the shared link tells; on its reader thread. */
-  private final class Member implements MavlinkMember {
+  private final class Member implements MavlinkClient {
 
     @Override
     public String path() {
@@ -261,7 +267,7 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
     }
 
     @Override
-    public Map<Integer, Double> streams() {
+    public Map<Integer, Double> messageRates() {
       double rate = limits.rate();
       return Map.of(
           MessageIds.GLOBAL_POSITION_INT,
@@ -275,37 +281,37 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
     }
 
     @Override
-    public void found(Vehicle vehicle) {
-      picture.found(vehicle);
+    public void vehicleFound(Vehicle vehicle) {
+      vehicleState.vehicleFound(vehicle);
       awaits = vehicle + " is heard, but has not told where it is";
     }
 
     @Override
-    public void heard(MavlinkMessage message) {
+    public void messageReceived(MavlinkMessage message) {
       if (message instanceof Text text) {
         log.info("{}: the autopilot says: {}", path(), text.text());
-        refusals.heard(text);
+        refusals.addStatusText(text);
         return;
       }
-      picture.heard(message, clock().instant(), ticker.nanos());
-      if (readiness() == Readiness.INITIALIZING && picture.isWhole()) {
-        become(Readiness.READY);
+      vehicleState.update(message, clock().instant(), ticker.nanos());
+      if (readiness() == Readiness.INITIALIZING && vehicleState.isComplete()) {
+        transitionTo(Readiness.READY);
       }
-      tellState(message instanceof MavlinkMessage.GlobalPosition);
+      publishState(message instanceof MavlinkMessage.GlobalPosition);
     }
 
     @Override
-    public void tend() {
-      rest.tend(port.joined());
+    public void periodic() {
+      failsafe.retry(port.sharedLink());
     }
 
     @Override
     public void lost(String reason) {
       awaits = reason;
       if (readiness().serves()) {
-        become(Readiness.INITIALIZING, reason);
+        transitionTo(Readiness.INITIALIZING, reason);
       }
-      picture.forget();
+      vehicleState.forget();
     }
   }
 }

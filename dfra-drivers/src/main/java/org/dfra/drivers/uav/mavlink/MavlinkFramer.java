@@ -41,7 +41,7 @@ public final class MavlinkFramer extends FrameScanner {
   }
 
   @Override
-  protected int frameAt(byte[] bytes, int at, int end) {
+  protected int frameLengthAt(byte[] bytes, int at, int end) {
     int there = end - at;
     if (bytes[at] == MARK_2) {
       if (there > 2 && (bytes[at + 2] & ~SIGNED) != 0) {

@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
-import org.dfra.core.module.Examinations.Finding;
+import org.dfra.core.module.Diagnostics.DiagnosticFinding;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.drivers.gps.ReceiverAttributes;
-import org.dfra.drivers.gps.ReceiverKind;
+import org.dfra.drivers.gps.GpsReceiverPersona;
+import org.dfra.drivers.gps.GpsReceiverType;
 import org.dfra.drivers.gps.WeekRollover;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.LinkSettings;
@@ -32,7 +32,7 @@ import org.jspecify.annotations.Nullable;
  * The satellite receiver of an unmanned aerial vehicle, as its autopilot passes it on: {@code
  * GPS_RAW_INT}, with {@code SYSTEM_TIME} for the date. It is the receiver's own solution and not
  * the autopilot's estimate, so that it means what a {@link GPSSensor} on the ground means; the
- * estimate is in {@link MavlinkFlightImpl#flight}.
+ * estimate is in {@link MavlinkFlightImpl#flightState}.
  *
  * <p>Parameters, besides those of {@link MavlinkSensorImpl}; to be read only: {@code satellites},
  * {@code accuracy}.
@@ -73,7 +73,7 @@ public final class MavlinkGpsImpl extends MavlinkSensorImpl<MavlinkGpsImpl.Snaps
    */
   record Snapshot(GpsFix fix, LocationReading location, @Nullable TimeReading time, GpsRaw raw) {}
 
-  private final ReceiverAttributes attributes = new ReceiverAttributes(SENSOR);
+  private final GpsReceiverPersona attributes = new GpsReceiverPersona(SENSOR);
   private final WeekRollover rollover = WeekRollover.of(clock(), LinkSettings.address(settings()));
   private @Nullable Instant switchedOn; // confined to the reader; by SYSTEM_TIME
 
@@ -91,21 +91,22 @@ public final class MavlinkGpsImpl extends MavlinkSensorImpl<MavlinkGpsImpl.Snaps
         "satellite receiver of an autopilot, by MAVLink",
         "GPS_RAW_INT",
         List.of("GpsFix", "LocationReading", "TimeReading"),
-        List.of(new Precondition("speed", 0, 500, "m/s"), ReceiverKind.SATELLITES),
+        List.of(new Precondition("speed", 0, 500, "m/s"), GpsReceiverType.SATELLITES),
         ticker,
         source);
-    examinations().test("satellites", this::satellites);
-    declared().show("satellites", "how many it uses", () -> satellites().text());
-    declared().show("accuracy", "what the receiver takes its error for", this::accuracy);
+    diagnostics().addTest("satellites", this::satellites);
+    parameterTable().declareReadOnly("satellites", "how many it uses", () -> satellites().text());
+    parameterTable()
+        .declareReadOnly("accuracy", "what the receiver takes its error for", this::accuracy);
   }
 
   @Override
-  Map<Integer, Double> streams(double rate) {
+  Map<Integer, Double> messageRates(double rate) {
     return Map.of(MessageIds.GPS_RAW_INT, rate, MessageIds.SYSTEM_TIME, Math.min(rate, 1));
   }
 
   @Override
-  void heard(MavlinkMessage message) {
+  void messageReceived(MavlinkMessage message) {
     if (message instanceof SystemTime time) {
       switchedOn = time.utc() == null ? null : time.utc().minus(time.boot());
     } else if (message instanceof GpsRaw raw) {
@@ -120,7 +121,8 @@ public final class MavlinkGpsImpl extends MavlinkSensorImpl<MavlinkGpsImpl.Snaps
     @Nullable GeoPosition position = fix.position();
     @Nullable Snapshot last = latest().peek();
     if (position == null) {
-      useless("the receiver has no position, it uses " + fix.satellitesTracked() + " satellites");
+      reportUnusable(
+          "the receiver has no position, it uses " + fix.satellitesTracked() + " satellites");
       if (last == null) {
         return;
       }
@@ -128,9 +130,9 @@ public final class MavlinkGpsImpl extends MavlinkSensorImpl<MavlinkGpsImpl.Snaps
     } else {
       LocationReading location = new LocationReading(position, path(), fix.utc());
       attributes.located(location);
-      delivered(new Snapshot(fix, location, utc == null ? null : new TimeReading(utc, now), raw));
+      publish(new Snapshot(fix, location, utc == null ? null : new TimeReading(utc, now), raw));
     }
-    tell(fix);
+    publish(fix);
   }
 
   private @Nullable Instant utc(Duration time) {
@@ -175,10 +177,10 @@ public final class MavlinkGpsImpl extends MavlinkSensorImpl<MavlinkGpsImpl.Snaps
     return value == null ? 0 : value;
   }
 
-  private Finding satellites() {
+  private DiagnosticFinding satellites() {
     @Nullable Snapshot now = latest().peek();
     int used = now == null ? 0 : now.fix().satellitesTracked();
-    return new Finding(used >= ENOUGH, used + " are used, and " + ENOUGH + " are enough");
+    return new DiagnosticFinding(used >= ENOUGH, used + " are used, and " + ENOUGH + " are enough");
   }
 
   private String accuracy() {
@@ -229,7 +231,7 @@ public final class MavlinkGpsImpl extends MavlinkSensorImpl<MavlinkGpsImpl.Snaps
   }
 
   @Override
-  protected List<? extends Attributes> traits() {
+  protected List<? extends Attributes> deviceAttributes() {
     return attributes.all(RECEIVER);
   }
 }

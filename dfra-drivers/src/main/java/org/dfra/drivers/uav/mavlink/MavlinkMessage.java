@@ -141,7 +141,7 @@ public sealed interface MavlinkMessage {
    * @param heightMsl above mean sea level, metres
    * @param climb metres per second, up is +
    */
-  record Motion(double speed, double heading, double heightMsl, double climb)
+  record VfrHud(double speed, double heading, double heightMsl, double climb)
       implements MavlinkMessage {
 
     @Override

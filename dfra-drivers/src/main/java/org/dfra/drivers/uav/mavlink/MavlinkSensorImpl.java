@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import org.dfra.core.module.LatestReading;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.core.module.ParameterTable.Range;
+import org.dfra.core.module.ParameterTable.NumberRange;
 import org.dfra.core.module.SensorImpl;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.Ticker;
@@ -15,8 +15,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * A sensor behind an autopilot: what the drivers of all of them have in common.
  *
- * <p>Parameters, besides those of {@link MavlinkPort}: {@code period}, seconds from one reading to
- * the next, 0.05 to 60; default 1; can be set while it runs.
+ * <p>Parameters, besides those of {@link MavlinkLinkHandle}: {@code period}, seconds from one
+ * reading to the next, 0.05 to 60; default 1; can be set while it runs.
  *
  * <p>INITIALIZING until the first reading, and again when the link or the vehicle is lost or when
  * no reading came for three periods and 2 s. A reading is served no longer than that either.
@@ -31,7 +31,7 @@ abstract class MavlinkSensorImpl<T> extends SensorImpl {
 
   private final Ticker ticker;
   private final LatestReading<T> latest;
-  private final MavlinkPort port;
+  private final MavlinkLinkHandle port;
   private final String expected;
 
   private volatile double period;
@@ -54,27 +54,27 @@ abstract class MavlinkSensorImpl<T> extends SensorImpl {
     super(context, description, "DFRA", "1.0", puts, preconditions);
     this.ticker = ticker;
     this.latest =
-        new LatestReading<>("reading", this, this::become, ticker::nanos, this::longestAge);
+        new LatestReading<>("reading", this, this::transitionTo, ticker::nanos, this::longestAge);
     this.uselessNanos = ticker.nanos() - Duration.ofDays(1).toNanos();
     this.expected = expected;
     this.period = settings().number("period", 1, 0.05, 60);
-    this.port = new MavlinkPort(new Member(), context, ticker, source);
-    port.declareIn(examinations(), declared());
-    examinations().test("readings", port.next(path(), expected, this::longestAge));
-    declared()
-        .number(
+    this.port = new MavlinkLinkHandle(new Member(), context, ticker, source);
+    port.declareIn(diagnostics(), parameterTable());
+    diagnostics().addTest("readings", port.arrivalCheck(path(), expected, this::longestAge));
+    parameterTable()
+        .declareNumber(
             "period",
             "seconds from one reading to the next",
-            Range.of(0.05, 60, "s"),
+            NumberRange.of(0.05, 60, "s"),
             () -> period,
             value -> period = value);
   }
 
   /** The messages it reads, at a rate in hertz; asked again and again. */
-  abstract Map<Integer, Double> streams(double rate);
+  abstract Map<Integer, Double> messageRates(double rate);
 
   /** The vehicle's autopilot said this; on the reader thread. */
-  abstract void heard(MavlinkMessage message);
+  abstract void messageReceived(MavlinkMessage message);
 
   /** There is no reading any more, and whatever else is known of its source may not hold. */
   void forget() {}
@@ -85,7 +85,7 @@ abstract class MavlinkSensorImpl<T> extends SensorImpl {
   }
 
   /** A reading has been taken; on the reader thread. */
-  final void delivered(T reading) {
+  final void publish(T reading) {
     latest.set(reading);
     port.count(path());
   }
@@ -95,9 +95,9 @@ abstract class MavlinkSensorImpl<T> extends SensorImpl {
    *
    * @param reason why, as a clause
    */
-  final void useless(String reason) {
+  final void reportUnusable(String reason) {
     uselessNanos = ticker.nanos();
-    latest.awaits(reason);
+    latest.setMissing(reason);
   }
 
   private Duration longestAge() {
@@ -106,14 +106,14 @@ abstract class MavlinkSensorImpl<T> extends SensorImpl {
 
   @Override
   protected final void onStart() {
-    latest.awaits("its link is being opened");
+    latest.setMissing("its link is being opened");
     port.start();
   }
 
   @Override
   protected final void onClose() {
     port.close();
-    latest.forget("it has ended");
+    latest.clear("it has ended");
     forget();
   }
 
@@ -124,12 +124,12 @@ abstract class MavlinkSensorImpl<T> extends SensorImpl {
   }
 
   private void withoutReading(String reason) {
-    latest.lose(reason);
+    latest.markLost(reason);
     forget();
   }
 
   /** On the reader thread. */
-  private final class Member implements MavlinkMember {
+  private final class Member implements MavlinkClient {
 
     @Override
     public String path() {
@@ -137,27 +137,27 @@ abstract class MavlinkSensorImpl<T> extends SensorImpl {
     }
 
     @Override
-    public Map<Integer, Double> streams() {
-      return MavlinkSensorImpl.this.streams(updateRate());
+    public Map<Integer, Double> messageRates() {
+      return MavlinkSensorImpl.this.messageRates(updateRate());
     }
 
     @Override
-    public void found(Vehicle vehicle) {
-      latest.awaits(vehicle + " is heard, no " + expected + " has come yet");
+    public void vehicleFound(Vehicle vehicle) {
+      latest.setMissing(vehicle + " is heard, no " + expected + " has come yet");
     }
 
     @Override
-    public void heard(MavlinkMessage message) {
-      MavlinkSensorImpl.this.heard(message);
+    public void messageReceived(MavlinkMessage message) {
+      MavlinkSensorImpl.this.messageReceived(message);
     }
 
     @Override
-    public void tend() {
+    public void periodic() {
       if (readiness().serves() && latest.isTooOld()) {
         boolean isUseless = ticker.nanos() - uselessNanos <= longestAge().toNanos();
         withoutReading(
             isUseless
-                ? latest.awaits()
+                ? latest.missing()
                 : "no " + expected + " for " + LatestReading.seconds(longestAge()));
       }
     }

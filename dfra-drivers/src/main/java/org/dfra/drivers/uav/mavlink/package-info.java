@@ -9,7 +9,7 @@
  *                                          MavlinkConnection --&gt; MavlinkFlightImpl
  *             one for each link,           |                 --&gt; MavlinkGpsImpl
  *             shared by the modules        |                 --&gt; MavlinkBatteryImpl
- *   bytes &lt;-- MavlinkEncoder &lt;-- CommandProtocol &lt;-- FlightOrders
+ *   bytes &lt;-- MavlinkEncoder &lt;-- CommandProtocol &lt;-- FlightCommandSequencer
  *                                sends again until    one order after the other
  *                                it is acknowledged
  * </pre>

@@ -181,7 +181,7 @@ class MjpegCameraImplTest {
     await().until(() -> !second.isOpen());
     links.add(third);
     ticker.step(Duration.ofSeconds(15));
-    try (ModuleLease unused = camera.use(Duration.ofSeconds(10))) {
+    try (ModuleLease unused = camera.acquireLease(Duration.ofSeconds(10))) {
       await().until(() -> !third.written().isEmpty());
       assertThat(camera.updateRate()).isEqualTo(10);
       third.say(bytes(STREAM, part("", jpeg)));
@@ -246,7 +246,7 @@ class MjpegCameraImplTest {
     awaitReadiness(Readiness.READY);
     assertThat(camera.image().band()).isEqualTo(Band.THERMAL);
     assertThat(camera.image().data()).isEqualTo(heat);
-    assertThat(ImageExamination.of(camera.image()).text())
+    assertThat(ImageDiagnostics.of(camera.image()).text())
         .matches("16 × 12 pixels, \\d+ bytes, 1[67]\\.\\d\\d to 2[67]\\.\\d\\d °C");
   }
 
@@ -254,12 +254,12 @@ class MjpegCameraImplTest {
   void seesWhenTheLensIsCovered() {
     CameraImage dark =
         new CameraImage(NOW, "a/b", Band.VISIBLE, 4, 4, 3, "image/png", Images.colourPng(4, 4));
-    assertThat(ImageExamination.of(dark).passed()).isFalse();
-    assertThat(ImageExamination.of(dark).text()).endsWith("is the lens covered?");
+    assertThat(ImageDiagnostics.of(dark).passed()).isFalse();
+    assertThat(ImageDiagnostics.of(dark).text()).endsWith("is the lens covered?");
     byte[] cut = jpeg.clone();
     Arrays.fill(cut, 20, cut.length - 2, (byte) 0);
     CameraImage spoilt = new CameraImage(NOW, "a/b", Band.VISIBLE, 4, 4, 3, "image/jpeg", cut);
-    assertThat(ImageExamination.of(spoilt).text()).startsWith("the image cannot be decoded");
+    assertThat(ImageDiagnostics.of(spoilt).text()).startsWith("the image cannot be decoded");
   }
 
   @Test

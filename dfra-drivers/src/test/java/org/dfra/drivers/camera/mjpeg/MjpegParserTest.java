@@ -42,7 +42,7 @@ class MjpegParserTest {
     assertThat(part.data()).isEqualTo(image);
     assertThat(part.head().header("x-timestamp")).isEqualTo("12.5");
     assertThat(part.head().mediaType()).isEqualTo("image/jpeg");
-    assertThat(part.shape()).isEqualTo(new ImageShape("image/jpeg", 16, 8, 8, false));
+    assertThat(part.shape()).isEqualTo(new ImageFormat("image/jpeg", 16, 8, 8, false));
     assertThat(parser.counts().droppedBytes()).isZero();
   }
 

@@ -56,13 +56,13 @@ class RflexCommandsTest {
     "4294967295, 4294967295",
   })
   void choosesTheNearestNumberWithoutAnEscape(long value, long nearest) {
-    assertThat(EscapeFree.nearest(value)).isEqualTo(nearest);
+    assertThat(EscapeFreeNumbers.nearest(value)).isEqualTo(nearest);
   }
 
   @Test
   void choosesTheNearestForEveryVelocityThereIs() {
     for (int value = 0; value <= FASTEST; value++) {
-      long chosen = EscapeFree.nearest(value);
+      long chosen = EscapeFreeNumbers.nearest(value);
       int distance = 0;
       while (!isFree(value - distance) && !isFree(value + distance)) {
         distance++;
@@ -145,8 +145,8 @@ class RflexCommandsTest {
     ByteBuffer data = ByteBuffer.wrap(frame, 6, 14);
     boolean isSaid =
         data.get() == axis.ordinal()
-            && number(data) == EscapeFree.nearest(Math.abs(velocity))
-            && number(data) == EscapeFree.nearest(acceleration)
+            && number(data) == EscapeFreeNumbers.nearest(Math.abs(velocity))
+            && number(data) == EscapeFreeNumbers.nearest(acceleration)
             && isNear(number(data), torque)
             && data.get() == (velocity < 0 ? 0 : 1);
     if (!isSaid) {
@@ -161,7 +161,7 @@ class RflexCommandsTest {
   }
 
   private static boolean isNear(long chosen, long torque) {
-    long nearest = EscapeFree.nearest(torque);
+    long nearest = EscapeFreeNumbers.nearest(torque);
     return chosen == nearest // else the checksum was in the way
         || Math.abs(chosen - torque) <= Math.abs(nearest - torque) + 260;
   }

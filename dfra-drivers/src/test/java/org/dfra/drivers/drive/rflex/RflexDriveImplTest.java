@@ -136,40 +136,40 @@ class RflexDriveImplTest {
   @Test
   void servesOnceBothAxesAndTheBrakeAreKnown() throws Exception {
     say(STANDING, NOT_TURNING);
-    CommandKey key = drive.command(Duration.ofSeconds(30)).key();
-    assertThatThrownBy(() -> drive.obey(key, new Brake(true)))
+    CommandKey key = drive.acquireCommandLease(Duration.ofSeconds(30)).key();
+    assertThatThrownBy(() -> drive.execute(key, new Brake(true)))
         .hasMessageStartingWith("atrv1/drive is INITIALIZING: it cannot obey Brake[set=true] now");
     serve(true);
-    assertThat(drive.drive().brake()).isTrue();
-    assertThatThrownBy(() -> drive.obey(key, new Velocity(1, 0)))
+    assertThat(drive.driveState().parkingBrakeEngaged()).isTrue();
+    assertThatThrownBy(() -> drive.execute(key, new Velocity(1, 0)))
         .hasMessageContaining("has its brake set");
   }
 
   @Test
   void tellsAVelocityOnceAndAHaltUntilTheWheelsAreSaidToStand() throws Exception {
     serve(false);
-    CommandKey key = drive.command(Duration.ofSeconds(30)).key();
+    CommandKey key = drive.acquireCommandLease(Duration.ofSeconds(30)).key();
     saying(() -> told().size() >= 3, STANDING, NOT_TURNING);
     int before = told().size();
-    drive.obey(key, new Velocity(0.5, 0));
+    drive.execute(key, new Velocity(0.5, 0));
     // It is silent from here on, so it is halted, which this controller does not obey.
     saying(() -> told().size() >= before + 1 + 3 * 3, MOVING, NOT_TURNING);
     assertThat(told().subList(before, told().size()))
         .as("one velocity, then halts")
         .startsWith(43_731, 1, 1, 1, 1)
         .containsOnlyOnce(43_731);
-    assertThat(drive.drive().silences()).isEqualTo(1);
+    assertThat(drive.driveState().commandTimeouts()).isEqualTo(1);
   }
 
   @Test
   void whatWasToldBeforeTheLinkWasLostIsNotToldAfterIt() throws Exception {
     serve(false);
-    CommandKey key = drive.command(Duration.ofSeconds(30)).key();
-    drive.obey(key, new Velocity(0.5, 0));
+    CommandKey key = drive.acquireCommandLease(Duration.ofSeconds(30)).key();
+    drive.execute(key, new Velocity(0.5, 0));
     link().unplug();
     saying(() -> links.size() >= 2);
     saying(() -> told().size() >= 3, STANDING, NOT_TURNING);
     assertThat(told()).containsOnly(1);
-    assertThat(drive.drive().velocity()).isEqualTo(Velocity.ZERO);
+    assertThat(drive.driveState().velocity()).isEqualTo(Velocity.ZERO);
   }
 }

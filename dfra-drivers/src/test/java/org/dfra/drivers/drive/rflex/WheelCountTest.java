@@ -14,7 +14,7 @@ class WheelCountTest {
   private static final double PER_METRE = 100_000;
   private static final double PER_RADIAN = 40_000;
 
-  private final WheelCount count = new WheelCount(PER_METRE, PER_RADIAN, 1, 2);
+  private final WheelOdometer count = new WheelOdometer(PER_METRE, PER_RADIAN, 1, 2);
   private long timestamp = 1000;
 
   private boolean tell(Axis axis, double at) {
@@ -23,7 +23,7 @@ class WheelCountTest {
   }
 
   private boolean tell(Axis axis, int position) {
-    return count.take(new MotorReport(timestamp, axis, position, 4000, 0, 0));
+    return count.update(new MotorReport(timestamp, axis, position, 4000, 0, 0));
   }
 
   /** Both axes at one moment. */
@@ -42,7 +42,7 @@ class WheelCountTest {
     tell(17.5, 5);
     assertThat(count.x()).isCloseTo(0.5, within(1e-12));
     assertThat(count.speed()).isEqualTo(0.04);
-    assertThat(count.turnRate()).isEqualTo(0.1);
+    assertThat(count.yawRate()).isEqualTo(0.1);
   }
 
   /** A circle of 2 m: exact, however long the steps, since each is an arc. */
@@ -139,12 +139,12 @@ class WheelCountTest {
   @Test
   void aCountOfZeroAfterAGapIsARestartAndAnyOtherIsMotion() {
     tell(2, 1);
-    count.gap();
+    count.linkInterrupted();
     tell(0, 0);
     assertThat(count.x()).isZero();
     assertThat(count.restarts()).isEqualTo(2);
     tell(0.5, 0);
-    count.gap();
+    count.linkInterrupted();
     tell(0.7, 0);
     assertThat(count.x()).isCloseTo(0.7, within(1e-9));
     tell(0, 0);
@@ -153,11 +153,11 @@ class WheelCountTest {
 
   @Test
   void countsBackwardsWhereTheControllerDoes() {
-    WheelCount mirrored = new WheelCount(-PER_METRE, -PER_RADIAN, 1, 2);
-    mirrored.take(new MotorReport(1, Axis.TRANSLATION, 0, 0, 0, 0));
-    mirrored.take(new MotorReport(1, Axis.ROTATION, 0, 0, 0, 0));
-    mirrored.take(new MotorReport(2, Axis.TRANSLATION, -100_000, -50_000, 0, 0));
-    mirrored.take(new MotorReport(2, Axis.ROTATION, -4000, 0, 0, 0));
+    WheelOdometer mirrored = new WheelOdometer(-PER_METRE, -PER_RADIAN, 1, 2);
+    mirrored.update(new MotorReport(1, Axis.TRANSLATION, 0, 0, 0, 0));
+    mirrored.update(new MotorReport(1, Axis.ROTATION, 0, 0, 0, 0));
+    mirrored.update(new MotorReport(2, Axis.TRANSLATION, -100_000, -50_000, 0, 0));
+    mirrored.update(new MotorReport(2, Axis.ROTATION, -4000, 0, 0, 0));
     assertThat(mirrored.x()).isPositive();
     assertThat(mirrored.yaw()).isCloseTo(0.1, within(1e-12));
     assertThat(mirrored.speed()).isEqualTo(0.5);

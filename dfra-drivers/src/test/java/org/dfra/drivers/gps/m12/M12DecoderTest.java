@@ -68,11 +68,11 @@ class M12DecoderTest {
     assertThat(decode(M12Commands.positionControl(PositionControl.Mode.SURVEY)))
         .isEqualTo(new PositionControl(PositionControl.Mode.SURVEY));
     assertThat(decode(M12Commands.utcTime())).isEqualTo(new TimeScale(true));
-    assertThat(decode(M12Commands.positionHold(PositionHold.Mode.ON)))
-        .isEqualTo(new PositionHold(PositionHold.Mode.ON));
+    assertThat(decode(M12Commands.positionHold(PositionHoldMode.Mode.ON)))
+        .isEqualTo(new PositionHoldMode(PositionHoldMode.Mode.ON));
     assertThat(decode(M12Commands.askPositionHold())).isInstanceOf(MalformedMessage.class);
-    assertThat(decode(M12Commands.encode("Bo", 18))).isEqualTo(new UtcOffset(18));
-    assertThat(new UtcOffset(0).isKnown()).isFalse();
+    assertThat(decode(M12Commands.encode("Bo", 18))).isEqualTo(new M12UtcOffset(18));
+    assertThat(new M12UtcOffset(0).isKnown()).isFalse();
     assertThat(decode(M12Commands.time(Instant.parse("2026-11-21T13:01:29.9Z"))))
         .isEqualTo(new ReceiverClock(new M12Time(LocalDate.of(2026, 11, 21), 13, 1, 29, 0), 0));
     assertThat(decode(M12Commands.encode("Gd", 4)))

@@ -194,7 +194,7 @@ class M12PlusImplTest extends ScriptedM12 {
     await().until(() -> link.written().size() == ORDERS + 3);
     assertThat(link.written().subList(ORDERS, ORDERS + 3))
         .containsExactly(
-            M12Commands.positionHold(PositionHold.Mode.OFF),
+            M12Commands.positionHold(PositionHoldMode.Mode.OFF),
             M12Commands.positionOf8Channels(1),
             M12Commands.timeRaimOf8Channels(1));
     link.say(Frames.ea(TIME, 57.71, 12.02, 0x20));
@@ -246,11 +246,11 @@ class M12PlusImplTest extends ScriptedM12 {
     ticker.step(Duration.ofSeconds(2).plusNanos(1));
     await().until(() -> link.written().size() == ORDERS + 3);
     assertThat(link.written().get(ORDERS))
-        .isEqualTo(M12Commands.positionHold(PositionHold.Mode.ON));
+        .isEqualTo(M12Commands.positionHold(PositionHoldMode.Mode.ON));
     link.say(held);
     await().until(() -> gps.counts().frames() == 1);
     assertThat(gps.readiness()).as("acquiring, as far as is known").isEqualTo(INITIALIZING);
-    link.say(M12Commands.positionHold(PositionHold.Mode.ON)); // acknowledges
+    link.say(M12Commands.positionHold(PositionHoldMode.Mode.ON)); // acknowledges
     link.say(held);
     awaitReadiness(Readiness.READY);
     assertThat(gps.fix().mode()).isEqualTo(GpsFix.Mode.POSITION_HOLD);
@@ -258,8 +258,8 @@ class M12PlusImplTest extends ScriptedM12 {
     gps.setParameter("positioning", "position_3d");
     await().until(() -> link.written().size() == ORDERS + 5);
     assertThat(link.written().get(ORDERS + 4))
-        .isEqualTo(M12Commands.positionHold(PositionHold.Mode.OFF));
-    link.say(M12Commands.positionHold(PositionHold.Mode.OFF));
+        .isEqualTo(M12Commands.positionHold(PositionHoldMode.Mode.OFF));
+    link.say(M12Commands.positionHold(PositionHoldMode.Mode.OFF));
     link.say(held);
     await().until(() -> gps.fix().mode() == GpsFix.Mode.NONE);
   }
@@ -269,12 +269,12 @@ class M12PlusImplTest extends ScriptedM12 {
     byte[] held = Frames.with(Frames.ea(TIME, 57.71, 12.02, 0x08), 39, 6, 1);
     gps.start();
     await().until(() -> link.written().size() == ORDERS);
-    link.say(M12Commands.positionHold(PositionHold.Mode.SURVEY));
+    link.say(M12Commands.positionHold(PositionHoldMode.Mode.SURVEY));
     link.say(held);
     await().until(() -> link.written().size() == ORDERS + 1);
     assertThat(link.written().get(ORDERS)).isEqualTo(M12Commands.askPositionHold());
     assertThat(gps.readiness()).isEqualTo(INITIALIZING);
-    link.say(M12Commands.positionHold(PositionHold.Mode.ON));
+    link.say(M12Commands.positionHold(PositionHoldMode.Mode.ON));
     link.say(held);
     awaitReadiness(Readiness.READY);
   }
@@ -282,7 +282,7 @@ class M12PlusImplTest extends ScriptedM12 {
   @Test
   void aReceiverThatSearchesHoldsNothing() {
     gps.start();
-    link.say(M12Commands.positionHold(PositionHold.Mode.ON));
+    link.say(M12Commands.positionHold(PositionHoldMode.Mode.ON));
     link.say(Frames.ea(TIME, 57.71, 12.02, 0x0A)); // nothing tracked, fewer than 3 visible
     link.say(Frames.ea(TIME, 57.71, 12.02, 0x88)); // propagated
     await().until(() -> gps.counts().frames() == 3);

@@ -79,9 +79,9 @@ class M12RecordingTest {
         .hasSize(10)
         .containsOnly(new PositionControl(PositionControl.Mode.HOLD));
     assertThat(all(messages, TimeScale.class)).hasSize(10);
-    assertThat(all(messages, UtcOffset.class)).hasSize(9).containsOnly(new UtcOffset(18));
+    assertThat(all(messages, M12UtcOffset.class)).hasSize(9).containsOnly(new M12UtcOffset(18));
     M12PositionMessage first = all(messages, M12PositionMessage.class).get(0);
-    assertThat(all(messages, HoldPosition.class))
+    assertThat(all(messages, HeldPosition.class))
         .hasSize(10)
         .allSatisfy(
             held -> {

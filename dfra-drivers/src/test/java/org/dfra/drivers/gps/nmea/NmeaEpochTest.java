@@ -7,8 +7,8 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import org.dfra.drivers.fixture.Sentences;
+import org.dfra.drivers.gps.GpsSolution;
 import org.dfra.drivers.gps.SatelliteInView;
-import org.dfra.drivers.gps.Solution;
 import org.dfra.flow.sensor.GpsFix;
 import org.junit.jupiter.api.Test;
 
@@ -18,8 +18,8 @@ class NmeaEpochTest {
   private static final String GGA = "GNGGA,%s,4807.038,N,01131.0,E,1,08,0.9,545.4,M,46.9,M,,";
   private static final String RMC = "GNRMC,%s,A,4807.038,N,01131.0,E,10.0,84.4,211126,,,A";
 
-  private final List<Solution> told = new ArrayList<>();
-  private final NmeaEpoch epoch = new NmeaEpoch(() -> HOST, told::add);
+  private final List<GpsSolution> told = new ArrayList<>();
+  private final NmeaEpochAssembler epoch = new NmeaEpochAssembler(() -> HOST, told::add);
   private final NmeaParser parser = new NmeaParser(epoch::take);
 
   @Test
@@ -34,9 +34,9 @@ class NmeaEpochTest {
     assertThat(fix.utc()).isEqualTo("2026-11-21T12:00:00Z");
     assertThat(fix.speed()).isCloseTo(5.1444, within(1e-4));
     assertThat(fix.course()).isEqualTo(84.4);
-    assertThat(fix.dilution()).isEqualTo(2.5);
+    assertThat(fix.dilutionOfPrecision()).isEqualTo(2.5);
     assertThat(fix.satellitesTracked()).isEqualTo(8);
-    assertThat(told.get(0).utcDoubt()).isNull();
+    assertThat(told.get(0).utcUnconfirmedReason()).isNull();
     hear(GGA.formatted("120000.00"));
     assertThat(told).as("a moment is told once").hasSize(1);
   }
@@ -48,12 +48,12 @@ class NmeaEpochTest {
     }
     assertThat(told).hasSize(5);
     assertThat(told.get(4).fix().utc()).as("the host's day").isEqualTo("2026-11-21T00:00:14Z");
-    assertThat(told.get(4).utcDoubt())
+    assertThat(told.get(4).utcUnconfirmedReason())
         .isEqualTo("has not reported the date yet, which only RMC and ZDA do");
     hear(RMC.formatted("000015"));
     hear(GGA.formatted("000015"));
     assertThat(told).as("and that it sends both after all").hasSize(6);
-    assertThat(told.get(5).utcDoubt()).isNull();
+    assertThat(told.get(5).utcUnconfirmedReason()).isNull();
   }
 
   @Test
@@ -97,7 +97,7 @@ class NmeaEpochTest {
     assertThat(told).hasSize(2);
     assertThat(told.get(0).fix().mode()).isEqualTo(GpsFix.Mode.NONE);
     assertThat(told.get(0).state()).isEqualTo("searching for satellites, 1 of 2 heard");
-    assertThat(told.get(0).utcDoubt()).isEqualTo("has not told the time yet");
+    assertThat(told.get(0).utcUnconfirmedReason()).isEqualTo("has not told the time yet");
   }
 
   @Test
@@ -125,7 +125,7 @@ class NmeaEpochTest {
       hear(GGA.formatted("1200%d.%d0".formatted(10 + fifth / 5, fifth % 5 * 2)));
     }
     // The first three without RMC wait for the next.
-    List<GpsFix> fixes = told.stream().map(Solution::fix).toList();
+    List<GpsFix> fixes = told.stream().map(GpsSolution::fix).toList();
     assertThat(fixes).hasSize(13);
     assertThat(fixes.subList(0, 11))
         .allSatisfy(fix -> assertThat(fix.speed()).isCloseTo(5.1444, within(1e-4)))
@@ -188,7 +188,7 @@ class NmeaEpochTest {
     assertThat(fix.mode()).isEqualTo(GpsFix.Mode.FIX_3D);
     assertThat(fix.position().height()).isCloseTo(592.3, within(1e-9));
     assertThat(fix.satellitesTracked()).isEqualTo(14);
-    assertThat(fix.dilution()).isEqualTo(0.9);
+    assertThat(fix.dilutionOfPrecision()).isEqualTo(0.9);
     hear("GNRMC,120001,A,4807.038,N,01131.0,E,10.0,84.4,211126,,,A");
     hear("GNGNS,120001,4807.038,N,01131.0,E,NN,00,,,,,");
     assertThat(told.get(1).fix().mode()).isEqualTo(GpsFix.Mode.NONE);
@@ -200,9 +200,9 @@ class NmeaEpochTest {
     for (String time : List.of("235959.00", "000000.00", "000001.00", "000002.00")) {
       hear(GGA.formatted(time));
     }
-    Solution last = told.get(told.size() - 1);
+    GpsSolution last = told.get(told.size() - 1);
     assertThat(last.fix().utc()).as("the next day").isEqualTo("2026-07-05T00:00:02Z");
-    assertThat(last.utcDoubt()).isNull();
+    assertThat(last.utcUnconfirmedReason()).isNull();
   }
 
   @Test
@@ -212,7 +212,7 @@ class NmeaEpochTest {
     hear(GGA.formatted("000000"));
     hear(GGA.formatted("000001"));
     assertThat(told.get(1).fix().utc()).isEqualTo("2026-11-22T00:00:00Z");
-    assertThat(told.get(1).utcDoubt()).isNull();
+    assertThat(told.get(1).utcUnconfirmedReason()).isNull();
   }
 
   @Test

@@ -18,7 +18,7 @@ import java.util.Random;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import org.dfra.drivers.fixture.Sentences;
-import org.dfra.drivers.gps.Solution;
+import org.dfra.drivers.gps.GpsSolution;
 import org.dfra.flow.sensor.GpsFix;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Timeout;
@@ -45,14 +45,14 @@ class NmeaGpsdecodeTest {
   void agreesWithAnIndependentDecoder(String position) throws Exception {
     byte[] stream = stream(new Random(SEED), position);
     TreeMap<Instant, JsonNode> reports = reports(stream);
-    List<Solution> solutions = new ArrayList<>();
-    NmeaEpoch epoch = new NmeaEpoch(() -> BEGIN, solutions::add);
+    List<GpsSolution> solutions = new ArrayList<>();
+    NmeaEpochAssembler epoch = new NmeaEpochAssembler(() -> BEGIN, solutions::add);
     NmeaParser parser = new NmeaParser(epoch::take);
     parser.feed(stream, 0, stream.length);
     assertThat(parser.counts().malformed()).isZero();
     assertThat(solutions).hasSize(MOMENTS);
     int compared = 0;
-    for (Solution solution : solutions) {
+    for (GpsSolution solution : solutions) {
       GpsFix fix = solution.fix();
       JsonNode report = reports.get(fix.utc());
       if (report == null) {

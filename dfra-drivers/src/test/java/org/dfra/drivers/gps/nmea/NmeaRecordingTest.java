@@ -12,8 +12,8 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import org.dfra.drivers.fixture.SharedData;
+import org.dfra.drivers.gps.GpsSolution;
 import org.dfra.drivers.gps.SatelliteInView;
-import org.dfra.drivers.gps.Solution;
 import org.dfra.flow.sensor.GpsFix;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -35,13 +35,13 @@ class NmeaRecordingTest {
         reports.add(mapper.readTree(line));
       }
     }
-    List<Solution> told = new ArrayList<>();
-    NmeaEpoch epoch = new NmeaEpoch(Instant::now, told::add);
+    List<GpsSolution> told = new ArrayList<>();
+    NmeaEpochAssembler epoch = new NmeaEpochAssembler(Instant::now, told::add);
     NmeaParser parser = new NmeaParser(epoch::take);
     parser.feed(bytes, 0, bytes.length);
     parser.finish();
     List<GpsFix> fixes =
-        told.stream().map(Solution::fix).filter(fix -> fix.position() != null).toList();
+        told.stream().map(GpsSolution::fix).filter(fix -> fix.position() != null).toList();
     assertThat(parser.counts().malformed()).isZero();
     assertThat(fixes).hasSameSizeAs(reports).isNotEmpty();
     for (int i = 0; i < fixes.size(); i++) {

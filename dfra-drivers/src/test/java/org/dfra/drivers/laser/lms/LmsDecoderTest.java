@@ -15,11 +15,12 @@ class LmsDecoderTest {
   @Test
   void readsAnAnswerAsItComesOverTheLine() {
     byte[] bytes = HexFormat.of().parseHex("06" + "02800300A000" + "10" + "160A");
-    assertThat(LmsParser.parse(bytes)).containsExactly(new LmsMessage.ModeSet(0, StatusByte.OK));
+    assertThat(LmsParser.parse(bytes)).containsExactly(new LmsMessage.ModeReply(0, StatusByte.OK));
     byte[] refused = HexFormat.of().parseHex("06" + "0280020092" + "10" + "7F33");
-    assertThat(LmsParser.parse(refused)).containsExactly(new LmsMessage.Refused(StatusByte.OK));
+    assertThat(LmsParser.parse(refused))
+        .containsExactly(new LmsMessage.RefusedReply(StatusByte.OK));
     byte[] resets = HexFormat.of().parseHex("0280020091" + "10" + "7930");
-    assertThat(LmsParser.parse(resets)).containsExactly(new LmsMessage.Resets(StatusByte.OK));
+    assertThat(LmsParser.parse(resets)).containsExactly(new LmsMessage.ResetReply(StatusByte.OK));
   }
 
   @Test
@@ -48,9 +49,9 @@ class LmsDecoderTest {
   @Test
   void readsVariants() {
     assertThat(decode(Replies.telegram(0xBB, 1, 100, 0, 25, 0)))
-        .isEqualTo(new LmsMessage.VariantSet(true, new LmsVariant(100, 25), StatusByte.OK));
+        .isEqualTo(new LmsMessage.VariantReply(true, new LmsVariant(100, 25), StatusByte.OK));
     assertThat(decode(Replies.telegram(0xBB, 0, 180, 0, 50, 0)))
-        .isEqualTo(new LmsMessage.VariantSet(false, new LmsVariant(180, 50), StatusByte.OK));
+        .isEqualTo(new LmsMessage.VariantReply(false, new LmsVariant(180, 50), StatusByte.OK));
     assertThat(decode(Replies.telegram(0xBB, 1, 180, 0, 25, 0)))
         .isEqualTo(new Malformed("BB", "180° by 0.01 × 25° are no variant"));
     assertThat(decode(Replies.telegram(0xBB, 1))).isInstanceOf(Malformed.class);
@@ -61,15 +62,16 @@ class LmsDecoderTest {
     int[] data = new int[34];
     data[5] = 6;
     data[6] = 1;
-    LmsMessage.Configured told = (LmsMessage.Configured) decode(Replies.telegram(0xF4, data));
+    LmsMessage.ConfigurationReply told =
+        (LmsMessage.ConfigurationReply) decode(Replies.telegram(0xF4, data));
     assertThat(told.configuration().mode()).contains(new MeasuringMode(6, 15));
     assertThat(told.configuration().unit()).contains(LmsUnit.MM);
     int[] answer = new int[35];
     answer[0] = 1;
     answer[6] = 9;
     answer[7] = 7;
-    LmsMessage.ConfigurationSet set =
-        (LmsMessage.ConfigurationSet) decode(Replies.telegram(0xF7, answer));
+    LmsMessage.ConfigurationChangeReply set =
+        (LmsMessage.ConfigurationChangeReply) decode(Replies.telegram(0xF7, answer));
     assertThat(set.isDone()).isTrue();
     assertThat(set.configuration().modeCode()).isEqualTo(9);
     assertThat(set.configuration().mode()).isEmpty();
@@ -82,12 +84,12 @@ class LmsDecoderTest {
   void readsTypesAndErrors() {
     int[] type = "LMS200;30106;V02.30 ".chars().toArray();
     assertThat(decode(Replies.telegram(0xBA, type)))
-        .isEqualTo(new LmsMessage.Type(false, "LMS200;30106;V02.30", StatusByte.OK));
+        .isEqualTo(new LmsMessage.TypeReply(false, "LMS200;30106;V02.30", StatusByte.OK));
     assertThat(decode(Replies.telegram(0x90, type)))
-        .isEqualTo(new LmsMessage.Type(true, "LMS200;30106;V02.30", StatusByte.OK));
+        .isEqualTo(new LmsMessage.TypeReply(true, "LMS200;30106;V02.30", StatusByte.OK));
     assertThat(decode(Replies.telegram(0xB2, 0x02, 21, 0x83, 5)))
         .isEqualTo(
-            new LmsMessage.Errors(
+            new LmsMessage.ErrorsReply(
                 List.of(new LmsError(2, 21), new LmsError(0x83, 5)), StatusByte.OK));
     assertThat(new LmsError(2, 21).inWords()).isEqualTo("error 21 (WARNING)");
     assertThat(new LmsError(0x83, 5).inWords()).isEqualTo("error 5 (ERROR, over)");

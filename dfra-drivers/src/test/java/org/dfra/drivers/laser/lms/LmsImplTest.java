@@ -312,7 +312,7 @@ class LmsImplTest {
   }
 
   private static LmsConfiguration told(byte[] telegram) {
-    return ((LmsMessage.Configured) LmsParser.parse(telegram).get(0)).configuration();
+    return ((LmsMessage.ConfigurationReply) LmsParser.parse(telegram).get(0)).configuration();
   }
 
   private static byte[] configuration(int command, int mode, int unit) {

@@ -25,7 +25,7 @@ class LmsOrdersTest {
 
   @Test
   void wantsMillimetresAndKeepsTheRest() {
-    LmsOrders usual = orders(Map.of());
+    LmsSettings usual = orders(Map.of());
     assertThat(usual.unit()).contains(LmsUnit.MM);
     assertThat(usual.measuringMode()).isEmpty();
     assertThat(usual.variant()).isEqualTo(new LmsVariant(180, 50));
@@ -56,8 +56,8 @@ class LmsOrdersTest {
     Parameters parameters = new Parameters("atrv1/laser", written);
     assertThatThrownBy(
             () -> {
-              LmsOrders.in(parameters);
-              LmsOrders.idleAfterIn(parameters);
+              LmsSettings.from(parameters);
+              LmsSettings.idleAfterIn(parameters);
             })
         .isInstanceOf(ConfigurationException.class)
         .hasMessageContaining("atrv1.xml:12: atrv1/laser: parameter " + name)
@@ -66,23 +66,23 @@ class LmsOrdersTest {
 
   @Test
   void anOrderCanBeChangedIfThereIsSuchAVariant() {
-    LmsOrders orders = orders(Map.of());
+    LmsSettings orders = orders(Map.of());
     assertThatThrownBy(() -> orders.setResolution("0.25"))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("0.25, 0.5 or 1, degrees; 0.25 only with field_of_view 100");
     orders.setField("100");
     orders.setResolution("0.25");
     assertThat(orders.variant()).isEqualTo(new LmsVariant(100, 25));
-    assertThat(orders.field() + " " + orders.resolution()).isEqualTo("100 0.25");
+    assertThat(orders.fieldOfView() + " " + orders.resolution()).isEqualTo("100 0.25");
     assertThatThrownBy(() -> orders.setField("180")).hasMessageContaining("not with resolution");
     assertThatThrownBy(() -> orders.setMode("sometimes")).hasMessage("continuous or polled");
     orders.setMode("polled");
     assertThat(orders.isPolled()).isTrue();
   }
 
-  private static LmsOrders orders(Map<String, String> some) {
+  private static LmsSettings orders(Map<String, String> some) {
     Map<String, String> all = new HashMap<>(Map.of("link", "tcp://127.0.0.1:4001"));
     all.putAll(some);
-    return LmsOrders.in(Parameters.of("atrv1/laser", all));
+    return LmsSettings.from(Parameters.of("atrv1/laser", all));
   }
 }

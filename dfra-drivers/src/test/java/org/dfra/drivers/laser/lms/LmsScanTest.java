@@ -38,9 +38,9 @@ class LmsScanTest {
 
   @Test
   void tellsHowFarItSees() {
-    assertThat(new MeasuringMode(0, 13).longest(LmsUnit.MM)).isCloseTo(8.182, within(1e-9));
-    assertThat(new MeasuringMode(0, 13).longest(LmsUnit.CM)).isEqualTo(80);
-    assertThat(new MeasuringMode(6, 15).longest(LmsUnit.MM)).isCloseTo(32.758, within(1e-9));
+    assertThat(new MeasuringMode(0, 13).maxRange(LmsUnit.MM)).isCloseTo(8.182, within(1e-9));
+    assertThat(new MeasuringMode(0, 13).maxRange(LmsUnit.CM)).isEqualTo(80);
+    assertThat(new MeasuringMode(6, 15).maxRange(LmsUnit.MM)).isCloseTo(32.758, within(1e-9));
   }
 
   @ParameterizedTest

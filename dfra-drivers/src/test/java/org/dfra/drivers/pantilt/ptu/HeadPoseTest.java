@@ -40,11 +40,12 @@ class HeadPoseTest {
   void looksUpWhenItTiltsUpAndLeftWhenItPansLeft() {
     Transform up = HeadPose.of(Transform.IDENTITY, 0, Math.toRadians(30));
     assertThat(up.pitch()).as("nose down is +").isCloseTo(Math.toRadians(-30), within(1e-12));
-    Transform left = HeadPose.of(Transform.shift(0.3, 0, 0.5), Math.toRadians(90), 0);
+    Transform left = HeadPose.of(Transform.translation(0.3, 0, 0.5), Math.toRadians(90), 0);
     assertThat(left.yaw()).isCloseTo(Math.toRadians(90), within(1e-12));
     FrameTree tree = new FrameTree();
-    tree.put("head", "base", HeadPose.of(Transform.shift(0.3, 0, 0.5), Math.PI / 2, Math.PI / 6));
-    tree.put("camera", "head", Transform.shift(2, 0, 0));
+    tree.put(
+        "head", "base", HeadPose.of(Transform.translation(0.3, 0, 0.5), Math.PI / 2, Math.PI / 6));
+    tree.put("camera", "head", Transform.translation(2, 0, 0));
     Transform camera = tree.transform("camera", "base");
     assertThat(camera.x()).isCloseTo(0.3, within(1e-12));
     assertThat(camera.y()).as("two metres to the left, 30° up").isCloseTo(1.7320508, within(1e-6));

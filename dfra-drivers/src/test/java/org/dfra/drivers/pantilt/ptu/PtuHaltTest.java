@@ -11,7 +11,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.dfra.flow.effector.CommandLease;
-import org.dfra.flow.effector.PanTiltCommand.Point;
+import org.dfra.flow.effector.PanTiltCommand.PointAt;
 import org.dfra.module.Readiness;
 import org.junit.jupiter.api.Test;
 
@@ -21,10 +21,11 @@ class PtuHaltTest extends PtuFixture {
   @Test
   void haltsPastAWriteThatHangsAndOnceMoreAfterIt() throws Exception {
     beReady();
-    CommandLease lease = unit.command(Duration.ofSeconds(10));
+    CommandLease lease = unit.acquireCommandLease(Duration.ofSeconds(10));
     CountDownLatch release = new CountDownLatch(1);
     link.holdUpAWrite(release);
-    CompletableFuture<Void> writing = beside(() -> unit.obey(lease.key(), new Point(0.1, 0, 1)));
+    CompletableFuture<Void> writing =
+        beside(() -> unit.execute(lease.key(), new PointAt(0.1, 0, 1)));
     try {
       await().until(() -> written().stream().anyMatch(each -> each.startsWith("PS")));
       assertThat(unit.emergencyStop("ops").latched()).isTrue();
@@ -41,8 +42,8 @@ class PtuHaltTest extends PtuFixture {
   @Test
   void haltsPastAQuestionThatHangsAndOnceMoreAfterIt() throws Exception {
     beReady();
-    CommandLease lease = unit.command(Duration.ofSeconds(10));
-    unit.obey(lease.key(), new Point(0.1, 0, 1));
+    CommandLease lease = unit.acquireCommandLease(Duration.ofSeconds(10));
+    unit.execute(lease.key(), new PointAt(0.1, 0, 1));
     assertThat(next()).startsWith("PS");
     say("*\r\n*\r\n*\r\n*\r\n");
     CountDownLatch release = new CountDownLatch(1);
@@ -52,7 +53,7 @@ class PtuHaltTest extends PtuFixture {
       assertThat(next()).isEqualTo("PP ");
       assertThat(unit.emergencyStop("ops").latched()).isTrue();
       assertThat(next()).as("while the question hangs").isEqualTo("H ");
-      await().until(() -> unit.stopState().resting());
+      await().until(() -> unit.emergencyStopState().haltCommanded());
     } finally {
       release.countDown();
     }
@@ -73,7 +74,7 @@ class PtuHaltTest extends PtuFixture {
   @Test
   void doesNotResetUnderItsCommander() throws Exception {
     beReady();
-    try (CommandLease unused = unit.command(Duration.ofSeconds(10))) {
+    try (CommandLease unused = unit.acquireCommandLease(Duration.ofSeconds(10))) {
       assertThat(unit.recover("reset_by_moving").finding())
           .isEqualTo(
               "it moves the head, which a module in its own virtual machine commands; have its"

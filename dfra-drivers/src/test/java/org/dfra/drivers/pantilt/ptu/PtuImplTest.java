@@ -13,7 +13,7 @@ import org.dfra.core.config.ConfigurationException;
 import org.dfra.drivers.fixture.ScriptedLink;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.PanTiltCommand.Halt;
-import org.dfra.flow.effector.PanTiltCommand.Point;
+import org.dfra.flow.effector.PanTiltCommand.PointAt;
 import org.dfra.module.Diagnosis;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
@@ -39,17 +39,17 @@ class PtuImplTest extends PtuFixture {
     assertThat(next()).isEqualTo("TP ");
     say("* -50\r\n");
     awaitReadiness(Readiness.READY);
-    assertThat(unit.panTilt().pan()).isCloseTo(100 * POSITION, within(1e-12));
-    assertThat(unit.panTilt().tilt()).isCloseTo(-50 * POSITION, within(1e-12));
-    assertThat(unit.panTilt().isMoving()).isFalse();
-    assertThat(unit.panTilt().frame()).isEqualTo("atrv1/pan_tilt");
+    assertThat(unit.panTiltState().pan()).isCloseTo(100 * POSITION, within(1e-12));
+    assertThat(unit.panTiltState().tilt()).isCloseTo(-50 * POSITION, within(1e-12));
+    assertThat(unit.panTiltState().isMoving()).isFalse();
+    assertThat(unit.panTiltState().frame()).isEqualTo("atrv1/pan_tilt");
     assertThat(unit.localTransform().x()).isEqualTo(0.2);
     assertThat(unit.localTransform().pitch()).as("down").isCloseTo(50 * POSITION, within(1e-9));
   }
 
   @Test
   void tellsNothingBeforeTheUnitDoes() {
-    assertThatThrownBy(unit::panTilt)
+    assertThatThrownBy(unit::panTiltState)
         .isInstanceOf(NotReadyException.class)
         .hasMessageStartingWith("atrv1/pan_tilt is INITIALIZING");
     assertThatThrownBy(unit::localTransform).isInstanceOf(NotReadyException.class);
@@ -70,22 +70,22 @@ class PtuImplTest extends PtuFixture {
               assertThat(can.maxTilt()).isCloseTo(604 * POSITION, within(1e-12));
               assertThat(can.maxSpeed()).isCloseTo(2902 * POSITION, within(1e-12));
             });
-    try (CommandLease lease = unit.command(Duration.ofSeconds(10))) {
-      unit.obey(lease.key(), new Point(1000 * POSITION, -0.3, Math.toRadians(60)));
+    try (CommandLease lease = unit.acquireCommandLease(Duration.ofSeconds(10))) {
+      unit.execute(lease.key(), new PointAt(1000 * POSITION, -0.3, Math.toRadians(60)));
       // -0.3 rad are -334.2 positions; 60°/s are 1166.7 positions/s.
       assertThat(next()).isEqualTo("PS1167 TS1167 PP1000 TP-334 ");
       say("*\r\n*\r\n*\r\n*\r\n");
       poll(400, -334);
-      assertThat(unit.panTilt().isMoving()).isTrue();
+      assertThat(unit.panTiltState().isMoving()).isTrue();
       poll(1000, -334);
-      assertThat(unit.panTilt().isMoving()).isFalse();
-      unit.obey(lease.key(), new Halt());
+      assertThat(unit.panTiltState().isMoving()).isFalse();
+      unit.execute(lease.key(), new Halt());
       assertThat(next()).isEqualTo("H ");
       say("*\r\n");
-      unit.obey(lease.key(), new Point(0, 0, 1000));
+      unit.execute(lease.key(), new PointAt(0, 0, 1000));
       assertThat(next()).as("no faster than it can").isEqualTo("PS2902 TS2902 PP0 TP0 ");
       say("*\r\n*\r\n*\r\n*\r\n");
-      unit.obey(lease.key(), new Point(0, 0, 1e-9));
+      unit.execute(lease.key(), new PointAt(0, 0, 1e-9));
       assertThat(next()).as("no slower than it can").isEqualTo("PS31 TS31 PP0 TP0 ");
       say("*\r\n*\r\n*\r\n*\r\n");
     }
@@ -95,17 +95,17 @@ class PtuImplTest extends PtuFixture {
   @Test
   void refusesADirectionBeyondTheLimitsByBothSides() throws Exception {
     beReady();
-    try (CommandLease lease = unit.command(Duration.ofSeconds(10))) {
-      assertThatThrownBy(() -> unit.obey(lease.key(), new Point(3, 0, 1)))
+    try (CommandLease lease = unit.acquireCommandLease(Duration.ofSeconds(10))) {
+      assertThatThrownBy(() -> unit.execute(lease.key(), new PointAt(3, 0, 1)))
           .isInstanceOf(IllegalArgumentException.class)
           .hasMessage(
               "atrv1/pan_tilt cannot point there: pan of 3.0000 rad is above the limit of 2.7736"
                   + " rad; ask for -2.7736 to 2.7736 rad");
-      assertThatThrownBy(() -> unit.obey(lease.key(), new Point(0, -1, 1)))
+      assertThatThrownBy(() -> unit.execute(lease.key(), new PointAt(0, -1, 1)))
           .hasMessageEndingWith(
               "tilt of -1.0000 rad is below the limit of -0.8141 rad; ask for -0.8141 to 0.5421"
                   + " rad");
-      unit.obey(lease.key(), new Point(3090 * POSITION + 1e-9, 604 * POSITION, 1));
+      unit.execute(lease.key(), new PointAt(3090 * POSITION + 1e-9, 604 * POSITION, 1));
       assertThat(next()).as("nothing was sent before").endsWith("PP3090 TP604 ");
     }
   }
@@ -119,7 +119,7 @@ class PtuImplTest extends PtuFixture {
     awaitWords();
     setUp();
     poll(7, 8);
-    assertThat(unit.panTilt().tilt()).isCloseTo(8 * POSITION, within(1e-12));
+    assertThat(unit.panTiltState().tilt()).isCloseTo(8 * POSITION, within(1e-12));
     assertThat(unit.readiness()).isEqualTo(Readiness.READY);
     awaitWords();
     assertThat(next()).isEqualTo("PP ");
@@ -127,7 +127,7 @@ class PtuImplTest extends PtuFixture {
     awaitWords();
     setUp();
     poll(9, 10);
-    assertThat(unit.panTilt().pan()).isCloseTo(9 * POSITION, within(1e-12));
+    assertThat(unit.panTiltState().pan()).isCloseTo(9 * POSITION, within(1e-12));
     assertThat(unit.history().failures()).isZero();
   }
 
@@ -152,7 +152,7 @@ class PtuImplTest extends PtuFixture {
     beReady();
     say("!T\r\n* 1\r\n");
     awaitReadiness(Readiness.FAILED);
-    assertThatThrownBy(unit::panTilt)
+    assertThatThrownBy(unit::panTiltState)
         .hasMessageContaining("the tilt axis ran against its end")
         .hasMessageContaining("reset_by_moving");
     awaitWords();
@@ -183,7 +183,7 @@ class PtuImplTest extends PtuFixture {
     ScriptedLink second = links.add();
     link.unplug();
     awaitReadiness(Readiness.INITIALIZING);
-    assertThatThrownBy(unit::panTilt).hasMessageContaining("the device is lost");
+    assertThatThrownBy(unit::panTiltState).hasMessageContaining("the device is lost");
     link = second;
     received = 0;
     await()
@@ -207,7 +207,7 @@ class PtuImplTest extends PtuFixture {
             () -> {
               say("noise\r\n");
               ticker.step(Duration.ofMillis(500));
-              assertThatThrownBy(unit::panTilt).hasMessageEndingWith("no position for 3 s");
+              assertThatThrownBy(unit::panTiltState).hasMessageEndingWith("no position for 3 s");
             });
     awaitReadiness(Readiness.INITIALIZING);
   }
@@ -215,8 +215,8 @@ class PtuImplTest extends PtuFixture {
   @Test
   void countsRefusals() throws Exception {
     beReady();
-    try (CommandLease lease = unit.command(Duration.ofSeconds(10))) {
-      unit.obey(lease.key(), new Point(0.1, 0, 1));
+    try (CommandLease lease = unit.acquireCommandLease(Duration.ofSeconds(10))) {
+      unit.execute(lease.key(), new PointAt(0.1, 0, 1));
       next();
       say("*\r\n*\r\n! Maximum allowable Pan position is 3090\r\n*\r\n");
       await().until(() -> parameter(unit, "refusals").equals("1"));

@@ -71,19 +71,19 @@ class PtuProtocolTest {
     pass(300);
     bePolling();
     CompletableFuture<Boolean> heldUp = holdUpAWrite();
-    protocol.want("R");
+    protocol.request("R");
     pass(10);
     assertThat(answered).hasSize(1);
     assertThat(answered.get(0)).startsWith("R refused: the line is held up");
-    assertThat(protocol.longestSilence()).isEqualTo(Duration.ofSeconds(3));
+    assertThat(protocol.livenessTimeout()).isEqualTo(Duration.ofSeconds(3));
     letGo(heldUp);
     say("*");
     pass(10);
     assertThat(sent).as("the head is not moved late").doesNotContain("R ");
-    protocol.want("R");
+    protocol.request("R");
     pass(10);
     assertThat(sent).endsWith("R ");
-    assertThat(protocol.longestSilence()).isEqualTo(Duration.ofSeconds(60));
+    assertThat(protocol.livenessTimeout()).isEqualTo(Duration.ofSeconds(60));
   }
 
   @Test
@@ -92,7 +92,7 @@ class PtuProtocolTest {
     pass(300);
     bePolling();
     CompletableFuture<Boolean> heldUp = holdUpAWrite();
-    protocol.want("V");
+    protocol.request("V");
     pass(10);
     assertThat(sent).doesNotContain("V ");
     letGo(heldUp);
@@ -108,7 +108,7 @@ class PtuProtocolTest {
   private CompletableFuture<Boolean> holdUpAWrite() throws InterruptedException {
     CompletableFuture<Boolean> heldUp =
         CompletableFuture.supplyAsync(
-            () -> protocol.tell(List.of("PS9")), task -> new Thread(task).start());
+            () -> protocol.send(List.of("PS9")), task -> new Thread(task).start());
     assertThat(writing.await(20, TimeUnit.SECONDS)).isTrue();
     return heldUp;
   }
@@ -135,7 +135,7 @@ class PtuProtocolTest {
 
   private void pass(int millis) {
     ticker.step(Duration.ofMillis(millis));
-    protocol.tend(link);
+    protocol.periodic(link);
   }
 
   private void say(String reply) {
@@ -146,13 +146,13 @@ class PtuProtocolTest {
   private final class Unit implements PtuProtocol.Listener {
 
     @Override
-    public void measured(PtuGeometry geometry) {}
+    public void geometryReceived(PtuGeometry geometry) {}
 
     @Override
-    public void points(int pan, int tilt) {}
+    public void positionReceived(int pan, int tilt) {}
 
     @Override
-    public void hit(PtuAxis axis) {}
+    public void limitHit(PtuAxis axis) {}
 
     @Override
     public void resetting() {}
@@ -170,7 +170,7 @@ class PtuProtocolTest {
     }
 
     @Override
-    public void puzzled(String how) {}
+    public void inconsistentReply(String how) {}
 
     @Override
     public void lost(String reason) {}

@@ -7,7 +7,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import org.dfra.drivers.fixture.StepTicker;
-import org.dfra.drivers.uav.mavlink.MavlinkCommand.Plain;
+import org.dfra.drivers.uav.mavlink.MavlinkCommand.CommandLong;
 import org.dfra.drivers.uav.mavlink.MavlinkMessage.CommandAck;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -30,7 +30,7 @@ class CommandProtocolTest {
 
   @BeforeEach
   void find() {
-    protocol.found();
+    protocol.open();
   }
 
   @Test
@@ -38,8 +38,8 @@ class CommandProtocolTest {
     protocol.lost();
     assertThat(begin(arm(1))).isNull();
     assertThat(sent).isEmpty();
-    protocol.found();
-    protocol.tend();
+    protocol.open();
+    protocol.resendDue();
     assertThat(sent).isEmpty();
   }
 
@@ -117,7 +117,7 @@ class CommandProtocolTest {
   @Test
   void doesNotTakeTheAnswerToWhatWasCalledOffForTheAnswerToTheNext() {
     CommandProtocol.Exchange first = begin(arm(1));
-    protocol.callOff(first);
+    protocol.cancel(first);
     begin(arm(0));
     assertThat(sent).last().isEqualTo("COMPONENT_ARM_DISARM 0.0 #0");
     answer(ARM, ACCEPTED);
@@ -129,7 +129,7 @@ class CommandProtocolTest {
   @Test
   void sendsOnceMoreWhenAStrayAnswerWasLostItself() {
     CommandProtocol.Exchange first = begin(arm(1));
-    protocol.callOff(first);
+    protocol.cancel(first);
     begin(arm(0));
     answer(ARM, ACCEPTED); // meant for the second: the first never arrived
     pass(700);
@@ -141,7 +141,7 @@ class CommandProtocolTest {
   @Test
   void neverSendsAgainWhatWasCalledOff() {
     CommandProtocol.Exchange exchange = begin(arm(1));
-    protocol.callOff(exchange);
+    protocol.cancel(exchange);
     pass(10_000);
     assertThat(sent).hasSize(1);
     assertThat(ended).isEmpty();
@@ -156,7 +156,7 @@ class CommandProtocolTest {
     assertThat(ended)
         .hasSize(3)
         .allMatch(end -> end.endsWith("the link was lost before an answer came"));
-    protocol.found();
+    protocol.open();
     pass(10_000);
     assertThat(sent).hasSize(2);
   }
@@ -169,28 +169,28 @@ class CommandProtocolTest {
   }
 
   private CommandProtocol.Exchange begin(MavlinkCommand command) {
-    return protocol.begin(
+    return protocol.submit(
         command, result -> ended.add(command.name() + " " + parameter(command) + " " + result));
   }
 
   private void answer(int command, int result) {
-    protocol.heard(new CommandAck(command, result, 0, 0));
+    protocol.acknowledge(new CommandAck(command, result, 0, 0));
   }
 
   private void pass(int millis) {
     ticker.step(Duration.ofMillis(millis));
-    protocol.tend();
+    protocol.resendDue();
   }
 
   private static double parameter(MavlinkCommand command) {
-    return ((Plain) command).p1();
+    return ((CommandLong) command).p1();
   }
 
   private static MavlinkCommand arm(int wanted) {
-    return Plain.of(MavCmd.MAV_CMD_COMPONENT_ARM_DISARM, wanted, 0);
+    return CommandLong.of(MavCmd.MAV_CMD_COMPONENT_ARM_DISARM, wanted, 0);
   }
 
   private static MavlinkCommand interval(int message) {
-    return Plain.of(MavCmd.MAV_CMD_SET_MESSAGE_INTERVAL, message, 200_000);
+    return CommandLong.of(MavCmd.MAV_CMD_SET_MESSAGE_INTERVAL, message, 200_000);
   }
 }

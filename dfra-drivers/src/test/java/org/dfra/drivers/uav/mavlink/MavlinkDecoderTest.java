@@ -13,11 +13,11 @@ import org.dfra.drivers.uav.mavlink.MavlinkMessage.GlobalPosition;
 import org.dfra.drivers.uav.mavlink.MavlinkMessage.GpsRaw;
 import org.dfra.drivers.uav.mavlink.MavlinkMessage.Heartbeat;
 import org.dfra.drivers.uav.mavlink.MavlinkMessage.Malformed;
-import org.dfra.drivers.uav.mavlink.MavlinkMessage.Motion;
 import org.dfra.drivers.uav.mavlink.MavlinkMessage.Other;
 import org.dfra.drivers.uav.mavlink.MavlinkMessage.SystemStatus;
 import org.dfra.drivers.uav.mavlink.MavlinkMessage.SystemTime;
 import org.dfra.drivers.uav.mavlink.MavlinkMessage.Text;
+import org.dfra.drivers.uav.mavlink.MavlinkMessage.VfrHud;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -88,7 +88,7 @@ class MavlinkDecoderTest {
   @Test
   void readsSpeedAndClimb() {
     assertThat(message("FD1300000901014A0000000000000000A04000007A420000003F3B0132DCC3"))
-        .isEqualTo(new Motion(5, 315, 62.5, 0.5));
+        .isEqualTo(new VfrHud(5, 315, 62.5, 0.5));
   }
 
   @Test

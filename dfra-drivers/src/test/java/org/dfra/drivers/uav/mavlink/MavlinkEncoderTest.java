@@ -4,15 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.dronefleet.mavlink.common.MavCmd;
 import java.util.HexFormat;
-import org.dfra.drivers.uav.mavlink.MavlinkCommand.Placed;
-import org.dfra.drivers.uav.mavlink.MavlinkCommand.Plain;
+import org.dfra.drivers.uav.mavlink.MavlinkCommand.CommandInt;
+import org.dfra.drivers.uav.mavlink.MavlinkCommand.CommandLong;
 import org.junit.jupiter.api.Test;
 
 /** The same bytes as were packed field by field from the protocol's definition. */
 class MavlinkEncoderTest {
 
   private static final Vehicle VEHICLE = new Vehicle(1, 1, 2, 12);
-  private static final Plain ARM = Plain.of(MavCmd.MAV_CMD_COMPONENT_ARM_DISARM, 1, 0);
+  private static final CommandLong ARM = CommandLong.of(MavCmd.MAV_CMD_COMPONENT_ARM_DISARM, 1, 0);
 
   private final MavlinkEncoder encoder = new MavlinkEncoder(255);
 
@@ -37,8 +37,8 @@ class MavlinkEncoderTest {
     encoder.heartbeat();
     encoder.command(VEHICLE, ARM, 0);
     encoder.command(VEHICLE, ARM, 1);
-    Placed there =
-        new Placed(
+    CommandInt there =
+        new CommandInt(
             MavCmd.MAV_CMD_DO_REPOSITION, 5, 1, 0, Float.NaN, 279_506_000, -824_572_000, 64.5f);
     assertThat(hex(encoder.command(VEHICLE, there, 0)))
         .isEqualTo(

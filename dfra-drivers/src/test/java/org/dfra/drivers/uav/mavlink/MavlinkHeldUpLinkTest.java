@@ -25,7 +25,7 @@ class MavlinkHeldUpLinkTest extends MavlinkFixture {
     flight.start();
     say(HEARTBEAT, RECEIVER, FLIES, POSITION);
     awaitReadiness(flight, Readiness.READY);
-    return flight.command(Duration.ofSeconds(10));
+    return flight.acquireCommandLease(Duration.ofSeconds(10));
   }
 
   /** Has it fly, and commands it to fly elsewhere, which hangs in the link until the release. */
@@ -33,8 +33,8 @@ class MavlinkHeldUpLinkTest extends MavlinkFixture {
       throws Exception {
     CommandLease lease = commandInTheAir(flight);
     links.get(0).holdUpAWrite(release);
-    GoTo away = new GoTo(flight.flight().position(), 3);
-    return beside(() -> flight.obey(lease.key(), away));
+    GoTo away = new GoTo(flight.flightState().position(), 3);
+    return beside(() -> flight.execute(lease.key(), away));
   }
 
   @Test
@@ -72,7 +72,7 @@ class MavlinkHeldUpLinkTest extends MavlinkFixture {
     try (MavlinkFlightImpl flight = new MavlinkFlightImpl(context("flight"), ticker, source)) {
       CommandLease lease = commandInTheAir(flight);
       ScriptedLink link = links.get(0);
-      flight.obey(lease.key(), new GoTo(flight.flight().position(), 3));
+      flight.execute(lease.key(), new GoTo(flight.flightState().position(), 3));
       link.awaitLooked();
       CountDownLatch release = new CountDownLatch(1);
       link.holdUpTheReader(release);
@@ -83,7 +83,7 @@ class MavlinkHeldUpLinkTest extends MavlinkFixture {
         assertThat(isSent(link, MavCmd.MAV_CMD_DO_SET_MODE)).isFalse();
         assertThat(flight.emergencyStop("ops").latched()).isTrue();
         await().until(() -> isSent(link, MavCmd.MAV_CMD_DO_SET_MODE));
-        await().until(() -> flight.stopState().resting());
+        await().until(() -> flight.emergencyStopState().haltCommanded());
       } finally {
         release.countDown();
       }

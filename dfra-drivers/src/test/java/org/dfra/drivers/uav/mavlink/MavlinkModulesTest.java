@@ -26,7 +26,7 @@ class MavlinkModulesTest extends MavlinkFixture {
       flight.start();
       say(HEARTBEAT, RECEIVER, FLIES, POSITION);
       awaitReadiness(flight, Readiness.READY);
-      FlightState state = flight.flight();
+      FlightState state = flight.flightState();
       assertThat(state.phase()).isEqualTo(Phase.IN_AIR);
       assertThat(state.isArmed()).isTrue();
       // 62.5 m above the sea; the receiver says 40 m where it says 14.5 m above the ellipsoid
@@ -45,12 +45,12 @@ class MavlinkModulesTest extends MavlinkFixture {
       flight.start();
       say(HEARTBEAT, FLIES, POSITION);
       awaitReadiness(flight, Readiness.READY);
-      assertThat(flight.flight().position()).isNull();
+      assertThat(flight.flightState().position()).isNull();
       assertThat(flight.test("position").finding()).contains("set geoid_separation");
       flight.setParameter("geoid_separation", "-20");
-      assertThat(flight.flight().position().height()).isEqualTo(42.5);
+      assertThat(flight.flightState().position().height()).isEqualTo(42.5);
       flight.setParameter("geoid_separation", "told");
-      assertThat(flight.flight().position()).isNull();
+      assertThat(flight.flightState().position()).isNull();
       assertThatThrownBy(() -> flight.setParameter("geoid_separation", "200"))
           .hasMessageContaining("cannot be \"200\", which is not a number from -120 to 100 m, or");
     }
@@ -64,7 +64,7 @@ class MavlinkModulesTest extends MavlinkFixture {
       awaitReadiness(flight, Readiness.READY);
       ticker.step(Duration.ofMillis(3100));
       awaitReadiness(flight, Readiness.INITIALIZING);
-      assertThatThrownBy(flight::flight)
+      assertThatThrownBy(flight::flightState)
           .isInstanceOf(NotReadyException.class)
           .hasMessageContaining("no HEARTBEAT of an autopilot for 3 s");
       ticker.awaitWaiting();
@@ -72,7 +72,8 @@ class MavlinkModulesTest extends MavlinkFixture {
       await().until(() -> links.size() == 2);
       say(HEARTBEAT, POSITION);
       awaitReadiness(flight, Readiness.READY);
-      assertThat(flight.flight().position().height()).isEqualTo(37.0); // the geoid is remembered
+      assertThat(flight.flightState().position().height())
+          .isEqualTo(37.0); // the geoid is remembered
     }
   }
 
@@ -121,7 +122,7 @@ class MavlinkModulesTest extends MavlinkFixture {
       GpsFix fix = gps.fix();
       assertThat(fix.mode()).isEqualTo(GpsFix.Mode.FIX_3D);
       assertThat(fix.position().height()).isEqualTo(14.5);
-      assertThat(fix.dilution()).isEqualTo(1.5);
+      assertThat(fix.dilutionOfPrecision()).isEqualTo(1.5);
       assertThat(fix.speed()).isEqualTo(5.0);
       assertThat(fix.course()).isEqualTo(306.87);
       assertThat(fix.utc()).isEqualTo(Instant.ofEpochSecond(1_769_000_000));

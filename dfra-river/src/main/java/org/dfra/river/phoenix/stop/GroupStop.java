@@ -15,5 +15,5 @@ public interface GroupStop extends Remote {
    * @return what each answered
    */
   @Idempotent
-  GroupStopAnswer emergencyStop(String by) throws RemoteException;
+  GroupStopResult emergencyStop(String by) throws RemoteException;
 }

@@ -36,10 +36,10 @@ public final class StopLocator {
    * @param port its TCP port
    * @param deadline how long each answer is awaited, at least a millisecond
    */
-  public static StopService at(String host, int port, Duration deadline) {
+  public static StopService proxyAt(String host, int port, Duration deadline) {
     return (StopService)
         DeadlineILFactory.proxy(
-            new BasicObjectEndpoint(Endpoints.at(host, port), IDENTITY, false),
+            new BasicObjectEndpoint(Endpoints.tcpClient(host, port), IDENTITY, false),
             deadline,
             SerialLimits.STOP_REPORT,
             StopLocator.class.getClassLoader(),

@@ -12,7 +12,7 @@ import java.util.List;
  * @param unconfirmed groups of which not every effector answered
  */
 public record StopReport(
-    List<String> robots, List<EffectorStop> effectors, List<UnconfirmedGroup> unconfirmed)
+    List<String> robots, List<EffectorStopResult> effectors, List<UnconfirmedGroup> unconfirmed)
     implements Serializable {
 
   public StopReport {

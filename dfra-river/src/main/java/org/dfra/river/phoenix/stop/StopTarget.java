@@ -2,7 +2,7 @@ package org.dfra.river.phoenix.stop;
 
 import java.rmi.RemoteException;
 import java.util.UUID;
-import org.dfra.flow.effector.StopState;
+import org.dfra.flow.effector.EmergencyStopState;
 import org.jspecify.annotations.Nullable;
 
 /** An activatable object that phoenix can stop: the server of an effector. */
@@ -14,9 +14,9 @@ public interface StopTarget {
   /** The module's path, {@code robot/name}. */
   String modulePath();
 
-  /** See {@link org.dfra.flow.effector.Effector#stopState}. */
-  StopState stopState() throws RemoteException;
+  /** See {@link org.dfra.flow.effector.Effector#emergencyStopState}. */
+  EmergencyStopState emergencyStopState() throws RemoteException;
 
   /** See {@link org.dfra.flow.effector.Effector#emergencyStop}. */
-  StopState emergencyStop(@Nullable String by) throws RemoteException;
+  EmergencyStopState emergencyStop(@Nullable String by) throws RemoteException;
 }

@@ -4,7 +4,7 @@
  *
  * <pre>
  *   ./dfra stop --StopService--&gt; phoenix --GroupStop--&gt; each group's VM --StopTarget--&gt; effector
- *        ^------ StopReport ------'  ^---- GroupStopAnswer ---'  ^---- StopState -----'
+ *        ^------ StopReport ------'  ^---- GroupStopResult ---'  ^---- EmergencyStopState -----'
  * </pre>
  *
  * <p>Enter at {@link org.dfra.river.phoenix.stop.StopService}, and find one with {@link

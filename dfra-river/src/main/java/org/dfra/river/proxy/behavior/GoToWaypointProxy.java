@@ -21,7 +21,7 @@ public final class GoToWaypointProxy extends BehaviorProxy<LegGoal, GoToWaypoint
   }
 
   @Override
-  public void limit(UUID goal, Duration limit) throws RemoteException {
-    target().limit(goal, limit);
+  public void setTimeLimit(UUID goal, Duration limit) throws RemoteException {
+    target().setTimeLimit(goal, limit);
   }
 }

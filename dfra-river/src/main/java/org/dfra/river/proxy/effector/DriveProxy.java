@@ -21,7 +21,7 @@ public final class DriveProxy extends EffectorProxy<DriveCommand, DriveEffector>
   }
 
   @Override
-  public DriveState drive() throws RemoteException {
-    return target().drive();
+  public DriveState driveState() throws RemoteException {
+    return target().driveState();
   }
 }

@@ -7,14 +7,14 @@ import org.dfra.flow.effector.Command;
 import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.Effector;
-import org.dfra.flow.effector.StopState;
+import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.Identification;
 import org.dfra.river.proxy.DeviceProxy;
 import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.proxy.ProxyCommandLease;
 import org.dfra.river.remote.RemoteModule;
-import org.dfra.river.remote.effector.LeasedCommand;
+import org.dfra.river.remote.effector.GrantedCommandLease;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -36,32 +36,32 @@ public abstract class EffectorProxy<C extends Command, E extends Effector<C>> ex
 
   /** {@inheritDoc} From here it renews itself, as long as this program lives. */
   @Override
-  public final CommandLease command(Duration duration)
+  public final CommandLease acquireCommandLease(Duration duration)
       throws LeaseRefusedException, RemoteException {
-    CommandLease given = target().command(duration);
-    return given instanceof LeasedCommand leased
-        ? ProxyCommandLease.keep(identification().path(), leased, duration)
+    CommandLease given = target().acquireCommandLease(duration);
+    return given instanceof GrantedCommandLease leased
+        ? ProxyCommandLease.startRenewing(identification().path(), leased, duration)
         : given;
   }
 
   @Override
-  public final void obey(CommandKey key, C command) throws RemoteException {
-    target().obey(key, command);
+  public final void execute(CommandKey key, C command) throws RemoteException {
+    target().execute(key, command);
   }
 
   /** {@inheritDoc} The name is shortened here: a request that is too long would be refused. */
   @Override
-  public final StopState emergencyStop(@Nullable String by) throws RemoteException {
-    return target().emergencyStop(StopState.requesterName(by));
+  public final EmergencyStopState emergencyStop(@Nullable String by) throws RemoteException {
+    return target().emergencyStop(EmergencyStopState.requesterName(by));
   }
 
   @Override
-  public final StopState releaseStop(@Nullable String by) throws RemoteException {
-    return target().releaseStop(StopState.requesterName(by));
+  public final EmergencyStopState releaseEmergencyStop(@Nullable String by) throws RemoteException {
+    return target().releaseEmergencyStop(EmergencyStopState.requesterName(by));
   }
 
   @Override
-  public final StopState stopState() throws RemoteException {
-    return target().stopState();
+  public final EmergencyStopState emergencyStopState() throws RemoteException {
+    return target().emergencyStopState();
   }
 }

@@ -21,7 +21,7 @@ public final class FlightProxy extends EffectorProxy<FlightCommand, FlightEffect
   }
 
   @Override
-  public FlightState flight() throws RemoteException {
-    return target().flight();
+  public FlightState flightState() throws RemoteException {
+    return target().flightState();
   }
 }

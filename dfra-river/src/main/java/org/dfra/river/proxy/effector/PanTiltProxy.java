@@ -21,7 +21,7 @@ public final class PanTiltProxy extends EffectorProxy<PanTiltCommand, PanTiltEff
   }
 
   @Override
-  public PanTiltState panTilt() throws RemoteException {
-    return target().panTilt();
+  public PanTiltState panTiltState() throws RemoteException {
+    return target().panTiltState();
   }
 }

@@ -18,8 +18,8 @@ public interface RemoteEffector<C extends Command> extends RemoteDevice, Effecto
   /**
    * {@inheritDoc}
    *
-   * @return a {@link LeasedCommand}
+   * @return a {@link GrantedCommandLease}
    */
   @Override
-  CommandLease command(Duration duration) throws LeaseRefusedException, RemoteException;
+  CommandLease acquireCommandLease(Duration duration) throws LeaseRefusedException, RemoteException;
 }

@@ -23,7 +23,7 @@ public final class GoToWaypointServer extends BehaviorServer<LegGoal, GoToWaypoi
   }
 
   @Override
-  public void limit(UUID goal, Duration limit) throws RemoteException {
-    module().limit(goal, limit);
+  public void setTimeLimit(UUID goal, Duration limit) throws RemoteException {
+    module().setTimeLimit(goal, limit);
   }
 }

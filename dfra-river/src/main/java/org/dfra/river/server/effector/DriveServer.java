@@ -22,7 +22,7 @@ public final class DriveServer extends EffectorServer<DriveCommand, DriveEffecto
   }
 
   @Override
-  public DriveState drive() throws RemoteException {
-    return module().drive();
+  public DriveState driveState() throws RemoteException {
+    return module().driveState();
   }
 }

@@ -6,19 +6,19 @@ import java.rmi.activation.ActivationID;
 import java.time.Duration;
 import java.util.UUID;
 import net.jini.core.lease.Lease;
+import org.dfra.core.effector.CommandArbiter;
 import org.dfra.core.effector.EffectorImpl;
-import org.dfra.core.effector.Helm;
 import org.dfra.flow.effector.Command;
 import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.Effector;
-import org.dfra.flow.effector.StopState;
-import org.dfra.lease.Holder;
+import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.lease.LeaseRole;
 import org.dfra.river.lease.ModuleLandlord;
 import org.dfra.river.phoenix.stop.StopTarget;
-import org.dfra.river.remote.LeasedUse;
-import org.dfra.river.remote.effector.LeasedCommand;
+import org.dfra.river.remote.GrantedModuleLease;
+import org.dfra.river.remote.effector.GrantedCommandLease;
 import org.dfra.river.remote.effector.RemoteEffector;
 import org.dfra.river.server.DeviceServer;
 import org.dfra.river.server.ModuleActivation;
@@ -27,7 +27,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Activatable server of an effector. Whether a command is obeyed is decided behind it, by the
- * driver's {@link Helm}.
+ * driver's {@link CommandArbiter}.
  *
  * @param <C> what the effector can be told
  * @param <E> the effector's interface
@@ -42,8 +42,8 @@ public abstract class EffectorServer<C extends Command, E extends Effector<C>>
     super(kind, EffectorImpl.class, id, data); // nothing else would guard it
   }
 
-  private Helm helm() {
-    return ((EffectorImpl<?>) module()).helm();
+  private CommandArbiter helm() {
+    return ((EffectorImpl<?>) module()).commandArbiter();
   }
 
   @Override
@@ -57,36 +57,36 @@ public abstract class EffectorServer<C extends Command, E extends Effector<C>>
   }
 
   @Override
-  public final CommandLease command(Duration duration) throws LeaseRefusedException {
+  public final CommandLease acquireCommandLease(Duration duration) throws LeaseRefusedException {
     Lease[] lease = new Lease[1];
     CommandKey key =
         helm()
-            .take(
+            .acquire(
                 clientName(),
                 whenOver -> {
-                  lease[0] = grant(duration, Holder.COMMANDER, whenOver, whenOver);
+                  lease[0] = grant(duration, LeaseRole.COMMANDER, whenOver, whenOver);
                   return ModuleLandlord.id(lease[0]);
                 });
-    return new LeasedCommand(new LeasedUse(lease[0]), key);
+    return new GrantedCommandLease(new GrantedModuleLease(lease[0]), key);
   }
 
   @Override
-  public final void obey(CommandKey key, C command) throws RemoteException {
-    module().obey(key, command);
+  public final void execute(CommandKey key, C command) throws RemoteException {
+    module().execute(key, command);
   }
 
   @Override
-  public final StopState emergencyStop(@Nullable String by) throws RemoteException {
+  public final EmergencyStopState emergencyStop(@Nullable String by) throws RemoteException {
     return module().emergencyStop(by);
   }
 
   @Override
-  public final StopState releaseStop(@Nullable String by) throws RemoteException {
-    return module().releaseStop(by);
+  public final EmergencyStopState releaseEmergencyStop(@Nullable String by) throws RemoteException {
+    return module().releaseEmergencyStop(by);
   }
 
   @Override
-  public final StopState stopState() throws RemoteException {
-    return module().stopState();
+  public final EmergencyStopState emergencyStopState() throws RemoteException {
+    return module().emergencyStopState();
   }
 }

@@ -22,7 +22,7 @@ public final class FlightServer extends EffectorServer<FlightCommand, FlightEffe
   }
 
   @Override
-  public FlightState flight() throws RemoteException {
-    return module().flight();
+  public FlightState flightState() throws RemoteException {
+    return module().flightState();
   }
 }

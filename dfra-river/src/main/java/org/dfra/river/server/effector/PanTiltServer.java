@@ -22,7 +22,7 @@ public final class PanTiltServer extends EffectorServer<PanTiltCommand, PanTiltE
   }
 
   @Override
-  public PanTiltState panTilt() throws RemoteException {
-    return module().panTilt();
+  public PanTiltState panTiltState() throws RemoteException {
+    return module().panTiltState();
   }
 }

@@ -12,7 +12,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import net.jini.jeri.BasicJeriExporter;
 import org.dfra.core.host.FreePorts;
-import org.dfra.flow.effector.StopState;
+import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.junit.jupiter.api.AfterEach;
@@ -45,7 +45,7 @@ class StopLocatorTest {
 
   @BeforeEach
   void export() throws Exception {
-    port = FreePorts.next();
+    port = FreePorts.allocate();
     exporter =
         new BasicJeriExporter(
             Endpoints.tcp("127.0.0.1", port),
@@ -62,13 +62,14 @@ class StopLocatorTest {
   }
 
   private StopReport stop() throws RemoteException {
-    return StopLocator.at("127.0.0.1", port, PATIENCE).emergencyStop(List.of(), "ops");
+    return StopLocator.proxyAt("127.0.0.1", port, PATIENCE).emergencyStop(List.of(), "ops");
   }
 
-  private static EffectorStop effector(int number) {
-    StopState state =
-        new StopState(true, "ops at 192.0.2.7", Instant.EPOCH, true, null, Duration.ofSeconds(1));
-    return new EffectorStop(
+  private static EffectorStopResult effector(int number) {
+    EmergencyStopState state =
+        new EmergencyStopState(
+            true, "ops at 192.0.2.7", Instant.EPOCH, true, null, Duration.ofSeconds(1));
+    return new EffectorStopResult(
         UUID.randomUUID(), "robot" + number % 200 + "/drive" + number, false, state, null);
   }
 

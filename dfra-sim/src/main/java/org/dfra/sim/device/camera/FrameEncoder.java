@@ -11,7 +11,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageWriteParam;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
-import org.dfra.sim.body.CameraView.Frame;
+import org.dfra.sim.physics.CameraInput.Frame;
 
 /**
  * Frames as a camera encodes them, the same bytes for the same frame. Needs no display. Confined to

@@ -7,8 +7,8 @@ import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.Base64;
 import java.util.Locale;
-import org.dfra.sim.body.CameraView;
 import org.dfra.sim.device.SerialDevice;
+import org.dfra.sim.physics.CameraInput;
 
 /**
  * A network camera between its socket and its lens: it answers one request of HTTP, with a stream
@@ -28,7 +28,7 @@ public final class MjpegDevice implements SerialDevice {
     SILENT
   }
 
-  private final CameraView view;
+  private final CameraInput view;
   private final MjpegOptions options;
   private final FrameEncoder encoder;
   private final Duration period;
@@ -41,7 +41,7 @@ public final class MjpegDevice implements SerialDevice {
    * @param view what it sees
    * @param options how it is set up
    */
-  public MjpegDevice(CameraView view, MjpegOptions options) {
+  public MjpegDevice(CameraInput view, MjpegOptions options) {
     this.view = view;
     this.options = options;
     this.encoder = new FrameEncoder(options.isThermal());
@@ -49,7 +49,7 @@ public final class MjpegDevice implements SerialDevice {
   }
 
   @Override
-  public boolean keepsBytes() {
+  public boolean buffersOutput() {
     return true;
   }
 
@@ -90,14 +90,14 @@ public final class MjpegDevice implements SerialDevice {
       refuse("400 Bad Request", "");
     } else if (!words[0].equals("GET")) {
       refuse("405 Method Not Allowed", "Allow: GET\r\n");
-    } else if (!knows(lines)) {
+    } else if (!isAuthorized(lines)) {
       refuse("401 Unauthorized", "WWW-Authenticate: Basic realm=\"camera\"\r\n");
     } else if (!words[1].equals(options.path())) {
       refuse("404 Not Found", "");
     } else {
       state = State.STREAMING;
       next = time;
-      say(
+      enqueue(
           "HTTP/1.0 200 OK\r\nServer: camera\r\nConnection: close\r\nCache-Control: no-cache\r\n"
               + "Content-Type: multipart/x-mixed-replace;boundary="
               + BOUNDARY
@@ -105,7 +105,7 @@ public final class MjpegDevice implements SerialDevice {
     }
   }
 
-  private boolean knows(String[] lines) {
+  private boolean isAuthorized(String[] lines) {
     String credentials = options.credentials();
     if (credentials == null) {
       return true;
@@ -125,7 +125,7 @@ public final class MjpegDevice implements SerialDevice {
   private void refuse(String status, String header) {
     state = State.SILENT;
     String body = status + "\n";
-    say(
+    enqueue(
         "HTTP/1.0 "
             + status
             + "\r\n"
@@ -139,7 +139,7 @@ public final class MjpegDevice implements SerialDevice {
   @Override
   public void transmit(ByteBuffer out, Instant time) {
     if (state == State.STREAMING && waiting.isEmpty() && !time.isBefore(next)) {
-      shoot(time);
+      sendFrame(time);
     }
     for (ByteBuffer head = waiting.peek(); head != null && out.hasRemaining(); ) {
       int count = Math.min(head.remaining(), out.remaining());
@@ -152,29 +152,29 @@ public final class MjpegDevice implements SerialDevice {
     }
   }
 
-  private void shoot(Instant time) {
+  private void sendFrame(Instant time) {
     long missed = Duration.between(next, time).dividedBy(period);
     Instant due = next.plus(period.multipliedBy(missed));
     next = due.plus(period);
-    byte[] image = encoder.encode(view.look(due));
-    say(
+    byte[] image = encoder.encode(view.capture(due));
+    enqueue(
         "--"
             + BOUNDARY
             + "\r\nContent-Type: "
             + encoder.mediaType()
             + "\r\n"
-            + (options.tellsLength() ? "Content-Length: " + image.length + "\r\n" : "")
-            + (options.tellsTime() ? "X-Timestamp: " + seconds(due) + "\r\n" : "")
+            + (options.sendsLength() ? "Content-Length: " + image.length + "\r\n" : "")
+            + (options.sendsTimestamp() ? "X-Timestamp: " + seconds(due) + "\r\n" : "")
             + "\r\n");
     waiting.add(ByteBuffer.wrap(image));
-    say("\r\n");
+    enqueue("\r\n");
   }
 
   private static String seconds(Instant time) {
     return String.format(Locale.ROOT, "%d.%06d", time.getEpochSecond(), time.getNano() / 1000);
   }
 
-  private void say(String text) {
+  private void enqueue(String text) {
     waiting.add(ByteBuffer.wrap(text.getBytes(StandardCharsets.ISO_8859_1)));
   }
 }

@@ -9,16 +9,16 @@ import org.jspecify.annotations.Nullable;
  * @param isThermal whether it sends heat, as PNG of 16 bits, or light, as JPEG
  * @param frameRate images per second, above 0
  * @param credentials {@code user:password} that it wants to hear; null where it lets everybody in
- * @param tellsLength whether its parts have a {@code Content-Length}
- * @param tellsTime whether its parts have an {@code X-Timestamp}
+ * @param sendsLength whether its parts have a {@code Content-Length}
+ * @param sendsTimestamp whether its parts have an {@code X-Timestamp}
  */
 public record MjpegOptions(
     String path,
     boolean isThermal,
     double frameRate,
     @Nullable String credentials,
-    boolean tellsLength,
-    boolean tellsTime) {
+    boolean sendsLength,
+    boolean sendsTimestamp) {
 
   public MjpegOptions {
     if (!(frameRate > 0 && frameRate <= 1000)) {
@@ -38,11 +38,12 @@ public record MjpegOptions(
 
   /** The same, for those only who say {@code user:password}. */
   public MjpegOptions withCredentials(String userAndPassword) {
-    return new MjpegOptions(path, isThermal, frameRate, userAndPassword, tellsLength, tellsTime);
+    return new MjpegOptions(
+        path, isThermal, frameRate, userAndPassword, sendsLength, sendsTimestamp);
   }
 
   /** The same, whose parts have neither length nor time. */
-  public MjpegOptions terse() {
+  public MjpegOptions withoutPartHeaders() {
     return new MjpegOptions(path, isThermal, frameRate, credentials, false, false);
   }
 }

@@ -39,7 +39,7 @@ final class RflexCommandReader {
   }
 
   /** Frames that were begun and not obeyed. */
-  long spoiled() {
+  long malformedFrames() {
     return spoiled;
   }
 
@@ -62,7 +62,7 @@ final class RflexCommandReader {
 
   private void control(int value) {
     if (value == END && inFrame) {
-      obey(frame.toByteArray());
+      dispatch(frame.toByteArray());
     } else if (inFrame) {
       spoiled++;
     }
@@ -71,7 +71,7 @@ final class RflexCommandReader {
     frame.reset();
   }
 
-  private void obey(byte[] found) {
+  private void dispatch(byte[] found) {
     int sum = 0;
     for (byte each : found) {
       sum ^= each; // the checksum makes it zero

@@ -3,12 +3,12 @@ package org.dfra.sim.device.drive;
 import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.time.Instant;
-import org.dfra.sim.body.BatteryBody;
-import org.dfra.sim.body.DriveBody;
-import org.dfra.sim.body.DriveBody.Travel;
 import org.dfra.sim.device.Schedule;
 import org.dfra.sim.device.SerialDevice;
 import org.dfra.sim.device.UartLine;
+import org.dfra.sim.physics.BatteryPhysics;
+import org.dfra.sim.physics.DrivetrainPhysics;
+import org.dfra.sim.physics.DrivetrainPhysics.Travel;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -42,7 +42,7 @@ public final class RflexDevice implements SerialDevice {
   public static final double STOPPING = 6;
 
   /** The same about z, radians per second squared; from 2 rad/s it takes as long. */
-  private static final double TURN_STOPPING = 12;
+  private static final double FAILSAFE_YAW_DECELERATION = 12;
 
   private static final double USUAL_ACCELERATION = 0.5;
   private static final double OFFSET_VOLTS = 1.2;
@@ -77,10 +77,10 @@ public final class RflexDevice implements SerialDevice {
     }
   }
 
-  private final DriveBody wheels;
-  private final BatteryBody battery;
-  private final UartLine line = new UartLine(BAUD);
-  private final RflexCommandReader commands = new RflexCommandReader(this::obey);
+  private final DrivetrainPhysics wheels;
+  private final BatteryPhysics battery;
+  private final UartLine channel = new UartLine(BAUD);
+  private final RflexCommandReader commands = new RflexCommandReader(this::execute);
   private final Schedule reports = new Schedule();
   private final Axis along;
   private final Axis about;
@@ -93,7 +93,7 @@ public final class RflexDevice implements SerialDevice {
   private volatile @Nullable Instant firstHalt;
 
   /** A controller of these wheels, fed by this battery. */
-  public RflexDevice(DriveBody wheels, BatteryBody battery) {
+  public RflexDevice(DrivetrainPhysics wheels, BatteryPhysics battery) {
     this(wheels, battery, 0, 0);
   }
 
@@ -103,7 +103,7 @@ public final class RflexDevice implements SerialDevice {
    * @param first its first count along x
    * @param firstTurn its first count about z
    */
-  public RflexDevice(DriveBody wheels, BatteryBody battery, int first, int firstTurn) {
+  public RflexDevice(DrivetrainPhysics wheels, BatteryPhysics battery, int first, int firstTurn) {
     this.wheels = wheels;
     this.battery = battery;
     this.along = new Axis(PER_METRE, first);
@@ -111,8 +111,8 @@ public final class RflexDevice implements SerialDevice {
   }
 
   /** Frames that it has not understood. */
-  public long spoiled() {
-    return commands.spoiled();
+  public long malformedFrames() {
+    return commands.malformedFrames();
   }
 
   /**
@@ -150,7 +150,7 @@ public final class RflexDevice implements SerialDevice {
   @Override
   public void transmit(ByteBuffer out, Instant time) {
     pass(time);
-    line.take(out, time);
+    channel.drainTo(out, time);
   }
 
   private void pass(Instant time) {
@@ -159,7 +159,7 @@ public final class RflexDevice implements SerialDevice {
       wheels.brake(time, true);
       Travel begin = wheels.travel(time);
       along.begin = begin.distance();
-      about.begin = begin.turn();
+      about.begin = begin.yaw();
     }
     if (failsafe != null && !time.isBefore(failsafe)) {
       now = failsafe; // it was then, even where nobody looked
@@ -167,7 +167,7 @@ public final class RflexDevice implements SerialDevice {
     }
     now = time;
     Instant due = reports.due(time);
-    if (due != null && line.waitingBytes() <= LONGEST_QUEUE) {
+    if (due != null && channel.waitingBytes() <= LONGEST_QUEUE) {
       report(due);
     }
   }
@@ -175,7 +175,7 @@ public final class RflexDevice implements SerialDevice {
   private void stop() {
     failsafe = null;
     along.stop(STOPPING);
-    about.stop(TURN_STOPPING);
+    about.stop(FAILSAFE_YAW_DECELERATION);
     drive();
   }
 
@@ -183,7 +183,7 @@ public final class RflexDevice implements SerialDevice {
     wheels.drive(now, along.speed, about.speed, along.acceleration, about.acceleration);
   }
 
-  private void obey(int port, int opcode, byte[] data) {
+  private void execute(int port, int opcode, byte[] data) {
     ByteBuffer argument = ByteBuffer.wrap(data);
     switch (port << 8 | opcode) {
       case 0x0101 -> status();
@@ -247,7 +247,7 @@ public final class RflexDevice implements SerialDevice {
 
   private void status() {
     int hundredths = (int) Math.round((battery.at(now).voltage() - OFFSET_VOLTS) * 100);
-    line.send(RflexFrames.status(timestamp(now), Math.max(0, hundredths), brake), now);
+    channel.send(RflexFrames.status(timestamp(now), Math.max(0, hundredths), brake), now);
   }
 
   private void report(Instant due) {
@@ -264,11 +264,11 @@ public final class RflexDevice implements SerialDevice {
         RflexFrames.report(
             time,
             1,
-            about.count(travel.turn()),
-            about.rate(travel.turnRate()),
+            about.count(travel.yaw()),
+            about.rate(travel.yawRate()),
             about.rate(about.acceleration));
-    line.send(first, due);
-    line.send(second, due);
+    channel.send(first, due);
+    channel.send(second, due);
   }
 
   /** Microseconds since it was switched on; wraps around. */

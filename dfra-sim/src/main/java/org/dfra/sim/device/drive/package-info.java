@@ -2,7 +2,8 @@
  * Controllers of wheels that do not exist, byte by byte.
  *
  * <p>Enter at {@link org.dfra.sim.device.drive.RflexDevice}: it moves a {@link
- * org.dfra.sim.body.DriveBody} and measures a {@link org.dfra.sim.body.BatteryBody}.
+ * org.dfra.sim.physics.DrivetrainPhysics} and measures a {@link
+ * org.dfra.sim.physics.BatteryPhysics}.
  */
 @NullMarked
 package org.dfra.sim.device.drive;

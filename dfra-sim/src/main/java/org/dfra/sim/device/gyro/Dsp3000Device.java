@@ -4,9 +4,9 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.time.Instant;
-import org.dfra.sim.body.TurnView;
 import org.dfra.sim.device.SerialDevice;
 import org.dfra.sim.device.UartLine;
+import org.dfra.sim.physics.GyroInput;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -28,7 +28,7 @@ public final class Dsp3000Device implements SerialDevice {
   private static final int LONGEST_QUEUE = 1024; // bytes; with more a line is left out
   private static final Duration LONGEST_SLEEP = Duration.ofSeconds(10); // lines caught up
 
-  private final TurnView view;
+  private final GyroInput view;
   private final UartLine line;
   private final Duration warmUp;
   private @Nullable Instant switchedOn;
@@ -41,7 +41,7 @@ public final class Dsp3000Device implements SerialDevice {
    * @param baud bits per second of its line, 38400 as it is delivered
    * @param warmUp for how long after it was switched on its lines are not valid
    */
-  public Dsp3000Device(TurnView view, int baud, Duration warmUp) {
+  public Dsp3000Device(GyroInput view, int baud, Duration warmUp) {
     this.view = view;
     this.line = new UartLine(baud);
     this.warmUp = warmUp;
@@ -68,7 +68,7 @@ public final class Dsp3000Device implements SerialDevice {
   @Override
   public void transmit(ByteBuffer out, Instant time) {
     pass(time);
-    line.take(out, time);
+    line.drainTo(out, time);
   }
 
   private void pass(Instant time) {
@@ -87,11 +87,11 @@ public final class Dsp3000Device implements SerialDevice {
 
   private void measure(Instant time, Instant begin) {
     double rate = -Math.toDegrees(view.rate(time));
-    double told = Math.max(-FASTEST, Math.min(FASTEST, rate));
-    double step = told * PERIOD.toMillis() / 1e3;
+    double reported = Math.max(-FASTEST, Math.min(FASTEST, rate));
+    double step = reported * PERIOD.toMillis() / 1e3;
     angle += step;
-    boolean isValid = told == rate && !time.isBefore(begin.plus(warmUp));
-    double number = mode == 'R' ? told : mode == 'A' ? step : angle;
+    boolean isValid = reported == rate && !time.isBefore(begin.plus(warmUp));
+    double number = mode == 'R' ? reported : mode == 'A' ? step : angle;
     if (line.waitingBytes() <= LONGEST_QUEUE) {
       line.send(text(number, isValid).getBytes(StandardCharsets.US_ASCII), time);
     }

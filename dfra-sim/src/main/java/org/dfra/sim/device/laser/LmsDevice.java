@@ -6,9 +6,9 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.Arrays;
 import java.util.Map;
-import org.dfra.sim.body.RangeView;
 import org.dfra.sim.device.SerialDevice;
 import org.dfra.sim.device.UartLine;
+import org.dfra.sim.physics.RangeInput;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -41,13 +41,13 @@ public final class LmsDevice implements SerialDevice {
       Map.of(0x40, 38_400, 0x41, 19_200, 0x42, 9600, 0x48, 500_000);
 
   private final LmsMirror mirror;
-  private final LmsMakeup makeup;
-  private final UartLine line;
-  private final LmsCommandReader commands = new LmsCommandReader(new Obedience());
+  private final LmsEmulatorSettings makeup;
+  private final UartLine channel;
+  private final LmsCommandReader commands = new LmsCommandReader(new CommandHandler());
   private final byte[] configuration = new byte[CONFIGURATION_BYTES];
 
   private @Nullable Instant powerOn;
-  private @Nullable Instant wakes; // null: it is awake
+  private @Nullable Instant powerOnReportAt; // null: it is awake
   private boolean resets; // once its line is free
   private int nextBaud; // once its line is free; 0: none
   private volatile int operatingMode = WAITS;
@@ -58,10 +58,10 @@ public final class LmsDevice implements SerialDevice {
    * @param view what it sees
    * @param makeup what it is like
    */
-  public LmsDevice(RangeView view, LmsMakeup makeup) {
+  public LmsDevice(RangeInput view, LmsEmulatorSettings makeup) {
     this.mirror = new LmsMirror(view);
     this.makeup = makeup;
-    this.line = new UartLine(makeup.baud() == 0 ? WAKING_BAUD : makeup.baud());
+    this.channel = new UartLine(makeup.baud() == 0 ? WAKING_BAUD : makeup.baud());
     configuration[MODE_AT] = (byte) makeup.measuringMode();
     configuration[UNIT_AT] = (byte) makeup.unit();
   }
@@ -78,13 +78,13 @@ public final class LmsDevice implements SerialDevice {
 
   @Override
   public int baud() {
-    return line.baud();
+    return channel.baud();
   }
 
   @Override
   public void receive(byte[] bytes, int offset, int length, Instant time) {
     pass(time);
-    if (wakes == null) {
+    if (powerOnReportAt == null) {
       commands.feed(bytes, offset, length);
     }
   }
@@ -92,47 +92,47 @@ public final class LmsDevice implements SerialDevice {
   @Override
   public void transmit(ByteBuffer out, Instant time) {
     pass(time);
-    line.take(out, time);
-    settle(time);
+    channel.drainTo(out, time);
+    applyPending(time);
   }
 
   private void pass(Instant time) {
     now = time;
     if (powerOn == null) {
       powerOn = time;
-      wakes = makeup.baud() == 0 ? time.plus(makeup.warmUp()) : null;
+      powerOnReportAt = makeup.baud() == 0 ? time.plus(makeup.warmUp()) : null;
     }
-    if (wakes != null && !time.isBefore(wakes)) {
-      wakes = null;
-      line.send(LmsTelegrams.telegram(0x90, LmsTelegrams.type(), status()), time);
+    if (powerOnReportAt != null && !time.isBefore(powerOnReportAt)) {
+      powerOnReportAt = null;
+      channel.send(LmsTelegrams.telegram(0x90, LmsTelegrams.type(), status()), time);
     }
-    if (wakes == null && operatingMode == STREAMS && line.waitingBytes() == 0) {
+    if (powerOnReportAt == null && operatingMode == STREAMS && channel.waitingBytes() == 0) {
       stream(time);
     }
   }
 
   /** What had to wait for the last byte of an answer. */
-  private void settle(Instant time) {
-    if (line.waitingBytes() > 0) {
+  private void applyPending(Instant time) {
+    if (channel.waitingBytes() > 0) {
       return;
     }
     if (nextBaud != 0) {
-      line.setBaud(nextBaud);
+      channel.setBaud(nextBaud);
       nextBaud = 0;
     }
     if (resets) {
       resets = false;
-      line.setBaud(WAKING_BAUD);
+      channel.setBaud(WAKING_BAUD);
       operatingMode = WAITS;
-      mirror.wake();
-      wakes = time.plus(makeup.warmUp());
+      mirror.reset();
+      powerOnReportAt = time.plus(makeup.warmUp());
     }
   }
 
   private void stream(Instant time) {
     Instant begin = mirror.complete(time);
     if (begin != null) {
-      line.send(LmsTelegrams.telegram(0xB0, scan(begin), status()), time);
+      channel.send(LmsTelegrams.telegram(0xB0, scan(begin), status()), time);
     }
   }
 
@@ -147,20 +147,24 @@ public final class LmsDevice implements SerialDevice {
   /** Of its family, with what is wrong with it. */
   private int status() {
     int worst =
-        makeup.errors().stream().mapToInt(LmsMakeup.Error::type).filter(t -> t < 8).max().orElse(0);
-    return 0x10 | worst | (makeup.clean() < DIRTY ? 0x80 : 0);
+        makeup.errors().stream()
+            .mapToInt(LmsEmulatorSettings.StoredError::type)
+            .filter(t -> t < 8)
+            .max()
+            .orElse(0);
+    return 0x10 | worst | (makeup.windowCleanness() < DIRTY ? 0x80 : 0);
   }
 
   private void answer(int command, byte... data) {
-    line.send(LmsTelegrams.reply(command, data, status()), now);
+    channel.send(LmsTelegrams.reply(command, data, status()), now);
   }
 
   /** Obeys commands. */
-  private final class Obedience implements LmsCommandReader.Sink {
+  private final class CommandHandler implements LmsCommandReader.Sink {
 
     @Override
     public void damaged() {
-      line.send(LmsTelegrams.NAK, now);
+      channel.send(LmsTelegrams.NAK, now);
     }
 
     @Override
@@ -192,12 +196,12 @@ public final class LmsDevice implements SerialDevice {
       double seconds = powerOn == null ? 0 : Duration.between(powerOn, now).toMillis() / 1e3;
       return new LmsTelegrams.Condition(
           operatingMode,
-          makeup.clean(),
-          (int) ((long) (seconds * LmsMirror.TURNS_PER_SECOND) & 0xFFFF),
+          makeup.windowCleanness(),
+          (int) ((long) (seconds * LmsMirror.REVOLUTIONS_PER_SECOND) & 0xFFFF),
           configuration[MODE_AT],
           mirror.degrees(),
           mirror.hundredths(),
-          line.baud(),
+          channel.baud(),
           unit());
     }
 
@@ -228,7 +232,7 @@ public final class LmsDevice implements SerialDevice {
       }
       int field = payload[1] & 0xFF | payload[2] << 8;
       int step = payload[3] & 0xFF | payload[4] << 8;
-      boolean isDone = !makeup.isLocked() && mirror.place(field, step);
+      boolean isDone = !makeup.isConfigurationLocked() && mirror.setVariant(field, step);
       answer(0xBB, LmsTelegrams.variant(isDone, mirror.degrees(), mirror.hundredths()));
     }
 
@@ -236,8 +240,8 @@ public final class LmsDevice implements SerialDevice {
       boolean isDone =
           operatingMode == INSTALLS
               && payload.length == 1 + CONFIGURATION_BYTES
-              && LmsMirror.knows(payload[1 + UNIT_AT])
-              && !makeup.isLocked();
+              && LmsMirror.isKnownUnit(payload[1 + UNIT_AT])
+              && !makeup.isConfigurationLocked();
       if (isDone) {
         System.arraycopy(payload, 1, configuration, 0, CONFIGURATION_BYTES);
         flashWrites++;

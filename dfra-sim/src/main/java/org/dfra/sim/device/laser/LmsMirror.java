@@ -2,7 +2,7 @@ package org.dfra.sim.device.laser;
 
 import java.time.Duration;
 import java.time.Instant;
-import org.dfra.sim.body.RangeView;
+import org.dfra.sim.physics.RangeInput;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class LmsMirror {
 
-  static final double TURNS_PER_SECOND = 75;
+  static final double REVOLUTIONS_PER_SECOND = 75;
 
   private static final double FARTHEST = 80; // metres
   private static final int RESERVED = 8;
@@ -19,19 +19,19 @@ final class LmsMirror {
   private static final int NARROW = 100;
   private static final double[] METRES = {0.01, 0.001};
 
-  private final RangeView view;
+  private final RangeInput view;
   private int degrees;
   private int hundredths;
   private Instant streamBegin = Instant.EPOCH;
   private long sentScans; // of the stream, those left out among them
 
-  LmsMirror(RangeView view) {
+  LmsMirror(RangeInput view) {
     this.view = view;
-    wake();
+    reset();
   }
 
   /** As it is after power-on. */
-  void wake() {
+  void reset() {
     degrees = WIDEST;
     hundredths = 50;
   }
@@ -45,7 +45,7 @@ final class LmsMirror {
   }
 
   /** Places the beams otherwise; false where that cannot be. */
-  boolean place(int field, int step) {
+  boolean setVariant(int field, int step) {
     boolean exists =
         (field == NARROW || field == WIDEST)
             && (step == 100 || step == 50 || (step == 25 && field == NARROW));
@@ -55,7 +55,7 @@ final class LmsMirror {
   }
 
   /** Whether it can count in this unit. */
-  static boolean knows(int unit) {
+  static boolean isKnownUnit(int unit) {
     return unit >= 0 && unit < METRES.length;
   }
 
@@ -77,7 +77,7 @@ final class LmsMirror {
 
   /** Nanoseconds for a scan. */
   long periodNanos() {
-    return Math.round(1e9 * (100.0 / hundredths) / TURNS_PER_SECOND);
+    return Math.round(1e9 * (100.0 / hundredths) / REVOLUTIONS_PER_SECOND);
   }
 
   /**
@@ -92,7 +92,7 @@ final class LmsMirror {
     double longest = Math.min(FARTHEST, (top - RESERVED - 1) * metres);
     double[] distances = new double[degrees * 100 / hundredths + 1];
     double first = -Math.toRadians(degrees / 2.0);
-    view.look(begin, first, Math.toRadians(hundredths / 100.0), longest, distances);
+    view.measure(begin, first, Math.toRadians(hundredths / 100.0), longest, distances);
     int[] samples = new int[distances.length];
     for (int i = 0; i < samples.length; i++) {
       if (Double.isNaN(distances[i])) {

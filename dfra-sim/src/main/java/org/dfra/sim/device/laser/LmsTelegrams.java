@@ -94,7 +94,7 @@ final class LmsTelegrams {
   }
 
   /** Data of a list of errors. */
-  static byte[] errors(List<LmsMakeup.Error> errors) {
+  static byte[] errors(List<LmsEmulatorSettings.StoredError> errors) {
     ByteBuffer out = ByteBuffer.allocate(2 * errors.size());
     errors.forEach(error -> out.put((byte) error.type()).put((byte) error.number()));
     return out.array();

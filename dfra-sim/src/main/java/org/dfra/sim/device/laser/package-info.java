@@ -2,7 +2,7 @@
  * Lasers that do not exist, byte by byte.
  *
  * <pre>
- *   RangeView ---&gt; LmsDevice ---&gt; UartLine ---&gt; DeviceEmulator &lt;==tcp==&gt; a driver
+ *   RangeInput ---&gt; LmsDevice ---&gt; UartLine ---&gt; DeviceEmulator &lt;==tcp==&gt; a driver
  *   what it sees   telegrams      how fast      over what
  * </pre>
  *

@@ -43,7 +43,7 @@ final class PtuConsole {
     return "*" + END;
   }
 
-  void obey(String command) {
+  void execute(String command) {
     Matcher matcher = COMMAND.matcher(command.toUpperCase(Locale.ROOT));
     if (!matcher.matches()) {
       refuse("Illegal command");
@@ -62,23 +62,24 @@ final class PtuConsole {
     } else if (number != null) {
       refuse("Illegal command argument");
     } else {
-      obeyOfBoth(name);
+      executeForBothAxes(name);
     }
   }
 
   private void answer(StepMotor motor, char what) {
     String name = motor.name();
     switch (what) {
-      case 'P' -> tell("Current " + name + " position is ", motor.position(), "");
-      case 'O', 'D' -> tell("Desired " + name + " position is ", motor.target(), "");
-      case 'S' -> tell("Target " + name + " speed is ", motor.speed(), " positions/sec");
-      case 'A' -> tell(name + " acceleration is ", motor.acceleration(), " positions/sec^2");
-      case 'B' -> tell("Current " + name + " base speed is ", motor.baseSpeed(), " positions/sec");
-      case 'U' -> tell("Maximum " + name + " speed is ", motor.fastest(), " positions/sec");
-      case 'L' -> tell("Minimum " + name + " speed is ", motor.slowest(), " positions/sec");
-      case 'N' -> tell("Minimum " + name + " position is ", motor.least(), "");
-      case 'X' -> tell("Maximum " + name + " position is ", motor.most(), "");
-      case 'R' -> say("185.1428" + (terse ? "" : " seconds arc per " + name + " position"));
+      case 'P' -> replyNumber("Current " + name + " position is ", motor.position(), "");
+      case 'O', 'D' -> replyNumber("Desired " + name + " position is ", motor.target(), "");
+      case 'S' -> replyNumber("Target " + name + " speed is ", motor.speed(), " positions/sec");
+      case 'A' -> replyNumber(name + " acceleration is ", motor.acceleration(), " positions/sec^2");
+      case 'B' ->
+          replyNumber("Current " + name + " base speed is ", motor.baseSpeed(), " positions/sec");
+      case 'U' -> replyNumber("Maximum " + name + " speed is ", motor.maxSpeed(), " positions/sec");
+      case 'L' -> replyNumber("Minimum " + name + " speed is ", motor.minSpeed(), " positions/sec");
+      case 'N' -> replyNumber("Minimum " + name + " position is ", motor.minPosition(), "");
+      case 'X' -> replyNumber("Maximum " + name + " position is ", motor.maxPosition(), "");
+      case 'R' -> reply("185.1428" + (terse ? "" : " seconds arc per " + name + " position"));
       default -> refuse("Illegal command");
     }
   }
@@ -101,14 +102,14 @@ final class PtuConsole {
   }
 
   private void position(StepMotor motor, int there) {
-    if (!motor.reaches(there)) {
-      boolean over = there > motor.most();
+    if (!motor.isReachable(there)) {
+      boolean over = there > motor.maxPosition();
       refuse(
           (over ? "Maximum" : "Minimum")
               + " allowable "
               + motor.name()
               + " position is "
-              + (over ? motor.most() : motor.least()));
+              + (over ? motor.maxPosition() : motor.minPosition()));
       return;
     }
     if (immediate) {
@@ -122,27 +123,27 @@ final class PtuConsole {
   }
 
   private void speed(StepMotor motor, int speed) {
-    if (speed > motor.fastest()) {
-      refuse(motor.name() + " speed cannot exceed " + motor.fastest() + " positions/sec");
-    } else if (speed < motor.slowest()) {
-      refuse("Motor speed cannot be less than " + motor.slowest() + " pos/sec");
+    if (speed > motor.maxSpeed()) {
+      refuse(motor.name() + " speed cannot exceed " + motor.maxSpeed() + " positions/sec");
+    } else if (speed < motor.minSpeed()) {
+      refuse("Motor speed cannot be less than " + motor.minSpeed() + " pos/sec");
     } else {
       motor.setSpeed(speed);
       printer.accept(done());
     }
   }
 
-  private void obeyOfBoth(String name) {
+  private void executeForBothAxes(String name) {
     switch (name) {
-      case "E" -> say("Echoing is " + (echo ? "ON" : "OFF"));
-      case "F" -> say("ASCII " + (terse ? "terse" : "verbose") + " mode");
-      case "L" -> say("Limit bounds are " + (limited ? "ENABLED" : "DISABLED"));
-      case "V" -> say("Pan-Tilt Controller v1.10 (EMULATOR)");
+      case "E" -> reply("Echoing is " + (echo ? "ON" : "OFF"));
+      case "F" -> reply("ASCII " + (terse ? "terse" : "verbose") + " mode");
+      case "L" -> reply("Limit bounds are " + (limited ? "ENABLED" : "DISABLED"));
+      case "V" -> reply("Pan-Tilt Controller v1.10 (EMULATOR)");
       case "R" -> motions.accept(PtuMotion.reset(pan, tilt));
       case "RP" -> motions.accept(PtuMotion.reset(pan));
       case "RT" -> motions.accept(PtuMotion.reset(tilt));
       case "A" -> {
-        goAwaited();
+        moveToDeferredTargets();
         motions.accept(PtuMotion.ending(pan, tilt));
       }
       default -> {
@@ -181,7 +182,7 @@ final class PtuConsole {
     tilt.limit(whether);
   }
 
-  private void goAwaited() {
+  private void moveToDeferredTargets() {
     if (awaitedPan != null) {
       pan.goTo(awaitedPan);
     }
@@ -192,11 +193,11 @@ final class PtuConsole {
     awaitedTilt = null;
   }
 
-  private void tell(String before, int number, String after) {
-    say(terse ? Integer.toString(number) : before + number + after);
+  private void replyNumber(String before, int number, String after) {
+    reply(terse ? Integer.toString(number) : before + number + after);
   }
 
-  private void say(String text) {
+  private void reply(String text) {
     printer.accept("* " + text + END);
   }
 

@@ -5,9 +5,9 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayDeque;
-import org.dfra.sim.body.PanTiltBody;
 import org.dfra.sim.device.SerialDevice;
 import org.dfra.sim.device.UartLine;
+import org.dfra.sim.physics.PanTiltPhysics;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -37,33 +37,33 @@ public final class PtuDevice implements SerialDevice {
   private static final int TELL_EVERY = 10; // steps
   private static final Duration LONGEST_SLEEP = Duration.ofSeconds(60); // any motion has ended
 
-  private final PanTiltBody body;
-  private final UartLine line;
+  private final PanTiltPhysics body;
+  private final UartLine channel;
   private final StepMotor pan = new StepMotor('P', "Pan", -3090, 3090);
   private final StepMotor tilt = new StepMotor('T', "Tilt", -907, 604);
-  private final PtuConsole console = new PtuConsole(pan, tilt, this::say, this::begin);
+  private final PtuConsole console = new PtuConsole(pan, tilt, this::enqueue, this::begin);
   private final boolean resets;
   private final ArrayDeque<Character> input = new ArrayDeque<>();
   private final StringBuilder word = new StringBuilder();
   private @Nullable PtuMotion motion; // what it goes through before it obeys again
   private @Nullable Instant now; // null: it has not been switched on
-  private double toldPan = Double.NaN;
-  private double toldTilt = Double.NaN;
+  private double reportedPan = Double.NaN;
+  private double reportedTilt = Double.NaN;
 
   /**
    * @param body the head
    * @param baud bits per second of its line, 9600 as it is delivered
    * @param resets whether it goes through its reset when it is switched on
    */
-  public PtuDevice(PanTiltBody body, int baud, boolean resets) {
+  public PtuDevice(PanTiltPhysics body, int baud, boolean resets) {
     this.body = body;
-    this.line = new UartLine(baud);
+    this.channel = new UartLine(baud);
     this.resets = resets;
   }
 
   @Override
   public int baud() {
-    return line.baud();
+    return channel.baud();
   }
 
   @Override
@@ -78,7 +78,7 @@ public final class PtuDevice implements SerialDevice {
   @Override
   public void transmit(ByteBuffer out, Instant time) {
     pass(time);
-    line.take(out, time);
+    channel.drainTo(out, time);
   }
 
   private void pass(Instant time) {
@@ -104,43 +104,43 @@ public final class PtuDevice implements SerialDevice {
   }
 
   private void switchOn(Instant time) {
-    say("\r\n### PAN-TILT CONTROLLER\r\n### EMULATOR\r\n");
-    tellBody(time);
+    enqueue("\r\n### PAN-TILT CONTROLLER\r\n### EMULATOR\r\n");
+    moveHead(time);
     if (resets) {
-      say("Initializing...\r\n");
+      enqueue("Initializing...\r\n");
       begin(PtuMotion.reset(pan, tilt));
     } else {
-      say("*\r\n");
+      enqueue("*\r\n");
     }
   }
 
-  private void step(Instant at, boolean tells) {
+  private void step(Instant at, boolean reports) {
     boolean arrives = false;
     for (StepMotor motor : new StepMotor[] {pan, tilt}) {
       boolean moved = motor.isMoving();
       motor.step();
       arrives |= moved && !motor.isMoving();
-      if (motor.takeHit()) {
-        say("!" + motor.letter() + "\r\n");
+      if (motor.pollLimitHit()) {
+        enqueue("!" + motor.letter() + "\r\n");
       }
     }
-    if (tells || arrives) {
-      tellBody(at);
+    if (reports || arrives) {
+      moveHead(at);
     }
     PtuMotion going = motion;
     if (going != null && going.isOver()) {
       motion = null;
-      say(console.done());
+      enqueue(console.done());
       read();
     }
   }
 
-  private void tellBody(Instant at) {
+  private void moveHead(Instant at) {
     double atPan = pan.exactPosition() * RADIANS_PER_POSITION;
     double atTilt = tilt.exactPosition() * RADIANS_PER_POSITION;
-    if (atPan != toldPan || atTilt != toldTilt) {
-      toldPan = atPan;
-      toldTilt = atTilt;
+    if (atPan != reportedPan || atTilt != reportedTilt) {
+      reportedPan = atPan;
+      reportedTilt = atTilt;
       body.point(at, atPan, atTilt);
     }
   }
@@ -150,7 +150,7 @@ public final class PtuDevice implements SerialDevice {
     while (motion == null && !input.isEmpty()) {
       char next = input.remove();
       if (console.echoes()) {
-        say(String.valueOf(next));
+        enqueue(String.valueOf(next));
       }
       if (next != ' ' && next != '\r') {
         if (word.length() < LONGEST_COMMAND && next > ' ') {
@@ -159,7 +159,7 @@ public final class PtuDevice implements SerialDevice {
       } else if (word.length() > 0) {
         String command = word.toString();
         word.setLength(0);
-        console.obey(command);
+        console.execute(command);
       }
     }
   }
@@ -168,10 +168,10 @@ public final class PtuDevice implements SerialDevice {
     motion = next;
   }
 
-  private void say(String text) {
+  private void enqueue(String text) {
     Instant time = now;
     if (time != null && !text.isEmpty()) {
-      line.send(text.getBytes(StandardCharsets.ISO_8859_1), time);
+      channel.send(text.getBytes(StandardCharsets.ISO_8859_1), time);
     }
   }
 }

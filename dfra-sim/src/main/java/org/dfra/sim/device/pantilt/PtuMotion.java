@@ -23,8 +23,8 @@ final class PtuMotion {
   static PtuMotion reset(StepMotor... motors) {
     PtuMotion motion = new PtuMotion(motors[0], motors[motors.length - 1]);
     for (StepMotor motor : motors) {
-      motion.legs.add(() -> motor.goTo(motor.least()));
-      motion.legs.add(() -> motor.goTo(motor.most()));
+      motion.legs.add(() -> motor.goTo(motor.minPosition()));
+      motion.legs.add(() -> motor.goTo(motor.maxPosition()));
       motion.legs.add(() -> motor.goTo(0));
     }
     return motion;

@@ -49,19 +49,19 @@ final class StepMotor {
     return name;
   }
 
-  int least() {
+  int minPosition() {
     return least;
   }
 
-  int most() {
+  int maxPosition() {
     return most;
   }
 
-  int slowest() {
+  int minSpeed() {
     return SLOWEST;
   }
 
-  int fastest() {
+  int maxSpeed() {
     return FASTEST;
   }
 
@@ -109,7 +109,7 @@ final class StepMotor {
   }
 
   /** Whether it may be told to go there. */
-  boolean reaches(int there) {
+  boolean isReachable(int there) {
     return !limited || (there >= least && there <= most);
   }
 
@@ -124,7 +124,7 @@ final class StepMotor {
   }
 
   /** Whether it ran against its end since this was asked last; it stands there now. */
-  boolean takeHit() {
+  boolean pollLimitHit() {
     boolean was = hit;
     hit = false;
     return was;
@@ -137,8 +137,8 @@ final class StepMotor {
       return;
     }
     double mostSpeed = Math.min(speed, Math.sqrt(2 * acceleration * Math.abs(left)));
-    double wanted = Math.copySign(Math.max(mostSpeed, Math.min(BASE_SPEED, speed)), left);
-    velocity = ramped(wanted);
+    double targetVelocity = Math.copySign(Math.max(mostSpeed, Math.min(BASE_SPEED, speed)), left);
+    velocity = ramped(targetVelocity);
     double way = velocity * STEP_SECONDS;
     boolean arrives = Math.abs(way) >= Math.abs(left) && Math.signum(way) == Math.signum(left);
     if (arrives && Math.abs(velocity) <= BASE_SPEED + acceleration * STEP_SECONDS) {
@@ -150,19 +150,19 @@ final class StepMotor {
     }
   }
 
-  private double ramped(double wanted) {
+  private double ramped(double targetVelocity) {
     double change = acceleration * STEP_SECONDS;
-    boolean reverses = velocity != 0 && Math.signum(wanted) != Math.signum(velocity);
+    boolean reverses = velocity != 0 && Math.signum(targetVelocity) != Math.signum(velocity);
     if (reverses) {
       double slower = Math.abs(velocity) - change;
       return slower <= BASE_SPEED
-          ? Math.copySign(BASE_SPEED, wanted)
+          ? Math.copySign(BASE_SPEED, targetVelocity)
           : slower * Math.signum(velocity);
     }
     double from = Math.max(Math.abs(velocity), BASE_SPEED);
-    double to = Math.abs(wanted);
+    double to = Math.abs(targetVelocity);
     double next = to > from ? Math.min(to, from + change) : Math.max(to, from - change);
-    return Math.copySign(to < BASE_SPEED ? to : next, wanted);
+    return Math.copySign(to < BASE_SPEED ? to : next, targetVelocity);
   }
 
   private void stopAtTheEnd() {

@@ -7,13 +7,13 @@ import java.util.EnumMap;
 import java.util.Map;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
-import org.dfra.sim.body.BatteryBody;
-import org.dfra.sim.body.FlightBody;
-import org.dfra.sim.body.FlightBody.Flight;
-import org.dfra.sim.device.AntennaPath;
+import org.dfra.sim.device.AntennaTrajectory;
 import org.dfra.sim.device.Schedule;
 import org.dfra.sim.device.SerialDevice;
 import org.dfra.sim.device.UartLine;
+import org.dfra.sim.physics.BatteryPhysics;
+import org.dfra.sim.physics.MulticopterPhysics;
+import org.dfra.sim.physics.MulticopterPhysics.MulticopterState;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -37,26 +37,27 @@ public final class AutopilotDevice implements SerialDevice {
   private static final Duration USUAL = Duration.ofSeconds(1);
   private static final Duration SHORTEST = Duration.ofMillis(10);
 
-  private static final Wire[] TOLD = {
-    Wire.HEARTBEAT,
-    Wire.SYS_STATUS,
-    Wire.BATTERY_STATUS,
-    Wire.SYSTEM_TIME,
-    Wire.GPS_RAW_INT,
-    Wire.GLOBAL_POSITION_INT,
-    Wire.VFR_HUD,
-    Wire.EXTENDED_SYS_STATE
+  private static final MavlinkMessageType[] STREAMED = {
+    MavlinkMessageType.HEARTBEAT,
+    MavlinkMessageType.SYS_STATUS,
+    MavlinkMessageType.BATTERY_STATUS,
+    MavlinkMessageType.SYSTEM_TIME,
+    MavlinkMessageType.GPS_RAW_INT,
+    MavlinkMessageType.GLOBAL_POSITION_INT,
+    MavlinkMessageType.VFR_HUD,
+    MavlinkMessageType.EXTENDED_SYS_STATE
   };
 
   private final AutopilotSettings settings;
-  private final FlightBody body;
-  private final AntennaPath antenna;
-  private final BatteryBody battery;
-  private final UartLine line;
-  private final Pilot pilot;
+  private final MulticopterPhysics body;
+  private final AntennaTrajectory antenna;
+  private final BatteryPhysics battery;
+  private final UartLine channel;
+  private final AutopilotStateMachine pilot;
   private final Telemetry telemetry;
-  private final OrderReader reader;
-  private final Map<Wire, Schedule> schedules = new EnumMap<>(Wire.class);
+  private final MavlinkCommandReader reader;
+  private final Map<MavlinkMessageType, Schedule> schedules =
+      new EnumMap<>(MavlinkMessageType.class);
   private @Nullable Instant powerOn;
   private Instant now = Instant.MIN;
 
@@ -70,18 +71,18 @@ public final class AutopilotDevice implements SerialDevice {
   public AutopilotDevice(
       AutopilotSettings settings,
       GeoPosition datum,
-      FlightBody body,
-      AntennaPath antenna,
-      BatteryBody battery) {
+      MulticopterPhysics body,
+      AntennaTrajectory antenna,
+      BatteryPhysics battery) {
     LocalFrame world = new LocalFrame(datum);
     this.settings = settings;
     this.body = body;
     this.antenna = antenna;
     this.battery = battery;
-    this.line = new UartLine(settings.baud());
-    this.pilot = new Pilot(settings, world, body, battery);
+    this.channel = new UartLine(settings.baud());
+    this.pilot = new AutopilotStateMachine(settings, world, body, battery);
     this.telemetry = new Telemetry(settings, world);
-    this.reader = new OrderReader(settings.vehicle(), new Station());
+    this.reader = new MavlinkCommandReader(settings.vehicle(), new Station());
   }
 
   /** {@inheritDoc} What the last one has half said is forgotten, and nothing else. */
@@ -92,27 +93,27 @@ public final class AutopilotDevice implements SerialDevice {
 
   @Override
   public int baud() {
-    return line.baud();
+    return channel.baud();
   }
 
   @Override
   public void receive(byte[] bytes, int offset, int length, Instant time) {
     pass(time);
     reader.take(bytes, offset, length);
-    sayTexts();
+    sendStatusTexts();
   }
 
   @Override
   public void transmit(ByteBuffer out, Instant time) {
     pass(time);
-    line.take(out, time);
+    channel.drainTo(out, time);
   }
 
   private void pass(Instant time) {
     now = time;
     if (powerOn == null) {
       powerOn = time;
-      for (Wire each : TOLD) {
+      for (MavlinkMessageType each : STREAMED) {
         Schedule schedule = new Schedule();
         schedule.set(USUAL, time);
         schedules.put(each, schedule);
@@ -121,11 +122,11 @@ public final class AutopilotDevice implements SerialDevice {
     pilot.step(time);
     schedules.forEach(
         (message, schedule) -> {
-          if (schedule.due(time) != null && line.waitingBytes() <= LONGEST_QUEUE) {
-            tell(message);
+          if (schedule.due(time) != null && channel.waitingBytes() <= LONGEST_QUEUE) {
+            sendMessage(message);
           }
         });
-    sayTexts();
+    sendStatusTexts();
   }
 
   private Duration boot() {
@@ -136,88 +137,94 @@ public final class AutopilotDevice implements SerialDevice {
     return boot().compareTo(settings.timeToFirstFix()) >= 0;
   }
 
-  private void tell(Wire message) {
-    Flight flight = body.at(now);
+  private void sendMessage(MavlinkMessageType message) {
+    MulticopterState flight = body.at(now);
     boolean isSilent =
-        message == Wire.GLOBAL_POSITION_INT
+        message == MavlinkMessageType.GLOBAL_POSITION_INT
             && !hasFix()
             && settings.software() == AutopilotSoftware.PX4;
     if (isSilent) {
       return; // the other tells zeros
     }
     switch (message) {
-      case HEARTBEAT -> say(telemetry.heartbeat(pilot, flight));
-      case SYS_STATUS -> say(telemetry.systemStatus(battery.at(now)));
-      case BATTERY_STATUS -> say(telemetry.battery(battery.at(now)));
-      case SYSTEM_TIME -> say(telemetry.time(now, boot(), hasFix()));
-      case GPS_RAW_INT -> say(telemetry.receiver(antenna.at(now), now, boot(), hasFix()));
-      case GLOBAL_POSITION_INT -> say(telemetry.position(flight, boot(), hasFix()));
-      case VFR_HUD -> say(telemetry.motion(flight));
-      case EXTENDED_SYS_STATE -> say(telemetry.landed(pilot.landed(flight)));
-      case AUTOPILOT_VERSION -> say(telemetry.version());
+      case HEARTBEAT -> enqueue(telemetry.heartbeat(pilot, flight));
+      case SYS_STATUS -> enqueue(telemetry.systemStatus(battery.at(now)));
+      case BATTERY_STATUS -> enqueue(telemetry.battery(battery.at(now)));
+      case SYSTEM_TIME -> enqueue(telemetry.time(now, boot(), hasFix()));
+      case GPS_RAW_INT -> enqueue(telemetry.receiver(antenna.at(now), now, boot(), hasFix()));
+      case GLOBAL_POSITION_INT -> enqueue(telemetry.position(flight, boot(), hasFix()));
+      case VFR_HUD -> enqueue(telemetry.motion(flight));
+      case EXTENDED_SYS_STATE -> enqueue(telemetry.landed(pilot.landed(flight)));
+      case AUTOPILOT_VERSION -> enqueue(telemetry.version());
       case COMMAND_INT, COMMAND_LONG, COMMAND_ACK, STATUSTEXT -> {} // not by itself
     }
   }
 
-  private void say(byte[] frame) {
-    line.send(frame, now);
+  private void enqueue(byte[] frame) {
+    channel.send(frame, now);
   }
 
-  private void sayTexts() {
-    pilot.texts().forEach(text -> say(telemetry.text(text)));
+  private void sendStatusTexts() {
+    pilot.texts().forEach(text -> enqueue(telemetry.text(text)));
   }
 
-  private int setInterval(Order order) {
-    Wire message = Wire.of(order.whole(1));
+  private int setInterval(ReceivedCommand command) {
+    MavlinkMessageType message = MavlinkMessageType.of(command.whole(1));
     Schedule schedule = message == null ? null : schedules.get(message);
-    if (schedule == null || message == Wire.HEARTBEAT) {
-      return Pilot.DENIED;
+    if (schedule == null || message == MavlinkMessageType.HEARTBEAT) {
+      return AutopilotStateMachine.DENIED;
     }
-    double micros = order.p(2);
+    double micros = command.parameter(2);
     Duration every = micros == 0 ? USUAL : Duration.ofNanos(Math.round(micros * 1e3));
     if (micros < 0) {
       every = Duration.ZERO;
     } else if (every.compareTo(SHORTEST) < 0) {
-      return Pilot.DENIED;
+      return AutopilotStateMachine.DENIED;
     }
     schedule.set(every, now);
-    return Pilot.ACCEPTED;
+    return AutopilotStateMachine.ACCEPTED;
   }
 
-  private int send(Order order) {
-    Wire message = Wire.of(order.whole(1));
-    if (message != Wire.AUTOPILOT_VERSION && (message == null || !schedules.containsKey(message))) {
-      return Pilot.DENIED;
+  private int send(ReceivedCommand command) {
+    MavlinkMessageType message = MavlinkMessageType.of(command.whole(1));
+    if (message != MavlinkMessageType.AUTOPILOT_VERSION
+        && (message == null || !schedules.containsKey(message))) {
+      return AutopilotStateMachine.DENIED;
     }
-    tell(message);
-    return Pilot.ACCEPTED;
+    sendMessage(message);
+    return AutopilotStateMachine.ACCEPTED;
   }
 
-  private int obey(Order order) {
-    return switch (order.command()) {
-      case Order.ARM -> pilot.arm(order.p(1) == 1, hasFix(), now);
-      case Order.TAKE_OFF -> pilot.takeOff(order.p(7), now);
-      case Order.SET_MODE -> pilot.set(mode(order), hasFix(), now);
-      case Order.REPOSITION ->
+  private int execute(ReceivedCommand command) {
+    return switch (command.command()) {
+      case ReceivedCommand.ARM -> pilot.arm(command.parameter(1) == 1, hasFix(), now);
+      case ReceivedCommand.TAKE_OFF -> pilot.takeOff(command.parameter(7), now);
+      case ReceivedCommand.SET_MODE -> pilot.set(mode(command), hasFix(), now);
+      case ReceivedCommand.REPOSITION ->
           pilot.reposition(
-              order.p(5), order.p(6), order.p(7), order.p(1), (order.whole(2) & 1) != 0, now);
-      case Order.CHANGE_SPEED -> pilot.changeSpeed(order.p(2), now);
-      case Order.LAND -> pilot.land(now);
-      case Order.RETURN -> pilot.goBack(now);
-      case Order.MESSAGE_INTERVAL -> setInterval(order);
-      case Order.REQUEST_MESSAGE -> send(order);
-      default -> Pilot.UNSUPPORTED;
+              command.parameter(5),
+              command.parameter(6),
+              command.parameter(7),
+              command.parameter(1),
+              (command.whole(2) & 1) != 0,
+              now);
+      case ReceivedCommand.CHANGE_SPEED -> pilot.changeSpeed(command.parameter(2), now);
+      case ReceivedCommand.LAND -> pilot.land(now);
+      case ReceivedCommand.RETURN -> pilot.goBack(now);
+      case ReceivedCommand.MESSAGE_INTERVAL -> setInterval(command);
+      case ReceivedCommand.REQUEST_MESSAGE -> send(command);
+      default -> AutopilotStateMachine.UNSUPPORTED;
     };
   }
 
-  private int mode(Order order) {
+  private int mode(ReceivedCommand command) {
     return settings.software() == AutopilotSoftware.PX4
-        ? order.whole(2) << 16 | order.whole(3) << 24
-        : order.whole(2);
+        ? command.whole(2) << 16 | command.whole(3) << 24
+        : command.whole(2);
   }
 
   /** Takes what the ground station says. */
-  private final class Station implements OrderReader.Listener {
+  private final class Station implements MavlinkCommandReader.Listener {
 
     @Override
     public void heartbeat(int sender) {
@@ -225,12 +232,13 @@ public final class AutopilotDevice implements SerialDevice {
     }
 
     @Override
-    public void order(Order order) {
-      @Nullable Integer whim = settings.whims().answer(order.command(), order.confirmation());
+    public void commandReceived(ReceivedCommand command) {
+      @Nullable Integer whim =
+          settings.commandFaults().answer(command.command(), command.confirmation());
       if (whim == null) {
-        say(telemetry.answer(order, obey(order)));
-      } else if (whim != AutopilotSettings.Whims.DEAF) {
-        say(telemetry.answer(order, whim));
+        enqueue(telemetry.answer(command, execute(command)));
+      } else if (whim != AutopilotSettings.CommandFaults.NO_ANSWER) {
+        enqueue(telemetry.answer(command, whim));
       }
     }
   }

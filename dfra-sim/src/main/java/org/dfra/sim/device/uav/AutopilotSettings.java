@@ -11,10 +11,10 @@ import org.jspecify.annotations.Nullable;
  * @param baud bits per second of its line
  * @param separation height of the geoid above the ellipsoid at its place, metres
  * @param timeToFirstFix how long after it was switched on it looks for satellites
- * @param missesStationAfter how long without a heartbeat of the ground station it flies on
- * @param returnsAfter how long it then holds its place before it returns home
+ * @param groundStationTimeout how long without a heartbeat of the ground station it flies on
+ * @param returnDelay how long it then holds its place before it returns home
  * @param returnHeight at which it returns at least, metres above home
- * @param whims how it answers otherwise than it should
+ * @param commandFaults how it answers otherwise than it should
  */
 public record AutopilotSettings(
     AutopilotSoftware software,
@@ -22,27 +22,27 @@ public record AutopilotSettings(
     int baud,
     double separation,
     Duration timeToFirstFix,
-    Duration missesStationAfter,
-    Duration returnsAfter,
+    Duration groundStationTimeout,
+    Duration returnDelay,
     double returnHeight,
-    Whims whims) {
+    CommandFaults commandFaults) {
 
   /** For tests of those who command it: a refusal, a deaf moment. Asked by the device's thread. */
   @FunctionalInterface
-  public interface Whims {
+  public interface CommandFaults {
 
     /** The answer that is none: as if the command had not arrived. */
-    int DEAF = -1;
+    int NO_ANSWER = -1;
 
     /** None. */
-    Whims NONE = (command, confirmation) -> null;
+    CommandFaults NONE = (command, confirmation) -> null;
 
     /**
      * How a command is answered; it is not done then.
      *
      * @param command {@code MAV_CMD}
      * @param confirmation how often it was sent before, as it says
-     * @return {@code MAV_RESULT} or {@link #DEAF}; null to do the command as usual
+     * @return {@code MAV_RESULT} or {@link #NO_ANSWER}; null to do the command as usual
      */
     @Nullable Integer answer(int command, int confirmation);
   }
@@ -67,19 +67,19 @@ public record AutopilotSettings(
         Duration.ofSeconds(5),
         Duration.ofSeconds(10),
         15,
-        Whims.NONE);
+        CommandFaults.NONE);
   }
 
   /** The same with such whims. */
-  public AutopilotSettings with(Whims other) {
+  public AutopilotSettings with(CommandFaults other) {
     return new AutopilotSettings(
         software,
         vehicle,
         baud,
         separation,
         timeToFirstFix,
-        missesStationAfter,
-        returnsAfter,
+        groundStationTimeout,
+        returnDelay,
         returnHeight,
         other);
   }
@@ -92,9 +92,9 @@ public record AutopilotSettings(
         baud,
         separation,
         other,
-        missesStationAfter,
-        returnsAfter,
+        groundStationTimeout,
+        returnDelay,
         returnHeight,
-        whims);
+        commandFaults);
   }
 }

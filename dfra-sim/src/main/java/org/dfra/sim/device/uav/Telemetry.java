@@ -8,10 +8,10 @@ import java.util.Arrays;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
-import org.dfra.sim.body.BatteryBody.Charge;
-import org.dfra.sim.body.FlightBody.Flight;
 import org.dfra.sim.device.AntennaState;
 import org.dfra.sim.device.uav.AutopilotSoftware.Mode;
+import org.dfra.sim.physics.BatteryPhysics.Charge;
+import org.dfra.sim.physics.MulticopterPhysics.MulticopterState;
 
 /** Packs what an autopilot tells. Confined to one thread. */
 final class Telemetry {
@@ -30,54 +30,55 @@ final class Telemetry {
 
   private final AutopilotSettings settings;
   private final LocalFrame world;
-  private final WireFrames frames;
+  private final MavlinkFrameWriter frames;
 
   Telemetry(AutopilotSettings settings, LocalFrame world) {
     this.settings = settings;
     this.world = world;
-    this.frames = new WireFrames(settings.vehicle(), 1);
+    this.frames = new MavlinkFrameWriter(settings.vehicle(), 1);
   }
 
-  byte[] heartbeat(Pilot pilot, Flight flight) {
+  byte[] heartbeat(AutopilotStateMachine pilot, MulticopterState flight) {
     Mode mode = pilot.mode();
     int flags = CUSTOM_MODE | STABILIZED | (mode == Mode.MANUAL ? 0 : GUIDED);
     boolean flies = pilot.landed(flight) != 1;
-    ByteBuffer out = WireFrames.payload().putInt(settings.software().number(mode));
+    ByteBuffer out = MavlinkFrameWriter.payload().putInt(settings.software().number(mode));
     out.put((byte) QUADROTOR).put((byte) settings.software().autopilot());
     out.put((byte) (flags | (pilot.isArmed() ? ARMED : 0)));
     out.put((byte) (pilot.isMissingStation() ? 5 : flies ? 4 : 3)).put((byte) PROTOCOL);
-    return frames.frame(Wire.HEARTBEAT, out);
+    return frames.frame(MavlinkMessageType.HEARTBEAT, out);
   }
 
   byte[] systemStatus(Charge charge) {
-    ByteBuffer out = WireFrames.payload().putInt(0).putInt(0).putInt(0).putShort((short) 250);
+    ByteBuffer out =
+        MavlinkFrameWriter.payload().putInt(0).putInt(0).putInt(0).putShort((short) 250);
     out.putShort((short) Math.round(charge.voltage() * 1e3));
     out.putShort((short) Math.round(charge.current() * 1e2));
     out.put(new byte[12]).put((byte) Math.round(charge.remaining() * 100));
-    return frames.frame(Wire.SYS_STATUS, out);
+    return frames.frame(MavlinkMessageType.SYS_STATUS, out);
   }
 
   byte[] battery(Charge charge) {
-    ByteBuffer out = WireFrames.payload().putInt(-1).putInt(-1).putShort((short) 0x7FFF);
+    ByteBuffer out = MavlinkFrameWriter.payload().putInt(-1).putInt(-1).putShort((short) 0x7FFF);
     for (int cell = 0; cell < 10; cell++) {
       out.putShort(cell < CELLS ? (short) Math.round(charge.voltage() * 1e3 / CELLS) : UNKNOWN);
     }
     out.putShort((short) Math.round(charge.current() * 1e2)).put((byte) 0).put((byte) 1);
     out.put((byte) 1).put((byte) Math.round(charge.remaining() * 100));
-    return frames.frame(Wire.BATTERY_STATUS, out);
+    return frames.frame(MavlinkMessageType.BATTERY_STATUS, out);
   }
 
   /** Without the date while it has none. */
   byte[] time(Instant time, Duration boot, boolean hasFix) {
-    ByteBuffer out = WireFrames.payload().putLong(hasFix ? micros(time) : 0);
-    return frames.frame(Wire.SYSTEM_TIME, out.putInt((int) boot.toMillis()));
+    ByteBuffer out = MavlinkFrameWriter.payload().putLong(hasFix ? micros(time) : 0);
+    return frames.frame(MavlinkMessageType.SYSTEM_TIME, out.putInt((int) boot.toMillis()));
   }
 
   /** PX4 tells the time since it was switched on, ArduPilot that since 1970. */
   byte[] receiver(AntennaState antenna, Instant time, Duration boot, boolean hasFix) {
     boolean px4 = settings.software() == AutopilotSoftware.PX4;
     ByteBuffer out =
-        WireFrames.payload().putLong(px4 || !hasFix ? boot.toNanos() / 1000 : micros(time));
+        MavlinkFrameWriter.payload().putLong(px4 || !hasFix ? boot.toNanos() / 1000 : micros(time));
     GeoPosition at = antenna.position();
     if (hasFix) {
       out.putInt(degrees(at.latitude())).putInt(degrees(at.longitude()));
@@ -91,11 +92,11 @@ final class Telemetry {
       out.putInt(0).putInt(0).putInt(0).putShort(UNKNOWN).putShort(UNKNOWN);
       out.putShort(UNKNOWN).putShort(UNKNOWN).put((byte) 1).put((byte) 3);
     }
-    return frames.frame(Wire.GPS_RAW_INT, out);
+    return frames.frame(MavlinkMessageType.GPS_RAW_INT, out);
   }
 
-  byte[] position(Flight flight, Duration boot, boolean hasFix) {
-    ByteBuffer out = WireFrames.payload().putInt((int) boot.toMillis());
+  byte[] position(MulticopterState flight, Duration boot, boolean hasFix) {
+    ByteBuffer out = MavlinkFrameWriter.payload().putInt((int) boot.toMillis());
     GeoPosition at = world.toGeo(new LocalPosition(flight.east(), flight.north(), flight.up()));
     out.putInt(hasFix ? degrees(at.latitude()) : 0).putInt(hasFix ? degrees(at.longitude()) : 0);
     out.putInt(hasFix ? (int) Math.round((at.height() - settings.separation()) * 1e3) : 0);
@@ -104,44 +105,46 @@ final class Telemetry {
     out.putShort((short) Math.round(flight.eastward() * 1e2));
     out.putShort((short) Math.round(-flight.upward() * 1e2));
     out.putShort((short) (Math.round(heading(flight) * 1e2) % 36_000));
-    return frames.frame(Wire.GLOBAL_POSITION_INT, out);
+    return frames.frame(MavlinkMessageType.GLOBAL_POSITION_INT, out);
   }
 
-  byte[] motion(Flight flight) {
+  byte[] motion(MulticopterState flight) {
     double height = world.datum().height() - settings.separation() + flight.up();
-    ByteBuffer out = WireFrames.payload().putFloat(0);
+    ByteBuffer out = MavlinkFrameWriter.payload().putFloat(0);
     out.putFloat((float) Math.hypot(flight.eastward(), flight.northward()));
     out.putFloat((float) height).putFloat((float) flight.upward());
     out.putShort((short) (Math.round(heading(flight)) % 360));
-    out.putShort((short) (flight.rotors() ? 50 : 0));
-    return frames.frame(Wire.VFR_HUD, out);
+    out.putShort((short) (flight.rotorsTurning() ? 50 : 0));
+    return frames.frame(MavlinkMessageType.VFR_HUD, out);
   }
 
   byte[] landed(int landed) {
-    ByteBuffer out = WireFrames.payload().put((byte) 0).put((byte) landed);
-    return frames.frame(Wire.EXTENDED_SYS_STATE, out);
+    ByteBuffer out = MavlinkFrameWriter.payload().put((byte) 0).put((byte) landed);
+    return frames.frame(MavlinkMessageType.EXTENDED_SYS_STATE, out);
   }
 
   byte[] version() {
-    ByteBuffer out = WireFrames.payload().putLong(0).putLong(0);
+    ByteBuffer out = MavlinkFrameWriter.payload().putLong(0).putLong(0);
     out.putInt(settings.software().version()).put(new byte[40]);
-    return frames.frame(Wire.AUTOPILOT_VERSION, out);
+    return frames.frame(MavlinkMessageType.AUTOPILOT_VERSION, out);
   }
 
-  byte[] answer(Order order, int result) {
-    ByteBuffer out = WireFrames.payload().putShort((short) order.command()).put((byte) result);
-    out.put((byte) 0).putInt(0).put((byte) order.sender()).put((byte) order.part());
-    return frames.frame(Wire.COMMAND_ACK, out);
+  byte[] answer(ReceivedCommand command, int result) {
+    ByteBuffer out =
+        MavlinkFrameWriter.payload().putShort((short) command.command()).put((byte) result);
+    out.put((byte) 0).putInt(0).put((byte) command.sender()).put((byte) command.senderComponent());
+    return frames.frame(MavlinkMessageType.COMMAND_ACK, out);
   }
 
   /** A warning. */
   byte[] text(String text) {
     byte[] letters = Arrays.copyOf(text.getBytes(StandardCharsets.US_ASCII), 50);
-    return frames.frame(Wire.STATUSTEXT, WireFrames.payload().put((byte) 4).put(letters));
+    return frames.frame(
+        MavlinkMessageType.STATUSTEXT, MavlinkFrameWriter.payload().put((byte) 4).put(letters));
   }
 
   /** Of its nose: degrees from north, clockwise, 0 to less than 360. */
-  private static double heading(Flight flight) {
+  private static double heading(MulticopterState flight) {
     double degrees = 90 - Math.toDegrees(flight.yaw());
     return ((degrees % 360) + 360) % 360;
   }

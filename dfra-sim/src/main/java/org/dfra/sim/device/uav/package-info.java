@@ -2,10 +2,10 @@
  * An unmanned aerial vehicle that does not exist: its autopilot, byte by byte, in MAVLink 2.
  *
  * <pre>
- *   FlightBody  --where it truly is--&gt; Pilot --what it does--&gt; Telemetry --bytes--&gt; UartLine
- *   AntennaPath --what GPS says------------------------------&gt;
- *   BatteryBody --what feeds it------------------------------&gt;
- *   bytes --&gt; OrderReader --&gt; AutopilotDevice --orders--&gt; Pilot --moves--&gt; FlightBody
+ *   MulticopterPhysics  --where it truly is--&gt; Pilot --what it does--&gt; Telemetry --bytes--&gt; UartLine
+ *   AntennaTrajectory --what GPS says------------------------------&gt;
+ *   BatteryPhysics --what feeds it------------------------------&gt;
+ *   bytes --&gt; MavlinkCommandReader --&gt; AutopilotDevice --orders--&gt; Pilot --moves--&gt; MulticopterPhysics
  * </pre>
  *
  * <p>Enter at {@link org.dfra.sim.device.uav.AutopilotDevice}. Its frames are packed here, field by

@@ -21,7 +21,7 @@ import org.dfra.core.config.Place;
 public record DeviceDescription(
     DeviceKind kind,
     String name,
-    Mount mount,
+    MountPose mount,
     Optional<String> parent,
     Map<String, Double> parameters,
     EmulatorDescription emulator,
@@ -32,7 +32,7 @@ public record DeviceDescription(
   }
 
   /** With the kind's own numbers, on the robot itself. */
-  public DeviceDescription(DeviceKind kind, String name, Mount mount) {
+  public DeviceDescription(DeviceKind kind, String name, MountPose mount) {
     this(kind, name, mount, Optional.empty(), Map.of(), EmulatorDescription.NONE, Place.CODE);
   }
 
@@ -44,7 +44,7 @@ public record DeviceDescription(
   }
 
   /** The same device carried by a pan-tilt unit. */
-  public DeviceDescription on(String panTilt) {
+  public DeviceDescription mountedOn(String panTilt) {
     return new DeviceDescription(
         kind, name, mount, Optional.of(panTilt), parameters, emulator, place);
   }
@@ -68,6 +68,6 @@ public record DeviceDescription(
                             parameter,
                             kind.parameters().stream().map(DeviceParameter::name).toList(),
                             "")))
-        .standard(type);
+        .defaultFor(type);
   }
 }

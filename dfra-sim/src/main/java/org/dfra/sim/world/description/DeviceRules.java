@@ -7,9 +7,9 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
-import org.dfra.core.config.Faults;
+import org.dfra.core.config.ConfigurationFaults;
+import org.dfra.core.config.DescriptionRules;
 import org.dfra.core.config.NearestName;
-import org.dfra.core.config.Rules;
 
 /** What the devices of a robot must be like. */
 final class DeviceRules {
@@ -22,7 +22,7 @@ final class DeviceRules {
 
   private DeviceRules() {}
 
-  static void check(VehicleDescription robot, Faults faults) {
+  static void check(VehicleDescription robot, ConfigurationFaults faults) {
     Set<String> names = new HashSet<>();
     Set<DeviceKind> kinds = EnumSet.noneOf(DeviceKind.class);
     for (DeviceDescription device : robot.devices()) {
@@ -36,7 +36,7 @@ final class DeviceRules {
               ? Optional.empty()
               : Optional.of("a second " + kind + "; delete one");
       Stream.of(
-              Optional.ofNullable(Rules.name("device", device.name())),
+              Optional.ofNullable(DescriptionRules.name("device", device.name())),
               isSecond.map(what -> robot.name() + " has " + what),
               isOneTooMany.map(what -> robot.name() + " has " + what),
               onType(robot, device),
@@ -73,9 +73,9 @@ final class DeviceRules {
       return Optional.empty();
     }
     String parent = device.parent().get();
-    String wanted = device.name() + " is mounted on " + parent + ", ";
+    String prefix = device.name() + " is mounted on " + parent + ", ";
     if (device.kind() == DeviceKind.PAN_TILT) {
-      return Optional.of(wanted + "but a pan-tilt stands on the robot itself; delete its parent");
+      return Optional.of(prefix + "but a pan-tilt stands on the robot itself; delete its parent");
     }
     List<String> heads =
         robot.devices().stream()
@@ -87,14 +87,14 @@ final class DeviceRules {
     return heads.contains(parent)
         ? Optional.empty()
         : Optional.of(
-            wanted
+            prefix
                 + "which is no pan-tilt of "
                 + robot.name()
                 + NearestName.hint(parent, heads, otherwise));
   }
 
   private static Optional<String> tilt(DeviceDescription device) {
-    Mount mount = device.mount();
+    MountPose mount = device.mount();
     double cosine = Math.abs(Math.cos(mount.roll()) * Math.cos(mount.pitch()));
     return device.kind() == DeviceKind.LASER && cosine < Math.cos(MOST_TILT)
         ? Optional.of(
@@ -114,7 +114,7 @@ final class DeviceRules {
     return device
         .kind()
         .parameter(parameter)
-        .map(found -> Optional.ofNullable(found.complaint(value)))
+        .map(found -> Optional.ofNullable(found.violation(value)))
         .orElse(Optional.of(unknown));
   }
 }

@@ -10,7 +10,8 @@ import org.dfra.core.config.Place;
  * @param north of its centre, metres
  * @param radius metres, above 0
  * @param height metres, above 0
- * @param contrast how much warmer it is than the ground beside it, kelvin; colder is negative
+ * @param thermalContrast how much warmer it is than the ground beside it, kelvin; colder is
+ *     negative
  * @param colour 0xRRGGBB
  * @param place where it was written
  */
@@ -20,7 +21,7 @@ public record MineDescription(
     double north,
     double radius,
     double height,
-    double contrast,
+    double thermalContrast,
     int colour,
     Place place) {
 

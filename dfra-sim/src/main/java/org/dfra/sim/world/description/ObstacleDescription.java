@@ -2,31 +2,36 @@ package org.dfra.sim.world.description;
 
 import org.dfra.core.config.Place;
 import org.dfra.sim.world.shape.Disc;
-import org.dfra.sim.world.shape.Outline;
+import org.dfra.sim.world.shape.PlanarShape;
 
 /**
  * Something that stands in the way: a post, a hedge, a house.
  *
  * @param name unique in its world, in lower_snake_case
- * @param outline seen from above, metres east and north of the datum
+ * @param footprint seen from above, metres east and north of the datum
  * @param height metres, above 0
  * @param reflectivity part of a laser's light that it returns, 0 to 1; 0 is never seen
  * @param colour 0xRRGGBB
  * @param place where it was written
  */
 public record ObstacleDescription(
-    String name, Outline outline, double height, double reflectivity, int colour, Place place) {
+    String name,
+    PlanarShape footprint,
+    double height,
+    double reflectivity,
+    int colour,
+    Place place) {
 
   /** Part of a laser's light that most things return. */
   public static final double REFLECTIVITY = 0.4;
 
   /** Written in code, with the reflectivity and colour of most things. */
-  public ObstacleDescription(String name, Outline outline, double height) {
+  public ObstacleDescription(String name, PlanarShape outline, double height) {
     this(name, outline, height, REFLECTIVITY, colour(outline), Place.CODE);
   }
 
   /** What it is painted where nothing is written: a post as weathered wood, others as a hedge. */
-  public static int colour(Outline outline) {
+  public static int colour(PlanarShape outline) {
     return outline instanceof Disc ? 0x9A8F7D : 0x35562A;
   }
 }

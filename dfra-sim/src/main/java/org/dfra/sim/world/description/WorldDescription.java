@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.dfra.core.config.ConfigurationException;
-import org.dfra.core.config.Faults;
+import org.dfra.core.config.ConfigurationFaults;
 import org.dfra.core.config.Place;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.sim.world.shape.Polygon;
@@ -42,7 +42,7 @@ public record WorldDescription(
     obstacles = List.copyOf(obstacles);
     mines = List.copyOf(mines);
     vehicles = List.copyOf(vehicles);
-    Faults faults = new Faults();
+    ConfigurationFaults faults = new ConfigurationFaults();
     WorldRules.check(name, datum, ground, weather, place, faults);
     WorldRules.check(obstacles, mines, vehicles, faults);
     faults.throwIfAny();
@@ -64,7 +64,7 @@ public record WorldDescription(
   }
 
   /** The same world with another seed. */
-  public WorldDescription seeded(long other) {
+  public WorldDescription withSeed(long other) {
     return new WorldDescription(
         name, other, datum, ground, weather, obstacles, mines, region, vehicles, place);
   }
@@ -106,13 +106,13 @@ public record WorldDescription(
   }
 
   /** The same world on other ground. */
-  public WorldDescription on(GroundDescription other) {
+  public WorldDescription withGround(GroundDescription other) {
     return new WorldDescription(
         name, seed, datum, other, weather, obstacles, mines, region, vehicles, place);
   }
 
   /** The same world in other weather. */
-  public WorldDescription in(WeatherDescription other) {
+  public WorldDescription withWeather(WeatherDescription other) {
     return new WorldDescription(
         name, seed, datum, ground, other, obstacles, mines, region, vehicles, place);
   }

@@ -5,13 +5,13 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
-import org.dfra.core.config.Faults;
+import org.dfra.core.config.ConfigurationFaults;
+import org.dfra.core.config.DescriptionRules;
 import org.dfra.core.config.Place;
-import org.dfra.core.config.Rules;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.sim.world.shape.Box;
 import org.dfra.sim.world.shape.Disc;
-import org.dfra.sim.world.shape.Solid;
+import org.dfra.sim.world.shape.OrientedRectangle;
+import org.dfra.sim.world.shape.StaticObstacle;
 import org.jspecify.annotations.Nullable;
 
 /** What a world must be like: notes all that is wrong with one, each at its place. */
@@ -34,22 +34,22 @@ public final class WorldRules {
       GroundDescription ground,
       WeatherDescription weather,
       Place place,
-      Faults faults) {
-    Notes notes = new Notes(place, "", faults);
-    notes.add(Rules.name("world", name));
+      ConfigurationFaults faults) {
+    FaultCollector notes = new FaultCollector(place, "", faults);
+    notes.add(DescriptionRules.name("world", name));
     notes.between("latitude of the datum", "°", datum.latitude(), -LAST_LATITUDE, LAST_LATITUDE);
-    Notes field = new Notes(ground.place(), "the ground's ", faults);
-    field.positive("width", ground.width(), LARGEST_FIELD);
-    field.positive("depth", ground.depth(), LARGEST_FIELD);
+    FaultCollector field = new FaultCollector(ground.place(), "the ground's ", faults);
+    field.positive("width", ground.sizeEast(), LARGEST_FIELD);
+    field.positive("depth", ground.sizeNorth(), LARGEST_FIELD);
     field.between("roughness", "rad", ground.roughness(), 0, ROUGHEST);
-    Notes sky = new Notes(weather.place(), "the weather's ", faults);
+    FaultCollector sky = new FaultCollector(weather.place(), "the weather's ", faults);
     sky.between("temperature", "K", weather.temperature(), 200, 350);
-    sky.between("warming", "K", weather.warming(), -30, 60);
+    sky.between("warming", "K", weather.groundWarming(), -30, 60);
     sky.between("sun_azimuth", "rad", weather.sunAzimuth(), -10, 10);
     sky.between("sun_elevation", "rad", weather.sunElevation(), -Math.PI / 2, Math.PI / 2);
-    sky.between("wind", "m/s", weather.wind(), 0, 50);
+    sky.between("wind", "m/s", weather.windSpeed(), 0, 50);
     sky.between("wind_towards", "rad", weather.windTowards(), -10, 10);
-    sky.between("gusts", "m/s", weather.gusts(), 0, 50);
+    sky.between("gusts", "m/s", weather.gustSigma(), 0, 50);
   }
 
   /** Notes what is wrong with the things of a world, each by itself and among themselves. */
@@ -57,11 +57,11 @@ public final class WorldRules {
       List<ObstacleDescription> obstacles,
       List<MineDescription> mines,
       List<VehicleDescription> vehicles,
-      Faults faults) {
+      ConfigurationFaults faults) {
     Set<String> names = new HashSet<>();
     for (ObstacleDescription obstacle : obstacles) {
-      Disc bounds = obstacle.outline().bounds();
-      Notes notes =
+      Disc bounds = obstacle.footprint().bounds();
+      FaultCollector notes =
           thing(
               "obstacle",
               obstacle.name(),
@@ -75,15 +75,15 @@ public final class WorldRules {
       notes.between("colour", "", obstacle.colour(), 0, 0xFFFFFF);
     }
     for (MineDescription mine : mines) {
-      Notes notes =
+      FaultCollector notes =
           thing("mine", mine.name(), mine.east(), mine.north(), mine.place(), names, faults);
       notes.positive("radius", mine.radius(), 10);
       notes.positive("height", mine.height(), 10);
-      notes.between("contrast", "K", mine.contrast(), -100, 100);
+      notes.between("contrast", "K", mine.thermalContrast(), -100, 100);
       notes.between("colour", "", mine.colour(), 0, 0xFFFFFF);
     }
     for (VehicleDescription robot : vehicles) {
-      Notes notes =
+      FaultCollector notes =
           thing("robot", robot.name(), robot.east(), robot.north(), robot.place(), names, faults);
       notes.between("yaw", "rad", robot.yaw(), -10, 10);
       notes.positive("length", robot.length(), 100);
@@ -94,16 +94,16 @@ public final class WorldRules {
     starts(obstacles, vehicles, faults);
   }
 
-  private static Notes thing(
+  private static FaultCollector thing(
       String what,
       String name,
       double east,
       double north,
       Place place,
       Set<String> names,
-      Faults faults) {
-    Notes notes = new Notes(place, name + "'s ", faults);
-    notes.add(Rules.name(what, name));
+      ConfigurationFaults faults) {
+    FaultCollector notes = new FaultCollector(place, name + "'s ", faults);
+    notes.add(DescriptionRules.name(what, name));
     if (!names.add(name)) {
       faults.add(
           place,
@@ -129,14 +129,18 @@ public final class WorldRules {
 
   /** Notes robots that start in something, if all could stand somewhere. */
   private static void starts(
-      List<ObstacleDescription> obstacles, List<VehicleDescription> vehicles, Faults faults) {
-    List<Solid> solids =
-        obstacles.stream().map(o -> new Solid(o.name(), o.outline(), o.height(), 1)).toList();
+      List<ObstacleDescription> obstacles,
+      List<VehicleDescription> vehicles,
+      ConfigurationFaults faults) {
+    List<StaticObstacle> solids =
+        obstacles.stream()
+            .map(o -> new StaticObstacle(o.name(), o.footprint(), o.height(), 1))
+            .toList();
     List<VehicleDescription> placed = new ArrayList<>();
     for (VehicleDescription robot : vehicles) {
-      Box box = box(robot);
+      OrientedRectangle box = box(robot);
       Stream.concat(
-              solids.stream().filter(box::touches).map(Solid::name),
+              solids.stream().filter(box::touches).map(StaticObstacle::name),
               placed.stream().filter(o -> box(o).touches(box)).map(VehicleDescription::name))
           .findFirst()
           .ifPresent(
@@ -149,14 +153,14 @@ public final class WorldRules {
   }
 
   /** The rectangle of a robot at its start. */
-  private static Box box(VehicleDescription robot) {
-    Box box = new Box(robot.length(), robot.width());
+  private static OrientedRectangle box(VehicleDescription robot) {
+    OrientedRectangle box = new OrientedRectangle(robot.length(), robot.width());
     box.move(robot.east(), robot.north(), StrictMath.cos(robot.yaw()), StrictMath.sin(robot.yaw()));
     return box;
   }
 
   /** Notes what is wrong with the numbers of one thing. */
-  private record Notes(Place place, String of, Faults faults) {
+  private record FaultCollector(Place place, String of, ConfigurationFaults faults) {
 
     void add(@Nullable String complaint) {
       if (complaint != null) {

@@ -4,7 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.dfra.core.config.Faults;
+import org.dfra.core.config.ConfigurationFaults;
 import org.dfra.core.config.NearestName;
 import org.dfra.core.config.Place;
 import org.dfra.core.geojson.GeoJsonFeature;
@@ -14,7 +14,7 @@ import org.dfra.geometry.LocalPosition;
 import org.dfra.sim.world.description.MineDescription;
 import org.dfra.sim.world.description.ObstacleDescription;
 import org.dfra.sim.world.shape.Disc;
-import org.dfra.sim.world.shape.Outline;
+import org.dfra.sim.world.shape.PlanarShape;
 import org.dfra.sim.world.shape.Polygon;
 import org.dfra.sim.world.shape.Vertex;
 import org.jspecify.annotations.Nullable;
@@ -29,10 +29,14 @@ final class GeoFeature {
   private final JsonNode properties;
   private final Place place;
   private final LocalFrame frame;
-  private final Things things;
-  private final Faults faults;
+  private final WorldObjectCollector things;
+  private final ConfigurationFaults faults;
 
-  GeoFeature(GeoJsonFeature feature, LocalFrame frame, Things things, Faults faults) {
+  GeoFeature(
+      GeoJsonFeature feature,
+      LocalFrame frame,
+      WorldObjectCollector things,
+      ConfigurationFaults faults) {
     this.feature = feature;
     this.properties = feature.properties();
     this.place = feature.place();
@@ -41,7 +45,7 @@ final class GeoFeature {
     this.faults = faults;
   }
 
-  void take() {
+  void read() {
     switch (feature.type()) {
       case "Point" -> kind(OF_POINT, null).ifPresent(this::point);
       case "Polygon" -> kind(OF_POLYGON, "obstacle").ifPresent(this::polygon);
@@ -80,7 +84,8 @@ final class GeoFeature {
     String name = name(kind);
     Optional<Vertex> at = feature.position(feature.coordinates(), faults).map(this::vertex);
     boolean isPost = kind.equals("post");
-    double radius = number("radius", isPost ? Things.POST_RADIUS : MineDescription.RADIUS);
+    double radius =
+        number("radius", isPost ? WorldObjectCollector.POST_RADIUS : MineDescription.RADIUS);
     if (at.isEmpty()) {
       return;
     }
@@ -122,11 +127,11 @@ final class GeoFeature {
     }
   }
 
-  private ObstacleDescription obstacle(String name, Outline outline) {
+  private ObstacleDescription obstacle(String name, PlanarShape outline) {
     return new ObstacleDescription(
         name,
         outline,
-        number("height", Things.HEIGHT),
+        number("height", WorldObjectCollector.HEIGHT),
         number("reflectivity", ObstacleDescription.REFLECTIVITY),
         colour(ObstacleDescription.colour(outline)),
         place);
@@ -150,9 +155,9 @@ final class GeoFeature {
     if (written.isMissingNode()) {
       return absent;
     }
-    Optional<Integer> colour = Numbers.colour(written.asText());
+    Optional<Integer> colour = XmlNumberParser.colour(written.asText());
     if (colour.isEmpty()) {
-      faults.add(place, Numbers.colourComplaint(written.asText()));
+      faults.add(place, XmlNumberParser.colourComplaint(written.asText()));
     }
     return colour.orElse(absent);
   }

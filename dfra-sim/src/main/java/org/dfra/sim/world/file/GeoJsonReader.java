@@ -1,7 +1,7 @@
 package org.dfra.sim.world.file;
 
 import java.nio.file.Path;
-import org.dfra.core.config.Faults;
+import org.dfra.core.config.ConfigurationFaults;
 import org.dfra.core.geojson.GeoJsonFeature;
 import org.dfra.core.geojson.GeoJsonFile;
 import org.dfra.geometry.LocalFrame;
@@ -15,10 +15,11 @@ final class GeoJsonReader {
 
   private final Path file;
   private final LocalFrame frame;
-  private final Things things;
-  private final Faults faults;
+  private final WorldObjectCollector things;
+  private final ConfigurationFaults faults;
 
-  GeoJsonReader(Path file, LocalFrame frame, Things things, Faults faults) {
+  GeoJsonReader(
+      Path file, LocalFrame frame, WorldObjectCollector things, ConfigurationFaults faults) {
     this.file = file;
     this.frame = frame;
     this.things = things;
@@ -37,7 +38,7 @@ final class GeoJsonReader {
       return;
     }
     for (GeoJsonFeature feature : read.features()) {
-      new GeoFeature(feature, frame, things, faults).take();
+      new GeoFeature(feature, frame, things, faults).read();
     }
   }
 }

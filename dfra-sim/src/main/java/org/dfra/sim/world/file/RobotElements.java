@@ -13,7 +13,7 @@ import org.dfra.core.config.XmlValues;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
 import org.dfra.sim.world.description.EmulatorDescription;
-import org.dfra.sim.world.description.Mount;
+import org.dfra.sim.world.description.MountPose;
 import org.dfra.sim.world.description.VehicleDescription;
 import org.dfra.sim.world.description.VehicleType;
 import org.jdom2.Element;
@@ -22,10 +22,10 @@ import org.jdom2.Element;
 final class RobotElements {
 
   private final XmlValues values;
-  private final Numbers numbers;
+  private final XmlNumberParser numbers;
   private final Map<DeviceKind, Map<String, Double>> defaults = new EnumMap<>(DeviceKind.class);
 
-  RobotElements(XmlValues values, Numbers numbers) {
+  RobotElements(XmlValues values, XmlNumberParser numbers) {
     this.values = values;
     this.numbers = numbers;
   }
@@ -86,8 +86,8 @@ final class RobotElements {
   private Optional<DeviceDescription> device(Element element) {
     Optional<DeviceKind> kind = kind(element);
     String name = values.attribute(element, "name", "");
-    Mount mount =
-        new Mount(
+    MountPose mount =
+        new MountPose(
             numbers.number(element, "x", 0),
             numbers.number(element, "y", 0),
             numbers.number(element, "z", 0),
@@ -120,11 +120,11 @@ final class RobotElements {
 
   private Map<String, Double> parameters(Element element, String of) {
     Map<String, Double> parameters = new TreeMap<>();
-    XmlValues.Once names = values.once();
+    XmlValues.UniqueNames names = values.uniqueNames();
     for (Element child : element.getChildren("parameter", WorldXml.SCHEMA.namespace())) {
       String name = values.attribute(child, "name", "");
       if (name != null) {
-        names.check(child, name, "parameter " + name + " of " + of, "delete one");
+        names.requireFirst(child, name, "parameter " + name + " of " + of, "delete one");
         parameters.put(name, numbers.number(child, "value", 0));
       }
     }

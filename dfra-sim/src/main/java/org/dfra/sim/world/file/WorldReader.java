@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.dfra.core.config.Faults;
+import org.dfra.core.config.ConfigurationFaults;
 import org.dfra.core.config.Place;
 import org.dfra.core.config.Substitution;
 import org.dfra.core.config.XmlValues;
@@ -20,7 +20,7 @@ import org.dfra.sim.world.description.WeatherDescription;
 import org.dfra.sim.world.description.WorldDescription;
 import org.dfra.sim.world.description.WorldRules;
 import org.dfra.sim.world.shape.Disc;
-import org.dfra.sim.world.shape.Outline;
+import org.dfra.sim.world.shape.PlanarShape;
 import org.jdom2.Element;
 
 /**
@@ -31,18 +31,18 @@ import org.jdom2.Element;
 final class WorldReader {
 
   private final Path file;
-  private final Faults faults;
+  private final ConfigurationFaults faults;
   private final XmlValues values;
-  private final Numbers numbers;
-  private final XmlValues.Once singles;
-  private final Things things = new Things();
+  private final XmlNumberParser numbers;
+  private final XmlValues.UniqueNames singles;
+  private final WorldObjectCollector things = new WorldObjectCollector();
 
-  WorldReader(Path file, Substitution substitution, Faults faults) {
+  WorldReader(Path file, Substitution substitution, ConfigurationFaults faults) {
     this.file = file;
     this.faults = faults;
     this.values = new XmlValues(file.toString(), substitution, faults);
-    this.numbers = new Numbers(values);
-    this.singles = values.once();
+    this.numbers = new XmlNumberParser(values);
+    this.singles = values.uniqueNames();
   }
 
   /** The world; empty, with the reasons among the faults, if there is anything wrong with it. */
@@ -111,7 +111,8 @@ final class WorldReader {
 
   private List<Element> single(Element root, String name) {
     List<Element> found = children(root, name);
-    found.forEach(element -> singles.check(element, name, "<" + name + ">", "make them one"));
+    found.forEach(
+        element -> singles.requireFirst(element, name, "<" + name + ">", "make them one"));
     return found;
   }
 
@@ -122,12 +123,12 @@ final class WorldReader {
       weather =
           new WeatherDescription(
               numbers.number(element, "temperature", fair.temperature()),
-              numbers.number(element, "warming", fair.warming()),
+              numbers.number(element, "warming", fair.groundWarming()),
               numbers.number(element, "sun_azimuth", fair.sunAzimuth()),
               numbers.number(element, "sun_elevation", fair.sunElevation()),
-              numbers.number(element, "wind", fair.wind()),
+              numbers.number(element, "wind", fair.windSpeed()),
               numbers.number(element, "wind_towards", fair.windTowards()),
-              numbers.number(element, "gusts", fair.gusts()),
+              numbers.number(element, "gusts", fair.gustSigma()),
               values.place(element));
     }
     return weather;
@@ -153,7 +154,7 @@ final class WorldReader {
   }
 
   private void post(Element element) {
-    double radius = numbers.number(element, "radius", Things.POST_RADIUS);
+    double radius = numbers.number(element, "radius", WorldObjectCollector.POST_RADIUS);
     if (!(radius > 0)) {
       values.check(element, "radius is " + radius + " m; write a number above 0");
       return;
@@ -169,11 +170,11 @@ final class WorldReader {
     numbers.polygon(element).ifPresent(outline -> things.add(obstacle(element, name, outline)));
   }
 
-  private ObstacleDescription obstacle(Element element, String name, Outline outline) {
+  private ObstacleDescription obstacle(Element element, String name, PlanarShape outline) {
     return new ObstacleDescription(
         name,
         outline,
-        numbers.number(element, "height", Things.HEIGHT),
+        numbers.number(element, "height", WorldObjectCollector.HEIGHT),
         numbers.number(element, "reflectivity", ObstacleDescription.REFLECTIVITY),
         numbers.colour(element, ObstacleDescription.colour(outline)),
         values.place(element));

@@ -8,7 +8,7 @@ import org.dfra.geometry.GeoPosition;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.GroundDescription;
 import org.dfra.sim.world.description.MineDescription;
-import org.dfra.sim.world.description.Mount;
+import org.dfra.sim.world.description.MountPose;
 import org.dfra.sim.world.description.ObstacleDescription;
 import org.dfra.sim.world.description.VehicleDescription;
 import org.dfra.sim.world.description.WeatherDescription;
@@ -58,8 +58,8 @@ final class WorldWriter {
 
   private static Element ground(GroundDescription ground) {
     Element element = element("ground");
-    set(element, "width", ground.width());
-    set(element, "depth", ground.depth());
+    set(element, "width", ground.sizeEast());
+    set(element, "depth", ground.sizeNorth());
     set(element, "roughness", ground.roughness());
     return element;
   }
@@ -67,18 +67,18 @@ final class WorldWriter {
   private static Element weather(WeatherDescription weather) {
     Element element = element("weather");
     set(element, "temperature", weather.temperature());
-    set(element, "warming", weather.warming());
+    set(element, "warming", weather.groundWarming());
     set(element, "sun_azimuth", weather.sunAzimuth());
     set(element, "sun_elevation", weather.sunElevation());
-    set(element, "wind", weather.wind());
+    set(element, "wind", weather.windSpeed());
     set(element, "wind_towards", weather.windTowards());
-    set(element, "gusts", weather.gusts());
+    set(element, "gusts", weather.gustSigma());
     return element;
   }
 
   private static Element obstacle(ObstacleDescription obstacle) {
     Element element;
-    if (obstacle.outline() instanceof Disc disc) {
+    if (obstacle.footprint() instanceof Disc disc) {
       element = element("post");
       set(element, "name", obstacle.name());
       set(element, "east", disc.east());
@@ -87,7 +87,7 @@ final class WorldWriter {
     } else {
       element = element("obstacle");
       set(element, "name", obstacle.name());
-      set(element, "points", points((Polygon) obstacle.outline()));
+      set(element, "points", points((Polygon) obstacle.footprint()));
     }
     set(element, "height", obstacle.height());
     set(element, "reflectivity", obstacle.reflectivity());
@@ -102,7 +102,7 @@ final class WorldWriter {
     set(element, "north", mine.north());
     set(element, "radius", mine.radius());
     set(element, "height", mine.height());
-    set(element, "contrast", mine.contrast());
+    set(element, "contrast", mine.thermalContrast());
     set(element, "colour", colour(mine.colour()));
     return element;
   }
@@ -125,7 +125,7 @@ final class WorldWriter {
     Element element = element("device");
     set(element, "kind", device.kind().text());
     set(element, "name", device.name());
-    Mount mount = device.mount();
+    MountPose mount = device.mount();
     set(element, "x", mount.x());
     set(element, "y", mount.y());
     set(element, "z", mount.z());

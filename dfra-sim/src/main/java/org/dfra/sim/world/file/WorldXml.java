@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Function;
 import org.dfra.core.config.ConfigurationException;
-import org.dfra.core.config.Faults;
+import org.dfra.core.config.ConfigurationFaults;
 import org.dfra.core.config.Place;
 import org.dfra.core.config.SourceFile;
 import org.dfra.core.config.Substitution;
@@ -43,8 +43,8 @@ public final class WorldXml {
    * @throws ConfigurationException naming everything that is wrong with them, a line each
    */
   public static WorldDescription read(Path file, Function<String, @Nullable String> lookup) {
-    Faults faults = new Faults();
-    byte[] text = SourceFile.bytes(file, "the XML file of a world");
+    ConfigurationFaults faults = new ConfigurationFaults();
+    byte[] text = SourceFile.readBytes(file, "the XML file of a world");
     Element root = SCHEMA.read(text, new Place(file.toString(), 0), faults);
     Optional<WorldDescription> world =
         new WorldReader(file, new Substitution(lookup, faults), faults).world(root);

@@ -7,7 +7,7 @@ package org.dfra.sim.world.shape;
  * @param north of its centre, metres
  * @param radius metres, above 0
  */
-public record Disc(double east, double north, double radius) implements Outline {
+public record Disc(double east, double north, double radius) implements PlanarShape {
 
   public Disc {
     if (!Double.isFinite(east) || !Double.isFinite(north)) {

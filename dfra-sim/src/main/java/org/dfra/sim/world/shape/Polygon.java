@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param corners at least three, counter-clockwise, the first not repeated at the end
  */
-public record Polygon(List<Vertex> corners) implements Outline {
+public record Polygon(List<Vertex> corners) implements PlanarShape {
 
   private static final double LEAST_AREA = 1e-6; // square metres
 
@@ -41,7 +41,7 @@ public record Polygon(List<Vertex> corners) implements Outline {
     for (int i = 0; i < corners.size(); i++) {
       Vertex a = corners.get(i);
       Vertex b = corners.get((i + 1) % corners.size());
-      if (Lines.holds(a, b, east, north)) {
+      if (LineSegments.contains(a, b, east, north)) {
         return true;
       }
       if (a.north() > north != b.north() > north
@@ -86,7 +86,7 @@ public record Polygon(List<Vertex> corners) implements Outline {
         Vertex b = corners.get(i + 1);
         Vertex c = corners.get(j);
         Vertex d = corners.get((j + 1) % n);
-        if (Lines.neighboursCross(i, j, n, a, b, c, d)) {
+        if (LineSegments.neighboursCross(i, j, n, a, b, c, d)) {
           return "the polygon crosses itself: the edge from "
               + text(a)
               + " to "

@@ -3,9 +3,9 @@
  * far a beam gets.
  *
  * <pre>
- *   Outline: Disc, Polygon --&gt; Solid, an outline with a height --&gt; SolidGrid: which are near?
+ *   Outline: Disc, Polygon --&gt; Solid, an outline with a height --&gt; ObstacleIndex: which are near?
  *                                                                    |            |
- *                                                    Footprint: touches it?   BeamFan: sees it?
+ *                                                    Footprint: touches it?   RayCaster: sees it?
  * </pre>
  *
  * <p>Coordinates are metres east and north in the world's frame, angles radians, 0 is east,

@@ -20,7 +20,7 @@ import org.dfra.sim.device.DeviceEmulator;
 import org.dfra.sim.device.FastClock;
 import org.dfra.sim.device.laser.Laser;
 import org.dfra.sim.device.laser.LmsDevice;
-import org.dfra.sim.device.laser.LmsMakeup;
+import org.dfra.sim.device.laser.LmsEmulatorSettings;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -75,7 +75,7 @@ class LmsBaudTest {
     }
   }
 
-  private void start(LmsMakeup makeup, int portBaud) throws IOException {
+  private void start(LmsEmulatorSettings makeup, int portBaud) throws IOException {
     device = new LmsDevice(Laser.SPIRAL, makeup);
     emulator = new DeviceEmulator("laser", 0, device, clock);
     port = emulator.cable();
@@ -99,7 +99,7 @@ class LmsBaudTest {
   })
   void findsALaserThatWasLeftAtAnySpeedAndSetsTheWantedOne(int left, int wanted)
       throws IOException {
-    start(LmsMakeup.sold().leftAt(left), 9600);
+    start(LmsEmulatorSettings.factoryDefault().withBaud(left), 9600);
     try (LmsImpl driver = driver(500_000, "baud", Integer.toString(wanted))) {
       awaitReadiness(driver, Readiness.READY);
       assertThat(port.portBaud()).isEqualTo(wanted);
@@ -110,7 +110,7 @@ class LmsBaudTest {
 
   @Test
   void findsALaserThatWasLeftStreamingByADriverThatDied() throws IOException {
-    start(LmsMakeup.sold(), 9600);
+    start(LmsEmulatorSettings.factoryDefault(), 9600);
     try (LmsImpl first = driver(500_000, "baud", "19200")) {
       awaitReadiness(first, Readiness.READY);
     } // says no goodbye
@@ -124,7 +124,7 @@ class LmsBaudTest {
 
   @Test
   void findsALaserAgainThatWakesAtItsSlowestSpeed() throws IOException {
-    start(LmsMakeup.sold().switchedOn(Duration.ofSeconds(2)), 9600);
+    start(LmsEmulatorSettings.factoryDefault().withWarmUp(Duration.ofSeconds(2)), 9600);
     try (LmsImpl driver = driver(500_000, "baud", "38400")) {
       awaitReadiness(driver, Readiness.READY);
       Diagnosis reset = driver.recover("reset");
@@ -136,7 +136,7 @@ class LmsBaudTest {
 
   @Test
   void leavesTheLaserAtASpeedThatThePortHas() throws IOException {
-    start(LmsMakeup.sold(), 9600);
+    start(LmsEmulatorSettings.factoryDefault(), 9600);
     try (LmsImpl driver = driver(115_200, "baud", "500000")) {
       awaitReadiness(driver, Readiness.READY);
       assertThat(device.baud()).isEqualTo(9600);
@@ -145,7 +145,7 @@ class LmsBaudTest {
 
   @Test
   void keepsTheSpeedOfASerialServer() throws IOException {
-    start(LmsMakeup.sold().leftAt(19_200), 19_200);
+    start(LmsEmulatorSettings.factoryDefault().withBaud(19_200), 19_200);
     try (LmsImpl driver = Laser.driverAt(emulator.url(), clock)) {
       driver.start();
       awaitReadiness(driver, Readiness.READY);
@@ -156,7 +156,7 @@ class LmsBaudTest {
 
   @Test
   void understandsNothingAtAnotherSpeedThatItMustKeep() throws IOException {
-    start(LmsMakeup.sold().leftAt(38_400), 9600);
+    start(LmsEmulatorSettings.factoryDefault().withBaud(38_400), 9600);
     try (LmsImpl driver = driver(500_000, "baud", "keep")) {
       assertThat(driver.test("type").passed()).isFalse();
       assertThat(driver.readiness()).isEqualTo(Readiness.INITIALIZING);
@@ -167,7 +167,7 @@ class LmsBaudTest {
 
   @Test
   void aFollowingServerNeedsNoSearch() throws IOException {
-    start(LmsMakeup.sold(), 0);
+    start(LmsEmulatorSettings.factoryDefault(), 0);
     try (LmsImpl driver = Laser.driverAt(emulator.url(), clock, "baud", "500000")) {
       driver.start();
       awaitReadiness(driver, Readiness.READY);

@@ -16,8 +16,8 @@ import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
-import org.dfra.sim.body.CameraView;
 import org.dfra.sim.device.DeviceEmulator;
+import org.dfra.sim.physics.CameraInput;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -33,10 +33,10 @@ class MjpegDeviceTest {
   @Test
   void sendsAFrameAtOnceAndThenAtItsRate() {
     List<Instant> looks = new ArrayList<>();
-    CameraView view =
+    CameraInput view =
         time -> {
           looks.add(time);
-          return TestPattern.light(16, 16).look(time);
+          return TestPattern.light(16, 16).capture(time);
         };
     MjpegDevice camera = new MjpegDevice(view, MjpegOptions.visible(10));
     run(camera, 1000);
@@ -62,7 +62,7 @@ class MjpegDeviceTest {
         new MjpegDevice(
             time -> {
               looks[0]++;
-              return TestPattern.heat(64, 64).look(time);
+              return TestPattern.heat(64, 64).capture(time);
             },
             MjpegOptions.thermal(10));
     camera.connected();
@@ -78,7 +78,7 @@ class MjpegDeviceTest {
   void isTheSameEveryTime() {
     for (MjpegOptions options :
         new MjpegOptions[] {MjpegOptions.visible(10), MjpegOptions.thermal(10)}) {
-      CameraView view = options.isThermal() ? TestPattern.heat(40, 30) : TestPattern.light(40, 30);
+      CameraInput view = options.isThermal() ? TestPattern.heat(40, 30) : TestPattern.light(40, 30);
       now = BEGIN;
       MjpegDevice one = new MjpegDevice(view, options);
       one.connected();

@@ -31,8 +31,8 @@ import org.dfra.flow.sensor.CameraImage;
 import org.dfra.lease.ModuleLease;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
-import org.dfra.sim.body.CameraView;
 import org.dfra.sim.device.DeviceEmulator;
+import org.dfra.sim.physics.CameraInput;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.parallel.Execution;
@@ -87,7 +87,7 @@ class MjpegDriverTest {
 
   @Test
   void readsCamerasThatTellNeitherLengthNorTime() throws Exception {
-    MjpegOptions terse = MjpegOptions.visible(20).terse();
+    MjpegOptions terse = MjpegOptions.visible(20).withoutPartHeaders();
     try (DeviceEmulator camera = emulated(TestPattern.light(64, 48), terse);
         MjpegCameraImpl driver = driver(camera.url(), Map.of())) {
       List<CameraImage> images = take(driver, 5);
@@ -136,13 +136,13 @@ class MjpegDriverTest {
     try (DeviceEmulator camera = emulated(TestPattern.light(64, 48), MjpegOptions.visible(20));
         MjpegCameraImpl driver = driver(camera.url(), Map.of("idle_period", "0"))) {
       awaitReadiness(driver, Readiness.READY);
-      camera.cable().pull();
+      camera.cable().unplug();
       awaitReadiness(driver, Readiness.INITIALIZING);
       awaitNoLink(driver);
       camera.cable().restore();
       awaitRecovered(driver, "reopen_link");
       awaitReadiness(driver, Readiness.READY);
-      camera.cable().storm(seed);
+      camera.cable().injectNoiseBursts(seed);
       await("-Ddfra.seed=" + seed).until(() -> number(driver, "dropped_bytes") > 50_000);
       camera.cable().restore();
       await("-Ddfra.seed=" + seed).until(driver::readiness, Readiness.READY::equals);
@@ -156,7 +156,7 @@ class MjpegDriverTest {
     try (DeviceEmulator camera = emulated(TestPattern.light(64, 48), MjpegOptions.visible(20));
         MjpegCameraImpl driver = driver(camera.url(), Map.of("idle_period", "0"))) {
       awaitReadiness(driver, Readiness.READY);
-      camera.cable().silence();
+      camera.cable().mute();
       awaitReadiness(driver, Readiness.INITIALIZING);
       camera.cable().restore();
       awaitReadiness(driver, Readiness.READY);
@@ -166,10 +166,10 @@ class MjpegDriverTest {
   @Test
   void restsWithoutClientsAndPassesItsTestsAllTheSame() throws Exception {
     int[] looks = {0};
-    CameraView view =
+    CameraInput view =
         time -> {
           looks[0]++;
-          return TestPattern.light(64, 48).look(time);
+          return TestPattern.light(64, 48).capture(time);
         };
     try (DeviceEmulator camera = emulated(view, MjpegOptions.visible(20));
         MjpegCameraImpl driver = driver(camera.url(), Map.of("idle_period", "0.5"))) {
@@ -179,7 +179,7 @@ class MjpegDriverTest {
       assertThat(awaitPassed(driver, "image").finding()).startsWith("64 × 48 pixels, ");
       Instant first = driver.image().measured();
       await().until(() -> driver.image().measured().isAfter(first));
-      try (ModuleLease unused = driver.use(Duration.ofSeconds(30))) {
+      try (ModuleLease unused = driver.acquireLease(Duration.ofSeconds(30))) {
         assertThat(driver.readiness()).isEqualTo(Readiness.ACTIVE);
         List<CameraImage> images = take(driver, 20);
         // Twenty frames in a row, not one each half second.
@@ -221,7 +221,8 @@ class MjpegDriverTest {
     return ImageIO.read(new ByteArrayInputStream(image.data()));
   }
 
-  private static DeviceEmulator emulated(CameraView view, MjpegOptions options) throws IOException {
+  private static DeviceEmulator emulated(CameraInput view, MjpegOptions options)
+      throws IOException {
     DeviceEmulator made =
         new DeviceEmulator("camera", 0, new MjpegDevice(view, options), InstantSource.system());
     made.start();

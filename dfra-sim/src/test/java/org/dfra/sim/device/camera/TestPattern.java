@@ -1,7 +1,7 @@
 package org.dfra.sim.device.camera;
 
 import java.time.Instant;
-import org.dfra.sim.body.CameraView;
+import org.dfra.sim.physics.CameraInput;
 
 /** What a camera sees that looks at nothing of this world: every pixel is known. */
 final class TestPattern {
@@ -9,7 +9,7 @@ final class TestPattern {
   private TestPattern() {}
 
   /** Smooth ramps of red to the right and of green downwards; blue tells the frame. */
-  static CameraView light(int width, int height) {
+  static CameraInput light(int width, int height) {
     return time -> {
       int[] samples = new int[width * height];
       for (int i = 0; i < samples.length; i++) {
@@ -17,7 +17,7 @@ final class TestPattern {
         int y = i / width;
         samples[i] = red(x, width) << 16 | green(y, height) << 8 | blue(time);
       }
-      return new CameraView.Frame(width, height, samples);
+      return new CameraInput.Frame(width, height, samples);
     };
   }
 
@@ -34,13 +34,13 @@ final class TestPattern {
   }
 
   /** Each pixel has a temperature of its own, hundredths of a kelvin around 20 °C. */
-  static CameraView heat(int width, int height) {
+  static CameraInput heat(int width, int height) {
     return time -> {
       int[] samples = new int[width * height];
       for (int i = 0; i < samples.length; i++) {
         samples[i] = centikelvin(i, time);
       }
-      return new CameraView.Frame(width, height, samples);
+      return new CameraInput.Frame(width, height, samples);
     };
   }
 

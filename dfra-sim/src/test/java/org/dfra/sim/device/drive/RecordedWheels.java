@@ -3,12 +3,12 @@ package org.dfra.sim.device.drive;
 import java.time.Instant;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
-import org.dfra.sim.body.DriveBody;
-import org.dfra.sim.body.WheelsOnBlocks;
+import org.dfra.sim.physics.DrivetrainPhysics;
+import org.dfra.sim.physics.IdealDrivetrain;
 import org.jspecify.annotations.Nullable;
 
 /** Wheels on blocks, and what the controller had them do. */
-final class RecordedWheels implements DriveBody {
+final class RecordedWheels implements DrivetrainPhysics {
 
   /** Slower is standing: a wheel of 0.155 m turns by less than a degree in a second. */
   private static final double STANDING = 1e-3;
@@ -22,10 +22,10 @@ final class RecordedWheels implements DriveBody {
   }
 
   final List<Order> orders = new CopyOnWriteArrayList<>();
-  private final WheelsOnBlocks wheels;
+  private final IdealDrivetrain wheels;
 
   RecordedWheels(Instant begin) {
-    wheels = new WheelsOnBlocks(begin);
+    wheels = new IdealDrivetrain(begin);
   }
 
   @Override
@@ -45,9 +45,9 @@ final class RecordedWheels implements DriveBody {
     return wheels.travel(time);
   }
 
-  /** See {@link WheelsOnBlocks#standingSince}. */
+  /** See {@link IdealDrivetrain#stoppedSince}. */
   @Nullable Instant standingSince(Instant time) {
-    return wheels.standingSince(time);
+    return wheels.stoppedSince(time);
   }
 
   boolean stand(Instant time) {

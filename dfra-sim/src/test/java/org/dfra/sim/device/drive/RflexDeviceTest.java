@@ -7,7 +7,7 @@ import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.HexFormat;
-import org.dfra.sim.body.BatteryBody.Charge;
+import org.dfra.sim.physics.BatteryPhysics.Charge;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -105,7 +105,7 @@ class RflexDeviceTest {
     // 0x1B00 counts/s; the checksum is right
     say("1B02 02 00 07 0E 00 00001B00 0000AAD3 00007530 01 2D 1B03");
     assertThat(wheels.orders).isEmpty();
-    assertThat(device.spoiled()).isEqualTo(1);
+    assertThat(device.malformedFrames()).isEqualTo(1);
     say(HALF);
     assertThat(wheels.orders).hasSize(1);
   }

@@ -27,18 +27,18 @@ class RflexDriverTest extends RflexInLockStep {
   @Test
   void drivesCountsAndMeasures() throws Exception {
     startAll();
-    assertThat(drive.drive().brake()).as("as after it was switched on").isTrue();
+    assertThat(drive.driveState().parkingBrakeEngaged()).as("as after it was switched on").isTrue();
     CommandKey key = commander();
-    assertThat(drive.drive().brake()).isFalse();
+    assertThat(drive.driveState().parkingBrakeEngaged()).isFalse();
     driveOn(key, new Velocity(0.5, 0.25), Duration.ofSeconds(8));
 
     assertThat(wheels.travel(time.instant()).speed()).isCloseTo(0.5, within(2e-5));
-    assertThat(wheels.travel(time.instant()).turnRate()).isCloseTo(0.25, within(2e-5));
+    assertThat(wheels.travel(time.instant()).yawRate()).isCloseTo(0.25, within(2e-5));
     Odometry told = odometry.odometry();
     assertThat(told.frame()).isEqualTo("atrv1/odom");
-    assertThat(told.child()).isEqualTo("atrv1/base_link");
+    assertThat(told.childFrame()).isEqualTo("atrv1/base_link");
     assertThat(told.speed()).isCloseTo(0.5, within(2e-5));
-    assertThat(told.turnRate()).isCloseTo(0.25, within(2e-5));
+    assertThat(told.yawRate()).isCloseTo(0.25, within(2e-5));
     // It goes round a circle of 2 m to the left; while it comes up to speed, in half a second and
     // an eighth, its wheels are on another curve, which is less than a centimetre.
     assertThat(told.yaw()).isBetween(1.9, 2.0);
@@ -48,7 +48,7 @@ class RflexDriverTest extends RflexInLockStep {
     assertThat(battery.battery().voltage()).isCloseTo(25.2, within(0.005));
     assertThat(battery.battery().remaining()).isCloseTo(0.75, within(0.01));
     assertThat(battery.battery().isEstimated()).isTrue();
-    assertThat(device.spoiled()).isZero();
+    assertThat(device.malformedFrames()).isZero();
     assertThat(drive.history().failures()).isZero();
   }
 
@@ -57,7 +57,7 @@ class RflexDriverTest extends RflexInLockStep {
     startAll();
     CommandKey key = commander();
     driveOn(key, new Velocity(0.5, 0), Duration.ofSeconds(4));
-    drive.obey(key, Velocity.ZERO);
+    drive.execute(key, Velocity.ZERO);
     time.advance(Duration.ofSeconds(1));
     Odometry before = odometry.odometry();
     assertThat(before.x()).isGreaterThan(1.5);
@@ -67,12 +67,12 @@ class RflexDriverTest extends RflexInLockStep {
     time.advance(Duration.ofSeconds(2));
     assertThat(odometry.odometry().x()).isCloseTo(before.x(), within(1e-9));
     assertThat(restarts()).isEqualTo("2"); // of both axes
-    assertThat(drive.drive().brake()).as("it is set after power-on").isTrue();
-    assertThatThrownBy(() -> drive.obey(key, new Velocity(0.5, 0)))
+    assertThat(drive.driveState().parkingBrakeEngaged()).as("it is set after power-on").isTrue();
+    assertThatThrownBy(() -> drive.execute(key, new Velocity(0.5, 0)))
         .isInstanceOf(BrakeEngagedException.class)
         .hasMessage("atrv1/drive has its brake set, and does not move until that is released");
 
-    drive.obey(key, new Brake(false));
+    drive.execute(key, new Brake(false));
     time.advance(TENTH);
     driveOn(key, new Velocity(0.5, 0), Duration.ofSeconds(2));
     assertThat(odometry.odometry().x()).isCloseTo(before.x() + 0.875, within(0.06));
@@ -83,7 +83,7 @@ class RflexDriverTest extends RflexInLockStep {
         .filter(each -> each.name().equals("restarts"))
         .findFirst()
         .orElseThrow()
-        .text();
+        .value();
   }
 
   @Test
@@ -94,7 +94,7 @@ class RflexDriverTest extends RflexInLockStep {
     CommandKey key = commander();
     driveOn(key, new Velocity(0.5, -0.25), Duration.ofSeconds(4));
     Odometry told = odometry.odometry();
-    double turn = wheels.travel(time.instant()).turn();
+    double turn = wheels.travel(time.instant()).yaw();
     assertThat(told.yaw()).isCloseTo(turn, within(0.03)); // one period of 0.1 s
     assertThat(told.x() * told.x() + told.y() * told.y()).isGreaterThan(1);
     assertThat(restarts()).isEqualTo("0");
@@ -105,7 +105,7 @@ class RflexDriverTest extends RflexInLockStep {
     startAll();
     CommandKey key = commander();
     driveOn(key, new Velocity(0.5, 0), Duration.ofSeconds(2));
-    port.cable().pull();
+    port.cable().unplug();
     comesTo(odometry, Readiness.INITIALIZING);
     time.advance(Duration.ofSeconds(1));
     port.cable().restore();
@@ -119,14 +119,14 @@ class RflexDriverTest extends RflexInLockStep {
   @Test
   void whatTheBrakeIsToldIsNotTakenBackByAStatusThatWasUnderWay() throws Exception {
     startAll();
-    CommandLease lease = drive.command(Duration.ofSeconds(30));
+    CommandLease lease = drive.acquireCommandLease(Duration.ofSeconds(30));
     for (int i = 0; i < 200; i++) { // at every phase of the status' second
       boolean set = i % 2 == 1;
-      drive.obey(lease.key(), new Brake(set));
+      drive.execute(lease.key(), new Brake(set));
       time.advance(Duration.ofMillis(7));
-      assertThat(drive.drive().brake()).as("after %d", i).isEqualTo(set);
+      assertThat(drive.driveState().parkingBrakeEngaged()).as("after %d", i).isEqualTo(set);
       time.advance(Duration.ofMillis(30));
-      assertThat(drive.drive().brake()).as("after %d", i).isEqualTo(set);
+      assertThat(drive.driveState().parkingBrakeEngaged()).as("after %d", i).isEqualTo(set);
     }
   }
 
@@ -163,7 +163,7 @@ class RflexDriverTest extends RflexInLockStep {
   private long frames() {
     return odometry.parameters().stream()
         .filter(each -> each.name().equals("frames"))
-        .mapToLong(each -> Long.parseLong(each.text()))
+        .mapToLong(each -> Long.parseLong(each.value()))
         .findFirst()
         .orElseThrow();
   }

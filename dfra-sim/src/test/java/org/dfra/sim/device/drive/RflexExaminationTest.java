@@ -47,9 +47,9 @@ class RflexExaminationTest extends RflexInLockStep {
     voltage = 21;
     assertThat(battery.test("voltage").finding())
         .isEqualTo("21.00 V, less than 23.00 V; charge the battery");
-    port.cable().silence();
+    port.cable().mute();
     assertThat(drive.test("readings").finding()).isEqualTo("no report has come within 3 s");
-    port.cable().pull();
+    port.cable().unplug();
     comesTo(drive, Readiness.INITIALIZING);
     for (String test : drive.tests()) {
       Diagnosis diagnosis = drive.test(test);
@@ -72,7 +72,9 @@ class RflexExaminationTest extends RflexInLockStep {
       assertThat(done.passed()).as("%s", done).isTrue();
       comesTo(drive, Readiness.READY);
     }
-    assertThat(drive.drive().brake()).as("no recovery releases the brake").isTrue();
+    assertThat(drive.driveState().parkingBrakeEngaged())
+        .as("no recovery releases the brake")
+        .isTrue();
     assertThat(wheels.travel(time.instant()).distance()).isZero();
     CommandKey key = commander();
     driveOn(key, new Velocity(0.5, 0), Duration.ofSeconds(1));
@@ -82,11 +84,11 @@ class RflexExaminationTest extends RflexInLockStep {
 
   @Test
   void saysWhyItDoesNotObey() throws Exception {
-    port.cable().pull();
+    port.cable().unplug();
     drive.start();
-    CommandLease lease = drive.command(Duration.ofSeconds(30));
+    CommandLease lease = drive.acquireCommandLease(Duration.ofSeconds(30));
     time.advance(Duration.ofSeconds(1));
-    assertThatThrownBy(() -> drive.obey(lease.key(), Velocity.ZERO))
+    assertThatThrownBy(() -> drive.execute(lease.key(), Velocity.ZERO))
         .isInstanceOf(NotReadyException.class)
         .hasMessageContaining(
             "now: sim:rflex: the cable of this simulated device is pulled out (if another process"

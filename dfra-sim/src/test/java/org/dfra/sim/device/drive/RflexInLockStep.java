@@ -20,8 +20,8 @@ import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.DriveCommand.Brake;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.module.Readiness;
-import org.dfra.sim.body.BatteryBody.Charge;
 import org.dfra.sim.device.SimPort;
+import org.dfra.sim.physics.BatteryPhysics.Charge;
 import org.dfra.sim.time.LockStep;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
@@ -64,7 +64,7 @@ abstract class RflexInLockStep {
         Parameters.of("atrv1/" + name, all),
         time,
         StateStore.inMemory(),
-        LeaseTerms.USUAL,
+        LeaseTerms.DEFAULT,
         time);
   }
 
@@ -102,8 +102,8 @@ abstract class RflexInLockStep {
 
   /** The commander, with the brake released. */
   CommandKey commander() throws Exception {
-    CommandLease lease = drive.command(Duration.ofSeconds(30));
-    drive.obey(lease.key(), new Brake(false));
+    CommandLease lease = drive.acquireCommandLease(Duration.ofSeconds(30));
+    drive.execute(lease.key(), new Brake(false));
     time.advance(TENTH);
     return lease.key();
   }
@@ -127,7 +127,7 @@ abstract class RflexInLockStep {
   void driveOn(CommandKey key, Velocity velocity, Duration duration) {
     Instant end = time.instant().plus(duration);
     while (time.instant().isBefore(end)) {
-      drive.obey(key, velocity);
+      drive.execute(key, velocity);
       time.advance(TENTH);
     }
   }

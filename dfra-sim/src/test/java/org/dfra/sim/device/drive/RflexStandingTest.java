@@ -37,13 +37,13 @@ class RflexStandingTest extends RflexInLockStep {
     startAll();
     CommandKey key = commander();
     driveOn(key, new Velocity(speed, turnRate), Duration.ofMillis((long) (seconds * 1000)));
-    drive.obey(key, new Velocity(speed, turnRate));
+    drive.execute(key, new Velocity(speed, turnRate));
     Instant last = time.instant();
     time.advance(TENTH);
     assertThat(standsAt()).isBefore(last.plus(STANDS_WITHIN));
     assertThat(lastMotion()).as("said once, and never again").isBefore(last.plusMillis(50));
-    assertThat(drive.drive().silences()).isEqualTo(1);
-    assertThat(drive.drive().velocity()).isEqualTo(Velocity.ZERO);
+    assertThat(drive.driveState().commandTimeouts()).isEqualTo(1);
+    assertThat(drive.driveState().velocity()).isEqualTo(Velocity.ZERO);
     time.advance(Duration.ofSeconds(5));
     assertThat(wheels.stand(time.instant())).isTrue();
   }
@@ -53,10 +53,10 @@ class RflexStandingTest extends RflexInLockStep {
     startAll();
     CommandKey key = commander();
     driveOn(key, new Velocity(1, 0), Duration.ofSeconds(2));
-    drive.obey(key, Velocity.ZERO);
+    drive.execute(key, Velocity.ZERO);
     Instant last = time.instant();
     assertThat(standsAt()).isBefore(last.plusMillis(200)); // by 7 m/s²
-    assertThat(drive.drive().silences()).isZero();
+    assertThat(drive.driveState().commandTimeouts()).isZero();
   }
 
   @ParameterizedTest
@@ -66,17 +66,17 @@ class RflexStandingTest extends RflexInLockStep {
     startAll();
     CommandKey key = commander();
     driveOn(key, new Velocity(1, 2), Duration.ofSeconds(2));
-    drive.obey(key, new Velocity(1, 2));
+    drive.execute(key, new Velocity(1, 2));
     time.advance(Duration.ofMillis(50));
     if (fault.equals("pull")) {
-      port.cable().pull();
+      port.cable().unplug();
     } else {
-      port.cable().silence();
+      port.cable().mute();
     }
     Instant last = lastMotion();
     assertThat(standsAt()).isBeforeOrEqualTo(last.plus(STANDS_WITHIN));
     comesTo(drive, Readiness.INITIALIZING);
-    assertThatThrownBy(() -> drive.obey(key, new Velocity(1, 0)))
+    assertThatThrownBy(() -> drive.execute(key, new Velocity(1, 0)))
         .isInstanceOf(NotReadyException.class)
         .hasMessageContaining("atrv1/drive is INITIALIZING: it cannot obey Velocity[");
 
@@ -105,8 +105,8 @@ class RflexStandingTest extends RflexInLockStep {
   @Test
   void standsWhenItsCommanderIsLost() throws Exception {
     startAll();
-    CommandLease lease = drive.command(Duration.ofSeconds(30));
-    drive.obey(lease.key(), new Brake(false));
+    CommandLease lease = drive.acquireCommandLease(Duration.ofSeconds(30));
+    drive.execute(lease.key(), new Brake(false));
     driveOn(lease.key(), new Velocity(1, 0), Duration.ofSeconds(2));
     lease.close();
     Instant closed = time.instant();
@@ -119,7 +119,7 @@ class RflexStandingTest extends RflexInLockStep {
     CommandKey key = commander();
     wheels.orders.clear();
     for (int i = 1; i <= 1000; i++) {
-      drive.obey(key, new Velocity(i * 1e-3, i * -1e-3)); // all at one instant
+      drive.execute(key, new Velocity(i * 1e-3, i * -1e-3)); // all at one instant
     }
     time.advance(TENTH);
     assertThat(wheels.orders).hasSizeLessThanOrEqualTo(4);
@@ -129,15 +129,15 @@ class RflexStandingTest extends RflexInLockStep {
 
     Instant flooded = time.instant().plusSeconds(1);
     while (time.instant().isBefore(flooded)) { // five times as fast as frames are sent
-      drive.obey(key, new Velocity(0.5, 0.5));
+      drive.execute(key, new Velocity(0.5, 0.5));
       time.advance(Duration.ofMillis(2));
     }
-    drive.obey(key, Velocity.ZERO);
+    drive.execute(key, Velocity.ZERO);
     Instant told = time.instant();
     time.advance(TENTH);
     assertThat(lastMotion()).isBefore(told.plusMillis(40));
     assertThat(wheels.orders.get(wheels.orders.size() - 1).moves()).isFalse();
-    assertThat(device.spoiled()).isZero();
+    assertThat(device.malformedFrames()).isZero();
   }
 
   @Test
@@ -148,8 +148,8 @@ class RflexStandingTest extends RflexInLockStep {
     device = controller(0, 0);
     port.cable().replace(device);
     driveUntilRefused(key);
-    assertThat(drive.drive().brake()).isTrue();
-    assertThat(drive.drive().velocity()).isEqualTo(Velocity.ZERO);
+    assertThat(drive.driveState().parkingBrakeEngaged()).isTrue();
+    assertThat(drive.driveState().velocity()).isEqualTo(Velocity.ZERO);
     assertThat(wheels.stand(time.instant())).isTrue();
     assertThat(lastMotionOrNull()).as("of the new one").isNull();
   }
@@ -159,7 +159,7 @@ class RflexStandingTest extends RflexInLockStep {
     assertThatThrownBy(
             () -> {
               while (time.instant().isBefore(end)) {
-                drive.obey(key, new Velocity(0.5, 0));
+                drive.execute(key, new Velocity(0.5, 0));
                 time.advance(TENTH);
               }
             })
@@ -171,14 +171,14 @@ class RflexStandingTest extends RflexInLockStep {
   void aBadLineNeverKeepsTheWheelsFromStanding(long seed) throws Exception {
     startAll();
     CommandKey key = commander();
-    port.cable().garble(seed, 0.002); // every twentieth frame
+    port.cable().corruptBytes(seed, 0.002); // every twentieth frame
     List<Instant> late = new ArrayList<>();
     var watching = time.every(Duration.ofMillis(5), () -> noteUnlessTheyStandInTime(late));
     Random random = new Random(seed);
     Instant end = time.instant().plusSeconds(60);
     while (time.instant().isBefore(end)) {
       try {
-        drive.obey(key, new Velocity(random.nextDouble() * 2 - 1, random.nextDouble() * 4 - 2));
+        drive.execute(key, new Velocity(random.nextDouble() * 2 - 1, random.nextDouble() * 4 - 2));
       } catch (NotReadyException | IllegalArgumentException e) {
         // the link or the brake; it says so
       }

@@ -7,7 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
-import org.dfra.sim.body.TurnView;
+import org.dfra.sim.physics.GyroInput;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -85,7 +85,7 @@ class Dsp3000DeviceTest {
     assertThat(last[0]).isEqualTo(now);
   }
 
-  private static Dsp3000Device gyro(TurnView view, Duration warmUp) {
+  private static Dsp3000Device gyro(GyroInput view, Duration warmUp) {
     return new Dsp3000Device(view, 38_400, warmUp);
   }
 

@@ -29,9 +29,9 @@ import org.dfra.module.Diagnosis;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
 import org.dfra.persona.SensorAttributes;
-import org.dfra.sim.body.TurnView;
 import org.dfra.sim.device.DeviceEmulator;
 import org.dfra.sim.device.FastClock;
+import org.dfra.sim.physics.GyroInput;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -110,7 +110,7 @@ class Dsp3000DriverTest {
     long seed = Long.getLong("dfra.seed", new Random().nextLong());
     Random random = new Random(seed);
     double bias = Math.toRadians(-0.1);
-    TurnView standing = time -> bias + Math.toRadians(0.02) * random.nextGaussian();
+    GyroInput standing = time -> bias + Math.toRadians(0.02) * random.nextGaussian();
     try (DeviceEmulator still = emulated(standing, Duration.ZERO);
         Dsp3000Impl biased = driver(still.url())) {
       biased.start();
@@ -128,7 +128,7 @@ class Dsp3000DriverTest {
   @Test
   void comesBackWhenTheCableWasPulledAndPutBack() {
     awaitReadiness(gyro, Readiness.READY);
-    emulator.cable().pull();
+    emulator.cable().unplug();
     awaitReadiness(gyro, Readiness.INITIALIZING);
     awaitNoLink(gyro);
     emulator.cable().restore();
@@ -141,7 +141,7 @@ class Dsp3000DriverTest {
   @Test
   void noticesASilentGyroAndItsReturn() {
     awaitReadiness(gyro, Readiness.READY);
-    emulator.cable().silence();
+    emulator.cable().mute();
     awaitReadiness(gyro, Readiness.INITIALIZING);
     emulator.cable().restore();
     awaitReadiness(gyro, Readiness.READY);
@@ -150,7 +150,7 @@ class Dsp3000DriverTest {
   @Test
   void readsOnThroughAStormOfGarbage() {
     long seed = Long.getLong("dfra.seed", new Random().nextLong());
-    emulator.cable().storm(seed);
+    emulator.cable().injectNoiseBursts(seed);
     await("-Ddfra.seed=" + seed).until(() -> number(gyro, "dropped_bytes") > 10_000);
     emulator.cable().restore();
     await("-Ddfra.seed=" + seed).until(gyro::readiness, Readiness.READY::equals);
@@ -168,7 +168,7 @@ class Dsp3000DriverTest {
         DeliveryPolicy.keepLast(100));
   }
 
-  private DeviceEmulator emulated(TurnView view, Duration warmUp) throws IOException {
+  private DeviceEmulator emulated(GyroInput view, Duration warmUp) throws IOException {
     DeviceEmulator made =
         new DeviceEmulator("gyro", 0, new Dsp3000Device(view, 38_400, warmUp), clock);
     made.start();

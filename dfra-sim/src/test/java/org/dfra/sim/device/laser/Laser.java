@@ -11,9 +11,9 @@ import org.dfra.core.config.Parameters;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.drivers.laser.lms.LmsImpl;
 import org.dfra.flow.sensor.RangeScan;
-import org.dfra.sim.body.RangeView;
 import org.dfra.sim.device.Cable;
 import org.dfra.sim.device.DeviceEmulator;
+import org.dfra.sim.physics.RangeInput;
 
 /**
  * An emulated laser behind a cable that can be cut, by a clock that runs {@value #SPEED} times as
@@ -26,7 +26,7 @@ public final class Laser implements AutoCloseable {
   /**
    * Sees 2 m to the right and 1 m more for each radian to the left, and nothing beyond 90° left.
    */
-  public static final RangeView SPIRAL =
+  public static final RangeInput SPIRAL =
       (time, first, step, longest, distances) -> {
         for (int i = 0; i < distances.length; i++) {
           double angle = first + i * step;
@@ -38,12 +38,12 @@ public final class Laser implements AutoCloseable {
   private final LmsDevice device;
   private final DeviceEmulator emulator;
 
-  public Laser(LmsMakeup makeup, InstantSource clock) throws IOException {
+  public Laser(LmsEmulatorSettings makeup, InstantSource clock) throws IOException {
     this(makeup, clock, 0);
   }
 
   /** On this port. */
-  public Laser(LmsMakeup makeup, InstantSource clock, int port) throws IOException {
+  public Laser(LmsEmulatorSettings makeup, InstantSource clock, int port) throws IOException {
     this.clock = clock;
     this.device = new LmsDevice(SPIRAL, makeup);
     this.emulator = new DeviceEmulator("laser", port, device, clock);

@@ -37,10 +37,10 @@ class LmsDeviceTest {
   private static final String VARIANT_180_100 = "02 00 05 00 3B B4 00 64 00 97 49";
 
   private final List<Instant> looks = new ArrayList<>();
-  private LmsDevice laser = laser(LmsMakeup.sold());
+  private LmsDevice laser = laser(LmsEmulatorSettings.factoryDefault());
   private Instant now = BEGIN;
 
-  private LmsDevice laser(LmsMakeup makeup) {
+  private LmsDevice laser(LmsEmulatorSettings makeup) {
     return new LmsDevice(
         (time, first, step, longest, distances) -> {
           looks.add(time);
@@ -55,13 +55,13 @@ class LmsDeviceTest {
 
   @Test
   void wakesWithItsNameAndIsDeafBefore() {
-    laser = laser(LmsMakeup.sold().switchedOn(Duration.ofSeconds(30)));
+    laser = laser(LmsEmulatorSettings.factoryDefault().withWarmUp(Duration.ofSeconds(30)));
     say(STATUS);
     assertThat(run(Duration.ofSeconds(29))).isEmpty();
     List<LmsMessage> woken = heard(run(Duration.ofSeconds(2)));
     assertThat(woken).hasSize(1);
     assertThat(woken.get(0).name()).isEqualTo("90");
-    assertThat(((LmsMessage.Type) woken.get(0)).type()).isEqualTo("LMS200;30106;V02.30");
+    assertThat(((LmsMessage.TypeReply) woken.get(0)).type()).isEqualTo("LMS200;30106;V02.30");
     assertThat(laser.baud()).isEqualTo(9600);
   }
 
@@ -94,7 +94,7 @@ class LmsDeviceTest {
   @ParameterizedTest
   @CsvSource({"38400, 5.2", "500000, 37.5", "9600, 1.3"})
   void sendsAsManyScansAsTheLineHasRoomFor(int baud, double hertz) {
-    laser = laser(LmsMakeup.sold().leftAt(baud));
+    laser = laser(LmsEmulatorSettings.factoryDefault().withBaud(baud));
     ask(STREAM);
     looks.clear();
     List<LmsMessage> scans = heard(run(Duration.ofSeconds(10)));
@@ -132,15 +132,16 @@ class LmsDeviceTest {
 
   @Test
   void placesItsBeamsOtherwiseButNotWhileItStreams() {
-    assertThat(((LmsMessage.VariantSet) only(ask(VARIANT_100_25))).isDone()).isTrue();
+    assertThat(((LmsMessage.VariantReply) only(ask(VARIANT_100_25))).isDone()).isTrue();
     assertThat(((LmsScan) only(ask(ONE_SCAN))).beams()).isEqualTo(401);
     say(STREAM);
     run(Duration.ofSeconds(1));
     say(VARIANT_180_100);
-    assertThat(heard(run(Duration.ofSeconds(3)))).anyMatch(LmsMessage.Refused.class::isInstance);
+    assertThat(heard(run(Duration.ofSeconds(3))))
+        .anyMatch(LmsMessage.RefusedReply.class::isInstance);
     say(STOP);
     run(Duration.ofSeconds(3));
-    assertThat(((LmsMessage.VariantSet) only(ask(VARIANT_180_100))).variant().beams())
+    assertThat(((LmsMessage.VariantReply) only(ask(VARIANT_180_100))).variant().beams())
         .isEqualTo(181);
   }
 
@@ -149,9 +150,9 @@ class LmsDeviceTest {
     byte[] millimetres = new byte[34];
     millimetres[6] = 1;
     assertThat(configure(millimetres).isDone()).isFalse();
-    assertThat(((LmsMessage.ModeSet) only(ask(wrongPassword()))).result()).isEqualTo(1);
-    assertThat(((LmsMessage.ModeSet) only(ask(INSTALL))).isDone()).isTrue();
-    LmsMessage.ConfigurationSet set = configure(millimetres);
+    assertThat(((LmsMessage.ModeReply) only(ask(wrongPassword()))).result()).isEqualTo(1);
+    assertThat(((LmsMessage.ModeReply) only(ask(INSTALL))).isDone()).isTrue();
+    LmsMessage.ConfigurationChangeReply set = configure(millimetres);
     assertThat(set.isDone()).isTrue();
     assertThat(set.configuration().unit()).contains(LmsUnit.MM);
     assertThat(laser.flashWrites()).isEqualTo(1);
@@ -160,13 +161,13 @@ class LmsDeviceTest {
     assertThat(((LmsScan) only(ask(ONE_SCAN))).unit()).isEqualTo(LmsUnit.MM);
   }
 
-  private LmsMessage.ConfigurationSet configure(byte[] configuration) {
+  private LmsMessage.ConfigurationChangeReply configure(byte[] configuration) {
     byte[] telegram = new byte[41];
     telegram[0] = 2;
     telegram[2] = 35;
     telegram[4] = 0x77;
     System.arraycopy(configuration, 0, telegram, 5, 34);
-    return (LmsMessage.ConfigurationSet) only(ask(checked(telegram)));
+    return (LmsMessage.ConfigurationChangeReply) only(ask(checked(telegram)));
   }
 
   private static String wrongPassword() {

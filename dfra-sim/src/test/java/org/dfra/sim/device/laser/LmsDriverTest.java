@@ -27,7 +27,7 @@ import org.dfra.module.NotReadyException;
 import org.dfra.module.Readiness;
 import org.dfra.persona.RangeAttributes;
 import org.dfra.persona.SensorAttributes;
-import org.dfra.sim.device.AntennaPath;
+import org.dfra.sim.device.AntennaTrajectory;
 import org.dfra.sim.device.DeviceEmulator;
 import org.dfra.sim.device.FastClock;
 import org.dfra.sim.device.NmeaDevice;
@@ -43,11 +43,11 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 class LmsDriverTest {
 
   private final InstantSource clock = FastClock.of(Laser.SPEED);
-  private LmsMakeup makeup;
+  private LmsEmulatorSettings makeup;
 
   @BeforeEach
   void usual() {
-    makeup = LmsMakeup.sold().leftAt(38_400);
+    makeup = LmsEmulatorSettings.factoryDefault().withBaud(38_400);
   }
 
   @Test
@@ -61,7 +61,7 @@ class LmsDriverTest {
       assertThat(scan.angle(0)).isEqualTo(-Math.PI / 2);
       assertThat(scan.angle(360)).isCloseTo(Math.PI / 2, within(1e-9));
       assertThat(scan.measured()).isBefore(clock.instant());
-      assertThat(scan.longest()).isCloseTo(8.182, within(1e-9));
+      assertThat(scan.maxRange()).isCloseTo(8.182, within(1e-9));
       for (int beam = 0; beam < 361; beam++) {
         if (scan.angle(beam) > 1.5) {
           assertThat(scan.range(beam)).as("beam %d", beam).isEqualTo(Float.POSITIVE_INFINITY);
@@ -90,12 +90,12 @@ class LmsDriverTest {
       }
       try (LmsImpl second = laser.driver()) {
         awaitReadiness(second, Readiness.READY);
-        assertThat(Laser.scan(second).longest()).isCloseTo(8.182, within(1e-9));
+        assertThat(Laser.scan(second).maxRange()).isCloseTo(8.182, within(1e-9));
       }
       assertThat(laser.device().flashWrites()).as("it was right already").isEqualTo(1);
       try (LmsImpl third = laser.driver("units", "keep", "measuring_mode", "6")) {
         awaitReadiness(third, Readiness.READY);
-        assertThat(Laser.scan(third).longest()).isCloseTo(32.758, within(1e-9));
+        assertThat(Laser.scan(third).maxRange()).isCloseTo(32.758, within(1e-9));
         assertThat(laser.device().flashWrites()).isEqualTo(2);
       }
     }
@@ -103,12 +103,12 @@ class LmsDriverTest {
 
   @Test
   void takesALaserThatRefusesAsItIs() throws IOException {
-    try (Laser laser = new Laser(makeup.locked(), clock);
+    try (Laser laser = new Laser(makeup.withLockedConfiguration(), clock);
         LmsImpl driver = laser.driver("resolution", "1")) {
       awaitReadiness(driver, Readiness.READY);
       assertThat(laser.device().flashWrites()).isZero();
       RangeScan scan = Laser.scan(driver);
-      assertThat(scan.longest()).as("centimetres, 13 bits").isEqualTo(80);
+      assertThat(scan.maxRange()).as("centimetres, 13 bits").isEqualTo(80);
       assertThat(scan.beams()).isEqualTo(361);
       assertThat(driver.attributes())
           .contains(new RangeAttributes(0, 80, Math.PI, Math.toRadians(0.5), 0.01));
@@ -188,7 +188,7 @@ class LmsDriverTest {
     try (Laser laser = new Laser(makeup, clock);
         LmsImpl driver = laser.driver()) {
       awaitReadiness(driver, Readiness.READY);
-      laser.cable().pull();
+      laser.cable().unplug();
       awaitReadiness(driver, Readiness.INITIALIZING);
       assertThatThrownBy(driver::scan).isInstanceOf(NotReadyException.class);
       laser.cable().restore();
@@ -202,7 +202,7 @@ class LmsDriverTest {
     try (Laser laser = new Laser(makeup, clock);
         LmsImpl driver = laser.driver("idle_after", "0")) {
       awaitReadiness(driver, Readiness.READY);
-      laser.cable().silence();
+      laser.cable().mute();
       awaitReadiness(driver, Readiness.INITIALIZING);
       laser.cable().restore();
       awaitReadiness(driver, Readiness.READY);
@@ -213,7 +213,7 @@ class LmsDriverTest {
   void readsOnThroughAStormOfGarbage() throws IOException {
     long seed = Long.getLong("dfra.seed", new Random().nextLong());
     try (Laser laser = new Laser(makeup, clock)) {
-      laser.cable().storm(seed);
+      laser.cable().injectNoiseBursts(seed);
       try (LmsImpl driver = laser.driver("idle_after", "0")) {
         await("-Ddfra.seed=" + seed).until(() -> number(driver, "dropped_bytes") > 20_000);
         laser.cable().restore();
@@ -232,7 +232,7 @@ class LmsDriverTest {
       awaitReadiness(driver, Readiness.READY);
       laser.close();
       awaitReadiness(driver, Readiness.INITIALIZING);
-      try (Laser next = new Laser(makeup.switchedOn(Duration.ofSeconds(5)), clock, port)) {
+      try (Laser next = new Laser(makeup.withWarmUp(Duration.ofSeconds(5)), clock, port)) {
         awaitReadiness(driver, Readiness.READY);
         assertThat(Laser.scan(driver).beams()).isEqualTo(181);
         assertThat(next.device().flashWrites()).isEqualTo(1);
@@ -244,7 +244,7 @@ class LmsDriverTest {
 
   @Test
   void saysThatAnotherDeviceIsNoLaser() throws IOException {
-    AntennaPath path = AntennaPath.fixed(new GeoPosition(50, 10, 100));
+    AntennaTrajectory path = AntennaTrajectory.fixed(new GeoPosition(50, 10, 100));
     try (DeviceEmulator gps =
             new DeviceEmulator("gps", 0, new NmeaDevice(path, 38_400, Duration.ZERO), clock);
         LmsImpl driver = driverAt(gps)) {

@@ -16,7 +16,7 @@ import org.dfra.drivers.laser.lms.LmsImpl;
 import org.dfra.module.Diagnosis;
 import org.dfra.module.Readiness;
 import org.dfra.sim.device.FastClock;
-import org.dfra.sim.device.laser.LmsMakeup.Error;
+import org.dfra.sim.device.laser.LmsEmulatorSettings.StoredError;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.parallel.Execution;
@@ -28,7 +28,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 class LmsExaminationTest {
 
   private final InstantSource clock = FastClock.of(Laser.SPEED);
-  private final LmsMakeup makeup = LmsMakeup.sold().leftAt(38_400);
+  private final LmsEmulatorSettings makeup = LmsEmulatorSettings.factoryDefault().withBaud(38_400);
 
   @Test
   void passesItsTestsWhenAllIsWell() throws IOException {
@@ -67,7 +67,7 @@ class LmsExaminationTest {
 
   @Test
   void findsADirtyWindow() throws IOException {
-    try (Laser laser = new Laser(makeup.cleanTo(40), clock);
+    try (Laser laser = new Laser(makeup.withWindowCleanness(40), clock);
         LmsImpl driver = laser.driver()) {
       awaitReadiness(driver, Readiness.READY);
       Diagnosis status = awaitAnswer(driver, "status", "software ");
@@ -79,7 +79,8 @@ class LmsExaminationTest {
 
   @Test
   void findsErrorsButForThoseThatAreOver() throws IOException {
-    try (Laser laser = new Laser(makeup.remembering(new Error(2, 21), new Error(0x83, 5)), clock);
+    try (Laser laser =
+            new Laser(makeup.withErrors(new StoredError(2, 21), new StoredError(0x83, 5)), clock);
         LmsImpl driver = laser.driver()) {
       awaitReadiness(driver, Readiness.READY);
       Diagnosis errors = awaitAnswer(driver, "errors", "it remembers ");
@@ -90,7 +91,7 @@ class LmsExaminationTest {
           .as("its severity is WARNING")
           .isFalse();
     }
-    try (Laser laser = new Laser(makeup.remembering(new Error(0x83, 5)), clock);
+    try (Laser laser = new Laser(makeup.withErrors(new StoredError(0x83, 5)), clock);
         LmsImpl driver = laser.driver()) {
       awaitReadiness(driver, Readiness.READY);
       awaitPassed(driver, "errors");
@@ -102,9 +103,9 @@ class LmsExaminationTest {
     try (Laser laser = new Laser(makeup, clock);
         LmsImpl driver = laser.driver()) {
       awaitReadiness(driver, Readiness.READY);
-      laser.cable().silence();
+      laser.cable().mute();
       assertThat(driver.test("status").passed()).isFalse();
-      laser.cable().pull();
+      laser.cable().unplug();
       awaitReadiness(driver, Readiness.INITIALIZING);
       awaitNoLink(driver);
       await() // it may be open for a moment, see awaitNoLink
@@ -128,7 +129,7 @@ class LmsExaminationTest {
 
   @Test
   void resetsTheLaserAndTellsItAnewWhatToDo() throws IOException {
-    try (Laser laser = new Laser(makeup.switchedOn(Duration.ofSeconds(3)), clock);
+    try (Laser laser = new Laser(makeup.withWarmUp(Duration.ofSeconds(3)), clock);
         LmsImpl driver = laser.driver("resolution", "1", "baud", "38400")) {
       awaitReadiness(driver, Readiness.READY);
       assertThat(laser.device().baud()).isEqualTo(38_400);

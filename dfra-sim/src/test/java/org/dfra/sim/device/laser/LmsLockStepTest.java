@@ -16,9 +16,9 @@ import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleEvent.NewReading;
 import org.dfra.flow.sensor.RangeScan;
 import org.dfra.module.Readiness;
-import org.dfra.sim.body.RangeView;
 import org.dfra.sim.device.Cable;
 import org.dfra.sim.device.SimPort;
+import org.dfra.sim.physics.RangeInput;
 import org.dfra.sim.time.LockStep;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -40,7 +40,7 @@ class LmsLockStepTest {
   private final List<RangeScan> scans = new ArrayList<>();
 
   /** Tells when the mirror began to turn, and by the first distance which time it was. */
-  private final RangeView counting =
+  private final RangeInput counting =
       (when, first, step, longest, distances) -> {
         looks.add(when);
         for (int i = 0; i < distances.length; i++) {
@@ -50,7 +50,7 @@ class LmsLockStepTest {
 
   @Test
   void aScanHasTheTimeWhenTheMirrorBeganToTurn() {
-    LmsDevice device = new LmsDevice(counting, LmsMakeup.sold());
+    LmsDevice device = new LmsDevice(counting, LmsEmulatorSettings.factoryDefault());
     try (SimPort port = new SimPort("laser", device, time);
         LmsImpl driver = driver(port, "idle_after", "0")) {
       port.start();
@@ -122,14 +122,14 @@ class LmsLockStepTest {
   }
 
   private static LmsDevice laser(int baud) {
-    return new LmsDevice(Laser.SPIRAL, LmsMakeup.sold().leftAt(baud));
+    return new LmsDevice(Laser.SPIRAL, LmsEmulatorSettings.factoryDefault().withBaud(baud));
   }
 
   private static void disturb(Cable cable, int kind, long seed, int rate, LmsDevice[] device) {
     switch (kind) {
-      case 0 -> cable.pull();
-      case 1 -> cable.silence();
-      case 2 -> cable.garble(seed, 0.005);
+      case 0 -> cable.unplug();
+      case 1 -> cable.mute();
+      case 2 -> cable.corruptBytes(seed, 0.005);
       case 3 -> cable.restore();
       default -> { // another laser, as another driver left it
         device[0] = laser(rate);

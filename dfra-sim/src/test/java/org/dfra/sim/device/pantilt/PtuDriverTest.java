@@ -25,7 +25,7 @@ import org.dfra.event.ModuleEvent.NewReading;
 import org.dfra.event.Subscription;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.PanTiltCommand.Halt;
-import org.dfra.flow.effector.PanTiltCommand.Point;
+import org.dfra.flow.effector.PanTiltCommand.PointAt;
 import org.dfra.flow.effector.PanTiltState;
 import org.dfra.module.Diagnosis;
 import org.dfra.module.NotReadyException;
@@ -78,16 +78,16 @@ class PtuDriverTest {
   void pointsWhereItIsToldAndTellsItAsItMoves() throws Exception {
     awaitReadiness(Readiness.READY);
     List<PanTiltState> states = new CopyOnWriteArrayList<>();
-    try (CommandLease lease = unit.command(Duration.ofMinutes(5));
+    try (CommandLease lease = unit.acquireCommandLease(Duration.ofMinutes(5));
         Subscription unused = listen(states)) {
-      unit.obey(lease.key(), new Point(0.8, -0.4, FAST));
+      unit.execute(lease.key(), new PointAt(0.8, -0.4, FAST));
       awaitArrival(0.8, -0.4);
       assertThat(head.pan).isCloseTo(0.8, within(NEAR));
       assertThat(head.tilt).isCloseTo(-0.4, within(NEAR));
       await().until(() -> states.stream().anyMatch(each -> each.isMoving() && each.pan() > 0.1));
       assertThat(unit.localTransform().yaw()).isCloseTo(0.8, within(NEAR));
       assertThat(unit.localTransform().pitch()).as("down").isCloseTo(0.4, within(NEAR));
-      unit.obey(lease.key(), new Point(-0.2, 0.1, FAST));
+      unit.execute(lease.key(), new PointAt(-0.2, 0.1, FAST));
       awaitArrival(-0.2, 0.1);
     }
   }
@@ -96,14 +96,14 @@ class PtuDriverTest {
   void haltsOnTheWayByCommandAndWhenItsCommanderIsGone() throws Exception {
     awaitReadiness(Readiness.READY);
     double slow = Math.toRadians(5);
-    try (CommandLease lease = unit.command(Duration.ofMinutes(5))) {
-      unit.obey(lease.key(), new Point(2.5, 0, slow));
-      await().until(() -> unit.panTilt().pan() > 0.05);
-      unit.obey(lease.key(), new Halt());
+    try (CommandLease lease = unit.acquireCommandLease(Duration.ofMinutes(5))) {
+      unit.execute(lease.key(), new PointAt(2.5, 0, slow));
+      await().until(() -> unit.panTiltState().pan() > 0.05);
+      unit.execute(lease.key(), new Halt());
       awaitStandstill();
-      assertThat(unit.panTilt().pan()).isLessThan(2.4);
-      unit.obey(lease.key(), new Point(-2.5, 0, slow));
-      await().until(() -> unit.panTilt().isMoving());
+      assertThat(unit.panTiltState().pan()).isLessThan(2.4);
+      unit.execute(lease.key(), new PointAt(-2.5, 0, slow));
+      await().until(() -> unit.panTiltState().isMoving());
     }
     awaitStandstill();
     assertThat(head.pan).as("it did not go on to where it was told").isGreaterThan(-2.4);
@@ -113,9 +113,9 @@ class PtuDriverTest {
   void comesBackWhenTheCableWasPulledAndPutBack() {
     awaitReadiness(Readiness.READY);
     for (int pulled = 1; pulled <= 2; pulled++) {
-      emulator.cable().pull();
+      emulator.cable().unplug();
       awaitReadiness(Readiness.INITIALIZING);
-      assertThatThrownBy(unit::panTilt).isInstanceOf(NotReadyException.class);
+      assertThatThrownBy(unit::panTiltState).isInstanceOf(NotReadyException.class);
       emulator.cable().restore();
       awaitReadiness(Readiness.READY);
       assertThat(unit.history().failures()).isGreaterThanOrEqualTo(pulled);
@@ -125,10 +125,10 @@ class PtuDriverTest {
   @Test
   void noticesASilentUnitAndItsReturn() throws Exception {
     awaitReadiness(Readiness.READY);
-    try (CommandLease lease = unit.command(Duration.ofMinutes(5))) {
-      emulator.cable().silence();
+    try (CommandLease lease = unit.acquireCommandLease(Duration.ofMinutes(5))) {
+      emulator.cable().mute();
       awaitReadiness(Readiness.INITIALIZING);
-      assertThatThrownBy(() -> unit.obey(lease.key(), new Point(0, 0, 1)))
+      assertThatThrownBy(() -> unit.execute(lease.key(), new PointAt(0, 0, 1)))
           .isInstanceOf(NotReadyException.class);
       emulator.cable().restore();
       await().until(() -> unit.readiness() == Readiness.ACTIVE);
@@ -139,7 +139,7 @@ class PtuDriverTest {
   void getsOverAStormOfGarbage() {
     awaitReadiness(Readiness.READY);
     long seed = Long.getLong("dfra.seed", new Random().nextLong());
-    emulator.cable().storm(seed);
+    emulator.cable().injectNoiseBursts(seed);
     await("-Ddfra.seed=" + seed).until(() -> number(unit, "dropped_bytes") > 5_000);
     emulator.cable().restore();
     // Noise that reads !P is believed, and then nobody knows any more where the head points.
@@ -150,7 +150,7 @@ class PtuDriverTest {
                     || (unit.readiness() == Readiness.FAILED
                         && unit.recover("reset_by_moving").passed()));
     await("-Ddfra.seed=" + seed)
-        .until(() -> unit.panTilt().pan() == 0 && unit.panTilt().tilt() == 0);
+        .until(() -> unit.panTiltState().pan() == 0 && unit.panTiltState().tilt() == 0);
   }
 
   @Test
@@ -161,7 +161,7 @@ class PtuDriverTest {
       patient.start();
       assertThat(patient.readiness()).isEqualTo(Readiness.INITIALIZING);
       await().until(() -> patient.readiness() == Readiness.READY);
-      assertThat(patient.panTilt().pan()).isZero();
+      assertThat(patient.panTiltState().pan()).isZero();
     }
   }
 
@@ -172,7 +172,7 @@ class PtuDriverTest {
     awaitPassed(unit);
     assertThat(awaitPassed(unit, "identification").finding())
         .isEqualTo("it says it is Pan-Tilt Controller v1.10 (EMULATOR)");
-    emulator.cable().pull();
+    emulator.cable().unplug();
     awaitReadiness(Readiness.INITIALIZING);
     awaitNoLink(unit);
     for (String test : unit.tests()) {
@@ -191,8 +191,8 @@ class PtuDriverTest {
         PtuImpl reset = driver(quick.url(), fast)) {
       reset.start();
       await().until(() -> reset.readiness() == Readiness.READY);
-      try (CommandLease lease = reset.command(Duration.ofMinutes(5))) {
-        reset.obey(lease.key(), new Point(0.3, 0.2, FAST));
+      try (CommandLease lease = reset.acquireCommandLease(Duration.ofMinutes(5))) {
+        reset.execute(lease.key(), new PointAt(0.3, 0.2, FAST));
         await().until(() -> head.pan > 0.1 && head.tilt > 0.1);
       }
       Diagnosis done = awaitRecovered(reset, "reset_by_moving");
@@ -218,7 +218,7 @@ class PtuDriverTest {
     await()
         .until(
             () -> {
-              PanTiltState now = unit.panTilt();
+              PanTiltState now = unit.panTiltState();
               return !now.isMoving()
                   && Math.abs(now.pan() - pan) < NEAR
                   && Math.abs(now.tilt() - tilt) < NEAR;
@@ -229,10 +229,11 @@ class PtuDriverTest {
     await()
         .until(
             () -> {
-              PanTiltState now = unit.panTilt();
+              PanTiltState now = unit.panTiltState();
               await()
-                  .until(() -> unit.panTilt().measured().isAfter(now.measured().plusMillis(200)));
-              return !now.isMoving() && unit.panTilt().pan() == now.pan();
+                  .until(
+                      () -> unit.panTiltState().measured().isAfter(now.measured().plusMillis(200)));
+              return !now.isMoving() && unit.panTiltState().pan() == now.pan();
             });
   }
 

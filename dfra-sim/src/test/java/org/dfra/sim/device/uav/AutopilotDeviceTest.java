@@ -10,9 +10,9 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Random;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.sim.body.BatteryBody.Charge;
-import org.dfra.sim.body.FlightBody;
-import org.dfra.sim.device.AntennaPath;
+import org.dfra.sim.device.AntennaTrajectory;
+import org.dfra.sim.physics.BatteryPhysics.Charge;
+import org.dfra.sim.physics.MulticopterPhysics;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -65,11 +65,15 @@ class AutopilotDeviceTest {
       receive(device, ARM);
       String answers = sent(device, Duration.ofMillis(10));
       assertThat(result(answers))
-          .isEqualTo(software == AutopilotSoftware.PX4 ? Pilot.REJECTED_FOR_NOW : Pilot.FAILED);
+          .isEqualTo(
+              software == AutopilotSoftware.PX4
+                  ? AutopilotStateMachine.REJECTED_FOR_NOW
+                  : AutopilotStateMachine.FAILED);
       assertThat(answers).contains(hex("PreArm: GPS: no 3D fix"));
       sent(device, Duration.ofSeconds(6));
       receive(device, ARM_AGAIN);
-      assertThat(result(sent(device, Duration.ofMillis(10)))).isEqualTo(Pilot.ACCEPTED);
+      assertThat(result(sent(device, Duration.ofMillis(10))))
+          .isEqualTo(AutopilotStateMachine.ACCEPTED);
     }
   }
 
@@ -138,7 +142,7 @@ class AutopilotDeviceTest {
 
   private AutopilotDevice device(AutopilotSettings settings) {
     return new AutopilotDevice(
-        settings, DATUM, body, AntennaPath.fixed(DATUM), time -> new Charge(15.8, 4.2, 0.87));
+        settings, DATUM, body, AntennaTrajectory.fixed(DATUM), time -> new Charge(15.8, 4.2, 0.87));
   }
 
   private void receive(AutopilotDevice device, String hex) {
@@ -182,7 +186,7 @@ class AutopilotDeviceTest {
   }
 
   /** A body that stands, whatever it is told. */
-  private static final class Still implements FlightBody {
+  private static final class Still implements MulticopterPhysics {
 
     private boolean rotors;
 
@@ -195,8 +199,8 @@ class AutopilotDeviceTest {
     public void fly(Instant time, double east, double north, double up, double speed) {}
 
     @Override
-    public Flight at(Instant time) {
-      return new Flight(0, 0, 0, 0, 0, 0, 0, rotors);
+    public MulticopterState at(Instant time) {
+      return new MulticopterState(0, 0, 0, 0, 0, 0, 0, rotors);
     }
   }
 }

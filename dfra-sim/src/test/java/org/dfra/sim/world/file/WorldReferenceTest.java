@@ -78,18 +78,18 @@ class WorldReferenceTest {
   }
 
   private static String row(DeviceParameter parameter) {
-    String standard = number(parameter.ugv());
-    if (parameter.uav() != parameter.ugv()) {
-      standard += ", " + number(parameter.uav());
+    String standard = number(parameter.ugvDefault());
+    if (parameter.uavDefault() != parameter.ugvDefault()) {
+      standard += ", " + number(parameter.uavDefault());
     }
     return "| `"
         + parameter.name()
         + "` | "
         + standard
         + " | "
-        + number(parameter.lowest())
+        + number(parameter.min())
         + " to "
-        + number(parameter.highest())
+        + number(parameter.max())
         + " | "
         + parameter.unit()
         + " | "
@@ -109,13 +109,13 @@ class WorldReferenceTest {
     assertThat(reference())
         .contains("`" + WorldXml.SCHEMA.namespace().getURI() + "`")
         .contains("| `temperature` | default `" + fair.temperature() + "` |")
-        .contains("| `warming` | default `" + number(fair.warming()) + "` |")
+        .contains("| `warming` | default `" + number(fair.groundWarming()) + "` |")
         .contains("| `sun_azimuth` | default `" + fair.sunAzimuth() + "` |")
         .contains("| `sun_elevation` | default `" + fair.sunElevation() + "` |")
-        .contains("| `wind` | default `" + number(fair.wind()) + "` |")
-        .contains("| `gusts` | default `" + fair.gusts() + "` |")
-        .contains("| `radius` | default `" + Things.POST_RADIUS + "` |")
-        .contains("| `height` | default `" + Things.HEIGHT + "` |")
+        .contains("| `wind` | default `" + number(fair.windSpeed()) + "` |")
+        .contains("| `gusts` | default `" + fair.gustSigma() + "` |")
+        .contains("| `radius` | default `" + WorldObjectCollector.POST_RADIUS + "` |")
+        .contains("| `height` | default `" + WorldObjectCollector.HEIGHT + "` |")
         .contains("| `reflectivity` | default `" + ObstacleDescription.REFLECTIVITY + "` |")
         .contains(
             String.format(

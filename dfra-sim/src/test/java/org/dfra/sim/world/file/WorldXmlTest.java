@@ -46,7 +46,7 @@ class WorldXmlTest {
     assertThat(field.region().orElseThrow().area()).isCloseTo(56 * 36, within(0.1));
     World world = World.of(field, Instant.parse("2026-04-01T10:00:00Z"));
     double[] distances = new double[361];
-    world.robot("atrv1").rangeView("laser").look(world.start(), -1.57, 0.0087, 80, distances);
+    world.robot("atrv1").laser("laser").measure(world.start(), -1.57, 0.0087, 80, distances);
     assertThat(Arrays.stream(distances).min().orElseThrow()).isBetween(1.0, 80.0);
   }
 
@@ -77,15 +77,15 @@ class WorldXmlTest {
     assertThat(world.seed()).isEqualTo(-7);
     assertThat(world.datum()).isEqualTo(new GeoPosition(-10, 170, 5));
     assertThat(world.ground().roughness()).isEqualTo(0.05);
-    assertThat(world.weather().warming()).isEqualTo(5);
+    assertThat(world.weather().groundWarming()).isEqualTo(5);
     assertThat(world.weather().windTowards()).isEqualTo(2);
     MineDescription mine = world.mines().get(0);
     assertThat(mine.colour()).isEqualTo(0x0102FF);
-    assertThat(mine.contrast()).isEqualTo(-1.5);
+    assertThat(mine.thermalContrast()).isEqualTo(-1.5);
     ObstacleDescription post = world.obstacles().get(0);
-    assertThat(post.outline()).isEqualTo(new Disc(-1, 20, 0.5));
+    assertThat(post.footprint()).isEqualTo(new Disc(-1, 20, 0.5));
     assertThat(post.reflectivity()).isEqualTo(0.9);
-    assertThat(world.obstacles().get(1).outline().contains(10.5, 11.5)).isTrue();
+    assertThat(world.obstacles().get(1).footprint().contains(10.5, 11.5)).isTrue();
     assertThat(world.region().orElseThrow().corners()).contains(new Vertex(5, 5));
     DeviceDescription eye = world.vehicle("r").device("eye").orElseThrow();
     assertThat(eye.parent()).contains("head");
@@ -97,7 +97,7 @@ class WorldXmlTest {
     DeviceDescription other = world.vehicle("r").device("other").orElseThrow();
     assertThat(other.parameter("miss", VehicleType.UGV)).isEqualTo(0.5);
     assertThat(other.parameter("reach", VehicleType.UGV))
-        .isEqualTo(DeviceKind.LASER.parameter("reach").orElseThrow().ugv());
+        .isEqualTo(DeviceKind.LASER.parameter("reach").orElseThrow().ugvDefault());
     assertThat(world.vehicle("r").device("head").orElseThrow().mount().pitch()).isEqualTo(0.5);
   }
 
@@ -146,13 +146,13 @@ class WorldXmlTest {
                         + " [11.0001, 48.0001]]]",
                     "\"name\": \"hedge\", \"height\": 1.2"))
             .read();
-    Disc post = (Disc) world.obstacles().get(0).outline();
+    Disc post = (Disc) world.obstacles().get(0).footprint();
     assertThat(post.east()).isCloseTo(0.0004 * 74_625, within(0.001));
     assertThat(post.north()).isCloseTo(0.0003 * 111_190, within(0.001));
     assertThat(post.radius()).isEqualTo(0.2);
     ObstacleDescription hedge = world.obstacles().get(1);
     assertThat(hedge.name()).isEqualTo("hedge");
     assertThat(hedge.height()).isEqualTo(1.2);
-    assertThat(((Polygon) hedge.outline()).area()).isCloseTo(7.4625 * 11.1190 / 2, within(0.01));
+    assertThat(((Polygon) hedge.footprint()).area()).isCloseTo(7.4625 * 11.1190 / 2, within(0.01));
   }
 }

@@ -13,7 +13,7 @@ class DrawsTest {
   void areThoseOfSplittableRandomAtAnyPlace() {
     for (long seed : new long[] {0, 1, -1, Long.MIN_VALUE, 0x123456789ABCDEFL}) {
       SplittableRandom oracle = new SplittableRandom(seed);
-      Draws draws = new Draws(seed);
+      RandomStream draws = new RandomStream(seed);
       for (int i = 0; i < 100; i++) {
         assertThat(draws.bits(i)).as("seed %d, draw %d", seed, i).isEqualTo(oracle.nextLong());
       }
@@ -22,10 +22,13 @@ class DrawsTest {
 
   @Test
   void namesHaveStreamsOfTheirOwn() {
-    Draws draws = new Draws(1);
-    assertThat(draws.of("laser")).isEqualTo(draws.of("laser")).isNotEqualTo(draws.of("laser_2"));
-    assertThat(draws.of("laser")).isNotEqualTo(new Draws(2).of("laser"));
-    assertThat(draws.of("a").of("b")).isNotEqualTo(draws.of("b").of("a"));
+    RandomStream draws = new RandomStream(1);
+    assertThat(draws.substream("laser"))
+        .isEqualTo(draws.substream("laser"))
+        .isNotEqualTo(draws.substream("laser_2"));
+    assertThat(draws.substream("laser")).isNotEqualTo(new RandomStream(2).substream("laser"));
+    assertThat(draws.substream("a").substream("b"))
+        .isNotEqualTo(draws.substream("b").substream("a"));
   }
 
   /** The quantiles of published tables, to all their digits. */
@@ -45,7 +48,7 @@ class DrawsTest {
    */
   @Test
   void gaussianDrawsAreNormalAndUnrelated() {
-    Draws draws = new Draws(7).of("white");
+    RandomStream draws = new RandomStream(7).substream("white");
     double[] samples = new double[100_000];
     int beyond = 0;
     for (int i = 0; i < samples.length; i++) {

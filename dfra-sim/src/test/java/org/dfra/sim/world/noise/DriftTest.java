@@ -14,7 +14,7 @@ class DriftTest {
    */
   @Test
   void gaussMarkovKeepsItsSigmaAndItsTime() {
-    Drift drift = Drift.gaussMarkov(new Draws(3), 1.5, 200, 1);
+    CorrelatedNoise drift = CorrelatedNoise.gaussMarkov(new RandomStream(3), 1.5, 200, 1);
     double[] samples = new double[2_000_000];
     for (int i = 0; i < samples.length; i++) {
       samples[i] = drift.at(i);
@@ -32,7 +32,8 @@ class DriftTest {
     double[] first = new double[2000];
     double[] later = new double[2000];
     for (int i = 0; i < first.length; i++) {
-      Drift drift = Drift.gaussMarkov(new Draws(5).of(i), 2, 10, 0.01);
+      CorrelatedNoise drift =
+          CorrelatedNoise.gaussMarkov(new RandomStream(5).substream(i), 2, 10, 0.01);
       first[i] = drift.at(0);
       later[i] = drift.at(300);
     }
@@ -46,7 +47,7 @@ class DriftTest {
     double[] at4 = new double[2000];
     double[] at100 = new double[2000];
     for (int i = 0; i < at4.length; i++) {
-      Drift walk = Drift.walk(new Draws(6).of(i), 1, 0.1, 0.01);
+      CorrelatedNoise walk = CorrelatedNoise.walk(new RandomStream(6).substream(i), 1, 0.1, 0.01);
       assertThat(walk.at(0)).isEqualTo(1);
       at4[i] = walk.at(400);
       at100[i] = walk.at(10_000);
@@ -58,14 +59,16 @@ class DriftTest {
 
   @Test
   void theValueOfAStepDoesNotDependOnWhoAsksWhen() {
-    Drift often = Drift.gaussMarkov(new Draws(1), 1, 5, 0.01);
+    CorrelatedNoise often = CorrelatedNoise.gaussMarkov(new RandomStream(1), 1, 5, 0.01);
     for (int i = 0; i < 1000; i++) {
       double unused = often.at(i);
     }
-    Drift once = Drift.gaussMarkov(new Draws(1), 1, 5, 0.01);
+    CorrelatedNoise once = CorrelatedNoise.gaussMarkov(new RandomStream(1), 1, 5, 0.01);
     assertThat(once.at(999)).isEqualTo(often.at(999));
     assertThat(once.at(900)).as("asked late").isEqualTo(often.at(900));
-    assertThat(once.at(0)).as("the oldest known").isEqualTo(often.at(999 - Drift.REMEMBERED + 1));
+    assertThat(once.at(0))
+        .as("the oldest known")
+        .isEqualTo(often.at(999 - CorrelatedNoise.REMEMBERED + 1));
   }
 
   /**
@@ -74,13 +77,13 @@ class DriftTest {
    */
   @Test
   void spellsComeAsOftenAndLastAsLongAsTheyShould() {
-    Spells spells = new Spells(new Draws(9), 10, 20);
+    OutageProcess spells = new OutageProcess(new RandomStream(9), 10, 20);
     int on = 0;
     int begun = 0;
     boolean was = false;
     int seconds = 3_600_000;
     for (int i = 0; i < seconds; i++) {
-      boolean is = spells.isOn(i);
+      boolean is = spells.isActive(i);
       on += is ? 1 : 0;
       begun += is && !was ? 1 : 0;
       was = is;
@@ -88,6 +91,6 @@ class DriftTest {
     assertThat(on / (double) seconds).isCloseTo(10 * 20 / 3600.0, within(0.056 * 0.0556));
     // A spell that falls between two looks is not seen: of those 1 s apart at most 1/20.
     assertThat(begun / 1000.0).isBetween(9.1, 10.4);
-    assertThat(new Spells(new Draws(9), 0, 20).isOn(1e9)).isFalse();
+    assertThat(new OutageProcess(new RandomStream(9), 0, 20).isActive(1e9)).isFalse();
   }
 }

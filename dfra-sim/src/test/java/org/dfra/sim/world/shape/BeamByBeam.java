@@ -4,20 +4,20 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * One beam followed through a world, slowly and plainly: the reference for {@link BeamFan}. All
+ * One beam followed through a world, slowly and plainly: the reference for {@link RayCaster}. All
  * crossings into outlines are found in the world's frame, by solving for both parameters with
  * Cramer's rule; the nearest at the right height counts.
  */
 final class BeamByBeam {
 
-  private final Stance from;
+  private final MutableTransform from;
   private final double dx;
   private final double dy;
   private final double dz;
   private double nearest;
   private boolean met;
 
-  BeamByBeam(Stance from, double c, double s, double longest) {
+  BeamByBeam(MutableTransform from, double c, double s, double longest) {
     this.from = from;
     this.dx = from.xx * c + from.xy * s;
     this.dy = from.yx * c + from.yy * s;
@@ -32,7 +32,7 @@ final class BeamByBeam {
     return met ? nearest : Double.POSITIVE_INFINITY;
   }
 
-  void meet(Solid solid) {
+  void meet(StaticObstacle solid) {
     if (solid.outline() instanceof Disc disc) {
       double ox = from.east - disc.east();
       double oy = from.north - disc.north();
@@ -47,7 +47,7 @@ final class BeamByBeam {
     }
   }
 
-  void meetBox(Box box, double height) {
+  void meetBox(OrientedRectangle box, double height) {
     List<Vertex> corners = new ArrayList<>();
     for (int[] sign : new int[][] {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}) {
       double x = sign[0] * box.halfLength;

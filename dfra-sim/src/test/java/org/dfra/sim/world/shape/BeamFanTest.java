@@ -15,8 +15,8 @@ class BeamFanTest {
   /** A wall 2 m ahead: beams at an angle a meet it at 2/cos a. */
   @Test
   void meetsAWallAhead() {
-    BeamFan fan = fan(new Stance(), -1, 0.1, 21);
-    fan.see(new Solid("wall", rectangle(2, -50, 3, 50), 1, 0.5));
+    RayCaster fan = fan(new MutableTransform(), -1, 0.1, 21);
+    fan.intersect(new StaticObstacle("wall", rectangle(2, -50, 3, 50), 1, 0.5));
     for (int i = 0; i < 21; i++) {
       assertThat(fan.distance(i)).isCloseTo(2 / Math.cos(-1 + 0.1 * i), within(1e-12));
       assertThat(fan.reflectivity(i)).isEqualTo(0.5);
@@ -25,9 +25,9 @@ class BeamFanTest {
 
   @Test
   void meetsAPostWhereItsSurfaceIs() {
-    BeamFan fan = fan(new Stance(), -Math.PI / 2, Math.PI / 2, 3);
-    fan.see(new Solid("ahead", new Disc(5, 0, 0.2), 1, 0.5));
-    fan.see(new Solid("left", new Disc(0.1, 3, 0.2), 1, 0.5));
+    RayCaster fan = fan(new MutableTransform(), -Math.PI / 2, Math.PI / 2, 3);
+    fan.intersect(new StaticObstacle("ahead", new Disc(5, 0, 0.2), 1, 0.5));
+    fan.intersect(new StaticObstacle("left", new Disc(0.1, 3, 0.2), 1, 0.5));
     assertThat(fan.distance(0)).isInfinite();
     assertThat(fan.distance(1)).isCloseTo(4.8, within(1e-12));
     assertThat(fan.distance(2)).isCloseTo(3 - Math.sqrt(0.2 * 0.2 - 0.1 * 0.1), within(1e-12));
@@ -35,25 +35,25 @@ class BeamFanTest {
 
   @Test
   void seesNeitherBeyondItsRangeNorBelowItsPlane() {
-    Stance high = new Stance();
+    MutableTransform high = new MutableTransform();
     high.up = 1.1;
-    Solid post = new Solid("post", new Disc(5, 0, 0.2), 1, 0.5);
-    BeamFan above = fan(high, 0, 0.1, 1);
-    above.see(post);
+    StaticObstacle post = new StaticObstacle("post", new Disc(5, 0, 0.2), 1, 0.5);
+    RayCaster above = fan(high, 0, 0.1, 1);
+    above.intersect(post);
     assertThat(above.distance(0)).isInfinite();
-    BeamFan shortSighted = new BeamFan();
-    shortSighted.shape(0, 0.1, 1);
-    shortSighted.begin(new Stance(), 4.7);
-    shortSighted.see(post);
+    RayCaster shortSighted = new RayCaster();
+    shortSighted.setBeams(0, 0.1, 1);
+    shortSighted.beginScan(new MutableTransform(), 4.7);
+    shortSighted.intersect(post);
     assertThat(shortSighted.distance(0)).isInfinite();
   }
 
   /** Pitched by p from h above the ground, a beam ahead meets it after h/sin p. */
   @Test
   void meetsTheGroundWhenItLooksDown() {
-    Stance down = new Stance();
+    MutableTransform down = new MutableTransform();
     down.set(0, 0, 0.5, 0, 0.1, 1, 0);
-    BeamFan fan = fan(down, -Math.PI / 2, Math.PI / 4, 5);
+    RayCaster fan = fan(down, -Math.PI / 2, Math.PI / 4, 5);
     assertThat(fan.distance(2)).isCloseTo(0.5 / Math.sin(0.1), within(1e-9));
     assertThat(fan.distance(1))
         .isCloseTo(0.5 / (Math.sin(0.1) * Math.cos(Math.PI / 4)), within(1e-9));
@@ -62,10 +62,10 @@ class BeamFanTest {
 
   @Test
   void anUpsideDownFanRunsTheOtherWay() {
-    Stance upsideDown = new Stance();
+    MutableTransform upsideDown = new MutableTransform();
     upsideDown.set(0, 0, 0.5, Math.PI, 0, 1, 0);
-    BeamFan fan = fan(upsideDown, -Math.PI / 2, Math.PI, 2);
-    fan.see(new Solid("left", new Disc(0, 3, 0.5), 1, 0.5));
+    RayCaster fan = fan(upsideDown, -Math.PI / 2, Math.PI, 2);
+    fan.intersect(new StaticObstacle("left", new Disc(0, 3, 0.5), 1, 0.5));
     assertThat(fan.distance(0)).as("its right is the world's left").isCloseTo(2.5, within(1e-9));
     assertThat(fan.distance(1)).isInfinite();
   }
@@ -85,24 +85,25 @@ class BeamFanTest {
   }
 
   private static void agreesOnce(Random random, String what) {
-    Stance stance = randomStance(random);
-    List<Solid> solids = new ArrayList<>();
+    MutableTransform stance = randomStance(random);
+    List<StaticObstacle> solids = new ArrayList<>();
     for (int i = random.nextInt(40); i > 0; i--) {
-      Solid solid = randomSolid(random);
+      StaticObstacle solid = randomSolid(random);
       if (!solid.outline().contains(stance.east, stance.north)) {
         solids.add(solid);
       }
     }
-    Box box = new Box(0.5 + random.nextDouble(), 0.5 + random.nextDouble());
+    OrientedRectangle box =
+        new OrientedRectangle(0.5 + random.nextDouble(), 0.5 + random.nextDouble());
     double yaw = random.nextDouble() * 7;
     box.move(20 * random.nextDouble() + 3, 25, Math.cos(yaw), Math.sin(yaw));
     double first = random.nextDouble() * 8 - 4;
     double step = (random.nextDouble() - 0.5) * 0.05;
     int beams = 1 + random.nextInt(400);
 
-    BeamFan fan = fan(stance, first, step, beams);
-    solids.forEach(fan::see);
-    fan.see(box, 0, 0.6, 0.5);
+    RayCaster fan = fan(stance, first, step, beams);
+    solids.forEach(fan::intersect);
+    fan.intersect(box, 0, 0.6, 0.5);
 
     for (int i = 0; i < beams; i++) {
       double c = Math.cos(first + i * step);
@@ -116,8 +117,8 @@ class BeamFanTest {
     }
   }
 
-  private static Stance randomStance(Random random) {
-    Stance stance = new Stance();
+  private static MutableTransform randomStance(Random random) {
+    MutableTransform stance = new MutableTransform();
     double yaw = random.nextDouble() * 7;
     boolean isLevel = random.nextBoolean();
     double roll = isLevel ? 0 : (random.nextDouble() - 0.5) * 0.6;
@@ -134,14 +135,14 @@ class BeamFanTest {
     return stance;
   }
 
-  private static Solid randomSolid(Random random) {
+  private static StaticObstacle randomSolid(Random random) {
     double east = 20 * random.nextDouble();
     double north = 20 * random.nextDouble();
     double height = 0.2 + 2 * random.nextDouble();
     double reflectivity = 0.1 + 0.9 * random.nextDouble();
     if (random.nextBoolean()) {
       Disc disc = new Disc(east, north, 0.05 + random.nextDouble());
-      return new Solid("disc", disc, height, reflectivity);
+      return new StaticObstacle("disc", disc, height, reflectivity);
     }
     int corners = 3 + random.nextInt(8);
     List<Vertex> around = new ArrayList<>();
@@ -150,7 +151,7 @@ class BeamFanTest {
       double radius = 0.2 + 2 * random.nextDouble();
       around.add(new Vertex(east + radius * Math.cos(angle), north + radius * Math.sin(angle)));
     }
-    return new Solid("star", new Polygon(around), height, reflectivity);
+    return new StaticObstacle("star", new Polygon(around), height, reflectivity);
   }
 
   private static Polygon rectangle(double west, double south, double east, double north) {
@@ -162,10 +163,10 @@ class BeamFanTest {
             new Vertex(west, north)));
   }
 
-  private static BeamFan fan(Stance stance, double first, double step, int beams) {
-    BeamFan fan = new BeamFan();
-    fan.shape(first, step, beams);
-    fan.begin(stance, LONGEST);
+  private static RayCaster fan(MutableTransform stance, double first, double step, int beams) {
+    RayCaster fan = new RayCaster();
+    fan.setBeams(first, step, beams);
+    fan.beginScan(stance, LONGEST);
     return fan;
   }
 }

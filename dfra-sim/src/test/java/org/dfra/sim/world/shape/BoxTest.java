@@ -8,19 +8,20 @@ import org.junit.jupiter.api.Test;
 
 class BoxTest {
 
-  private static Box box(double length, double width, double east, double north, double yaw) {
-    Box box = new Box(length, width);
+  private static OrientedRectangle box(
+      double length, double width, double east, double north, double yaw) {
+    OrientedRectangle box = new OrientedRectangle(length, width);
     box.move(east, north, Math.cos(yaw), Math.sin(yaw));
     return box;
   }
 
-  private static Solid disc(double east, double north, double radius) {
-    return new Solid("disc", new Disc(east, north, radius), 1, 1);
+  private static StaticObstacle disc(double east, double north, double radius) {
+    return new StaticObstacle("disc", new Disc(east, north, radius), 1, 1);
   }
 
   @Test
   void touchesWhatReachesIntoIt() {
-    Box box = box(2, 1, 0, 0, 0);
+    OrientedRectangle box = box(2, 1, 0, 0, 0);
     assertThat(box.touches(disc(1.5, 0, 0.51))).isTrue();
     assertThat(box.touches(disc(1.5, 0, 0.49))).isFalse();
     assertThat(box.touches(disc(0, 0, 0.1))).as("within").isTrue();
@@ -34,7 +35,7 @@ class BoxTest {
 
   @Test
   void touchesPolygonsThatHoldItAndThatItHolds() {
-    Box box = box(2, 1, 5, 5, 0.4);
+    OrientedRectangle box = box(2, 1, 5, 5, 0.4);
     assertThat(box.touches(square(5, 5, 10))).as("within a large one").isTrue();
     assertThat(box.touches(square(5, 5, 0.1))).as("a small one within").isTrue();
     assertThat(box.touches(square(9, 5, 1))).isFalse();
@@ -46,13 +47,13 @@ class BoxTest {
       new Vertex(6.9, 3.1),
       new Vertex(3, 3.1)
     };
-    assertThat(box.touches(new Solid("bay", new Polygon(List.of(bay)), 1, 1)))
+    assertThat(box.touches(new StaticObstacle("bay", new Polygon(List.of(bay)), 1, 1)))
         .as("in the bay of one that is not convex")
         .isFalse();
   }
 
-  private static Solid square(double east, double north, double half) {
-    return new Solid(
+  private static StaticObstacle square(double east, double north, double half) {
+    return new StaticObstacle(
         "square",
         new Polygon(
             List.of(
@@ -79,16 +80,16 @@ class BoxTest {
   }
 
   private static void agreesOnce(Random random, String what) {
-    Box box =
+    OrientedRectangle box =
         box(0.5 + random.nextDouble(), 0.5 + random.nextDouble(), 0, 0, 7 * random.nextDouble());
-    Box other =
+    OrientedRectangle other =
         box(
             0.5 + random.nextDouble(),
             0.5 + random.nextDouble(),
             2 * random.nextDouble() - 1,
             2 * random.nextDouble() - 1,
             7 * random.nextDouble());
-    Solid disc =
+    StaticObstacle disc =
         disc(
             3 * random.nextDouble() - 1.5,
             3 * random.nextDouble() - 1.5,
@@ -101,12 +102,12 @@ class BoxTest {
       double angle = turn + i * 2 + 0.5 * random.nextDouble();
       corners[i] = new Vertex(east + 0.8 * Math.cos(angle), north + 0.8 * Math.sin(angle));
     }
-    Solid triangle = new Solid("triangle", new Polygon(List.of(corners)), 1, 1);
+    StaticObstacle triangle = new StaticObstacle("triangle", new Polygon(List.of(corners)), 1, 1);
 
     agrees(what, box, disc, box.touches(disc));
     agrees(what, box, triangle, box.touches(triangle));
-    Solid asSolid =
-        new Solid(
+    StaticObstacle asSolid =
+        new StaticObstacle(
             "box",
             new Polygon(
                 List.of(
@@ -120,7 +121,8 @@ class BoxTest {
     assertThat(other.touches(box)).as(what).isEqualTo(box.touches(other));
   }
 
-  private static void agrees(String what, Box box, Solid solid, boolean touches) {
+  private static void agrees(
+      String what, OrientedRectangle box, StaticObstacle solid, boolean touches) {
     if (meet(box, solid, 0)) {
       assertThat(touches).as("%s: %s has a common point", what, solid.name()).isTrue();
     } else if (touches) {
@@ -129,7 +131,7 @@ class BoxTest {
   }
 
   /** Whether one of 200 × 200 points of the box, so much larger all around, lies in the solid. */
-  private static boolean meet(Box box, Solid solid, double larger) {
+  private static boolean meet(OrientedRectangle box, StaticObstacle solid, double larger) {
     for (int i = 0; i <= 200; i++) {
       for (int j = 0; j <= 200; j++) {
         double x = (box.halfLength + larger) * (i / 100.0 - 1);

@@ -1,9 +1,0 @@
-package org.dfra.directory;
-
-/** Something that goes on until it is closed. */
-public interface Watch extends AutoCloseable {
-
-  /** Ends it. A call that is under way may still finish. */
-  @Override
-  void close();
-}

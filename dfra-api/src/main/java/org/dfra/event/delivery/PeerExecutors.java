@@ -1,0 +1,161 @@
+package org.dfra.event.delivery;
+
+import java.util.ArrayDeque;
+import java.util.HashMap;
+import java.util.Iterator;
+import java.util.LinkedHashSet;
+import java.util.Map;
+import java.util.Queue;
+import java.util.Set;
+import java.util.concurrent.Executor;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Shares a pool's threads among peers, so that one that does not answer delays itself only.
+ *
+ * <p>A peer is a computer; it has processes, and each of them a lane. A task runs as soon as its
+ * process, its peer and all peers together have fewer tasks under way than their {@link
+ * TaskLimits}; until then it waits in its lane. Lanes take turns, so a lane with many waiting tasks
+ * does not hold up another with one. Tasks of a lane begin in the order in which they came.
+ *
+ * <p>No task is dropped. Whoever submits bounds how many wait: a {@link ListenerQueue} submits one
+ * at a time. Thread-safe.
+ */
+public final class PeerExecutors {
+
+  private final Executor pool;
+  private final TaskLimits limits;
+  private final Map<ProcessKey, ProcessQueue> lanes =
+      new HashMap<>(); // guarded by this; those with tasks
+  private final Map<Object, Integer> underWayByPeer = new HashMap<>(); // guarded by this
+  private final Set<ProcessQueue> waiting =
+      new LinkedHashSet<>(); // guarded by this; next one first
+  private int underWay; // guarded by this
+
+  /**
+   * How many tasks may be under way at once.
+   *
+   * @param perProcess of one process, at least 1
+   * @param perPeer of one peer, at least as many
+   * @param total of all peers, at least as many
+   */
+  public record TaskLimits(int perProcess, int perPeer, int total) {
+    public TaskLimits {
+      if (perProcess < 1 || perPeer < perProcess || total < perPeer) {
+        throw new IllegalArgumentException(
+            "limits must be 1 <= perProcess %d <= perPeer %d <= inAll %d"
+                .formatted(perProcess, perPeer, total));
+      }
+    }
+  }
+
+  private record ProcessKey(Object peer, Object process) {}
+
+  /** The tasks of one process; identity counts. */
+  private static final class ProcessQueue {
+    final ProcessKey key;
+    final Queue<Runnable> tasks = new ArrayDeque<>(); // guarded by the lanes
+    int underWay; // guarded by the lanes
+
+    ProcessQueue(ProcessKey key) {
+      this.key = key;
+    }
+  }
+
+  /**
+   * @param pool runs what may run, on other threads than the caller's; it drops nothing
+   */
+  public PeerExecutors(Executor pool, TaskLimits limits) {
+    this.pool = pool;
+    this.limits = limits;
+  }
+
+  /**
+   * Runs tasks that call one process. Keeps nothing while there are none.
+   *
+   * @param peer its computer; peers are told apart by {@code equals}
+   * @param process which process of it, told apart in the same way
+   */
+  public Executor executorFor(Object peer, Object process) {
+    ProcessKey key = new ProcessKey(peer, process);
+    return task -> {
+      add(key, task);
+      startWhatMay();
+    };
+  }
+
+  /** How many tasks are under way. */
+  public synchronized int runningTasks() {
+    return underWay;
+  }
+
+  /** How many tasks wait. */
+  public synchronized int waitingTasks() {
+    return waiting.stream().mapToInt(lane -> lane.tasks.size()).sum();
+  }
+
+  private synchronized void add(ProcessKey key, Runnable task) {
+    ProcessQueue lane = lanes.computeIfAbsent(key, ProcessQueue::new);
+    lane.tasks.add(task);
+    waiting.add(lane);
+  }
+
+  private void startWhatMay() {
+    for (@Nullable StartedTask next = startNext(); next != null; next = startNext()) {
+      StartedTask started = next;
+      boolean handedOver = false;
+      try {
+        pool.execute(() -> run(started));
+        handedOver = true;
+      } finally {
+        if (!handedOver) {
+          ended(started.lane());
+        }
+      }
+    }
+  }
+
+  private record StartedTask(ProcessQueue lane, Runnable task) {}
+
+  private synchronized @Nullable StartedTask startNext() {
+    if (underWay >= limits.total()) {
+      return null;
+    }
+    for (Iterator<ProcessQueue> each = waiting.iterator(); each.hasNext(); ) {
+      ProcessQueue lane = each.next();
+      Object peer = lane.key.peer();
+      if (lane.underWay < limits.perProcess()
+          && underWayByPeer.getOrDefault(peer, 0) < limits.perPeer()) {
+        each.remove();
+        Runnable task = lane.tasks.remove();
+        if (!lane.tasks.isEmpty()) {
+          waiting.add(lane); // behind the others
+        }
+        lane.underWay++;
+        underWayByPeer.merge(peer, 1, Integer::sum);
+        underWay++;
+        return new StartedTask(lane, task);
+      }
+    }
+    return null;
+  }
+
+  private void run(StartedTask started) {
+    try {
+      started.task().run();
+    } finally {
+      ended(started.lane());
+      startWhatMay();
+    }
+  }
+
+  private synchronized void ended(ProcessQueue lane) {
+    underWay--;
+    underWayByPeer.computeIfPresent(
+        lane.key.peer(), (peer, count) -> count == 1 ? null : count - 1);
+    lane.underWay--;
+    if (lane.underWay == 0 && lane.tasks.isEmpty()) {
+      lanes.remove(lane.key);
+    }
+  }
+}

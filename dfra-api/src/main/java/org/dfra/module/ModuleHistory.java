@@ -1,0 +1,36 @@
+package org.dfra.module;
+
+import java.io.Serializable;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A module's life so far, through all its activations, and the reliability that follows from it.
+ *
+ * @param since when it was first activated
+ * @param activations how often it was activated
+ * @param failures how often it failed
+ * @param exceptions how many exceptions it survived
+ * @param servingTime for how long it served altogether
+ * @param recent the last incidents, the newest last
+ */
+public record ModuleHistory(
+    Instant since,
+    long activations,
+    long failures,
+    long exceptions,
+    Duration servingTime,
+    List<Incident> recent)
+    implements Serializable {
+
+  public ModuleHistory {
+    recent = List.copyOf(recent);
+  }
+
+  /** Mean time between failures: the time served per failure; nothing where none was seen. */
+  public Optional<Duration> meanTimeBetweenFailures() {
+    return failures == 0 ? Optional.empty() : Optional.of(servingTime.dividedBy(failures));
+  }
+}

@@ -1,0 +1,337 @@
+package org.dfra.app.benchmark;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.BindException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.concurrent.locks.LockSupport;
+import java.util.stream.Stream;
+import org.dfra.app.benchmark.AttackCase.Attacker;
+import org.dfra.app.benchmark.attack.AttackTask.Target;
+import org.dfra.app.benchmark.attack.HonestRobot;
+import org.dfra.app.benchmark.attack.LocalMulticast;
+import org.dfra.app.benchmark.attack.MeasuredValueLines;
+import org.dfra.app.benchmark.attack.Operator;
+import org.dfra.app.benchmark.attack.OtherUser;
+import org.dfra.app.benchmark.attack.ProcessSample;
+import org.dfra.app.benchmark.attack.TaskProcess;
+import org.dfra.app.measurement.MeasuredValue;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a stranger without a key can do to a robot that searches a field while an operator listens.
+ * Every attack, and before them a neutral load, has a robot of its own:
+ *
+ * <pre>
+ *   core 0               core 1
+ *   attacker  --------&gt;  robot with its registrar, &lt;---- operator: calls, listens,
+ *                        drivers, simulated field        falls silent, stops it
+ *             --------&gt;  its phoenix, where that is attacked
+ * </pre>
+ *
+ * <p>Times of the wheels are those of the simulated field. Threads, heap and CPU time are those of
+ * the robot and its phoenix.
+ */
+final class AttackBench implements Bench {
+
+  private static final String ATTACKER = "127.0.0.66";
+  private static final String ROBOT = "127.0.0.1";
+  private static final Duration START = Duration.ofMinutes(3);
+  private static final Duration PATIENCE = Duration.ofMinutes(1);
+  private static final Duration QUIET = Duration.ofSeconds(1); // so long: they have stopped
+
+  private static final Duration LOOK_AGAIN = Duration.ofMillis(50);
+
+  private final int seconds;
+
+  /**
+   * Where attacks are measured.
+   *
+   * @param source address that strangers call from
+   * @param isPinned whether attacker and robot have a core each
+   * @param user another user of this computer; null where there is none that can be used
+   * @param hasMulticast whether this computer receives its own multicast
+   * @param folder a temporary one
+   */
+  private record AttackSetup(
+      String source,
+      boolean isPinned,
+      @Nullable OtherUser user,
+      boolean hasMulticast,
+      Path folder) {
+
+    List<String> onCore(int core) {
+      return isPinned ? List.of("taskset", "-c", Integer.toString(core)) : List.of();
+    }
+
+    /** Why an attack cannot be run here; empty if it can. */
+    String missing(AttackCase attack) {
+      if (attack.attacker() == Attacker.LOCAL_USER && user == null) {
+        return OtherUser.NEEDS;
+      }
+      return attack.isByMulticast() && !hasMulticast ? LocalMulticast.NEEDS : "";
+    }
+
+    /** The user that runs the attacker's process; null for this process' own. */
+    @Nullable OtherUser user(AttackCase attack) {
+      return attack.attacker() == Attacker.STRANGER ? null : user;
+    }
+  }
+
+  /**
+   * @param seconds how long each attack lasts before the wheels are measured, at least 1
+   */
+  AttackBench(int seconds) {
+    this.seconds = seconds;
+  }
+
+  @Override
+  public void run(Report report) throws Exception {
+    Path folder = Files.createTempDirectory("dfra-attack-");
+    try {
+      @Nullable OtherUser user =
+          OtherUser.find(Files.createDirectory(folder.resolve("classes"))).orElse(null);
+      run(report, new AttackSetup(source(), canPin(), user, LocalMulticast.isPossible(), folder));
+    } finally {
+      delete(folder, report);
+    }
+  }
+
+  private void run(Report report, AttackSetup place) throws Exception {
+    report.say(
+        place.isPinned()
+            ? "The attacker runs on core 0, robot and operator on core 1."
+            : "Not pinned: this computer has no taskset, or one core. The figures count the"
+                + " scheduler's choices too.");
+    if (!place.source().equals(ATTACKER)) {
+      report.say(
+          "The attacker calls from the robot's own address: this computer has no other loopback"
+              + " address. What is refused by address is not refused here.");
+    }
+    AttackResult neutral = measure(report, AttackCase.BASELINE, place);
+    neutral.report(report, AttackCase.BASELINE);
+    for (AttackCase each : AttackCase.ALL) {
+      String missing = place.missing(each);
+      if (!missing.isEmpty()) {
+        report.say("skipped: " + each.name() + " needs " + missing);
+        continue;
+      }
+      try {
+        measure(report, each, place).report(report, each, neutral);
+      } catch (IOException e) { // the others are measured all the same
+        report.say("  not measured: " + e.getMessage());
+        report.figure("robot, operator or attacker failed beside " + each.name(), 1, 0, "");
+      }
+    }
+  }
+
+  /** Another address than the robot's, where there is one. */
+  private static String source() throws IOException {
+    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getByName(ATTACKER))) {
+      return socket.isBound() ? ATTACKER : ROBOT;
+    } catch (BindException e) { // macOS has 127.0.0.1 only
+      return ROBOT;
+    }
+  }
+
+  private static boolean canPin() {
+    String path = System.getenv().getOrDefault("PATH", "");
+    return Runtime.getRuntime().availableProcessors() > 1
+        && Stream.of(path.split(":"))
+            .anyMatch(folder -> Files.isExecutable(Path.of(folder, "taskset")));
+  }
+
+  private AttackResult measure(Report report, AttackCase attack, AttackSetup place)
+      throws Exception {
+    report.say(seconds + " s of " + attack.name() + " …");
+    if (attack.attacker() == Attacker.LOCAL_USER_OR_STRANGER && place.user() == null) {
+      report.say(
+          "  skipped: as a user of the robot's computer it needs "
+              + OtherUser.NEEDS
+              + "; a stranger does it instead");
+    }
+    List<String> root = List.of("-Ddfra.root=" + System.getProperty("dfra.root", "."));
+    List<String> limits = new ArrayList<>(root);
+    limits.addAll(List.of("-Xmx256m", "-XX:+ExitOnOutOfMemoryError"));
+    try (TaskProcess robot =
+        TaskProcess.start(
+            place.onCore(1), limits, HonestRobot.class, robotArguments(attack, place))) {
+      List<Long> victims = new ArrayList<>(List.of(robot.pid()));
+      int phoenixPort = 0;
+      Path groupLock = Path.of("");
+      if (attack.isOnPhoenix()) {
+        String[] phoenix = robot.awaitLine("phoenix", START).split(" ");
+        phoenixPort = Integer.parseInt(phoenix[1]);
+        victims.add(Long.parseLong(phoenix[2]));
+        robot.killWithThis(victims.get(1));
+        groupLock = Path.of(robot.awaitLine("lock ", START).substring("lock ".length()));
+      }
+      String[] ports = robot.awaitLine("registrar", START).split(" ");
+      Target target =
+          new Target(
+              place.user(attack) == null ? place.source() : ROBOT,
+              ROBOT,
+              Integer.parseInt(ports[1]),
+              Integer.parseInt(ports[3]),
+              phoenixPort,
+              groupLock,
+              attackersFolder(place));
+      try (TaskProcess operator =
+          TaskProcess.start(place.onCore(1), root, Operator.class, ports[1])) {
+        String unused = operator.awaitLine("drives", START);
+        ProcessSample before = ProcessSample.of(victims);
+        int groups = groups(robot, attack);
+        try (TaskProcess attacker = start(attack, place, root, target)) {
+          String unusedEither = attacker.awaitLine("begins", START);
+          return measure(
+              new RunningAttack(attack, robot, operator, attacker, victims, before, groups));
+        }
+      }
+    }
+  }
+
+  private static String[] robotArguments(AttackCase attack, AttackSetup place) throws IOException {
+    List<String> arguments = new ArrayList<>();
+    if (attack.isByMulticast()) {
+      arguments.add(HonestRobot.SEARCH);
+    }
+    if (attack.isOnPhoenix()) {
+      arguments.add(HonestRobot.PHOENIX + Files.createTempDirectory(place.folder(), "phoenix-"));
+    }
+    return arguments.toArray(String[]::new);
+  }
+
+  /** Where anybody may write. */
+  private static Path attackersFolder(AttackSetup place) throws IOException {
+    Path folder = Files.createTempDirectory(place.folder(), "attacker-");
+    if (place.user() != null) {
+      OtherUser.share(folder);
+    }
+    return folder;
+  }
+
+  private static TaskProcess start(
+      AttackCase attack, AttackSetup place, List<String> options, Target target)
+      throws IOException {
+    @Nullable OtherUser user = place.user(attack);
+    return user == null
+        ? TaskProcess.start(place.onCore(0), options, attack.task(), target.arguments())
+        : user.start(place.onCore(0), attack.task(), target.arguments());
+  }
+
+  /** An attack under way, and how its victims were before. */
+  private record RunningAttack(
+      AttackCase attack,
+      TaskProcess robot,
+      TaskProcess operator,
+      TaskProcess attacker,
+      List<Long> victims,
+      ProcessSample before,
+      int groups) {}
+
+  private AttackResult measure(RunningAttack scene) throws Exception {
+    TaskProcess robot = scene.robot();
+    TaskProcess operator = scene.operator();
+    Duration cpu = ProcessSample.cpu(scene.victims());
+    operator.write("listen " + seconds);
+    String[] calls = operator.awaitLine("calls", PATIENCE.plusSeconds(seconds)).split(" ");
+    double busy = ProcessSample.cpu(scene.victims()).minus(cpu).toMillis() / 1e3;
+    ProcessSample during = ProcessSample.of(scene.victims());
+
+    operator.write("fall silent");
+    long silence = micros(operator.awaitLine("silent", PATIENCE));
+    String[] silent = awaitStopped(robot, silence);
+    operator.write("stop");
+    long order = micros(operator.awaitLine("stopped", PATIENCE));
+    String[] stopped = awaitStopped(robot, order);
+
+    TaskProcess attacker = scene.attacker();
+    attacker.write("stop");
+    String[] done = attacker.awaitLine("done", PATIENCE).split(" ", 4);
+    List<MeasuredValue> own = new ArrayList<>(MeasuredValueLines.read(attacker.lines()));
+    attacker.close();
+    double recovered = recovery(scene);
+    if (scene.attack().isOnPhoenix()) {
+      int more = groups(robot, scene.attack()) - scene.groups();
+      own.add(new MeasuredValue("groups added at phoenix", more, 0, ""));
+    }
+    return new AttackResult(
+        Long.parseLong(calls[4]) / 1e3,
+        Integer.parseInt(calls[2]),
+        busy,
+        during.threads() - scene.before().threads(),
+        during.heapBytes() - scene.before().heapBytes(),
+        (Long.parseLong(silent[2]) - silence) / 1e6,
+        (Long.parseLong(silent[1]) - silence) / 1e6,
+        Math.max(0, Long.parseLong(stopped[1]) - order) / 1e6,
+        recovered,
+        Long.parseLong(done[1]),
+        Long.parseLong(done[2]),
+        own);
+  }
+
+  private static long micros(String line) {
+    return Long.parseLong(line.split(" ")[1]);
+  }
+
+  /** How many groups the robot's phoenix has; 0 where it has no phoenix. */
+  private static int groups(TaskProcess robot, AttackCase attack) throws Exception {
+    if (!attack.isOnPhoenix()) {
+      return 0;
+    }
+    robot.write(HonestRobot.GROUPS);
+    return Integer.parseInt(robot.awaitLine("groups", PATIENCE).split(" ")[1]);
+  }
+
+  /** The wheels' line once they have not moved for a while. */
+  private static String[] awaitStopped(TaskProcess robot, long since) throws Exception {
+    long end = System.nanoTime() + PATIENCE.toNanos();
+    while (System.nanoTime() < end) {
+      robot.write("");
+      String[] wheels = robot.awaitLine("wheels", PATIENCE).split(" ");
+      long last = Math.max(since, Long.parseLong(wheels[1]));
+      long quiet = ChronoUnit.MICROS.between(Instant.EPOCH, Instant.now()) - last;
+      if (quiet > QUIET.toNanos() / 1000) {
+        return wheels;
+      }
+      LockSupport.parkNanos(LOOK_AGAIN.toNanos()); // the wheels report nothing by themselves
+    }
+    throw new IOException("the wheels did not stop within " + PATIENCE.toSeconds() + " s");
+  }
+
+  /**
+   * Seconds until threads and heap are within the limits again; if they stay above, how long that
+   * was awaited, which is more than they may take.
+   */
+  private static double recovery(RunningAttack scene) throws Exception {
+    long began = System.nanoTime();
+    while (true) {
+      ProcessSample now = ProcessSample.of(scene.victims());
+      double after = (System.nanoTime() - began) / 1e9;
+      if (AttackResult.isNormal(now, scene.before())
+          || after > 2 * AttackResult.RECOVERY.toSeconds()) {
+        return after;
+      }
+    }
+  }
+
+  /** What cannot be deleted is left: the figures count more than the folder. */
+  private static void delete(Path folder, Report report) {
+    try (Stream<Path> all = Files.walk(folder)) {
+      for (Path each : all.sorted(Comparator.reverseOrder()).toList()) {
+        Files.deleteIfExists(each);
+      }
+    } catch (IOException | UncheckedIOException e) {
+      report.say("The folder " + folder + " is left: " + e);
+    }
+  }
+}

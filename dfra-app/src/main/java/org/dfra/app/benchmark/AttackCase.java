@@ -1,0 +1,80 @@
+package org.dfra.app.benchmark;
+
+import java.util.List;
+import org.dfra.app.benchmark.attack.AdministrativeCalls;
+import org.dfra.app.benchmark.attack.AttackTask;
+import org.dfra.app.benchmark.attack.DiscoveryBombs;
+import org.dfra.app.benchmark.attack.FakeModules;
+import org.dfra.app.benchmark.attack.ForgedText;
+import org.dfra.app.benchmark.attack.GroupRegistrations;
+import org.dfra.app.benchmark.attack.HashBombs;
+import org.dfra.app.benchmark.attack.JrmpReferences;
+import org.dfra.app.benchmark.attack.ListenerFlood;
+import org.dfra.app.benchmark.attack.LockTheft;
+import org.dfra.app.benchmark.attack.NestedXml;
+import org.dfra.app.benchmark.attack.NeutralLoad;
+import org.dfra.app.benchmark.attack.RegistrarChanges;
+import org.dfra.app.benchmark.attack.RogueAnnouncements;
+import org.dfra.app.benchmark.attack.SlowHeaders;
+import org.dfra.app.benchmark.attack.UnfinishedRequests;
+
+/**
+ * An attack and what it needs.
+ *
+ * @param name what it is called
+ * @param task what the attacker's process does
+ * @param attacker who attacks
+ * @param isByMulticast whether it reaches robots that search by multicast only
+ * @param isOnPhoenix whether the robot has a phoenix, which is attacked
+ */
+record AttackCase(
+    String name,
+    Class<? extends AttackTask> task,
+    Attacker attacker,
+    boolean isByMulticast,
+    boolean isOnPhoenix) {
+
+  /** Who attacks. */
+  enum Attacker {
+    /** A program on another computer. */
+    STRANGER,
+    /** A program of another user of the robot's computer. */
+    LOCAL_USER,
+    /** The same, or a stranger where this process cannot start programs of other users. */
+    LOCAL_USER_OR_STRANGER
+  }
+
+  /** What the attacks are compared with. */
+  static final AttackCase BASELINE = stranger("a neutral load", NeutralLoad.class);
+
+  /** Every attack; {@code docs/concepts/security.md} has their numbers. */
+  static final List<AttackCase> ALL =
+      List.of(
+          stranger("fake modules", FakeModules.class), // 1, 2
+          stranger("administrative calls", AdministrativeCalls.class), // 3
+          onPhoenix("registered groups", GroupRegistrations.class, Attacker.LOCAL_USER_OR_STRANGER),
+          stranger("changes of the registrar", RegistrarChanges.class), // 5
+          stranger("JRMP references", JrmpReferences.class), // 6
+          stranger("hash bombs", HashBombs.class), // 7
+          byMulticast("discovery bombs", DiscoveryBombs.class), // 8
+          stranger("unfinished requests", UnfinishedRequests.class), // 9, 10
+          stranger("a flood of listeners", ListenerFlood.class), // 10
+          onPhoenix("stolen locks", LockTheft.class, Attacker.LOCAL_USER), // 11
+          stranger("forged text", ForgedText.class), // 12
+          stranger("slow headers", SlowHeaders.class), // 13
+          stranger("nested XML", NestedXml.class), // 14
+          byMulticast("rogue announcements", RogueAnnouncements.class)); // 14
+
+  private static AttackCase stranger(String name, Class<? extends AttackTask> task) {
+    return new AttackCase(name, task, Attacker.STRANGER, false, false);
+  }
+
+  private static AttackCase byMulticast(String name, Class<? extends AttackTask> task) {
+    return new AttackCase(name, task, Attacker.STRANGER, true, false);
+  }
+
+  private static AttackCase onPhoenix(
+      String name, Class<? extends AttackTask> task, Attacker attacker) {
+    return new AttackCase(name, task, attacker, false, true);
+  }
+}

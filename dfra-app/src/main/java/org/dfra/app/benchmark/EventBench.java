@@ -1,0 +1,173 @@
+package org.dfra.app.benchmark;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.stream.DoubleStream;
+import org.dfra.app.log.LogbackLevels;
+import org.dfra.event.delivery.ListenerQueue;
+import org.dfra.module.LogLevel;
+import org.dfra.river.server.sensor.GPSServer;
+
+/**
+ * How long an event takes from the sensor that publishes it to each of twenty listeners in
+ * processes of their own, and whether one that is stopped delays the other nineteen. Rounds with
+ * and without the stopped one alternate, so both meet the same noise.
+ */
+final class EventBench implements Bench {
+
+  /** Events in a second. */
+  static final int RATE = 10;
+
+  private static final long PERIOD = TimeUnit.SECONDS.toNanos(1) / RATE;
+  private static final int LISTENERS = 20;
+  private static final int PAIRS = 6;
+
+  /**
+   * Enough for the virtual machines to have compiled what they run ever after, as those of a robot
+   * have within minutes; told faster, so that this does not take minutes.
+   */
+  private static final int WARM_UP = 1500;
+
+  private static final long WARM_UP_PERIOD = PERIOD / 5;
+
+  /** Less than the six seconds of silence after which a listener is given up. */
+  private static final int ROUND = 5 * RATE;
+
+  /** A round's first events are not counted: the one before may not be over. */
+  private static final int SETTLING = RATE;
+
+  private static final double NANOS_PER_MILLI = 1e6;
+  private static final long LEASE = 30_000;
+
+  private final long[] published = new long[WARM_UP + 2 * PAIRS * ROUND + 1]; // by number, from 1
+  private int last;
+
+  @Override
+  public void run(Report report) throws Exception {
+    // That the stopped one cannot be told is what is wanted here, and no news.
+    new LogbackLevels().set(ListenerQueue.class.getName(), LogLevel.ERROR);
+    report.say("Starting " + LISTENERS + " processes that listen …");
+    List<ListenerProcess> listeners = new ArrayList<>();
+    try (BenchRegistrar reggie = new BenchRegistrar(LEASE);
+        GPSServer server = BenchSensor.serve(reggie.locator())) {
+      try {
+        report.say(server.identification().path() + " is up.");
+        for (int i = 0; i < LISTENERS; i++) {
+          listeners.add(new ListenerProcess(reggie.locator()));
+        }
+        for (ListenerProcess each : listeners) {
+          each.awaitReady();
+        }
+        for (ListenerProcess each : listeners) {
+          each.checkClock();
+        }
+        report.say(
+            "Telling them "
+                + RATE
+                + " events per second for "
+                + (2 * PAIRS * ROUND / RATE)
+                + " s; every other "
+                + (ROUND / RATE)
+                + " s one of them is stopped …");
+        measure(BenchSensor.awaitInstance(), listeners.get(0));
+        report(report, listeners);
+      } finally {
+        for (ListenerProcess each : listeners) {
+          each.close();
+        }
+      }
+    }
+  }
+
+  private void measure(BenchSensor sensor, ListenerProcess victim)
+      throws IOException, InterruptedException {
+    publish(sensor, WARM_UP, WARM_UP_PERIOD);
+    for (int pair = 0; pair < PAIRS; pair++) {
+      publish(sensor, ROUND, PERIOD);
+      victim.signal("STOP");
+      try {
+        publish(sensor, ROUND, PERIOD);
+      } finally {
+        victim.signal("CONT");
+      }
+    }
+  }
+
+  /** So many events at a steady rate; returns a period after the last one. */
+  private void publish(BenchSensor sensor, int events, long period) {
+    long next = System.nanoTime();
+    for (int i = 0; i < events; i++) {
+      last++;
+      published[last] = System.nanoTime();
+      sensor.publish();
+      next += period;
+      for (long wait; (wait = next - System.nanoTime()) > 0; ) {
+        LockSupport.parkNanos(this, wait);
+      }
+    }
+  }
+
+  private void report(Report report, List<ListenerProcess> listeners) throws IOException {
+    List<Map<Long, Long>> told = new ArrayList<>();
+    for (ListenerProcess each : listeners) {
+      told.add(each.report());
+    }
+    List<Map<Long, Long>> healthy = told.subList(1, told.size());
+    double[][] beside = new double[PAIRS][];
+    double[][] besideStopped = new double[PAIRS][];
+    double[][] all = new double[PAIRS][];
+    for (int pair = 0; pair < PAIRS; pair++) {
+      int first = WARM_UP + 2 * pair * ROUND + 1;
+      all[pair] = latencies(told, first);
+      beside[pair] = latencies(healthy, first);
+      besideStopped[pair] = latencies(healthy, first + ROUND);
+    }
+    String events = "event latency, " + RATE + " Hz, " + LISTENERS + " listening processes, ";
+    report.figure(events + "median", quantile(all, 0.5), "ms");
+    report.figure(events + "p99", quantile(all, 0.99), 5, "ms");
+    report.figure(events + "longest", quantile(all, 1), "ms");
+    for (double part : new double[] {0.5, 0.99}) {
+      String what = (part == 0.5 ? "median" : "p99") + " of 19 beside ";
+      report.figure(what + "a running one", quantile(beside, part), "ms");
+      report.figure(what + "a stopped one", quantile(besideStopped, part), 5, "ms");
+    }
+    double[] added = new double[PAIRS];
+    for (int pair = 0; pair < PAIRS; pair++) {
+      added[pair] = quantile(besideStopped[pair], 0.5) - quantile(beside[pair], 0.5);
+    }
+    report.figure(
+        "added by the stopped one: median of " + PAIRS + " paired differences of medians",
+        Report.quantile(added, 0.5),
+        0.25,
+        "ms");
+  }
+
+  /** Of a round's events, from the sensor to these listeners, each in milliseconds. */
+  private double[] latencies(List<Map<Long, Long>> told, int first) throws IOException {
+    double[] latencies = new double[(ROUND - SETTLING) * told.size()];
+    int count = 0;
+    for (int number = first + SETTLING; number < first + ROUND; number++) {
+      for (Map<Long, Long> each : told) {
+        Long at = each.get((long) number);
+        if (at == null) {
+          throw new IOException("a listener was not told event " + number + " of " + last);
+        }
+        latencies[count++] = (at - published[number]) / NANOS_PER_MILLI;
+      }
+    }
+    return latencies;
+  }
+
+  private static double quantile(double[][] rounds, double part) {
+    return quantile(Arrays.stream(rounds).flatMapToDouble(DoubleStream::of).toArray(), part);
+  }
+
+  private static double quantile(double[] values, double part) {
+    return Report.quantile(values, part);
+  }
+}

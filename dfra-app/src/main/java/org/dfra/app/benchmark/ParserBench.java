@@ -1,0 +1,150 @@
+package org.dfra.app.benchmark;
+
+import java.io.ByteArrayOutputStream;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
+import org.dfra.drivers.gps.gpsd.GpsdParser;
+import org.dfra.drivers.gps.m12.M12Commands;
+import org.dfra.drivers.gps.m12.M12Parser;
+import org.dfra.drivers.gps.nmea.NmeaParser;
+import org.dfra.drivers.gps.ubx.UbxCommands;
+import org.dfra.drivers.gps.ubx.UbxParser;
+import org.dfra.drivers.laser.lms.LmsCommands;
+import org.dfra.drivers.laser.lms.LmsParser;
+import org.dfra.drivers.laser.lms.LmsScan;
+import org.dfra.drivers.laser.lms.MeasuringMode;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.sim.device.AntennaTrajectory;
+import org.dfra.sim.device.GpsdDevice;
+import org.dfra.sim.device.M12Device;
+import org.dfra.sim.device.NmeaDevice;
+import org.dfra.sim.device.SerialDevice;
+import org.dfra.sim.device.UbxDevice;
+import org.dfra.sim.device.laser.LmsDevice;
+import org.dfra.sim.device.laser.LmsEmulatorSettings;
+
+/**
+ * How fast the devices' parsers are, on what the emulated devices say in five minutes, in pieces of
+ * a driver's buffer. 20 ns for a byte are 50 MB/s.
+ */
+final class ParserBench implements Bench {
+
+  private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+  private static final Instant BEGIN = Instant.parse("2026-01-21T07:33:29Z");
+  private static final int SECONDS = 300;
+  private static final int BAUD = 4_000_000;
+  private static final int BUFFER_BYTES = 4096;
+  private static final int ROUNDS = 30;
+  private static final int ROUND_BYTES = 4_000_000;
+  private static final double MOST_NANOS_PER_BYTE = 20;
+  private static final MeasuringMode MODE = MeasuringMode.of(0).orElseThrow();
+
+  /** Takes bytes. */
+  @FunctionalInterface
+  private interface Feed {
+    void bytes(byte[] bytes, int offset, int length);
+  }
+
+  @Override
+  public void run(Report report) {
+    AntennaTrajectory path =
+        AntennaTrajectory.constantVelocity(
+            new GeoPosition(52.910313611, 6.866706667, 55.91), BEGIN, 0.6, 0.8);
+    AtomicLong messages = new AtomicLong();
+    AtomicLong beams = new AtomicLong();
+    measure(
+        report,
+        "Motorola binary",
+        record(
+            new M12Device(path, BAUD, Duration.ZERO),
+            List.of(
+                M12Commands.timeRaimOn(),
+                M12Commands.positionOf12Channels(1),
+                M12Commands.timeRaimOf12Channels(1),
+                M12Commands.visibleSatellites(true))),
+        new M12Parser(message -> messages.incrementAndGet())::feed);
+    measure(
+        report,
+        "NMEA 0183",
+        record(new NmeaDevice(path, BAUD, Duration.ZERO), List.of()),
+        new NmeaParser(message -> messages.incrementAndGet())::feed);
+    measure(
+        report,
+        "u-blox UBX",
+        record(
+            new UbxDevice(path, BAUD, Duration.ZERO),
+            List.of(UbxCommands.positions(), UbxCommands.satellites(5))),
+        new UbxParser(message -> messages.incrementAndGet())::feed);
+    measure(
+        report,
+        "gpsd JSON",
+        record(
+            new GpsdDevice(path, BAUD, Duration.ZERO),
+            List.of("?WATCH={\"enable\":true,\"json\":true};".getBytes(StandardCharsets.US_ASCII))),
+        new GpsdParser(message -> messages.incrementAndGet())::feed);
+    measure(
+        report,
+        "SICK LMS 200",
+        record(
+            new LmsDevice(
+                ParserBench::room, LmsEmulatorSettings.factoryDefault().withBaud(500_000)),
+            List.of(LmsCommands.stream())),
+        new LmsParser(
+                message -> {
+                  messages.incrementAndGet();
+                  if (message instanceof LmsScan scan) {
+                    beams.addAndGet(scan.ranges(MODE).length);
+                  }
+                })
+            ::feed);
+    report.say(messages.get() + " messages were decoded, " + beams.get() + " beams in them.");
+  }
+
+  /** A room around the laser, whose far wall is out of its sight. */
+  private static void room(
+      Instant time, double first, double step, double longest, double[] distances) {
+    for (int i = 0; i < distances.length; i++) {
+      distances[i] = 2 + 10 * Math.abs(Math.sin(3 * (first + i * step)));
+    }
+  }
+
+  /** What the device says when it has been told so much. */
+  private static byte[] record(SerialDevice device, List<byte[]> commands) {
+    ByteArrayOutputStream all = new ByteArrayOutputStream();
+    device.connected();
+    for (byte[] command : commands) {
+      device.receive(command, 0, command.length, BEGIN);
+    }
+    ByteBuffer out = ByteBuffer.allocate(BUFFER_BYTES);
+    for (int tenth = 0; tenth < SECONDS * 10; tenth++) {
+      out.clear();
+      device.transmit(out, BEGIN.plusMillis(100L * tenth));
+      all.write(out.array(), 0, out.position());
+    }
+    return all.toByteArray();
+  }
+
+  private static void measure(Report report, String what, byte[] recording, Feed feed) {
+    double[] nanosPerByte = new double[ROUNDS];
+    for (int round = 0; round < 2 * ROUNDS; round++) { // the first half warms up
+      long fed = 0;
+      long began = THREADS.getCurrentThreadCpuTime();
+      while (fed < ROUND_BYTES) {
+        for (int at = 0; at < recording.length; at += BUFFER_BYTES) {
+          feed.bytes(recording, at, Math.min(BUFFER_BYTES, recording.length - at));
+        }
+        fed += recording.length;
+      }
+      nanosPerByte[round % ROUNDS] = (THREADS.getCurrentThreadCpuTime() - began) / (double) fed;
+    }
+    double median = Report.quantile(nanosPerByte, 0.5);
+    report.figure(what + ", processor time for a byte, median", median, MOST_NANOS_PER_BYTE, "ns");
+    report.figure(what + ", throughput, median", 1e3 / median, "MB/s");
+  }
+}

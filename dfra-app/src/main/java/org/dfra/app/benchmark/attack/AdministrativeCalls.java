@@ -1,0 +1,34 @@
+package org.dfra.app.benchmark.attack;
+
+import org.dfra.module.LogLevel;
+import org.dfra.river.remote.effector.RemoteDriveEffector;
+
+/**
+ * Calls what only the robot's own computer may: changes a parameter and the log level, and releases
+ * an emergency stop.
+ */
+public final class AdministrativeCalls extends AttackTask {
+
+  /** As every task is made. */
+  public AdministrativeCalls() {}
+
+  @Override
+  protected void attack(Target target) throws Exception {
+    RemoteDriveEffector drive = target.remoteDrive();
+    while (!isStopping()) {
+      var unused =
+          attempt(
+              () -> {
+                drive.setParameter("max_speed", "0.9");
+                return true;
+              });
+      var unusedEither =
+          attempt(
+              () -> {
+                drive.setLogLevel(LogLevel.WARN);
+                return true;
+              });
+      var unusedToo = attempt(() -> drive.releaseEmergencyStop("attacker"));
+    }
+  }
+}

@@ -1,0 +1,60 @@
+package org.dfra.app.benchmark.attack;
+
+import com.sun.jini.discovery.Discovery;
+import com.sun.jini.discovery.EncodeIterator;
+import com.sun.jini.discovery.MulticastAnnouncement;
+import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.MulticastSocket;
+import java.util.Random;
+import net.jini.core.constraint.InvocationConstraints;
+import net.jini.core.lookup.ServiceID;
+
+/**
+ * Announces lookup services by multicast, each with a fresh identity. No datagram leaves this
+ * computer. For one thread.
+ */
+final class Announcements {
+
+  private static final int PACKET = 512;
+
+  private final Random random = new Random(66);
+  private final MulticastSocket socket;
+  private final String[] groups;
+
+  /**
+   * @param groups of which each lookup service claims to be a member
+   * @throws IOException if multicast cannot be used
+   */
+  Announcements(String[] groups) throws IOException {
+    this.groups = groups.clone();
+    this.socket = new MulticastSocket();
+    socket.setTimeToLive(0);
+  }
+
+  /**
+   * Announces one.
+   *
+   * @param host where it claims to be
+   * @param port for unicast discovery
+   * @return how many datagrams were sent
+   * @throws IOException if one cannot be sent
+   */
+  int send(String host, int port) throws IOException {
+    ServiceID id = new ServiceID(random.nextLong(), random.nextLong());
+    EncodeIterator packets =
+        Discovery.getProtocol1()
+            .encodeMulticastAnnouncement(
+                new MulticastAnnouncement(0, host, port, groups, id),
+                PACKET,
+                InvocationConstraints.EMPTY);
+    int sent = 0;
+    while (packets.hasNext()) {
+      for (DatagramPacket each : packets.next()) {
+        socket.send(each);
+        sent++;
+      }
+    }
+    return sent;
+  }
+}

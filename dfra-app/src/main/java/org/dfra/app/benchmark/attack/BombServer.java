@@ -1,0 +1,137 @@
+package org.dfra.app.benchmark.attack;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.ObjectOutputStream;
+import java.io.OutputStream;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.ByteBuffer;
+import java.rmi.MarshalledObject;
+import java.util.List;
+
+/**
+ * A server that answers unicast discovery with bombs, one after the other, a number of times, and
+ * then lets its clients speak with an honest lookup service.
+ *
+ * <p>One thread serves one client after the other, until {@link #close}.
+ */
+public final class BombServer implements AutoCloseable {
+
+  private static final int REQUEST = 4;
+  private static final int SOCKET_MILLIS = 5_000;
+
+  private final ServerSocket server;
+  private final String host;
+  private final int honestPort;
+  private final List<byte[]> bombs;
+  private final int count;
+  private volatile int thrown; // written by the thread
+
+  /**
+   * Starts it.
+   *
+   * @param host where it and the honest lookup service listen
+   * @param honestPort the honest one's port for unicast discovery
+   * @param count how many bombs are thrown before it is honest
+   * @throws IOException if it cannot listen there
+   */
+  public BombServer(String host, int honestPort, List<byte[]> bombs, int count) throws IOException {
+    this.host = host;
+    this.honestPort = honestPort;
+    this.bombs = List.copyOf(bombs);
+    this.count = count;
+    this.server = new ServerSocket(0, 50, InetAddress.getByName(host));
+    Thread thread = new Thread(this::serve, "bombs of discovery");
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  /** A small answer that claims as many groups as there can be. */
+  public static byte[] claimOfGroups() throws IOException {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
+      out.writeObject(new MarshalledObject<>(null));
+      out.writeInt(Integer.MAX_VALUE - 8); // the longest array that a virtual machine makes
+    }
+    return bytes.toByteArray();
+  }
+
+  /** A small answer whose lookup service is an array of 4 million numbers, as it claims. */
+  public static byte[] claimOfNumbers() throws IOException {
+    long[] some = new long[3];
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
+      out.writeObject(new MarshalledObject<>(some));
+      out.writeInt(0);
+    }
+    byte[] answer = bytes.toByteArray();
+    byte[] length = {0x78, 0x70, 0, 0, 0, 3}; // the class ends, and its length follows
+    for (int at = 0; at + length.length <= answer.length; at++) {
+      if (ByteBuffer.wrap(answer, at, length.length).equals(ByteBuffer.wrap(length))) {
+        ByteBuffer unused = ByteBuffer.wrap(answer).putInt(at + 2, (4 << 20) - 1);
+        return answer;
+      }
+    }
+    throw new IllegalStateException("an array's length was not found in its bytes");
+  }
+
+  /** Where it is found: {@code jini://host:port}. */
+  public String locator() {
+    return "jini://" + host + ":" + server.getLocalPort();
+  }
+
+  /** The TCP port on which it listens. */
+  public int port() {
+    return server.getLocalPort();
+  }
+
+  /** How many bombs were thrown. */
+  public int sentCount() {
+    return thrown;
+  }
+
+  private void serve() {
+    while (!server.isClosed()) {
+      try (Socket client = server.accept()) {
+        client.setSoTimeout(SOCKET_MILLIS);
+        byte[] request = client.getInputStream().readNBytes(REQUEST);
+        if (thrown < count) {
+          client.getOutputStream().write(bombs.get(thrown % bombs.size()));
+          thrown = thrown + 1;
+          client.shutdownOutput();
+          awaitEnd(client.getInputStream());
+        } else {
+          relay(request, client.getOutputStream());
+        }
+      } catch (IOException e) {
+        if (!server.isClosed()) {
+          System.err.println("a client of discovery ended early: " + e); // it may
+        }
+      }
+    }
+  }
+
+  /** The request of version 1, which is the client's, is a number and nothing more. */
+  private void relay(byte[] request, OutputStream back) throws IOException {
+    try (Socket to = new Socket(host, honestPort)) {
+      to.setSoTimeout(SOCKET_MILLIS);
+      to.getOutputStream().write(request);
+      long unused = to.getInputStream().transferTo(back);
+    }
+  }
+
+  /** A connection that is closed with bytes unread would be reset. */
+  private static void awaitEnd(InputStream in) throws IOException {
+    while (in.read() >= 0) {
+      continue;
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    server.close();
+  }
+}

@@ -1,0 +1,41 @@
+package org.dfra.app.benchmark.attack;
+
+import java.util.Random;
+import net.jini.core.lookup.ServiceID;
+import net.jini.core.lookup.ServiceItem;
+import net.jini.core.lookup.ServiceRegistrar;
+
+/**
+ * Registers fakes with the robot's registrar: under the identity of the robot's drive, and under
+ * thousands of fresh ones, with what the registrar says of the drive.
+ */
+public final class FakeModules extends AttackTask {
+
+  private static final long LEASE_MILLIS = 30_000;
+  private static final int FAKES = 3_000;
+
+  private final Random random = new Random(66);
+  private int registered;
+
+  /** As every task is made. */
+  public FakeModules() {}
+
+  @Override
+  protected void attack(Target target) throws Exception {
+    ServiceRegistrar registrar = target.registrar();
+    ServiceItem drive = target.drive();
+    while (!isStopping()) {
+      if (registered < FAKES) {
+        ServiceID fresh = new ServiceID(random.nextLong(), random.nextLong());
+        ServiceItem fake = new ServiceItem(fresh, drive.service, drive.attributeSets);
+        if (attempt(() -> registrar.register(fake, LEASE_MILLIS)) != null) {
+          registered++;
+        }
+      } else {
+        pause(1);
+      }
+      ServiceItem changed = new ServiceItem(drive.serviceID, "fake", drive.attributeSets);
+      var unused = attempt(() -> registrar.register(changed, LEASE_MILLIS));
+    }
+  }
+}

@@ -1,0 +1,51 @@
+package org.dfra.app.benchmark.attack;
+
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Locks on files, held until this process ends. A lock for reading needs no right but to read, and
+ * keeps everybody else from a lock for writing. For one thread.
+ */
+public final class FileLocks {
+
+  private final Map<Path, FileLock> held = new LinkedHashMap<>();
+
+  /** None yet. */
+  public FileLocks() {}
+
+  /**
+   * Takes the lock of a file, unless it is held already.
+   *
+   * @return false if another process holds it
+   * @throws IOException if the file cannot be read
+   */
+  public boolean take(Path file) throws IOException {
+    if (held.containsKey(file)) {
+      return true;
+    }
+    FileChannel channel = FileChannel.open(file, StandardOpenOption.READ);
+    try {
+      @Nullable FileLock lock = channel.tryLock(0, Long.MAX_VALUE, true);
+      if (lock != null) {
+        held.put(file, lock);
+      }
+      return lock != null;
+    } finally {
+      if (!held.containsKey(file)) {
+        channel.close();
+      }
+    }
+  }
+
+  /** How many are held. */
+  public int count() {
+    return held.size();
+  }
+}

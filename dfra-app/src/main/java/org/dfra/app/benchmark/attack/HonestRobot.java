@@ -1,0 +1,183 @@
+package org.dfra.app.benchmark.attack;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.stream.Collectors;
+import org.dfra.app.demo.harness.DemoRobot;
+import org.dfra.core.config.RobotDescription;
+import org.dfra.core.time.RobotTime;
+import org.dfra.river.bootstrap.EmbeddedRobot;
+import org.dfra.river.discovery.LocatedRegistrar;
+import org.dfra.river.discovery.MulticastSearch;
+import org.dfra.river.filter.SerialFilters;
+import org.dfra.river.loading.ClassServer;
+import org.dfra.river.loading.TrustedCode;
+import org.dfra.sim.run.DeviceEndpoint;
+import org.dfra.sim.run.Simulation;
+import org.dfra.sim.run.Simulation.PortPolicy;
+import org.dfra.sim.world.GroundTruth;
+import org.dfra.sim.world.file.WorldXml;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A robot of the team {@code raster} with its registrar, a class server without jars and the
+ * simulated field around it, in one process. It prints {@code registrar PORT classes PORT}, and to
+ * each line of its input how its wheels move: {@code wheels MOVED CRUISED}, microseconds of the
+ * epoch when they last moved at all and when they last moved at {@link #CRUISE}.
+ *
+ * <p>Two things that robots elsewhere have, it has where its arguments say so:
+ *
+ * <pre>
+ *   search           searches for lookup services by multicast that does not leave this computer
+ *   phoenix=FOLDER   starts a phoenix with one group, which outlives it: "phoenix PORT PID" as soon
+ *                    as it runs, then "lock FILE" of the group. It answers "groups" in its input
+ *                    with "groups COUNT" of that phoenix.
+ * </pre>
+ *
+ * <p>Besides the robot's own threads one looks how fast the robot truly is, {@value #RATE} times a
+ * second.
+ */
+public final class HonestRobot implements Task {
+
+  /** The robot's name. */
+  static final String NAME = "atrv1";
+
+  /** Where it listens. */
+  static final String HOST = "127.0.0.1";
+
+  /** An argument: that it searches by multicast. */
+  public static final String SEARCH = "search";
+
+  /** How an argument begins: that it has a phoenix, and the folder of its state. */
+  public static final String PHOENIX = "phoenix=";
+
+  /** A line of its input: how many groups its phoenix has. */
+  public static final String GROUPS = "groups";
+
+  /** The speed at which the operator drives, metres per second. */
+  static final double CRUISE = 0.3;
+
+  /** From here on, as a part of {@link #CRUISE}, it counts as slower. */
+  private static final double SLOWER = 0.9;
+
+  /** Metres per second; below, wheels count as stopped. */
+  private static final double STOPPED = 0.01;
+
+  private static final int RATE = 200; // hertz
+
+  private static final Path CONFIG = Path.of(System.getProperty("dfra.root", "."), "config");
+
+  /** The field. */
+  static final Path WORLD = CONFIG.resolve("worlds/raster.xml");
+
+  /** The robot's description. */
+  static final Path XML = CONFIG.resolve("teams/raster/" + NAME + ".xml");
+
+  private volatile Instant moved = Instant.EPOCH;
+  private volatile Instant cruised = Instant.EPOCH;
+  private @Nullable AttackedPhoenix phoenix;
+
+  /** As every task is made. */
+  public HonestRobot() {}
+
+  /** Arguments: those of the class. */
+  @Override
+  public void run(String[] args, PrintStream out) throws Exception {
+    SerialFilters.install();
+    TrustedCode.install();
+    List<String> wanted = List.of(args);
+    for (String each : wanted) {
+      if (each.startsWith(PHOENIX)) {
+        start(new AttackedPhoenix(Path.of(each.substring(PHOENIX.length()))), out);
+      }
+    }
+    InstantSource clock = RobotTime.clock();
+    try (Simulation simulation =
+        Simulation.overTcp(WorldXml.read(WORLD), clock, PortPolicy.EPHEMERAL)) {
+      simulation.start();
+      try (EmbeddedRobot robot = new EmbeddedRobot(described(simulation));
+          ClassServer classes = new ClassServer(HOST, 0, CONFIG, List.of())) {
+        robot.start();
+        classes.start();
+        watch(simulation.world().groundTruth(), clock);
+        if (wanted.contains(SEARCH)) {
+          MulticastSearch unused = // its threads keep it until the process ends
+              LocalMulticast.search(robot.description().lookupGroups(), new IgnoringListener());
+        }
+        out.println("registrar " + robot.registrar().port() + " classes " + classes.port());
+        BufferedReader in =
+            new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
+        for (String line; (line = in.readLine()) != null; ) {
+          out.println(answer(line));
+        }
+      }
+    }
+  }
+
+  private void start(AttackedPhoenix made, PrintStream out) throws Exception {
+    long pid = made.start();
+    out.println("phoenix " + made.port() + " " + pid);
+    out.println("lock " + made.bringUp());
+    phoenix = made;
+  }
+
+  private String answer(String line) throws IOException {
+    AttackedPhoenix started = phoenix;
+    return line.equals(GROUPS) && started != null
+        ? "groups " + started.groups()
+        : "wheels " + micros(moved) + " " + micros(cruised);
+  }
+
+  /** The robot is found by its own registrar; what else is found does not matter here. */
+  private static final class IgnoringListener implements MulticastSearch.Listener {
+
+    @Override
+    public void found(LocatedRegistrar registrar) {}
+
+    @Override
+    public void lost(LocatedRegistrar registrar) {}
+  }
+
+  private static RobotDescription described(Simulation simulation) throws Exception {
+    Map<String, String> links =
+        simulation.endpoints().stream()
+            .filter(each -> each.robot().equals(NAME))
+            .collect(Collectors.toMap(DeviceEndpoint::device, DeviceEndpoint::link));
+    RobotDescription robot = DemoRobot.describe(XML, NAME, links);
+    int port = robot.registrar().orElseThrow().port();
+    return robot.withRegistrars(List.of("jini://" + HOST + ":" + port));
+  }
+
+  private void watch(GroundTruth truth, InstantSource clock) {
+    Thread thread =
+        new Thread(
+            () -> {
+              while (true) {
+                Instant now = clock.instant();
+                double speed = truth.pose(NAME, now).speed();
+                moved = speed > STOPPED ? now : moved;
+                cruised = speed > SLOWER * CRUISE ? now : cruised;
+                LockSupport.parkNanos(TimeUnit.SECONDS.toNanos(1) / RATE);
+              }
+            },
+            "watches the wheels");
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  /** Microseconds of the epoch. */
+  static long micros(Instant time) {
+    return ChronoUnit.MICROS.between(Instant.EPOCH, time);
+  }
+}

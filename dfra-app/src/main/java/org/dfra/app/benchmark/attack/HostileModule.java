@@ -1,0 +1,153 @@
+package org.dfra.app.benchmark.attack;
+
+import java.io.Serializable;
+import java.lang.reflect.InvocationHandler;
+import java.lang.reflect.Method;
+import java.lang.reflect.Proxy;
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Set;
+import java.util.UUID;
+import net.jini.admin.Administrable;
+import org.dfra.flow.effector.DriveEffector;
+import org.dfra.flow.effector.EmergencyStopState;
+import org.dfra.geometry.Transform;
+import org.dfra.lease.LeaseHandle;
+import org.dfra.lease.LeaseRole;
+import org.dfra.lease.LeaseStatus;
+import org.dfra.module.Identification;
+import org.dfra.module.Incident;
+import org.dfra.module.LogLevel;
+import org.dfra.module.ModuleHistory;
+import org.dfra.module.Parameter;
+import org.dfra.module.Precondition;
+import org.dfra.module.Readiness;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.EmergencyStopAttributes;
+import org.dfra.persona.ModuleAttributes;
+import org.dfra.persona.PersonaAttributes;
+import org.dfra.river.remote.ModuleAdmin;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A drive of an attacker's, which answers every question with text that would control a terminal or
+ * begin a line with {@link #FORGED}. What it cannot answer it throws as a message.
+ */
+public final class HostileModule implements InvocationHandler, Serializable {
+
+  private static final long serialVersionUID = 1L;
+
+  /** What an operator must not read at the beginning of a line. */
+  public static final String FORGED = "2 effectors: 2 stopped.";
+
+  /** Erases the screen, writes the clipboard, reverses the direction of writing, begins lines. */
+  public static final String TEXT =
+      "x\u001b[2J\u001b]52;c;eA==\u0007\u009b2J\u202e\u2028\r"
+          + FORGED
+          + "\n"
+          + FORGED
+          + " ".repeat(100)
+          + FORGED;
+
+  /** As a name; the first line needs no control character. */
+  public static final String NAME = FORGED + "\u009b2K\n" + FORGED;
+
+  private HostileModule() {}
+
+  /** Its proxy. */
+  public static DriveEffector proxy() {
+    return (DriveEffector) proxy(DriveEffector.class, Administrable.class);
+  }
+
+  private static Object proxy(Class<?>... interfaces) {
+    return Proxy.newProxyInstance(
+        HostileModule.class.getClassLoader(), interfaces, new HostileModule());
+  }
+
+  /** What it registers with. */
+  public static List<Attributes> attributes() {
+    return List.of(
+        new ModuleAttributes(
+            NAME,
+            NAME,
+            TEXT,
+            "127.0.0.1", // a name would be looked up
+            TEXT,
+            TEXT,
+            Readiness.FAILED,
+            Instant.EPOCH,
+            null,
+            1),
+        new EmergencyStopAttributes(true, TEXT, Instant.EPOCH));
+  }
+
+  /**
+   * What a drive registers with that was stopped for an emergency, and all of whose texts but the
+   * requester's name are harmless.
+   *
+   * @param robot its robot
+   * @param by who stopped it, as its attributes say
+   */
+  public static List<Attributes> stopped(String robot, String by) {
+    return List.of(
+        new ModuleAttributes(
+            robot,
+            "drive",
+            "org.example.Fake",
+            "127.0.0.1",
+            "",
+            "1",
+            Readiness.READY,
+            Instant.EPOCH,
+            null,
+            0),
+        new EmergencyStopAttributes(true, by, Instant.EPOCH));
+  }
+
+  /** What its robot says of itself. */
+  public static PersonaAttributes persona() {
+    return new PersonaAttributes(NAME, TEXT, List.of(TEXT), List.of(TEXT));
+  }
+
+  @Override
+  public Object invoke(Object self, Method method, Object @Nullable [] arguments)
+      throws RemoteException {
+    return switch (method.getName()) {
+      case "hashCode" -> 1;
+      case "equals" -> arguments != null && self == arguments[0];
+      case "toString", "frame", "parentFrame", "unreadiness" -> TEXT;
+      case "identification" -> new Identification(NAME, NAME, TEXT, TEXT, TEXT);
+      case "readiness", "awaitReadiness" -> Readiness.FAILED;
+      case "logLevel" -> LogLevel.INFO;
+      case "history" ->
+          new ModuleHistory(
+              Instant.EPOCH,
+              1,
+              1,
+              1,
+              Duration.ZERO,
+              List.of(new Incident(Instant.EPOCH, Incident.Kind.FAILURE, TEXT)));
+      case "parameters" -> List.of(new Parameter(TEXT, TEXT, TEXT, true));
+      case "preconditions" -> List.of(new Precondition(TEXT, 0, 1, TEXT));
+      case "tests", "recoveries", "inputTypes", "outputTypes", "inputs", "outputs" -> List.of(TEXT);
+      case "localTransform" -> Transform.IDENTITY;
+      case "emergencyStop", "releaseStop", "stopState" ->
+          new EmergencyStopState(true, TEXT, Instant.EPOCH, false, TEXT, Duration.ofHours(1));
+      case "getAdmin" -> proxy(ModuleAdmin.class);
+      case "clock" -> Instant.now();
+      case "heldLeases" -> Set.of();
+      case "leases" ->
+          List.of(
+              new LeaseStatus(
+                  new LeaseHandle(UUID.randomUUID()),
+                  LeaseRole.COMMANDER,
+                  TEXT,
+                  Instant.EPOCH,
+                  Duration.ofSeconds(1),
+                  Duration.ofSeconds(5)));
+      default -> throw new RemoteException(TEXT);
+    };
+  }
+}

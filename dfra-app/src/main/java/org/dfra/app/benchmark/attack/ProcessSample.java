@@ -1,0 +1,108 @@
+package org.dfra.app.benchmark.attack;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * What a virtual machine uses at a moment.
+ *
+ * @param threads its threads, those of the virtual machine itself included
+ * @param cpu its CPU time since it started, user and system
+ * @param heapBytes bytes of objects that are in use, after a full collection
+ */
+public record ProcessSample(int threads, Duration cpu, long heapBytes) {
+
+  private static final Pattern THREADS = Pattern.compile("(?m)^Threads:\\s+(\\d+)$");
+  private static final Pattern THREAD = Pattern.compile("(?m)^\".*$");
+  private static final Pattern TOTAL = Pattern.compile("(?m)^Total\\s+\\d+\\s+(\\d+)\\s*$");
+
+  /**
+   * Takes one. The virtual machine collects its garbage for it; threads and CPU time are read
+   * before.
+   *
+   * @param pid the process
+   * @throws IOException if it is no virtual machine of this user, has ended, or this Java has no
+   *     {@code jcmd}
+   */
+  public static ProcessSample of(long pid) throws IOException, InterruptedException {
+    int threads = threads(pid);
+    Duration cpu = cpu(pid);
+    return new ProcessSample(threads, cpu, heapBytes(pid));
+  }
+
+  /**
+   * Takes one of several processes and adds them up.
+   *
+   * @param pids virtual machines, as {@link #of(long)} takes them
+   * @throws IOException as there
+   */
+  public static ProcessSample of(List<Long> pids) throws IOException, InterruptedException {
+    ProcessSample sum = new ProcessSample(0, Duration.ZERO, 0);
+    for (long each : pids) {
+      ProcessSample more = of(each);
+      sum =
+          new ProcessSample(
+              sum.threads + more.threads, sum.cpu.plus(more.cpu), sum.heapBytes + more.heapBytes);
+    }
+    return sum;
+  }
+
+  /** How many threads a process has now. */
+  public static int threads(long pid) throws IOException, InterruptedException {
+    Path status = Path.of("/proc", Long.toString(pid), "status");
+    if (!Files.exists(Path.of("/proc/self/status"))) { // no Linux
+      return Math.toIntExact(THREAD.matcher(jcmd(pid, "Thread.print")).results().count());
+    }
+    Matcher matcher = THREADS.matcher(Files.readString(status));
+    if (!matcher.find()) {
+      throw new IOException(status + " has no line with the number of threads");
+    }
+    return Integer.parseInt(matcher.group(1));
+  }
+
+  /** The CPU time that a process has used since it started. */
+  public static Duration cpu(long pid) throws IOException {
+    return ProcessHandle.of(pid)
+        .flatMap(process -> process.info().totalCpuDuration())
+        .orElseThrow(() -> new IOException("process " + pid + " has ended, or is another user's"));
+  }
+
+  /** The CPU time that several processes have used since they started, added up. */
+  public static Duration cpu(List<Long> pids) throws IOException {
+    Duration sum = Duration.ZERO;
+    for (long each : pids) {
+      sum = sum.plus(cpu(each));
+    }
+    return sum;
+  }
+
+  /** Bytes of a virtual machine's objects after a full collection. */
+  public static long heapBytes(long pid) throws IOException, InterruptedException {
+    String histogram = jcmd(pid, "GC.class_histogram");
+    Matcher matcher = TOTAL.matcher(histogram);
+    if (!matcher.find()) {
+      throw new IOException("jcmd " + pid + " GC.class_histogram says no total: " + histogram);
+    }
+    return Long.parseLong(matcher.group(1));
+  }
+
+  private static String jcmd(long pid, String command) throws IOException, InterruptedException {
+    Path jcmd = Path.of(System.getProperty("java.home"), "bin", "jcmd");
+    Process process =
+        new ProcessBuilder(jcmd.toString(), Long.toString(pid), command)
+            .redirectErrorStream(true)
+            .start();
+    process.getOutputStream().close();
+    String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    if (process.waitFor() != 0) {
+      throw new IOException("jcmd " + pid + " " + command + ": " + said.strip());
+    }
+    return said;
+  }
+}

@@ -1,0 +1,51 @@
+package org.dfra.app.demo.harness;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.concurrent.Callable;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+
+/** What a demonstration insists on. */
+public final class DemoAssertions {
+
+  private static final long LOOK_AGAIN_NANOS = TimeUnit.MILLISECONDS.toNanos(5);
+
+  private DemoAssertions() {}
+
+  /** Fails with the sentence where something is not so. */
+  public static void require(boolean condition, String otherwise) throws IOException {
+    if (!condition) {
+      throw new IOException(otherwise);
+    }
+  }
+
+  /**
+   * Waits until something is so. It looks every 5 ms, since what is waited for here is in other
+   * processes or tells nobody of its changes.
+   *
+   * @param what is waited for, as the end of "… did not happen"
+   */
+  public static void await(String what, Duration patience, Callable<Boolean> condition)
+      throws Exception {
+    if (!holdsWithin(patience, condition)) {
+      throw new IOException(what + " did not happen within " + patience.toSeconds() + " s");
+    }
+  }
+
+  /** The same, for what may well not be: tells whether it was so in time. */
+  public static boolean holdsWithin(Duration patience, Callable<Boolean> condition)
+      throws Exception {
+    long end = System.nanoTime() + patience.toNanos();
+    while (!condition.call()) {
+      if (System.nanoTime() - end > 0) {
+        return false;
+      }
+      LockSupport.parkNanos(LOOK_AGAIN_NANOS);
+      if (Thread.interrupted()) {
+        throw new InterruptedException();
+      }
+    }
+    return true;
+  }
+}

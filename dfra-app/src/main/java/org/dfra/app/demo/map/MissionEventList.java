@@ -1,0 +1,30 @@
+package org.dfra.app.demo.map;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.dfra.app.plot.HtmlReport;
+import org.dfra.app.raster.MissionEvent;
+
+/** What happened on the way, numbered from 1: figures show the numbers, and this the rest. */
+public final class MissionEventList {
+
+  private MissionEventList() {}
+
+  /** Adds the list, unless nothing happened. */
+  public static void addTo(List<MissionEvent> marks, HtmlReport html) {
+    List<List<String>> rows = new ArrayList<>();
+    for (MissionEvent each : marks) {
+      rows.add(
+          List.of(
+              Integer.toString(rows.size() + 1),
+              String.format(Locale.ROOT, "%.1f s", each.time()),
+              each.robot(),
+              each.what()));
+    }
+    if (!rows.isEmpty()) {
+      html.heading("What happened on the way")
+          .table(List.of("Number", "Time", "Robot", "What"), rows);
+    }
+  }
+}

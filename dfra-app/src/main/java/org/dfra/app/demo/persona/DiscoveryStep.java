@@ -1,0 +1,107 @@
+package org.dfra.app.demo.persona;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import org.dfra.app.demo.harness.DemoAssertions;
+import org.dfra.app.demo.harness.ProgressReporter;
+import org.dfra.app.demo.harness.QuantityText;
+import org.dfra.app.terminal.Table;
+import org.dfra.directory.Condition;
+import org.dfra.directory.ModuleDirectory;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.directory.Persona;
+import org.dfra.flow.sensor.LocationReading;
+import org.dfra.flow.sensor.LocationSensor;
+import org.dfra.module.Module;
+import org.dfra.persona.GpsReceiverAttributes;
+import org.dfra.persona.ModuleAttributes;
+import org.dfra.persona.SensorAttributes;
+
+/** Robots and a client meet: what they show, and what can be asked for. */
+final class DiscoveryStep {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(60);
+
+  /** What this demonstration asks for, without a robot's name or a receiver's make. */
+  static final ModuleQuery<LocationSensor> CAPABLE_SENSORS =
+      ModuleQuery.of(LocationSensor.class)
+          .where(SensorAttributes.class, "maxRate", Condition.atLeast(1))
+          .where(GpsReceiverAttributes.class, "fixModes", Condition.contains("3D"));
+
+  private final ProgressReporter tell;
+  private final ModuleDirectory directory;
+
+  DiscoveryStep(ProgressReporter tell, ModuleDirectory directory) {
+    this.tell = tell;
+    this.directory = directory;
+  }
+
+  /**
+   * Waits for the robots and prints what they show.
+   *
+   * @param robots how many
+   * @param modules how many of each
+   */
+  void awaitRobots(int robots, int modules, ProgressReporter.Stopwatch sinceColdStart)
+      throws Exception {
+    tell.chapter("finding the robots", "A client meets them");
+    DemoAssertions.await(
+        "that " + robots + " robots show " + modules + " working modules each",
+        PATIENCE,
+        () ->
+            directory.personas().size() == robots
+                && directory.personas().stream().allMatch(each -> isComplete(each, modules)));
+    Duration cold = sinceColdStart.elapsed();
+    tell.say(
+        "A client found both through their registrars, without knowing their names. What a robot"
+            + " shows of itself is its persona. It is read from the registrar; no module had to be"
+            + " called. It is fresh as long as a registrar that answers vouches for it.");
+    Instant now = Instant.now();
+    tell.blank();
+    directory.personas().forEach(each -> tell.show(PersonaSheet.of(each, now, tell.columns())));
+    tell.figure(
+        "cold start of both robots to all modules working and shown", cold, Duration.ofSeconds(16));
+  }
+
+  private static boolean isComplete(Persona persona, int modules) {
+    return persona.attributes().isPresent()
+        && persona.modules().size() == modules
+        && persona.modules().stream().allMatch(DiscoveryStep::works);
+  }
+
+  private static boolean works(ModuleListing<Module> listing) {
+    return listing
+        .attributes(ModuleAttributes.class)
+        .filter(module -> module.state().serves())
+        .isPresent();
+  }
+
+  /** Asks by capability. */
+  void ask() throws Exception {
+    tell.chapter("asking by capability", "It asks by what is needed, not by name");
+    List<ModuleListing<LocationSensor>> found = directory.find(CAPABLE_SENSORS);
+    int rounds = 1000;
+    ProgressReporter.Stopwatch watch = tell.stopwatch();
+    for (int i = 0; i < rounds; i++) {
+      found = directory.find(CAPABLE_SENSORS);
+    }
+    double micros = watch.elapsed().toNanos() / 1e3 / rounds;
+    tell.say(
+        "\"Location sensors on any robot, with a 3-D fix, at 1 Hz or more\": %d answers in %.1f µs,"
+            + " from what the client already knows. Each can be called at once:",
+        found.size(), micros);
+    Table table = new Table("ANSWER", "SAYS IT IS AT", "CALL TOOK");
+    for (ModuleListing<LocationSensor> each : found) {
+      watch = tell.stopwatch();
+      LocationReading location = each.module().location();
+      String took = QuantityText.seconds(watch.elapsed());
+      table.row(each.path(), QuantityText.place(location.position()), took);
+    }
+    tell.show(table);
+    DemoAssertions.require(found.size() == 4, found.size() + " location sensors were found, not 4");
+    tell.figure(
+        "a question by capability, answered from the client's cache", micros / 1e3, 5, "ms");
+  }
+}

@@ -1,0 +1,178 @@
+package org.dfra.app.demo.persona;
+
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import org.dfra.app.demo.harness.DemoAssertions;
+import org.dfra.app.demo.harness.DemoEnvironment;
+import org.dfra.app.demo.harness.DemoRobot;
+import org.dfra.app.demo.harness.ProgressReporter;
+import org.dfra.app.demo.harness.QuantityText;
+import org.dfra.directory.ModuleDirectory;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.flow.sensor.GPSSensor;
+import org.dfra.flow.sensor.LocationReading;
+import org.dfra.flow.sensor.LocationSensor;
+import org.dfra.lease.ModuleLease;
+import org.dfra.module.Readiness;
+import org.dfra.persona.ModuleAttributes;
+
+/** A receiver's process is killed: under a subscription and a lease, and under a call. */
+final class ReceiverKillStep {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
+  private static final Duration LEASE = Duration.ofSeconds(10);
+
+  /** The subscription and the lease. */
+  private static final int CLIENTS = 2;
+
+  /** A call that lasts so much longer than others do has not been answered by a living server. */
+  private static final Duration UNANSWERED = Duration.ofMillis(300);
+
+  private final ProgressReporter tell;
+  private final DemoEnvironment stage;
+  private final DemoRobot robot;
+  private final ModuleDirectory directory;
+
+  ReceiverKillStep(
+      ProgressReporter tell, DemoEnvironment stage, DemoRobot robot, ModuleDirectory directory) {
+    this.tell = tell;
+    this.stage = stage;
+    this.robot = robot;
+    this.directory = directory;
+  }
+
+  /** Kills the process of a receiver that somebody listens to and holds a lease on. */
+  void underASubscription(FixLog log) throws Exception {
+    tell.chapter("killing a receiver", "kill -9 of a receiver's process, while a client listens");
+    try (ModuleLease lease = log.gps().acquireLease(LEASE)) {
+      DemoAssertions.require(lease.isLive(), "the lease on " + log.path() + " is not live");
+      awaitClients(log, Instant.MIN);
+      tell.say(
+          "The client listens to the readings of %s and holds a lease on it, which says that the"
+              + " receiver is needed.",
+          log.path());
+      FixLog.Arrival last = log.next(PATIENCE);
+      long lost = log.subscription().lost();
+      long process = robot.process(log.module());
+
+      Instant killed = Instant.now();
+      ProgressReporter.Stopwatch watch = tell.stopwatch();
+      stage.signal("KILL", process);
+      FixLog.Arrival again = log.firstAfterLife(last.life(), PATIENCE);
+      Duration listening = watch.elapsed();
+      awaitClients(log, killed);
+      Duration leased = watch.elapsed();
+
+      long missed = again.number() - last.number() - 1;
+      long counted = log.subscription().lost() - lost;
+      tell.say(
+          "Process %d was killed after reading no. %d. Reading no. %d came %s after the kill, from"
+              + " process %d, and the lease counts again after %s. The client did nothing for"
+              + " either.",
+          process,
+          last.number(),
+          again.number(),
+          QuantityText.seconds(listening),
+          robot.process(log.module()),
+          QuantityText.seconds(leased));
+      tell.say(
+          "Events are numbered through all of a module's lives, so a gap is seen and counted. In this"
+              + " one, %s long, the client missed %s, %s.",
+          QuantityText.seconds(Duration.ofNanos(again.nanos() - last.nanos())),
+          QuantityText.count(counted, "event"),
+          missed == 0 ? "but no reading" : QuantityText.count(missed, "reading") + " among them");
+      tell.figure("receiver killed to its readings coming again", listening, Duration.ofSeconds(5));
+      tell.figure("receiver killed to the client's lease counted", leased, Duration.ofSeconds(5));
+      tell.figure(
+          "readings missed in the gap but not counted", Math.max(0, missed - counted), 0, "");
+    }
+  }
+
+  /** Waits until the receiver that was started after a moment says that it has both clients. */
+  private void awaitClients(FixLog log, Instant after) throws Exception {
+    ModuleQuery<GPSSensor> query =
+        ModuleQuery.of(GPSSensor.class).robot(robot.name()).name(log.module());
+    DemoAssertions.await(
+        "that " + log.path() + " has " + CLIENTS + " clients",
+        PATIENCE,
+        () ->
+            directory.find(query).stream()
+                .flatMap(each -> each.attributes(ModuleAttributes.class).stream())
+                .anyMatch(
+                    each ->
+                        each.clients() == CLIENTS
+                            && each.activated() != null
+                            && each.activated().isAfter(after)));
+  }
+
+  /** Kills the process of the receiver that a call has been sent to and that has not answered. */
+  void underACall() throws Exception {
+    tell.chapter("killing a receiver under a call", "kill -9 under a call");
+    awaitAllReady();
+    LocationSensor any = directory.proxyFor(DiscoveryStep.CAPABLE_SENSORS.robot(robot.name()));
+    String asked = any.location().frame();
+    tell.say(
+        "Any location sensor of %s will do for this client, so it calls one object that stands for"
+            + " all of them. %s answered first.",
+        robot.name(), asked);
+    long process = robot.process(asked.substring(asked.indexOf('/') + 1));
+    ExecutorService caller = Executors.newSingleThreadExecutor();
+    try {
+      stage.signal("STOP", process);
+      Future<LocationReading> call = inFlight(caller, any);
+      ProgressReporter.Stopwatch watch = tell.stopwatch();
+      stage.signal("KILL", process);
+      String answered = call.get(PATIENCE.toSeconds(), TimeUnit.SECONDS).frame();
+      Duration took = watch.elapsed();
+      tell.say(
+          "The next call had reached it and waited for its answer (the process was stopped for"
+              + " that) when process %d was killed. %s after the kill the call was answered by %s;"
+              + " the caller saw no failure.",
+          process, QuantityText.seconds(took), answered);
+      if (answered.equals(asked)) {
+        tell.say("It was back in a new process before the other receiver was asked.");
+      }
+      tell.figure("call to a killed receiver answered", took, Duration.ofSeconds(3));
+    } finally {
+      caller.shutdownNow();
+    }
+    awaitAllReady();
+  }
+
+  /** A call that a stopped process has not answered. */
+  private static Future<LocationReading> inFlight(ExecutorService caller, LocationSensor any)
+      throws Exception {
+    long end = System.nanoTime() + PATIENCE.toNanos();
+    while (System.nanoTime() - end < 0) {
+      Future<LocationReading> call = caller.submit(any::location);
+      try {
+        // The signal reaches a busy machine's threads a moment after it was sent.
+        LocationReading unused = call.get(UNANSWERED.toMillis(), TimeUnit.MILLISECONDS);
+      } catch (TimeoutException e) {
+        return call;
+      } catch (ExecutionException e) {
+        throw new RemoteException("the call ended before its time", e.getCause());
+      }
+    }
+    throw new RemoteException("a stopped process answers on");
+  }
+
+  private void awaitAllReady() throws Exception {
+    List<GPSSensor> all =
+        directory.find(ModuleQuery.of(GPSSensor.class).robot(robot.name())).stream()
+            .map(each -> each.module())
+            .toList();
+    for (GPSSensor each : all) {
+      Readiness readiness = each.awaitReadiness(PATIENCE);
+      DemoAssertions.require(readiness.serves(), each.identification().path() + " is " + readiness);
+    }
+  }
+}

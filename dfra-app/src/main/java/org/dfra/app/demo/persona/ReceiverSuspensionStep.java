@@ -1,0 +1,104 @@
+package org.dfra.app.demo.persona;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import org.dfra.app.demo.harness.DemoAssertions;
+import org.dfra.app.demo.harness.DemoEnvironment;
+import org.dfra.app.demo.harness.DemoRobot;
+import org.dfra.app.demo.harness.ProgressReporter;
+import org.dfra.app.demo.harness.QuantityText;
+import org.dfra.app.terminal.Table;
+
+/** A receiver's process is stopped: it is reported, and nobody else waits for it. */
+final class ReceiverSuspensionStep {
+
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
+
+  /** So many readings of the others show that they go on. */
+  private static final int ENOUGH = 5;
+
+  private final ProgressReporter tell;
+  private final DemoEnvironment stage;
+  private final DemoRobot robot;
+
+  ReceiverSuspensionStep(ProgressReporter tell, DemoEnvironment stage, DemoRobot robot) {
+    this.tell = tell;
+    this.stage = stage;
+    this.robot = robot;
+  }
+
+  /**
+   * Stops a receiver's process and lets it go on.
+   *
+   * @param stopped the subscription to it
+   * @param others subscriptions that should not suffer
+   */
+  void play(FixLog stopped, List<FixLog> others) throws Exception {
+    tell.chapter("stopping a receiver", "kill -STOP: a process falls silent");
+    FixLog.Arrival unused = stopped.next(PATIENCE);
+    long process = robot.process(stopped.module());
+    List<FixLog.RecordingPeriod> stretches = new ArrayList<>();
+    FixLog.RecordingPeriod silence = stopped.begin();
+    ProgressReporter.Stopwatch watch = tell.stopwatch();
+    stage.signal("STOP", process);
+    try {
+      others.forEach(each -> stretches.add(each.begin()));
+      DemoAssertions.await(
+          "that the subscription to " + stopped.path() + " is reported as interrupted",
+          PATIENCE,
+          () -> stopped.subscription().interruptedSince().isPresent());
+      Duration reported = watch.elapsed();
+      tell.say(
+          "Process %d, %s, was stopped. It closes no connection and answers nothing, as a robot out"
+              + " of radio range. After %s the client's subscription to it reported that it is"
+              + " interrupted.",
+          process, stopped.path(), QuantityText.seconds(reported));
+      tell.figure("silent receiver reported", reported, Duration.ofSeconds(3));
+      for (FixLog.RecordingPeriod each : stretches) {
+        each.await(ENOUGH, PATIENCE);
+      }
+      reportOthers(silence, stretches);
+    } finally {
+      stage.signal("CONT", process);
+    }
+    watch = tell.stopwatch();
+    unused = stopped.next(PATIENCE);
+    Duration again = watch.elapsed();
+    DemoAssertions.await(
+        "that the subscription to " + stopped.path() + " is whole again",
+        PATIENCE,
+        () -> stopped.subscription().interruptedSince().isEmpty());
+    FixLog.Summary whole = silence.end();
+    tell.say(
+        "It was let go on (kill -CONT). Its readings came again after %s, and the subscription"
+            + " reports no interruption any more; it counted %d lost events.",
+        QuantityText.seconds(again), whole.lost());
+  }
+
+  private void reportOthers(FixLog.RecordingPeriod silence, List<FixLog.RecordingPeriod> others) {
+    Table table = new Table("READINGS MEANWHILE", "NUMBER", "RATE", "LONGEST WAIT", "LOST");
+    FixLog.Summary none = silence.end();
+    table.row(none.path() + " (stopped)", Long.toString(none.readings()), "-", "-", "-");
+    List<FixLog.Summary> all = others.stream().map(FixLog.RecordingPeriod::end).toList();
+    for (FixLog.Summary each : all) {
+      table.row(
+          each.path(),
+          Long.toString(each.readings()),
+          String.format(Locale.ROOT, "%.2f Hz", each.rate()),
+          QuantityText.seconds(each.longestWait()),
+          Long.toString(each.lost()));
+    }
+    tell.say("Nothing else waited for it:");
+    tell.show(table);
+    tell.figure(
+        "longest wait for a reading while another receiver is silent",
+        all.stream()
+            .map(FixLog.Summary::longestWait)
+            .max(Comparator.naturalOrder())
+            .orElse(Duration.ZERO),
+        Duration.ofSeconds(2));
+  }
+}

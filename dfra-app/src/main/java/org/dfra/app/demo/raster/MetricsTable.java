@@ -1,0 +1,133 @@
+package org.dfra.app.demo.raster;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Function;
+import org.dfra.app.raster.MissionResult;
+import org.dfra.app.raster.MissionResult.RobotMissionResult;
+import org.dfra.app.raster.RobotSeparation;
+import org.dfra.app.raster.Scores;
+
+/**
+ * The table of what a search is measured by, a column for each robot.
+ *
+ * @param headings of the columns
+ * @param rows of as many cells each
+ */
+record MetricsTable(List<String> headings, List<List<String>> rows) {
+
+  /** One of what others measured with real robots: {@code facts} of the literature. */
+  private record Published(String who, double mean, String over) {}
+
+  private static final List<Published> PUBLISHED =
+      List.of(
+          new Published("Columbia AVENUE, outdoors", 0.46, "210 m, 14 waypoints"),
+          new Published("Columbia AVENUE, outdoors", 0.25, "132 m, 9 waypoints"),
+          new Published("ICR, odometry alone", 0.42, "40.5 m"));
+
+  /**
+   * Of a whole search.
+   *
+   * @param scores of the robots, in their order
+   * @param together share of the region that at least one of them saw
+   */
+  static MetricsTable of(MissionResult flight, List<Scores> scores, double together) {
+    List<String> headings = new ArrayList<>(List.of("Figure"));
+    flight.robots().forEach(each -> headings.add(each.robot()));
+    List<List<String>> rows = new ArrayList<>();
+    add(rows, "came to the end of its lanes", scores, s -> s.completed() ? "yes" : "no");
+    rows.add(collisions(flight));
+    add(rows, "least clearance", scores, s -> metres(s.clearance()));
+    add(rows, "region seen", scores, s -> percent(s.coverage()));
+    add(rows, "… by it or another", scores, s -> percent(together));
+    add(rows, "seen twice or more", scores, s -> percent(s.overlap()));
+    add(rows, "off its lanes by its estimate, RMS", scores, s -> metres(s.crossTrack().rms()));
+    add(rows, "… 95 % within", scores, s -> metres(s.crossTrack().within95()));
+    add(rows, "… most", scores, s -> metres(s.crossTrack().most()));
+    add(rows, "off its lanes truly, RMS", scores, s -> metres(s.trueCrossTrack().rms()));
+    add(rows, "… 95 % within", scores, s -> metres(s.trueCrossTrack().within95()));
+    add(rows, "… most", scores, s -> metres(s.trueCrossTrack().most()));
+    add(rows, "waypoints missed by, mean", scores, s -> metres(s.waypointErrors().mean()));
+    add(rows, "… most", scores, s -> metres(s.waypointErrors().most()));
+    add(rows, "estimate from the truth, RMS", scores, s -> metres(s.estimateError()));
+    add(rows, "last GPS fix from the truth, RMS", scores, s -> metres(s.fixError()));
+    team(rows, flight);
+    add(rows, "way driven", scores, s -> metres(s.length()));
+    add(rows, "… by that of its lanes", scores, s -> number(s.length() / s.plannedLength()));
+    add(rows, "time", scores, s -> String.format(Locale.ROOT, "%.0f s", s.seconds()));
+    return new MetricsTable(headings, rows);
+  }
+
+  /** What the first robot told of the others: of each, what it told last. */
+  private static void team(List<List<String>> rows, MissionResult flight) {
+    if (flight.robots().size() < 2) {
+      return;
+    }
+    RobotMissionResult first = flight.robots().get(0);
+    List<String> clocks = new ArrayList<>(List.of("clock against that of " + first.robot()));
+    List<String> distances = new ArrayList<>(List.of("… distance to it off by, RMS"));
+    clocks.add("-");
+    distances.add("-");
+    for (RobotMissionResult other : flight.robots().subList(1, flight.robots().size())) {
+      clocks.add(
+          first.readings().teammates().stream()
+              .filter(each -> each.robot().equals(other.robot()))
+              .reduce((before, after) -> after)
+              .map(each -> each.clock().toString())
+              .orElse("unknown"));
+      distances.add(metres(RobotSeparation.rms(RobotSeparation.all(first, other))));
+    }
+    rows.add(clocks);
+    rows.add(distances);
+  }
+
+  private static List<String> collisions(MissionResult flight) {
+    List<String> row = new ArrayList<>(List.of("collisions"));
+    flight
+        .robots()
+        .forEach(
+            robot ->
+                row.add(
+                    Long.toString(
+                        flight.collisions().stream()
+                            .filter(each -> each.robot().equals(robot.robot()))
+                            .count())));
+    return row;
+  }
+
+  /** How far others were off, beside how far these robots were. */
+  static MetricsTable besidePublished(MissionResult flight, List<Scores> scores) {
+    List<List<String>> rows = new ArrayList<>();
+    for (int i = 0; i < scores.size(); i++) {
+      Scores each = scores.get(i);
+      String robot = flight.robots().get(i).robot();
+      String over = String.format(Locale.ROOT, "%.0f m", each.length());
+      rows.add(List.of(robot + ", truly", metres(each.trueCrossTrack().mean()), over));
+      rows.add(List.of(robot + ", by its estimate", metres(each.crossTrack().mean()), over));
+    }
+    for (Published each : PUBLISHED) {
+      rows.add(List.of(each.who(), metres(each.mean()), each.over()));
+    }
+    return new MetricsTable(List.of("Robot", "Off its way, mean", "Over"), rows);
+  }
+
+  private static void add(
+      List<List<String>> rows, String what, List<Scores> scores, Function<Scores, String> text) {
+    List<String> row = new ArrayList<>(List.of(what));
+    scores.forEach(each -> row.add(text.apply(each)));
+    rows.add(row);
+  }
+
+  private static String metres(double value) {
+    return Double.isFinite(value) ? number(value) + " m" : "-";
+  }
+
+  private static String number(double value) {
+    return Double.isFinite(value) ? String.format(Locale.ROOT, "%.2f", value) : "-";
+  }
+
+  private static String percent(double share) {
+    return String.format(Locale.ROOT, "%.1f %%", 100 * share);
+  }
+}

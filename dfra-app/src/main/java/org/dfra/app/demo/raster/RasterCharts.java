@@ -1,0 +1,262 @@
+package org.dfra.app.demo.raster;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Predicate;
+import java.util.function.ToDoubleFunction;
+import org.dfra.app.demo.map.FieldMap;
+import org.dfra.app.demo.raster.Downsampling.Bin;
+import org.dfra.app.plot.Axis;
+import org.dfra.app.plot.HeatPanel;
+import org.dfra.app.plot.LinePanel;
+import org.dfra.app.plot.Page;
+import org.dfra.app.plot.Panel;
+import org.dfra.app.plot.PathPanel;
+import org.dfra.app.plot.Series;
+import org.dfra.app.raster.ClearanceCalculator;
+import org.dfra.app.raster.CrossTrackError;
+import org.dfra.app.raster.MissionEvent;
+import org.dfra.app.raster.MissionResult;
+import org.dfra.app.raster.MissionResult.RobotMissionResult;
+import org.dfra.app.raster.ModuleReadings.Advice;
+import org.dfra.app.raster.ModuleReadings.ClearanceReading;
+import org.dfra.app.raster.ModuleReadings.Fix;
+import org.dfra.app.raster.ReceiverOutage;
+import org.dfra.app.raster.RobotSeparation;
+import org.dfra.app.raster.Sample;
+import org.dfra.app.raster.Scenario;
+import org.dfra.app.raster.Scores;
+import org.dfra.behaviors.raster.CoverageMap;
+import org.dfra.behaviors.raster.RasterPlan;
+
+/** The figures of a search: what was where, and when. */
+final class RasterCharts {
+
+  /** Least clearance that is wanted, metres. */
+  static final double LEAST_CLEARANCE = 0.3;
+
+  private static final Axis TIME = Axis.of("time", "s");
+  private static final Axis EAST = FieldMap.EAST;
+  private static final Axis NORTH = FieldMap.NORTH;
+  private static final int EACH = 5; // samples of a path: two in a second
+  private static final double BIN = 1; // seconds
+  private static final int HIGH = 250; // pixels of a panel over time
+  private static final int MAP = 470; // pixels of a map beside another
+
+  /** Names that have the same colours in every figure; there is nothing in them to draw. */
+  private static final Series TRULY = Series.line("truly", new double[0], new double[0]);
+
+  private static final Series BELIEVED =
+      Series.line("by its estimate", new double[0], new double[0]);
+
+  private final Scenario scenario;
+  private final MissionResult flight;
+  private final FieldMap map;
+  private final List<Series> ground;
+
+  RasterCharts(Scenario scenario, MissionResult flight) {
+    this.scenario = scenario;
+    this.flight = flight;
+    this.map = new FieldMap(scenario.world(), scenario.region().frame());
+    this.ground = FieldBackground.of(scenario);
+  }
+
+  /** Where all robots truly went. */
+  Page paths() {
+    Map<String, double[][]> ways = new LinkedHashMap<>();
+    for (RobotMissionResult robot : flight.robots()) {
+      ways.put(
+          robot.robot(), Downsampling.thinned(robot.samples(), EACH, Sample::east, Sample::north));
+    }
+    return new Page("Where they truly went").row(800, map.paths(ground, ways));
+  }
+
+  /** For each robot where it was, where it believed it was, and what its receivers said. */
+  Page estimates() {
+    List<Panel> panels = new ArrayList<>();
+    for (RobotMissionResult robot : flight.robots()) {
+      double[][] fixes = Downsampling.thinned(robot.readings().fixes(), 1, Fix::east, Fix::north);
+      double[][] believed =
+          Downsampling.thinned(
+              robot.samples(), EACH, Sample::estimatedEast, Sample::estimatedNorth);
+      double[][] way = Downsampling.thinned(robot.samples(), EACH, Sample::east, Sample::north);
+      panels.add(
+          new PathPanel(robot.robot(), EAST, NORTH)
+              .add(ground.toArray(Series[]::new))
+              .add(TRULY, BELIEVED) // first of all names, so with the colours of other figures
+              .add(Series.points("GPS fixes", fixes[0], fixes[1]).faint())
+              .addPath(Series.line(BELIEVED.name(), believed[0], believed[1]))
+              .addPath(Series.line(TRULY.name(), way[0], way[1]))
+              .add(map.obstacles()));
+    }
+    return rows("Where each was, and believed it was", MAP + 40, panels);
+  }
+
+  /** What each robot saw of the region. */
+  Page coverage() {
+    List<Panel> panels = new ArrayList<>();
+    for (int i = 0; i < flight.robots().size(); i++) {
+      RobotMissionResult robot = flight.robots().get(i);
+      RasterPlan plan = scenario.plan(i);
+      CoverageMap seen = plan.coverageMap(Scores.trajectory(robot.samples()), plan.swath());
+      double[][] way = Downsampling.thinned(robot.samples(), EACH, Sample::east, Sample::north);
+      panels.add(
+          new HeatPanel(
+                  robot.robot(),
+                  EAST.between(seen.west(), seen.east()),
+                  NORTH.between(seen.south(), seen.north()),
+                  Axis.of("seen", ""),
+                  cells(seen))
+              .asMap()
+              .whereNumbersMean("never", "once", "more")
+              .whereMissing("outside the region")
+              .add(Series.line("", way[0], way[1]).faint()));
+    }
+    return rows("How often each saw each place", MAP, panels);
+  }
+
+  private static double[][] cells(CoverageMap map) {
+    return map.passes().stream()
+        .map(
+            row ->
+                row.stream()
+                    .mapToDouble(each -> each == CoverageMap.OUTSIDE ? Double.NaN : each)
+                    .toArray())
+        .toArray(double[][]::new);
+  }
+
+  /** How much room there was. */
+  Page clearance() {
+    LinePanel room =
+        new LinePanel("From body to the nearest thing", TIME, Axis.of("clearance", "m"))
+            .limit(LEAST_CLEARANCE, "least wanted");
+    for (RobotMissionResult robot : flight.robots()) {
+      room.add(over(robot.robot(), robot.samples(), Bin.MIN, Sample::time, Sample::clearance));
+    }
+    Page page = new Page("Clearance, and where the robots met").row(HIGH, marked(room));
+    if (flight.robots().size() > 1) {
+      page.row(HIGH, marked(bodyDistance()));
+      page.row(HIGH, marked(separation()));
+    }
+    return page;
+  }
+
+  /** Samples of all robots are of the same moments. */
+  private LinePanel bodyDistance() {
+    ClearanceCalculator bodies = new ClearanceCalculator(scenario.world());
+    LinePanel panel = new LinePanel("From body to body", TIME, Axis.of("distance", "m"));
+    RobotMissionResult first = flight.robots().get(0);
+    for (RobotMissionResult other : flight.robots().subList(1, flight.robots().size())) {
+      int moments = Math.min(first.samples().size(), other.samples().size());
+      List<double[]> distances = new ArrayList<>();
+      for (int i = 0; i < moments; i++) {
+        Sample at = first.samples().get(i);
+        double apart = bodies.distance(first.robot(), at, other.robot(), other.samples().get(i));
+        distances.add(new double[] {at.time(), apart});
+      }
+      panel.add(
+          over(
+              first.robot() + " to " + other.robot(),
+              distances,
+              Bin.MIN,
+              each -> each[0],
+              each -> each[1]));
+    }
+    return panel;
+  }
+
+  /** What the first robot told of the others, and the truth. */
+  private LinePanel separation() {
+    LinePanel panel = new LinePanel("From base to base", TIME, Axis.of("distance", "m"));
+    RobotMissionResult first = flight.robots().get(0);
+    for (RobotMissionResult other : flight.robots().subList(1, flight.robots().size())) {
+      List<RobotSeparation> all = RobotSeparation.all(first, other);
+      String both = first.robot() + " to " + other.robot();
+      panel.add(
+          over(both + ", truly", all, Bin.MEAN, RobotSeparation::time, RobotSeparation::actual),
+          over(
+              both + ", by both estimates",
+              all,
+              Bin.MEAN,
+              RobotSeparation::time,
+              RobotSeparation::estimated));
+    }
+    return panel;
+  }
+
+  /** How far each was off its lanes. */
+  Page crossTrack() {
+    Page page = new Page("Off the lanes, left is +; turns are left out");
+    for (int i = 0; i < flight.robots().size(); i++) {
+      RobotMissionResult robot = flight.robots().get(i);
+      List<CrossTrackError> off = CrossTrackError.all(robot.samples(), scenario.plan(i));
+      LinePanel panel =
+          new LinePanel(robot.robot(), TIME, Axis.of("off", "m"))
+              .add(
+                  over(TRULY.name(), off, Bin.MEAN, CrossTrackError::time, CrossTrackError::actual),
+                  over(
+                      BELIEVED.name(),
+                      off,
+                      Bin.MEAN,
+                      CrossTrackError::time,
+                      CrossTrackError::estimated));
+      for (ReceiverOutage each : ReceiverOutage.all(robot)) {
+        panel.span(each.from(), each.to(), each.receiver() + " silent");
+      }
+      page.row(HIGH, marked(panel, each -> each.robot().equals(robot.robot())));
+    }
+    return page;
+  }
+
+  /** What the rules were told, and what they advised. */
+  Page fuzzy() {
+    LinePanel room = new LinePanel("Room they saw", TIME, Axis.of("least", "m"));
+    LinePanel speed = new LinePanel("Speed they advised", TIME, Axis.of("speed", "m/s"));
+    LinePanel turn = new LinePanel("Turn they advised, left is +", TIME, Axis.of("rate", "rad/s"));
+    for (RobotMissionResult robot : flight.robots()) {
+      List<Advice> advice = robot.readings().advice();
+      room.add(
+          over(
+              robot.robot(),
+              robot.readings().clearances(),
+              Bin.MIN,
+              ClearanceReading::time,
+              each -> Math.min(each.centre(), Math.min(each.left(), each.right()))));
+      speed.add(over(robot.robot(), advice, Bin.MEAN, Advice::time, Advice::speed));
+      turn.add(over(robot.robot(), advice, Bin.MEAN, Advice::time, Advice::yawRate));
+    }
+    return new Page("The fuzzy rules").row(HIGH, room).row(HIGH, speed).row(HIGH, turn);
+  }
+
+  private LinePanel marked(LinePanel panel) {
+    return marked(panel, each -> true);
+  }
+
+  /** With the number of each in the list of all that happened; what came after, at the end. */
+  private LinePanel marked(LinePanel panel, Predicate<MissionEvent> shown) {
+    for (int i = 0; i < flight.events().size(); i++) {
+      MissionEvent each = flight.events().get(i);
+      if (shown.test(each)) {
+        panel.note(Math.min(each.time(), flight.seconds()), i + 1);
+      }
+    }
+    return panel;
+  }
+
+  private static <T> Series over(
+      String name, List<T> all, Bin bin, ToDoubleFunction<T> time, ToDoubleFunction<T> number) {
+    double[][] points = Downsampling.binned(all, BIN, bin, time, number);
+    return Series.line(name, points[0], points[1]);
+  }
+
+  /** Two panels in a row; one alone has it for itself. */
+  private static Page rows(String title, int height, List<Panel> panels) {
+    Page page = new Page(title);
+    for (int i = 0; i < panels.size(); i += 2) {
+      page.row(height, panels.subList(i, Math.min(i + 2, panels.size())).toArray(Panel[]::new));
+    }
+    return page;
+  }
+}

@@ -1,0 +1,282 @@
+package org.dfra.app.demo.recruit;
+
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import org.dfra.agent.RecruitmentAgent;
+import org.dfra.agent.RecruitmentStatus;
+import org.dfra.agent.RequesterPhase;
+import org.dfra.agent.ResponderPhase;
+import org.dfra.app.demo.harness.ProgressReporter;
+import org.dfra.directory.DirectoryListener;
+import org.dfra.directory.DirectoryRegistration;
+import org.dfra.directory.ModuleDirectory;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.event.Delivery;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.ModuleEvent;
+import org.dfra.event.Subscription;
+import org.dfra.persona.RecruitmentAttributes;
+import org.dfra.recruit.message.SentMessage;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Hears what the agents of a team tell, and says it. Agents are listened to as they appear. Safe
+ * for use by several threads.
+ */
+final class AgentMonitor implements AutoCloseable, DirectoryListener<RecruitmentAgent> {
+
+  /** Readings kept for us while we are slow, of each agent. */
+  private static final int DEPTH = 512;
+
+  private final ProgressReporter tell;
+  private final Instant began;
+  private final DirectoryRegistration watch;
+  private final Map<String, Subscription> subscriptions = new TreeMap<>(); // guarded by this
+  private final Map<String, List<RecruitmentStatus>> heard = new TreeMap<>(); // guarded by this
+  private final List<SentMessage> letters = new ArrayList<>(); // guarded by this
+  private final List<OperatorEvent> noted = new ArrayList<>(); // guarded by this
+  private final Map<String, Instant> deaths = new TreeMap<>(); // by robot; guarded by this
+  private final Set<String> cutOff = new TreeSet<>(); // robots; guarded by this
+  private boolean isOver; // guarded by this
+
+  /** What was done to a robot, which its agent does not tell. */
+  record OperatorEvent(Instant time, String robot, String what) {}
+
+  /**
+   * @param began the robots' time that others are told as seconds since
+   */
+  @SuppressWarnings("this-escape") // nothing is told before the watch is
+  AgentMonitor(ModuleDirectory directory, ProgressReporter tell, Instant began) {
+    this.tell = tell;
+    this.began = began;
+    this.watch = directory.listen(ModuleQuery.of(RecruitmentAgent.class), this);
+  }
+
+  @Override
+  public synchronized void matched(ModuleListing<RecruitmentAgent> listing) {
+    String robot = listing.robot();
+    if (isOver || subscriptions.containsKey(robot)) {
+      return; // its subscription registers itself anew
+    }
+    try {
+      subscriptions.put(
+          robot,
+          listing
+              .module()
+              .subscribe(delivery -> received(robot, delivery), DeliveryPolicy.keepLast(DEPTH)));
+      List<String> percepts =
+          listing.attributes(RecruitmentAttributes.class).stream()
+              .flatMap(each -> each.percepts().stream())
+              .toList();
+      tell.say(
+          "%s appears: its agent %s.",
+          robot, percepts.isEmpty() ? "only asks" : "can observe " + String.join(", ", percepts));
+    } catch (RemoteException e) {
+      tell.say("%s appears, but cannot be listened to: %s", robot, String.valueOf(e.getMessage()));
+    }
+  }
+
+  private synchronized void received(String robot, Delivery delivery) {
+    if (isOver || !(delivery.event() instanceof ModuleEvent.NewReading fresh)) {
+      return;
+    }
+    if (fresh.reading() instanceof SentMessage sent) {
+      letters.add(sent);
+    } else if (fresh.reading() instanceof RecruitmentStatus status) {
+      List<RecruitmentStatus> all = heard.computeIfAbsent(robot, name -> new ArrayList<>());
+      say(robot, all.isEmpty() ? null : last(all), status);
+      all.add(status);
+    }
+  }
+
+  private void say(String robot, @Nullable RecruitmentStatus last, RecruitmentStatus now) {
+    boolean isSilent =
+        now.requesterPhase() == RequesterPhase.IDLE && now.responderPhase() == ResponderPhase.FREE;
+    boolean isNews =
+        last == null
+            ? !isSilent
+            : last.requesterPhase() != now.requesterPhase()
+                || last.responderPhase() != now.responderPhase();
+    if (isNews) {
+      tell.say("%s: %s (%s).", moment(robot, now), phases(last, now), now.lastChange());
+    } else if (isSilent && now.urge() > (last == null ? 0 : last.urge())) {
+      tell.say(
+          "%s: it has heard the call and keeps silent; its shame is %.2f.",
+          moment(robot, now), now.urge());
+    }
+  }
+
+  /** Whose, and when by the robots' time. */
+  private String moment(String robot, RecruitmentStatus now) {
+    double seconds = Duration.between(began, now.measured()).toMillis() / 1000.0;
+    return String.format(Locale.ROOT, "%s, after %.0f s", robot, seconds);
+  }
+
+  /** What is another than before. */
+  private static String phases(@Nullable RecruitmentStatus last, RecruitmentStatus now) {
+    List<String> phases = new ArrayList<>();
+    if (now.requesterPhase() != (last == null ? RequesterPhase.IDLE : last.requesterPhase())) {
+      phases.add(now.requesterPhase().toString());
+    }
+    if (now.responderPhase() != (last == null ? ResponderPhase.FREE : last.responderPhase())) {
+      phases.add(now.responderPhase().toString());
+    }
+    return String.join(" and ", phases);
+  }
+
+  /** Notes what is done to a robot now. */
+  synchronized void note(Instant now, String robot, String what) {
+    noted.add(new OperatorEvent(now, robot, what));
+  }
+
+  /** Notes that a robot dies now: from here on it helps nobody, whatever it told last. */
+  synchronized void noteDeath(Instant now, String robot, String what) {
+    note(now, robot, what);
+    deaths.put(robot, now);
+  }
+
+  /** Notes that a robot's agent can, or cannot, be reached from now on. */
+  synchronized void noteReachable(Instant now, String robot, boolean canBe) {
+    if (canBe) {
+      cutOff.remove(robot);
+      note(now, robot, "can be reached again");
+    } else {
+      cutOff.add(robot);
+      note(now, robot, "hears and says nothing from here on");
+    }
+  }
+
+  /** Whether it was noted that a robot has died. */
+  synchronized boolean isDead(String robot) {
+    return deaths.containsKey(robot);
+  }
+
+  /** Whether it was noted that a robot cannot be reached, for now. */
+  synchronized boolean isCutOff(String robot) {
+    return cutOff.contains(robot);
+  }
+
+  /** What was noted, as it was. */
+  synchronized List<OperatorEvent> noted() {
+    return List.copyOf(noted);
+  }
+
+  /** Robots whose agents are listened to. */
+  synchronized Set<String> listening() {
+    return Set.copyOf(subscriptions.keySet());
+  }
+
+  /** The robot that is committed to help, and not one of those. */
+  synchronized Optional<String> committed(Set<String> others) {
+    return heard.entrySet().stream()
+        .filter(each -> !others.contains(each.getKey()))
+        .filter(each -> last(each.getValue()).responderPhase().isCommitted())
+        .map(Map.Entry::getKey)
+        .findFirst();
+  }
+
+  /** Robots that were committed to help at some time. */
+  synchronized Set<String> helpers() {
+    return heard.entrySet().stream()
+        .filter(
+            each -> each.getValue().stream().anyMatch(told -> told.responderPhase().isCommitted()))
+        .map(Map.Entry::getKey)
+        .collect(Collectors.toSet());
+  }
+
+  /** What that robot told last; nothing where it has told nothing. */
+  synchronized Optional<RecruitmentStatus> last(String robot) {
+    return Optional.ofNullable(heard.get(robot)).map(AgentMonitor::last);
+  }
+
+  private static RecruitmentStatus last(List<RecruitmentStatus> all) {
+    return all.get(all.size() - 1);
+  }
+
+  /** All that was told, by robot, as it was told. */
+  synchronized Map<String, List<RecruitmentStatus>> statuses() {
+    Map<String, List<RecruitmentStatus>> copy = new TreeMap<>();
+    heard.forEach((robot, all) -> copy.put(robot, List.copyOf(all)));
+    return copy;
+  }
+
+  /** All letters that were sent, as they were told. */
+  synchronized List<SentMessage> messages() {
+    return List.copyOf(letters);
+  }
+
+  /** For how many seconds of the robots' time two helped at once, as each dated it. */
+  synchronized double overlapSeconds() {
+    return overlapSeconds(heard, deaths);
+  }
+
+  /** From when to when a robot was committed to help. */
+  private record Span(String robot, Instant from, Instant to) {}
+
+  /**
+   * The same of what was told, by robot. Whose end of helping was not told helped until it died, or
+   * else until the last that anybody told.
+   *
+   * @param deaths when a robot died, by robot
+   */
+  static double overlapSeconds(
+      Map<String, List<RecruitmentStatus>> told, Map<String, Instant> deaths) {
+    Instant last =
+        told.values().stream()
+            .flatMap(List::stream)
+            .map(RecruitmentStatus::measured)
+            .max(Comparator.naturalOrder())
+            .orElse(Instant.MIN);
+    List<Span> spans = new ArrayList<>();
+    told.forEach(
+        (robot, all) -> {
+          Instant death = deaths.getOrDefault(robot, last);
+          @Nullable Instant from = null;
+          for (RecruitmentStatus each : all) {
+            if (each.responderPhase().isCommitted() && from == null) {
+              from = each.measured();
+            } else if (!each.responderPhase().isCommitted() && from != null) {
+              spans.add(new Span(robot, from, each.measured()));
+              from = null;
+            }
+          }
+          if (from != null) {
+            spans.add(new Span(robot, from, death.isAfter(from) ? death : last));
+          }
+        });
+    double seconds = 0;
+    for (Span one : spans) {
+      for (Span other : spans) {
+        if (one.robot().compareTo(other.robot()) < 0) {
+          Instant from = one.from().isAfter(other.from()) ? one.from() : other.from();
+          Instant to = one.to().isBefore(other.to()) ? one.to() : other.to();
+          seconds += Math.max(0, Duration.between(from, to).toMillis() / 1000.0);
+        }
+      }
+    }
+    return seconds;
+  }
+
+  @Override
+  public void close() {
+    watch.close();
+    List<Subscription> ending;
+    synchronized (this) {
+      isOver = true;
+      ending = List.copyOf(subscriptions.values());
+    }
+    ending.forEach(Subscription::close);
+  }
+}

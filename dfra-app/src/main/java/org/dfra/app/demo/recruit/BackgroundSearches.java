@@ -1,0 +1,198 @@
+package org.dfra.app.demo.recruit;
+
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.UUID;
+import org.dfra.agent.RecruitmentStatus;
+import org.dfra.app.demo.harness.DemoAssertions;
+import org.dfra.app.demo.harness.ProgressReporter;
+import org.dfra.app.demo.recruit.ResumptionCheck.ResumptionFault;
+import org.dfra.behavior.BehaviorStatus;
+import org.dfra.behavior.BehaviorStatus.Phase;
+import org.dfra.behavior.RasterGoal;
+import org.dfra.behavior.RasterSearch;
+import org.dfra.directory.ModuleDirectory;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.event.Delivery;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.ModuleEvent;
+import org.dfra.event.Subscription;
+import org.dfra.geometry.LocalFrame;
+import org.dfra.geometry.LocalPosition;
+import org.dfra.module.NotReadyException;
+
+/**
+ * What robots do until they are called, and go on with afterwards. What the searches tell is kept.
+ * Safe for use by several threads.
+ */
+final class BackgroundSearches implements AutoCloseable {
+
+  /** How long a search is usually awaited. */
+  static final Duration PATIENCE = Duration.ofSeconds(120);
+
+  /** Metres; so narrow that nobody is at the end of its search before the last call. */
+  private static final double SWATH = 0.85;
+
+  private static final double WIDTH = 13.5; // to the east, metres
+  private static final double DEPTH = 8; // to the north, metres
+
+  /** Readings kept for us while we are slow, of each search. */
+  private static final int KEPT = 512;
+
+  private final ProgressReporter tell;
+  private final ModuleDirectory directory;
+  private final LocalFrame frame;
+  private final Duration patience;
+  private final Map<String, RasterSearch> under = new TreeMap<>(); // way, by robot; guarded by this
+  private final Map<String, Subscription> subscriptions = new TreeMap<>(); // guarded by this
+  private final Map<String, List<BehaviorStatus>> heard = new TreeMap<>(); // guarded by this
+
+  /**
+   * @param frame the world's
+   * @param patience for how long a search is awaited, real time
+   */
+  BackgroundSearches(
+      ProgressReporter tell, ModuleDirectory directory, LocalFrame frame, Duration patience) {
+    this.tell = tell;
+    this.directory = directory;
+    this.frame = frame;
+    this.patience = patience;
+  }
+
+  /**
+   * Has a robot search a rectangle by raster.
+   *
+   * @param west of its south-western corner, metres in the world's frame
+   * @param south likewise
+   */
+  void begin(String robot, double west, double south) throws Exception {
+    tell.step("having " + robot + " search");
+    RasterSearch search = directory.proxyFor(ModuleQuery.of(RasterSearch.class).robot(robot));
+    Subscription subscription =
+        search.subscribe(delivery -> received(robot, delivery), DeliveryPolicy.keepLast(KEPT));
+    synchronized (this) {
+      subscriptions.put(robot, subscription);
+      under.put(robot, search);
+    }
+    List<LocalPosition> corners =
+        List.of(
+            new LocalPosition(west, south, 0),
+            new LocalPosition(west + WIDTH, south, 0),
+            new LocalPosition(west + WIDTH, south + DEPTH, 0),
+            new LocalPosition(west, south + DEPTH, 0));
+    RasterGoal goal =
+        new RasterGoal(corners.stream().map(frame::toGeo).toList(), SWATH, 0.8 * SWATH, false);
+    DemoAssertions.await(
+        "that " + robot + " begins to search",
+        patience,
+        () -> {
+          try {
+            UUID unused = search.pursue(goal);
+            return true;
+          } catch (NotReadyException e) {
+            return false;
+          }
+        });
+    tell.say("%s searches its quarter of the field by raster.", robot);
+  }
+
+  private synchronized void received(String robot, Delivery delivery) {
+    if (delivery.event() instanceof ModuleEvent.NewReading fresh
+        && fresh.reading() instanceof BehaviorStatus status) {
+      heard.computeIfAbsent(robot, name -> new ArrayList<>()).add(status);
+    }
+  }
+
+  private synchronized List<BehaviorStatus> statuses(String robot) {
+    return List.copyOf(heard.getOrDefault(robot, List.of()));
+  }
+
+  /** What a robot's search told last; nothing where it has none, or told nothing. */
+  synchronized Optional<BehaviorStatus> last(String robot) {
+    List<BehaviorStatus> all = heard.getOrDefault(robot, List.of());
+    return all.isEmpty() ? Optional.empty() : Optional.of(all.get(all.size() - 1));
+  }
+
+  /** That robot is no more. */
+  void forget(String robot) {
+    Subscription ending;
+    synchronized (this) {
+      under.remove(robot);
+      ending = subscriptions.remove(robot);
+    }
+    if (ending != null) {
+      ending.close();
+    }
+  }
+
+  /**
+   * Judges whether each that was recruited had been searching and went on with that search, says
+   * so, and ends all searches. Who has to do more of it yet is given time.
+   *
+   * @param recruited what the agents of those told that were called away, as they told it, by robot
+   * @return what is wrong, by robot
+   */
+  Map<String, ResumptionFault> end(Map<String, List<RecruitmentStatus>> recruited)
+      throws Exception {
+    Map<String, ResumptionFault> faults = new TreeMap<>();
+    for (Map.Entry<String, List<RecruitmentStatus>> each : recruited.entrySet()) {
+      String robot = each.getKey();
+      tell.step("waiting until " + robot + " goes on with its search");
+      boolean unused =
+          DemoAssertions.holdsWithin(patience, () -> isDecided(robot, each.getValue()));
+      Optional<ResumptionFault> fault = ResumptionCheck.fault(each.getValue(), statuses(robot));
+      fault.ifPresent(
+          what -> {
+            faults.put(robot, what);
+            tell.say("%s %s.", robot, what.why());
+          });
+    }
+    Map<String, RasterSearch> ending;
+    synchronized (this) {
+      ending = new TreeMap<>(under);
+    }
+    for (Map.Entry<String, RasterSearch> each : ending.entrySet()) {
+      String robot = each.getKey();
+      boolean hasResumed = recruited.containsKey(robot) && !faults.containsKey(robot);
+      print(robot, hasResumed, each.getValue());
+      each.getValue().cancel();
+    }
+    return faults;
+  }
+
+  /** Whether waiting for it changes nothing any more. */
+  private boolean isDecided(String robot, List<RecruitmentStatus> agent) {
+    Optional<ResumptionFault> fault = ResumptionCheck.fault(agent, statuses(robot));
+    boolean isOver =
+        last(robot)
+            .map(BehaviorStatus::phase)
+            .filter(phase -> phase == Phase.FAILED || phase == Phase.CANCELLED)
+            .isPresent();
+    return isOver || fault.map(what -> !what.hadSearched()).orElse(true);
+  }
+
+  private void print(String robot, boolean hasResumed, RasterSearch search) throws RemoteException {
+    BehaviorStatus status = search.status();
+    tell.say(
+        "%s%s has searched %.0f %% of its quarter: %s.",
+        robot,
+        hasResumed ? ", which was called away from its search and went on with it," : "",
+        100 * status.completion(),
+        status.activity());
+  }
+
+  @Override
+  public void close() {
+    List<Subscription> ending;
+    synchronized (this) {
+      ending = List.copyOf(subscriptions.values());
+      subscriptions.clear();
+    }
+    ending.forEach(Subscription::close);
+  }
+}

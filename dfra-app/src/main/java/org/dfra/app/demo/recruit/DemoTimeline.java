@@ -1,0 +1,123 @@
+package org.dfra.app.demo.recruit;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import org.dfra.agent.RecruitmentStatus;
+import org.dfra.agent.ResponderPhase;
+import org.dfra.app.demo.recruit.Conversations.Attempt;
+import org.dfra.app.raster.MissionEvent;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.geometry.LocalFrame;
+import org.dfra.geometry.LocalPosition;
+import org.dfra.sim.world.GroundTruthPose;
+
+/**
+ * What happened, in its order, and where: what agents told held against where robots truly were.
+ */
+final class DemoTimeline {
+
+  /**
+   * @param mark what happened
+   * @param east where, metres in the world's frame
+   * @param north likewise
+   */
+  record Event(MissionEvent mark, double east, double north) {}
+
+  private final Instant began;
+  private final LocalFrame frame;
+  private final AgentMonitor witness;
+  private final TrueTrajectories ways;
+
+  /**
+   * @param began the robots' time that all is told as seconds since
+   * @param frame the world's
+   */
+  DemoTimeline(Instant began, LocalFrame frame, AgentMonitor witness, TrueTrajectories ways) {
+    this.began = began;
+    this.frame = frame;
+    this.witness = witness;
+    this.ways = ways;
+  }
+
+  /** Seconds of the robots' time since the demonstration began. */
+  double seconds(Instant time) {
+    return Duration.between(began, time).toMillis() / 1000.0;
+  }
+
+  /** Where something is that was told by latitude and longitude. */
+  LocalPosition place(GeoPosition place) {
+    return frame.toLocal(place);
+  }
+
+  /** All, the first first. */
+  List<Event> events() {
+    List<Event> all = new ArrayList<>();
+    for (Attempt each : Conversations.of(witness.messages())) {
+      LocalPosition at = place(each.asked().position());
+      String what =
+          each.attempt() == 1
+              ? "calls for help here: call " + each.call()
+              : "calls again: call " + each.call() + ", attempt " + each.attempt();
+      if (each.attempt() == 1) {
+        all.add(new Event(mark(each.begun(), each.requester(), what), at.east(), at.north()));
+      } else {
+        all.add(of(each.begun(), each.requester(), what));
+      }
+    }
+    witness.statuses().forEach((robot, told) -> all.addAll(helped(robot, told)));
+    witness.noted().forEach(each -> all.add(of(each.time(), each.robot(), each.what())));
+    all.sort(Comparator.comparingDouble(each -> each.mark().time()));
+    return all;
+  }
+
+  /** When a robot set out, was there, and was free again. */
+  private List<Event> helped(String robot, List<RecruitmentStatus> told) {
+    List<Event> all = new ArrayList<>();
+    ResponderPhase last = ResponderPhase.FREE;
+    for (RecruitmentStatus each : told) {
+      ResponderPhase phase = each.responderPhase();
+      boolean wasThere = isThere(last);
+      if (phase == ResponderPhase.TRAVELLING && last != phase) {
+        all.add(of(each.measured(), robot, "sets out to help " + each.helpedRobot()));
+      } else if (isThere(phase) && !wasThere) {
+        all.add(of(each.measured(), robot, "is there to help " + each.helpedRobot()));
+      } else if (!phase.isCommitted() && last.isCommitted()) {
+        all.add(of(each.measured(), robot, each.lastChange().replaceFirst("^it ", "")));
+      }
+      last = phase;
+    }
+    return all;
+  }
+
+  private static boolean isThere(ResponderPhase phase) {
+    return phase.isCommitted() && phase != ResponderPhase.TRAVELLING;
+  }
+
+  private Event of(Instant time, String robot, String what) {
+    GroundTruthPose pose = ways.at(robot, time);
+    return new Event(mark(time, robot, what), pose.east(), pose.north());
+  }
+
+  private MissionEvent mark(Instant time, String robot, String what) {
+    return new MissionEvent(seconds(time), robot, what);
+  }
+
+  /** What each robot told of itself, as it was told. */
+  Map<String, List<RecruitmentStatus>> statuses() {
+    return witness.statuses();
+  }
+
+  /** What was said. */
+  List<Attempt> conversations() {
+    return Conversations.of(witness.messages());
+  }
+
+  /** Where robots truly went. */
+  Map<String, double[][]> trajectories() {
+    return ways.all();
+  }
+}

@@ -1,0 +1,144 @@
+package org.dfra.app.demo.recruit;
+
+import java.io.IOException;
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicReference;
+import org.dfra.agent.HelpCall;
+import org.dfra.agent.HelpCallRejectedException;
+import org.dfra.agent.RecruitmentAgent;
+import org.dfra.agent.RequesterPhase;
+import org.dfra.agent.ResponderPhase;
+import org.dfra.app.demo.harness.DemoAssertions;
+import org.dfra.app.demo.harness.ProgressReporter;
+import org.dfra.geometry.LocalFrame;
+import org.dfra.geometry.LocalPosition;
+
+/** What one robot asks of its agent, and what comes of it. */
+final class HelpRequester {
+
+  /** How long anything is awaited, real time. */
+  static final Duration PATIENCE = Duration.ofSeconds(120);
+
+  private final ProgressReporter tell;
+  private final String requester;
+  private final RecruitmentAgent agent;
+  private final AgentMonitor witness;
+  private final LocalFrame frame;
+
+  /**
+   * @param agent of the requester
+   * @param frame the world's
+   */
+  HelpRequester(
+      ProgressReporter tell,
+      String requester,
+      RecruitmentAgent agent,
+      AgentMonitor witness,
+      LocalFrame frame) {
+    this.tell = tell;
+    this.requester = requester;
+    this.agent = agent;
+    this.witness = witness;
+    this.frame = frame;
+  }
+
+  /** Waits until the agent has found the others: until then it answers that nobody is there. */
+  void awaitOthers(HelpCall impossible) throws Exception {
+    tell.step("waiting until " + requester + " sees the others");
+    DemoAssertions.await(
+        "that " + requester + " sees the others",
+        PATIENCE,
+        () -> refusal(impossible).filter(why -> !why.endsWith("nobody is there")).isPresent());
+  }
+
+  /** Calls for what cannot be had. */
+  void requireRefused(HelpCall call) throws IOException {
+    LocalPosition at = frame.toLocal(call.position());
+    Optional<String> why = refusal(call);
+    DemoAssertions.require(why.isPresent(), requester + " calls for what cannot be had: " + call);
+    tell.say(
+        "%s wants somebody who can observe \"%s\", %.0f m east and %.0f m north; its agent"
+            + " answers: %s.",
+        requester, call.percept(), at.east(), at.north(), why.orElseThrow());
+  }
+
+  private Optional<String> refusal(HelpCall call) throws RemoteException {
+    try {
+      agent.callForHelp(call);
+      agent.release();
+      return Optional.empty();
+    } catch (HelpCallRejectedException e) {
+      return Optional.of(String.valueOf(e.getMessage()));
+    }
+  }
+
+  /** Calls, and waits until somebody is on its way who is not one of those. */
+  String call(HelpCall call, Set<String> others) throws Exception {
+    tell.step("calling for help");
+    AtomicReference<String> refused = new AtomicReference<>("it has not answered");
+    boolean calls =
+        DemoAssertions.holdsWithin(
+            PATIENCE,
+            () -> {
+              try {
+                agent.callForHelp(call);
+                return true;
+              } catch (HelpCallRejectedException e) {
+                refused.set(String.valueOf(e.getMessage()));
+                return false; // it has not seen the others yet, or its last call is not over
+              }
+            });
+    DemoAssertions.require(calls, requester + " cannot call for help: " + refused.get());
+    LocalPosition at = frame.toLocal(call.position());
+    tell.say(
+        "%s calls for somebody who can observe \"%s\", %.0f m east and %.0f m north.",
+        requester, call.percept(), at.east(), at.north());
+    return awaitTravelling(others);
+  }
+
+  /** Waits until somebody is on its way who is not one of those. */
+  String awaitTravelling(Set<String> others) throws Exception {
+    tell.step("waiting for a helper");
+    DemoAssertions.await(
+        "that somebody comes", PATIENCE, () -> witness.committed(others).isPresent());
+    return witness.committed(others).orElseThrow();
+  }
+
+  /** Waits until somebody helps, who need not be the one that was on its way first. */
+  String awaitArrival() throws Exception {
+    await(RequesterPhase.BEING_HELPED);
+    String helper = witness.last(requester).orElseThrow().helperRobot();
+    DemoAssertions.require(helper != null, requester + " is helped by nobody");
+    await(String.valueOf(helper), ResponderPhase.LEASED);
+    return String.valueOf(helper);
+  }
+
+  /** Lets the helper go. */
+  void release(String helper) throws Exception {
+    tell.say("%s has seen enough and releases %s.", requester, helper);
+    agent.release();
+    await(helper, ResponderPhase.FREE);
+    await(RequesterPhase.IDLE);
+  }
+
+  /** Waits until another robot's agent tells that. */
+  void await(String robot, ResponderPhase phase) throws Exception {
+    tell.step("waiting until " + robot + " is " + phase);
+    DemoAssertions.await(
+        "that " + robot + " is " + phase,
+        PATIENCE,
+        () -> witness.last(robot).filter(each -> each.responderPhase() == phase).isPresent());
+  }
+
+  /** Waits until the requester's agent tells that. */
+  void await(RequesterPhase phase) throws Exception {
+    tell.step("waiting until " + requester + " is " + phase);
+    DemoAssertions.await(
+        "that " + requester + " is " + phase,
+        PATIENCE,
+        () -> witness.last(requester).filter(each -> each.requesterPhase() == phase).isPresent());
+  }
+}

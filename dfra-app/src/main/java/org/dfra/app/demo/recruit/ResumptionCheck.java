@@ -1,0 +1,163 @@
+package org.dfra.app.demo.recruit;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
+import org.dfra.agent.RecruitmentStatus;
+import org.dfra.agent.ResponderPhase;
+import org.dfra.behavior.BehaviorStatus;
+import org.dfra.behavior.BehaviorStatus.Phase;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Judges whether a robot that was recruited had been searching, left that search to help, and went
+ * on with the same one until more of it was done. All times are by the robot's clock.
+ */
+final class ResumptionCheck {
+
+  /**
+   * One time that the robot was away to help.
+   *
+   * @param asked when it had not left its work yet: it offered, or else set out
+   * @param free when it was free again; null where it is not yet
+   */
+  private record Absence(Instant asked, @Nullable Instant free) {}
+
+  /**
+   * What is wrong.
+   *
+   * @param hadSearched whether the robot had been searching when it was recruited
+   * @param why a clause about the robot
+   */
+  record ResumptionFault(boolean hadSearched, String why) {}
+
+  private ResumptionCheck() {}
+
+  /**
+   * What is wrong the first time that something is; nothing where it resumed each time, and where
+   * it never helped.
+   *
+   * @param agent what its agent told, as it was told
+   * @param search what its search told, as it was told
+   */
+  static Optional<ResumptionFault> fault(
+      List<RecruitmentStatus> agent, List<BehaviorStatus> search) {
+    List<Absence> apart = new ArrayList<>();
+    for (Absence each : absences(agent)) {
+      Absence before = apart.isEmpty() ? null : apart.get(apart.size() - 1);
+      if (before != null && isStillAway(before, each, search)) {
+        apart.set(apart.size() - 1, new Absence(before.asked(), each.free()));
+      } else {
+        apart.add(each);
+      }
+    }
+    return apart.stream().flatMap(each -> fault(each, search).stream()).findFirst();
+  }
+
+  /** Whether it was called away again before it was back at its search: that is one absence. */
+  private static boolean isStillAway(Absence before, Absence next, List<BehaviorStatus> search) {
+    Instant free = before.free();
+    return free != null
+        && at(next.asked(), search).filter(each -> each.phase() == Phase.PAUSED).isPresent()
+        && search.stream()
+            .filter(each -> isIn(free, each) && !each.measured().isAfter(next.asked()))
+            .noneMatch(each -> each.phase() == Phase.RUNNING);
+  }
+
+  /** What was told last at that time. */
+  private static Optional<BehaviorStatus> at(Instant time, List<BehaviorStatus> search) {
+    return search.stream()
+        .filter(each -> !each.measured().isAfter(time))
+        .reduce((first, second) -> second);
+  }
+
+  private static List<Absence> absences(List<RecruitmentStatus> agent) {
+    List<Absence> all = new ArrayList<>();
+    @Nullable Instant offered = null;
+    @Nullable Instant asked = null;
+    for (RecruitmentStatus each : agent) {
+      if (each.responderPhase() == ResponderPhase.OFFERED) {
+        offered = offered == null ? each.measured() : offered;
+      } else if (each.responderPhase().isCommitted()) {
+        asked = asked != null ? asked : offered != null ? offered : each.measured();
+      } else {
+        if (asked != null) {
+          all.add(new Absence(asked, each.measured()));
+        }
+        offered = null;
+        asked = null;
+      }
+    }
+    if (asked != null) {
+      all.add(new Absence(asked, null));
+    }
+    return all;
+  }
+
+  private static Optional<ResumptionFault> fault(Absence away, List<BehaviorStatus> search) {
+    BehaviorStatus before = at(away.asked(), search).orElse(null);
+    if (before == null || before.phase() != Phase.RUNNING) {
+      return Optional.of(
+          new ResumptionFault(
+              false,
+              "was not searching when it was recruited: "
+                  + (before == null
+                      ? "it had no search"
+                      : "its search was " + before.phase() + ", " + before.activity())));
+    }
+    Instant free = away.free();
+    if (free == null) {
+      return notResumed("was recruited and is not free again");
+    }
+    List<BehaviorStatus> same =
+        search.stream().filter(each -> Objects.equals(each.goal(), before.goal())).toList();
+    if (same.stream().noneMatch(each -> isIn(away.asked(), each) && each.phase() == Phase.PAUSED)) {
+      return notResumed("never left its search to help");
+    }
+    return wentOn(free, same, search.get(search.size() - 1));
+  }
+
+  private static boolean isIn(Instant from, BehaviorStatus each) {
+    return !each.measured().isBefore(from);
+  }
+
+  /**
+   * @param same what was told of the search that it left
+   * @param last what was told last, of whichever search
+   */
+  private static Optional<ResumptionFault> wentOn(
+      Instant free, List<BehaviorStatus> same, BehaviorStatus last) {
+    double left =
+        same.stream()
+            .filter(each -> each.measured().isBefore(free))
+            .mapToDouble(BehaviorStatus::completion)
+            .max()
+            .orElse(0);
+    List<BehaviorStatus> after = same.stream().filter(each -> isIn(free, each)).toList();
+    boolean hasRisen =
+        after.stream().anyMatch(each -> each.phase() == Phase.RUNNING && each.completion() > left);
+    if (hasRisen || after.stream().anyMatch(each -> each.phase() == Phase.SUCCEEDED)) {
+      return Optional.empty();
+    }
+    if (!Objects.equals(last.goal(), same.get(0).goal())) {
+      return notResumed("began another search instead of the one that it had left");
+    }
+    return notResumed(
+        last.phase() == Phase.RUNNING
+            ? String.format(
+                Locale.ROOT,
+                "searches again, but no more is done than the %.0f %% it had left",
+                100 * left)
+            : "has not gone on with the search that it left: that is "
+                + last.phase()
+                + ", "
+                + last.activity());
+  }
+
+  private static Optional<ResumptionFault> notResumed(String why) {
+    return Optional.of(new ResumptionFault(true, why));
+  }
+}

@@ -1,0 +1,92 @@
+package org.dfra.app.demo.recruit;
+
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import org.dfra.app.raster.monitor.TrueTrajectory;
+import org.dfra.sim.world.GroundTruth;
+import org.dfra.sim.world.GroundTruthPose;
+
+/**
+ * Where the robots of the demonstration truly go: the world is asked five times a second by a
+ * thread of its own, {@code dfra-demo-ways}. Safe for use by several threads.
+ */
+final class TrueTrajectories implements AutoCloseable {
+
+  private static final long PERIOD_MILLIS = 200;
+
+  private final List<String> robots;
+  private final GroundTruth truth;
+  private final InstantSource clock;
+  private final TrueTrajectory known = new TrueTrajectory(); // guarded by this
+  private final ScheduledExecutorService thread =
+      Executors.newSingleThreadScheduledExecutor(
+          task -> {
+            Thread made = new Thread(task, "dfra-demo-ways");
+            made.setDaemon(true);
+            return made;
+          });
+
+  /**
+   * @param clock by which the world goes
+   */
+  TrueTrajectories(List<String> robots, GroundTruth truth, InstantSource clock) {
+    this.robots = List.copyOf(robots);
+    this.truth = truth;
+    this.clock = clock;
+  }
+
+  /** Begins to ask; the world runs. */
+  void start() {
+    look();
+    var unused =
+        thread.scheduleAtFixedRate(this::look, PERIOD_MILLIS, PERIOD_MILLIS, TimeUnit.MILLISECONDS);
+  }
+
+  private synchronized void look() {
+    truth.poses(clock.instant()).forEach(known::add);
+  }
+
+  /** Where a robot was at that time, or just before. */
+  synchronized GroundTruthPose at(String robot, Instant time) {
+    GroundTruthPose pose = known.at(time).get(robot);
+    if (pose == null) {
+      throw new IllegalArgumentException(robot + " is not in the world");
+    }
+    return pose;
+  }
+
+  /** How far a robot is from where it was at that time, as the crow flies, metres. */
+  synchronized double displacementSince(String robot, Instant time) {
+    GroundTruthPose before = at(robot, time);
+    GroundTruthPose now = at(robot, known.latestTime());
+    return Math.hypot(now.east() - before.east(), now.north() - before.north());
+  }
+
+  /**
+   * Of each robot {@code {east, north}}, metres in the world's frame, in the order of the robots.
+   */
+  synchronized Map<String, double[][]> all() {
+    Map<String, double[][]> all = new LinkedHashMap<>();
+    for (String robot : robots) {
+      List<GroundTruthPose> way = known.of(robot);
+      all.put(
+          robot,
+          new double[][] {
+            way.stream().mapToDouble(GroundTruthPose::east).toArray(),
+            way.stream().mapToDouble(GroundTruthPose::north).toArray()
+          });
+    }
+    return all;
+  }
+
+  @Override
+  public void close() {
+    thread.shutdownNow();
+  }
+}

@@ -1,0 +1,111 @@
+package org.dfra.app.event;
+
+import java.time.Duration;
+import java.util.EnumSet;
+import java.util.concurrent.Callable;
+import org.dfra.app.event.ListeningSession.EventHandler;
+import org.dfra.app.team.ModuleArgument;
+import org.dfra.app.team.TeamDirectory;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.event.Delivery;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.DeliveryPolicy.EventKind;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** A command that measures a module's events, and tells what it has every second and at the end. */
+abstract class MeasurementCommand implements Callable<Integer> {
+
+  private static final int WIDEST = 100_000;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private ModuleArgument module;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private ListeningOptions listening;
+
+  @Option(
+      names = "--window",
+      paramLabel = "N",
+      description = "Measure over the last N events (default ${DEFAULT-VALUE}).")
+  private int window = 100;
+
+  @Spec
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private CommandSpec spec;
+
+  /** How large an event is, in bytes, where that is measured. */
+  abstract long size(Delivery delivery);
+
+  /** What was measured, for programs. */
+  abstract Object value(EventWindow events, long lost);
+
+  /** The same for people; at least two events came. */
+  abstract String inWords(EventWindow events);
+
+  @Override
+  public final Integer call() throws Exception {
+    if (window < 2 || window > WIDEST) {
+      throw new ParameterException(
+          spec.commandLine(), "--window=" + window + " is not a number from 2 to " + WIDEST);
+    }
+    long count = listening.count();
+    Duration time = listening.time();
+    DeliveryPolicy policy =
+        listening.policy(
+            EnumSet.of(EventKind.READING),
+            DeliveryPolicy.MAX_QUEUE_DEPTH,
+            Double.POSITIVE_INFINITY);
+    Meter meter = new Meter();
+    try (TeamDirectory team = module.open();
+        ListeningSession open = new ListeningSession(module.find(team), meter, count)) {
+      meter.report(open.run(policy, time));
+    }
+    return ExitCode.SUCCESS;
+  }
+
+  /** Fills the window. */
+  private final class Meter implements EventHandler {
+
+    private final EventWindow events = new EventWindow(window); // guarded by this
+    private long reportedAt = -1; // guarded by this
+
+    @Override
+    public boolean onEvent(Delivery delivery, long lost) {
+      long now = System.nanoTime();
+      long bytes = size(delivery);
+      synchronized (this) {
+        events.add(now, bytes);
+      }
+      return true;
+    }
+
+    @Override
+    public boolean onSecond(long lost) {
+      report(lost);
+      return module.answer().isOutputOpen();
+    }
+
+    synchronized void report(long lost) {
+      module.answer().line(value(events, lost), sentence(lost));
+      reportedAt = events.totalCount();
+    }
+
+    private String sentence(long lost) {
+      if (events.size() < 2) {
+        return events.size() == 0 ? "no event so far" : "one event so far";
+      }
+      return inWords(events)
+          + "; "
+          + events.size()
+          + " events"
+          + (lost == 0 ? "" : ", " + lost + " lost")
+          + (events.totalCount() == reportedAt ? "; none in the last second" : "");
+    }
+  }
+}

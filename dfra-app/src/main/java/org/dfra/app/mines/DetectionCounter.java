@@ -1,0 +1,175 @@
+package org.dfra.app.mines;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.dfra.app.mines.MineLaneObservations.LaneObservation;
+import org.dfra.behaviors.perceptual.mines.DetectorRates;
+import org.dfra.behaviors.perceptual.mines.GroundPoint;
+import org.dfra.behaviors.perceptual.mines.MineObservation;
+import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates;
+import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates.PreviousResult;
+import org.dfra.flow.sensor.CameraImage.Band;
+
+/**
+ * Counts how often a camera's looks at mines raise an alarm, and its looks at places without one,
+ * by what its look before at the same place said.
+ *
+ * <p>A place without a mine is a square of {@value #SQUARE} m, as large as the circle of the gate
+ * in which things found are taken for one. Where something was found that is no mine the circle
+ * around it is followed instead, look by look.
+ */
+public final class DetectionCounter {
+
+  /** How far from a mine an alarm is its own, metres; the detector's gate. */
+  public static final double GATE = 0.5;
+
+  private static final double SQUARE = 0.886; // metres: √π · GATE
+
+  private final Band band;
+  private final Map<PreviousResult, DetectionRate> mines = new EnumMap<>(PreviousResult.class);
+  private final Map<PreviousResult, DetectionRate> clear = new EnumMap<>(PreviousResult.class);
+
+  /** Of the cameras of a band. */
+  public DetectionCounter(Band band) {
+    this.band = band;
+    for (PreviousResult each : PreviousResult.values()) {
+      mines.put(each, new DetectionRate());
+      clear.put(each, new DetectionRate());
+    }
+  }
+
+  /** Alarms at mines by what the look before said. */
+  public DetectionRate truePositives(PreviousResult before) {
+    return mines.getOrDefault(before, new DetectionRate());
+  }
+
+  /** Alarms where there is no mine by what the look before said. */
+  public DetectionRate falsePositives(PreviousResult before) {
+    return clear.getOrDefault(before, new DetectionRate());
+  }
+
+  /** All rates as a detector takes them. */
+  public RepeatedDetectionRates rates() {
+    return new RepeatedDetectionRates(
+        rates(PreviousResult.NONE), rates(PreviousResult.ALARM), rates(PreviousResult.NO_ALARM));
+  }
+
+  private DetectorRates rates(PreviousResult before) {
+    return new DetectorRates(truePositives(before).value(), falsePositives(before).value(), 1);
+  }
+
+  /** Counts a lane. */
+  public void add(MineLaneObservations lane) {
+    new LaneCounter(lane).count();
+  }
+
+  /** A lane being counted. */
+  private final class LaneCounter {
+    private final MineLaneObservations lane;
+    private final Map<String, PreviousResult> atMines = new HashMap<>();
+    private final List<GroundPoint> clutter = new ArrayList<>();
+    private final Map<GroundPoint, PreviousResult> atClutter = new HashMap<>();
+    private final Set<GroundPoint> squaresSeen = new HashSet<>();
+
+    LaneCounter(MineLaneObservations lane) {
+      this.lane = lane;
+    }
+
+    void count() {
+      for (LaneObservation look : lane.observations()) {
+        for (MineObservation.LocatedDetections view : look.observation().views()) {
+          if (view.detections().band() == band) {
+            mines(look, view);
+            clutter(view);
+          }
+        }
+      }
+    }
+
+    private void mines(LaneObservation look, MineObservation.LocatedDetections view) {
+      lane.mines()
+          .forEach(
+              (name, spot) -> {
+                if (look.shows(view, name, spot)) {
+                  boolean alarm =
+                      view.points().stream().anyMatch(found -> found.distance(spot) <= GATE);
+                  PreviousResult before = atMines.getOrDefault(name, PreviousResult.NONE);
+                  DetectionCounter.this.truePositives(before).count(alarm);
+                  atMines.put(name, PreviousResult.of(alarm));
+                }
+              });
+    }
+
+    private void clutter(MineObservation.LocatedDetections view) {
+      List<GroundPoint> found = view.points().stream().filter(this::isClear).toList();
+      Set<GroundPoint> alarmed = new HashSet<>();
+      List<GroundPoint> fresh = new ArrayList<>();
+      for (GroundPoint each : found) {
+        Optional<GroundPoint> known =
+            clutter.stream().filter(c -> c.distance(each) <= GATE).findFirst();
+        known.ifPresentOrElse(alarmed::add, () -> fresh.add(each));
+      }
+      for (GroundPoint each : clutter) {
+        if (alarmed.contains(each) || view.covers(each)) {
+          DetectionCounter.this
+              .falsePositives(atClutter.getOrDefault(each, PreviousResult.NONE))
+              .count(alarmed.contains(each));
+          atClutter.put(each, PreviousResult.of(alarmed.contains(each)));
+        }
+      }
+      for (GroundPoint each : fresh) {
+        boolean isFirst = !squaresSeen.contains(square(each));
+        DetectionCounter.this
+            .falsePositives(isFirst ? PreviousResult.NONE : PreviousResult.NO_ALARM)
+            .add(1, 1);
+        clutter.add(each);
+        atClutter.put(each, PreviousResult.ALARM);
+      }
+      squares(view);
+    }
+
+    /** Counts the squares in view where nothing ever was found. */
+    private void squares(MineObservation.LocatedDetections view) {
+      for (GroundPoint square : squaresIn(view)) {
+        if (isClear(square) && clutter.stream().noneMatch(c -> c.distance(square) <= GATE)) {
+          boolean isFirst = squaresSeen.add(square);
+          DetectionCounter.this
+              .falsePositives(isFirst ? PreviousResult.NONE : PreviousResult.NO_ALARM)
+              .count(false);
+        }
+      }
+    }
+
+    private boolean isClear(GroundPoint spot) {
+      return lane.mines().values().stream().allMatch(mine -> mine.distance(spot) > GATE);
+    }
+  }
+
+  private static GroundPoint square(GroundPoint spot) {
+    return new GroundPoint(
+        SQUARE * Math.rint(spot.x() / SQUARE), SQUARE * Math.rint(spot.y() / SQUARE));
+  }
+
+  /** The middles of the squares that a camera would see a mine in the middle of. */
+  static List<GroundPoint> squaresIn(MineObservation.LocatedDetections view) {
+    int reach = (int) Math.ceil(5 / SQUARE);
+    GroundPoint middle = square(new GroundPoint(view.viewpoint().east(), view.viewpoint().north()));
+    List<GroundPoint> squares = new ArrayList<>();
+    for (int i = -reach; i <= reach; i++) {
+      for (int j = -reach; j <= reach; j++) {
+        GroundPoint square =
+            square(new GroundPoint(middle.x() + i * SQUARE, middle.y() + j * SQUARE));
+        if (view.covers(square)) {
+          squares.add(square);
+        }
+      }
+    }
+    return squares;
+  }
+}

@@ -1,0 +1,130 @@
+package org.dfra.app.module;
+
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
+import java.lang.reflect.Parameter;
+import java.lang.reflect.Type;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.CommandOutput;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.core.config.NearestName;
+import org.dfra.event.ModuleListener;
+import org.dfra.module.Module;
+import org.jspecify.annotations.Nullable;
+
+/** The methods that a module offers its clients, called by name. */
+final class ModuleMethods {
+
+  private final Module module;
+  private final List<Method> methods;
+
+  ModuleMethods(Module module) {
+    this.module = module;
+    this.methods =
+        ModuleKinds.interfaces(module).stream()
+            .flatMap(kind -> Arrays.stream(kind.getMethods()))
+            .filter(ModuleMethods::canBeWritten)
+            .collect(
+                Collectors.toMap(
+                    ModuleMethods::signature, each -> each, ModuleMethods::moreSpecial))
+            .values()
+            .stream()
+            .sorted(Comparator.comparing(Method::getName).thenComparing(Method::getParameterCount))
+            .toList();
+  }
+
+  /**
+   * Whether its arguments can be written on a command line, and its answer outlives the command.
+   */
+  private static boolean canBeWritten(Method method) {
+    return !AutoCloseable.class.isAssignableFrom(method.getReturnType())
+        && Arrays.stream(method.getParameterTypes())
+            .noneMatch(type -> ModuleListener.class.isAssignableFrom(type) || type == Object.class);
+  }
+
+  private static Method moreSpecial(Method one, Method other) {
+    return one.getReturnType().isAssignableFrom(other.getReturnType()) ? other : one;
+  }
+
+  /** {@code name(Type name, …)}. */
+  static String signature(Method method) {
+    return Arrays.stream(method.getParameters())
+        .map(each -> name(each.getParameterizedType()) + " " + each.getName())
+        .collect(Collectors.joining(", ", method.getName() + "(", ")"));
+  }
+
+  /** A type without packages. */
+  static String name(Type type) {
+    return type.getTypeName().replaceAll("(\\w+\\.)+", "");
+  }
+
+  /** All of them, in alphabetical order. */
+  List<Method> methods() {
+    return methods;
+  }
+
+  /**
+   * Calls one.
+   *
+   * @param arguments as they were written
+   * @return what it returns; null where it returns nothing
+   * @throws Exception what it throws
+   */
+  @Nullable Object invoke(String name, List<String> arguments) throws Exception {
+    Method method = method(name, arguments.size());
+    try {
+      return method.invoke(module, values(method, arguments));
+    } catch (InvocationTargetException e) {
+      throw e.getCause() instanceof Exception thrown ? thrown : e;
+    }
+  }
+
+  private Method method(String name, int arguments) {
+    List<Method> named = methods.stream().filter(each -> each.getName().equals(name)).toList();
+    if (named.isEmpty()) {
+      throw new CommandFailure(
+          ExitCode.NOT_FOUND,
+          "the module has no method "
+              + name
+              + NearestName.hint(
+                  name,
+                  methods.stream().map(Method::getName).distinct().toList(),
+                  "; leave the method out to see what there is"));
+    }
+    return named.stream()
+        .filter(each -> each.getParameterCount() == arguments)
+        .findFirst()
+        .orElseThrow(
+            () ->
+                new CommandFailure(
+                    ExitCode.USAGE_ERROR,
+                    "there is no "
+                        + name
+                        + " with "
+                        + arguments
+                        + " arguments; there is "
+                        + named.stream()
+                            .map(ModuleMethods::signature)
+                            .collect(Collectors.joining(", "))));
+  }
+
+  private static Object[] values(Method method, List<String> arguments) {
+    List<Object> values = new ArrayList<>();
+    Type[] types = method.getGenericParameterTypes();
+    Parameter[] parameters = method.getParameters();
+    for (int i = 0; i < types.length; i++) {
+      try {
+        values.add(CommandOutput.parseValue(arguments.get(i), types[i]));
+      } catch (IllegalArgumentException e) {
+        throw new CommandFailure(
+            ExitCode.USAGE_ERROR, parameters[i].getName() + ": " + e.getMessage(), e);
+      }
+    }
+    return values.toArray();
+  }
+}

@@ -1,0 +1,48 @@
+package org.dfra.app.raster;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.dfra.app.raster.MissionResult.RobotMissionResult;
+import org.dfra.app.raster.ModuleReadings.Fix;
+
+/**
+ * A time in which a receiver told no position.
+ *
+ * @param receiver the module's name
+ * @param from seconds since the search began
+ * @param to likewise
+ */
+public record ReceiverOutage(String receiver, double from, double to) {
+
+  /** A receiver that works tells a position every second. */
+  private static final double NOTED = 2.5; // seconds
+
+  /** All of a robot's, those of one receiver after those of another. */
+  public static List<ReceiverOutage> all(RobotMissionResult flight) {
+    Map<String, List<Fix>> byReceiver = new TreeMap<>();
+    for (Fix each : flight.readings().fixes()) {
+      byReceiver.computeIfAbsent(each.receiver(), unused -> new ArrayList<>()).add(each);
+    }
+    List<Sample> samples = flight.samples();
+    double end = samples.isEmpty() ? 0 : samples.get(samples.size() - 1).time();
+    List<ReceiverOutage> all = new ArrayList<>();
+    byReceiver.forEach(
+        (receiver, fixes) -> {
+          double last = 0;
+          for (Fix each : fixes) {
+            note(receiver, last, each.time(), all);
+            last = each.time();
+          }
+          note(receiver, last, end, all);
+        });
+    return all;
+  }
+
+  private static void note(String receiver, double from, double to, List<ReceiverOutage> all) {
+    if (to - from > NOTED) {
+      all.add(new ReceiverOutage(receiver, from, to));
+    }
+  }
+}

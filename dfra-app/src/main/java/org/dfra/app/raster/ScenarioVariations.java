@@ -1,0 +1,204 @@
+package org.dfra.app.raster;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.TreeMap;
+import java.util.function.Function;
+import org.dfra.core.config.GroupDescription;
+import org.dfra.core.config.ModuleDescription;
+import org.dfra.core.config.Parameters;
+import org.dfra.core.config.RobotDescription;
+import org.dfra.sim.world.description.DeviceDescription;
+import org.dfra.sim.world.description.DeviceKind;
+import org.dfra.sim.world.description.ObstacleDescription;
+import org.dfra.sim.world.description.VehicleDescription;
+import org.dfra.sim.world.description.WorldDescription;
+import org.dfra.sim.world.shape.Disc;
+
+/** Makes other worlds and robots of those that are written. */
+public final class ScenarioVariations {
+
+  private static final double POST_RADIUS = 0.08; // metres
+  private static final double POST_DISTANCE = 3; // metres between two
+  private static final double START_DISTANCE = 3; // metres from where a robot starts
+
+  private ScenarioVariations() {}
+
+  /** The same world with these robots and obstacles. */
+  public static WorldDescription world(
+      WorldDescription world,
+      List<ObstacleDescription> obstacles,
+      List<VehicleDescription> vehicles) {
+    return new WorldDescription(
+        world.name(),
+        world.seed(),
+        world.datum(),
+        world.ground(),
+        world.weather(),
+        obstacles,
+        world.mines(),
+        world.region(),
+        vehicles,
+        world.place());
+  }
+
+  /** The same robot somewhere near: up to so many metres and radians away. */
+  public static VehicleDescription withRandomPose(
+      VehicleDescription robot, double metres, double radians, Random random) {
+    return with(
+        robot,
+        robot.east() + metres * (2 * random.nextDouble() - 1),
+        robot.north() + metres * (2 * random.nextDouble() - 1),
+        robot.yaw() + radians * (2 * random.nextDouble() - 1),
+        robot.devices());
+  }
+
+  /** The same robot with a number of all its devices of a kind changed. */
+  public static VehicleDescription withDeviceParameter(
+      VehicleDescription robot, DeviceKind kind, String parameter, double value) {
+    List<DeviceDescription> devices = new ArrayList<>();
+    for (DeviceDescription each : robot.devices()) {
+      devices.add(each.kind() == kind ? each.with(parameter, value) : each);
+    }
+    return with(robot, robot.east(), robot.north(), robot.yaw(), devices);
+  }
+
+  private static VehicleDescription with(
+      VehicleDescription robot,
+      double east,
+      double north,
+      double yaw,
+      List<DeviceDescription> devices) {
+    return new VehicleDescription(
+        robot.name(),
+        robot.type(),
+        east,
+        north,
+        yaw,
+        robot.length(),
+        robot.width(),
+        robot.height(),
+        devices,
+        robot.place());
+  }
+
+  /** So many posts anywhere in the world's region, apart from each other and from the robots. */
+  public static List<ObstacleDescription> posts(
+      int count, WorldDescription world, List<VehicleDescription> robots, Random random) {
+    Disc bounds =
+        world
+            .region()
+            .orElseThrow(() -> new IllegalArgumentException(world.name() + " has no region"))
+            .bounds();
+    List<double[]> places = new ArrayList<>();
+    while (places.size() < count) {
+      double east = bounds.east() + bounds.radius() * (2 * random.nextDouble() - 1);
+      double north = bounds.north() + bounds.radius() * (2 * random.nextDouble() - 1);
+      boolean apart =
+          places.stream().allMatch(p -> Math.hypot(p[0] - east, p[1] - north) > POST_DISTANCE)
+              && robots.stream()
+                  .allMatch(r -> Math.hypot(r.east() - east, r.north() - north) > START_DISTANCE);
+      if (apart && world.region().get().contains(east, north)) {
+        places.add(new double[] {east, north});
+      }
+    }
+    List<ObstacleDescription> posts = new ArrayList<>();
+    for (double[] each : places) {
+      posts.add(
+          new ObstacleDescription(
+              "post_" + (posts.size() + 1), new Disc(each[0], each[1], POST_RADIUS), 1.5));
+    }
+    return posts;
+  }
+
+  /** The same robot with another driver for one of its modules, which is told nothing. */
+  public static RobotDescription withDriver(RobotDescription robot, String module, String driver) {
+    return changed(
+        robot,
+        each ->
+            List.of(
+                each.name().equals(module)
+                    ? copy(each, module, driver, new Parameters(each.path(), Map.of()))
+                    : each));
+  }
+
+  /** The same robot with one parameter of one of its modules changed. */
+  public static RobotDescription withParameter(
+      RobotDescription robot, String module, String parameter, String value) {
+    return changed(
+        robot,
+        each ->
+            List.of(
+                each.name().equals(module)
+                    ? copy(each, module, each.driverClass(), with(each, module, parameter, value))
+                    : each));
+  }
+
+  /** The same robot with copies of a module beside it, each with one parameter changed. */
+  public static RobotDescription withVariants(
+      RobotDescription robot, String module, String parameter, List<String> values) {
+    return changed(
+        robot,
+        each -> {
+          List<ModuleDescription> all = new ArrayList<>(List.of(each));
+          if (each.name().equals(module)) {
+            for (String value : values) {
+              all.add(
+                  copy(
+                      each,
+                      module + "_" + value,
+                      each.driverClass(),
+                      with(each, module + "_" + value, parameter, value)));
+            }
+          }
+          return all;
+        });
+  }
+
+  private static Parameters with(
+      ModuleDescription module, String name, String parameter, String value) {
+    Map<String, Parameters.Value> values = new TreeMap<>(module.parameters().all());
+    values.put(parameter, new Parameters.Value(value, module.place()));
+    return new Parameters(module.robot() + "/" + name, values);
+  }
+
+  private static ModuleDescription copy(
+      ModuleDescription module, String name, String driver, Parameters parameters) {
+    return new ModuleDescription(
+        module.robot(),
+        name,
+        module.serverClass(),
+        module.proxyClass(),
+        driver,
+        module.configuration(),
+        module.download(),
+        module.restart(),
+        parameters,
+        module.place());
+  }
+
+  private static RobotDescription changed(
+      RobotDescription robot, Function<ModuleDescription, List<ModuleDescription>> change) {
+    List<GroupDescription> groups = new ArrayList<>();
+    for (GroupDescription group : robot.groups()) {
+      groups.add(
+          new GroupDescription(
+              group.name(),
+              group.jvmOptions(),
+              group.registrar(),
+              group.modules().stream().flatMap(each -> change.apply(each).stream()).toList(),
+              group.place()));
+    }
+    return new RobotDescription(
+        robot.name(),
+        robot.host(),
+        robot.lookupGroups(),
+        robot.locators(),
+        robot.administration(),
+        robot.persona(),
+        groups,
+        robot.source());
+  }
+}

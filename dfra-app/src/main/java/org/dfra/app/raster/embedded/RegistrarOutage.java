@@ -1,0 +1,189 @@
+package org.dfra.app.raster.embedded;
+
+import java.time.Instant;
+import java.util.Set;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import org.dfra.app.measurement.MeasuredValue;
+import org.dfra.app.raster.monitor.InjectedFault;
+import org.dfra.app.raster.monitor.MissionContext;
+import org.dfra.app.raster.monitor.SearchingRobot;
+import org.dfra.river.bootstrap.EmbeddedRobot;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A robot's registrar is ended: whoever knows no other finds the robot no more. It drives on. Later
+ * a registrar is started at the same port, which knows nobody, and all modules register again by
+ * themselves.
+ *
+ * <pre>
+ *   THERE --share done--&gt; ENDING --it has ended--&gt; GONE --more done--&gt; RETURNING --all listed--&gt; OVER
+ *                                                   '--for good, the search has ended------------^
+ * </pre>
+ */
+final class RegistrarOutage implements InjectedFault<EmbeddedRobot> {
+
+  /** It is not started again. */
+  static final double NEVER = Double.POSITIVE_INFINITY;
+
+  /** In which the modules are to be listed again, real seconds. */
+  private static final double MOST = 5;
+
+  private enum State {
+    /** Waits until the robot has done a share of its search. */
+    PENDING,
+    /** Waits until the registrar has ended. */
+    STOPPING,
+    /** Waits until the robot has done more. */
+    DOWN,
+    /** Waits until the registrar lists all modules again. */
+    RECOVERING,
+    /** It has happened, or never will. */
+    DONE
+  }
+
+  private final int robot;
+  private final double from;
+  private final double to;
+  private final ExecutorService operator =
+      Executors.newSingleThreadExecutor(task -> new Thread(task, "registrar operator"));
+  private State state = State.PENDING;
+
+  // known once it is lost
+  private Set<String> listed = Set.of();
+  private double done;
+  private Instant lost = Instant.MIN;
+  private Instant returned = Instant.MIN;
+  private @Nullable Future<?> work; // the operator's
+
+  /**
+   * @param robot which one, counted from 0
+   * @param from share of its search after which its registrar is ended
+   * @param to share after which it is started again; {@link #NEVER} if it is not
+   */
+  RegistrarOutage(int robot, double from, double to) {
+    this.robot = robot;
+    this.from = from;
+    this.to = to;
+  }
+
+  @Override
+  public void update(MissionContext<EmbeddedRobot> now) throws Exception {
+    SearchingRobot<EmbeddedRobot> victim = now.robots().get(robot);
+    double share = victim.subscriptions().latestStatus().completion();
+    boolean hasEnded = victim.hasEnded();
+    switch (state) {
+      case PENDING -> {
+        if (hasEnded) {
+          state = State.DONE;
+        } else if (share >= from) {
+          stopRegistrar(now, victim);
+        }
+      }
+      case STOPPING -> {
+        if (isWorkDone()) {
+          state = State.DOWN;
+        }
+      }
+      case DOWN -> {
+        if (hasEnded && to == NEVER) {
+          reportEnd(now, victim);
+        } else if (hasEnded || share >= to) {
+          returned = now.clock().instant();
+          work = operator.submit(() -> victim.robot().registrar().start());
+          state = State.RECOVERING;
+        }
+      }
+      case RECOVERING -> {
+        if (isWorkDone()) {
+          checkAllListed(now, victim);
+        }
+      }
+      default -> {}
+    }
+  }
+
+  private void stopRegistrar(
+      MissionContext<EmbeddedRobot> now, SearchingRobot<EmbeddedRobot> victim) throws Exception {
+    listed = RegistrarContents.query(victim.robot()).keySet();
+    done = victim.subscriptions().latestStatus().completion();
+    lost = now.clock().instant();
+    work =
+        operator.submit(
+            () -> {
+              victim.robot().registrar().close();
+              return null;
+            });
+    now.recordEvent(
+        lost,
+        victim,
+        "its registrar is ended, which listed its %d modules; it drives on",
+        listed.size());
+    state = State.STOPPING;
+  }
+
+  /** Whether the operator has done what it was told; throws what it threw. */
+  private boolean isWorkDone() throws Exception {
+    Future<?> known = work;
+    if (known == null || !known.isDone()) {
+      return false;
+    }
+    Object unused = known.get();
+    return true;
+  }
+
+  private void reportEnd(MissionContext<EmbeddedRobot> now, SearchingRobot<EmbeddedRobot> victim) {
+    Instant end = now.clock().instant();
+    now.recordEvent(
+        end,
+        victim,
+        "its search is over; the last %.0f s of it were without its registrar",
+        MissionContext.seconds(lost, end));
+    state = State.DONE;
+  }
+
+  private void checkAllListed(
+      MissionContext<EmbeddedRobot> now, SearchingRobot<EmbeddedRobot> victim) throws Exception {
+    Set<String> again = RegistrarContents.query(victim.robot()).keySet();
+    if (again.size() < listed.size()) {
+      return; // some are on their way
+    }
+    Instant back = now.clock().instant();
+    now.recordEvent(
+        back,
+        victim,
+        "its registrar is back and lists its %d modules again; it was gone for %.0f s, in which the"
+            + " robot searched %.0f %% of its region",
+        again.size(),
+        MissionContext.seconds(lost, returned),
+        100 * (victim.subscriptions().latestStatus().completion() - done));
+    now.figure(
+        "registrar back to all modules listed again",
+        MissionContext.seconds(returned, back) / now.speed(),
+        MOST);
+    now.measurements()
+        .add(
+            new MeasuredValue(
+                "registrar back: modules that are listed under another service ID",
+                again.stream().filter(each -> !listed.contains(each)).count(),
+                0,
+                ""));
+    state = State.DONE;
+  }
+
+  @Override
+  public boolean hasStarted() {
+    return state != State.PENDING;
+  }
+
+  @Override
+  public boolean isOver() {
+    return state == State.DONE;
+  }
+
+  @Override
+  public void close() {
+    operator.shutdownNow();
+  }
+}

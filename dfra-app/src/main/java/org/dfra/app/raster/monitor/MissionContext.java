@@ -1,0 +1,75 @@
+package org.dfra.app.raster.monitor;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import org.dfra.app.measurement.MeasuredValue;
+import org.dfra.app.measurement.RunMeasurements;
+import org.dfra.app.raster.MissionEvent;
+import org.dfra.geometry.LocalFrame;
+import org.dfra.geometry.LocalPosition;
+import org.dfra.sim.world.GroundTruthPose;
+
+/**
+ * A search under way, as those see it who disturb it. Confined to the thread that watches it.
+ *
+ * @param <R> what runs a robot
+ * @param robots in the order in which they were told to search
+ * @param truth where they truly are
+ * @param clock the robots' time
+ * @param speed seconds of that in a real second
+ * @param begin when the search began
+ * @param field the world's frame
+ * @param measurements takes what is measured
+ * @param eventListener takes what happens
+ */
+public record MissionContext<R>(
+    List<SearchingRobot<R>> robots,
+    TrueTrajectory truth,
+    InstantSource clock,
+    double speed,
+    Instant begin,
+    LocalFrame field,
+    RunMeasurements measurements,
+    Consumer<MissionEvent> eventListener) {
+
+  public MissionContext {
+    robots = List.copyOf(robots);
+  }
+
+  /** Notes what happened to a robot, and tells it; the format is {@link String#format}'s. */
+  public void recordEvent(
+      Instant when, SearchingRobot<R> robot, String format, Object... arguments) {
+    String what = String.format(Locale.ROOT, format, arguments);
+    eventListener.accept(new MissionEvent(seconds(begin, when), robot.name(), what));
+  }
+
+  /** Notes a time that must be kept on every computer, in seconds. */
+  public void requirement(String what, double seconds, double most) {
+    measurements.add(new MeasuredValue(what, seconds, most, "s").asRequired());
+  }
+
+  /** Notes what was measured, in real seconds. */
+  public void figure(String what, double seconds, double most) {
+    measurements.add(new MeasuredValue(what, seconds, most, "s"));
+  }
+
+  /** Where a robot truly is now, in the frame of its region. */
+  public LocalPosition truePosition(SearchingRobot<R> robot) throws IOException {
+    GroundTruthPose pose = truth.last(robot.name());
+    return robot
+        .plan()
+        .region()
+        .frame()
+        .toLocal(field.toGeo(new LocalPosition(pose.east(), pose.north(), 0)));
+  }
+
+  /** From one moment to another, seconds of the robots' time. */
+  public static double seconds(Instant from, Instant to) {
+    return Duration.between(from, to).toNanos() / 1e9;
+  }
+}

@@ -1,0 +1,171 @@
+package org.dfra.app.raster.monitor;
+
+import java.rmi.RemoteException;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.PriorityQueue;
+import org.dfra.app.raster.RobotLog;
+import org.dfra.behavior.BehaviorStatus;
+import org.dfra.behavior.RasterSearch;
+import org.dfra.directory.ModuleDirectory;
+import org.dfra.directory.ModuleListing;
+import org.dfra.event.Delivery;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.DeliveryPolicy.EventKind;
+import org.dfra.event.ModuleEvent;
+import org.dfra.event.ModuleListener;
+import org.dfra.event.Reading;
+import org.dfra.event.Subscription;
+import org.dfra.flow.effector.DriveEffector;
+import org.dfra.flow.effector.DriveState;
+import org.dfra.flow.sensor.GpsFix;
+import org.dfra.module.Module;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Subscriptions to what the modules of one robot tell. Readings come late and not in turn, each
+ * module's on a thread of its own; they are handed to the robot's log in the order in which they
+ * were measured, as far as the owner says. Safe for use by several threads.
+ */
+public final class RobotSubscriptions implements AutoCloseable {
+
+  /** Readings kept for us while we are slow, of each module. */
+  private static final int DEPTH = 256;
+
+  private record PendingReading(ModuleListener log, Delivery delivery, Reading reading) {}
+
+  /**
+   * A receiver's position that was heard.
+   *
+   * @param receiver the module's name
+   * @param measured when, by the robot's time
+   * @param epoch the receiver's life
+   */
+  public record ReceivedPosition(String receiver, Instant measured, long epoch) {}
+
+  private final String robot;
+  private final RobotLog log;
+  private final Map<String, Subscription> subscriptions = new HashMap<>(); // by module
+
+  // guarded by this
+  private final PriorityQueue<PendingReading> waiting =
+      new PriorityQueue<>(
+          Comparator.comparing((PendingReading heard) -> heard.reading().measured()));
+  private final List<DriveState> wheels = new ArrayList<>();
+  private final List<ReceivedPosition> positions = new ArrayList<>();
+  private BehaviorStatus newest;
+  private BehaviorStatus status;
+
+  /**
+   * @param first how far the search is before anything is heard of it
+   */
+  RobotSubscriptions(String robot, RobotLog log, BehaviorStatus first) {
+    this.robot = robot;
+    this.log = log;
+    this.newest = first;
+    this.status = first;
+  }
+
+  /** Listens to all modules of the robot that matter. */
+  void subscribe(ModuleDirectory directory) throws RemoteException {
+    for (Class<? extends Module> kind : RobotLog.RECORDED_KINDS) {
+      listen(directory, kind);
+    }
+    listen(directory, RasterSearch.class);
+    listen(directory, DriveEffector.class);
+  }
+
+  private <M extends Module> void listen(ModuleDirectory directory, Class<M> kind)
+      throws RemoteException {
+    for (ModuleListing<M> each : directory.find(log.query(kind))) {
+      ModuleListener taker = log.listener(each.name());
+      subscriptions.put(
+          each.name(),
+          each.module()
+              .subscribe(
+                  delivery -> take(each.name(), taker, delivery),
+                  DeliveryPolicy.keepLast(DEPTH).withKinds(EventKind.READING)));
+    }
+  }
+
+  private synchronized void take(String module, ModuleListener taker, Delivery delivery) {
+    if (!(delivery.event() instanceof ModuleEvent.NewReading fresh)) {
+      return;
+    }
+    Reading reading = fresh.reading();
+    waiting.add(new PendingReading(taker, delivery, reading));
+    if (reading instanceof BehaviorStatus told) {
+      newest = told;
+    } else if (reading instanceof DriveState told) {
+      wheels.add(told);
+    } else if (reading instanceof GpsFix fix && fix.position() != null) {
+      positions.add(new ReceivedPosition(module, fix.measured(), delivery.epoch()));
+    }
+  }
+
+  /** Hands on what was measured up to a time. */
+  synchronized void deliverUntil(Instant until) throws RemoteException {
+    for (PendingReading next = waiting.peek();
+        next != null && !next.reading().measured().isAfter(until);
+        next = waiting.peek()) {
+      waiting.remove();
+      if (next.reading() instanceof BehaviorStatus told) {
+        status = told;
+      } else {
+        next.log().notify(next.delivery());
+      }
+    }
+  }
+
+  /** How far the search was when all that was handed on was measured. */
+  synchronized BehaviorStatus status() {
+    return status;
+  }
+
+  /** How far the search is, by what was heard last. */
+  public synchronized BehaviorStatus latestStatus() {
+    return newest;
+  }
+
+  /** When the wheels were last told to move before a time; null where they were not. */
+  public synchronized @Nullable Instant lastCommand(Instant before) {
+    return wheels.stream()
+        .filter(state -> !state.velocity().isZero() && !state.measured().isAfter(before))
+        .map(DriveState::measured)
+        .max(Comparator.naturalOrder())
+        .orElse(null);
+  }
+
+  /** Positions that the receivers told, as they were heard. */
+  public synchronized List<ReceivedPosition> positions() {
+    return List.copyOf(positions);
+  }
+
+  /** Events of a module that were told and not heard. */
+  public long lost(String module) {
+    return subscription(module).lost();
+  }
+
+  /** Whether a module that is listened to cannot be reached, as far as is known. */
+  public boolean isInterrupted(String module) {
+    return subscription(module).interruptedSince().isPresent();
+  }
+
+  private Subscription subscription(String module) {
+    @Nullable Subscription subscription = subscriptions.get(module);
+    if (subscription == null) {
+      throw new IllegalArgumentException(
+          robot + " has no module " + module + " that is listened to");
+    }
+    return subscription;
+  }
+
+  @Override
+  public void close() {
+    subscriptions.values().forEach(Subscription::close);
+  }
+}

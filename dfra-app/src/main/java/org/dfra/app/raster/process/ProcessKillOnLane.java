@@ -1,0 +1,183 @@
+package org.dfra.app.raster.process;
+
+import java.time.Instant;
+import java.util.Objects;
+import org.dfra.app.demo.harness.DemoRobot;
+import org.dfra.app.measurement.MeasuredValue;
+import org.dfra.app.raster.monitor.InjectedFault;
+import org.dfra.app.raster.monitor.MissionContext;
+import org.dfra.app.raster.monitor.SearchingRobot;
+import org.dfra.behavior.BehaviorStatus;
+import org.dfra.sim.world.GroundTruthPose;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A process without which a robot cannot drive is killed while it goes along a lane at full speed:
+ * nobody is left who could tell the wheels to stop, or nobody who would pass it on. They stand in
+ * time all the same; the process comes back, and the robot goes on where it was.
+ *
+ * <pre>
+ *   AHEAD --on a lane, fast--&gt; KILLED --wheels stand--&gt; STANDING --it drives again--&gt; OVER
+ * </pre>
+ */
+final class ProcessKillOnLane implements InjectedFault<DemoRobot> {
+
+  /** From a lane's ends, metres: in between a robot goes straight on. */
+  private static final double MIDST = 1.5;
+
+  /** Slower than this it is not at full speed, metres per second. */
+  private static final double FAST = 0.6;
+
+  /** From here on it drives again, metres per second. */
+  private static final double DRIVES = 0.3;
+
+  /** Last command to standing, seconds of the robot's time. */
+  private static final double MOST = 0.5;
+
+  private enum State {
+    /** Waits until the robot is where it is to happen. */
+    PENDING,
+    /** Waits until the wheels stand. */
+    KILLED,
+    /** Waits until the robot drives again. */
+    STOPPED,
+    /** It has happened, or never will. */
+    DONE
+  }
+
+  private final int robot;
+  private final String group;
+  private final double share;
+  private final boolean isCommander;
+  private final InjectedFault<DemoRobot> before;
+  private State state = State.PENDING;
+
+  // known once it is killed
+  private Instant killed = Instant.MIN;
+  private int waypoints;
+
+  /**
+   * @param robot which one, counted from 0
+   * @param group of its service groups
+   * @param share of its search after which it is killed
+   * @param isCommander whether it commands the wheels, so that the last command is known; else it
+   *     passes commands on, and the last that was heard of need not be the last
+   * @param before comes first
+   */
+  ProcessKillOnLane(
+      int robot, String group, double share, boolean isCommander, InjectedFault<DemoRobot> before) {
+    this.isCommander = isCommander;
+    this.robot = robot;
+    this.group = group;
+    this.share = share;
+    this.before = before;
+  }
+
+  @Override
+  public void update(MissionContext<DemoRobot> now) throws Exception {
+    SearchingRobot<DemoRobot> victim = now.robots().get(robot);
+    switch (state) {
+      case PENDING -> lookAhead(now, victim);
+      case KILLED -> checkStopped(now, victim);
+      case STOPPED -> checkDriving(now, victim);
+      default -> {}
+    }
+  }
+
+  private void lookAhead(MissionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim)
+      throws Exception {
+    BehaviorStatus status = victim.subscriptions().latestStatus();
+    if (victim.hasEnded()) {
+      now.recordEvent(
+          now.clock().instant(),
+          victim,
+          "%s was not killed: after %.0f %% it was never fast in the midst of a lane",
+          group,
+          100 * share);
+      state = State.DONE;
+      return;
+    }
+    GroundTruthPose pose = now.truth().last(victim.name());
+    if (!before.isOver()
+        || status.completion() < share
+        || pose.speed() < FAST
+        || !victim.isOnLane(now.truePosition(victim), MIDST)) {
+      return;
+    }
+    long process = victim.robot().process(group);
+    waypoints = victim.waypoints();
+    killed = now.clock().instant();
+    victim.robot().host().kill(process);
+    now.recordEvent(
+        killed,
+        victim,
+        "%s is killed (process %d) at %.2f m/s in the midst of a lane",
+        group,
+        process,
+        pose.speed());
+    state = State.KILLED;
+  }
+
+  private void checkStopped(MissionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim) {
+    @Nullable Instant stood = now.truth().stoppedSince(victim.name(), killed);
+    if (stood == null) {
+      return;
+    }
+    Instant command = Objects.requireNonNullElse(victim.subscriptions().lastCommand(stood), killed);
+    double seconds = MissionContext.seconds(command, stood);
+    now.recordEvent(
+        stood,
+        victim,
+        "its wheels stand, %.2f s after the last command and %.2f s after %s was killed",
+        seconds,
+        MissionContext.seconds(killed, stood),
+        group);
+    if (isCommander) {
+      now.requirement(
+          group + " killed: last command to wheels standing (robot's time)", seconds, MOST);
+    }
+    state = State.STOPPED;
+  }
+
+  private void checkDriving(MissionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim)
+      throws Exception {
+    GroundTruthPose pose = now.truth().last(victim.name());
+    BehaviorStatus status = victim.subscriptions().latestStatus();
+    boolean isHeardAgain = status.measured().isAfter(killed) || victim.hasEnded();
+    if (pose.speed() < DRIVES || !isHeardAgain) {
+      return;
+    }
+    now.recordEvent(
+        pose.time(),
+        victim,
+        "it goes on by itself with %d of %d waypoints done, %.1f s after %s was killed (now process"
+            + " %d)",
+        victim.waypoints(),
+        victim.plan().waypoints().size(),
+        MissionContext.seconds(killed, pose.time()),
+        group,
+        victim.robot().process(group));
+    now.figure(
+        group + " killed: to driving again",
+        MissionContext.seconds(killed, pose.time()) / now.speed(),
+        Double.POSITIVE_INFINITY);
+    now.measurements()
+        .add(
+            new MeasuredValue(
+                group + " killed: waypoints to be driven to again",
+                Math.max(0, waypoints - victim.waypoints()),
+                0,
+                ""));
+    state = State.DONE;
+  }
+
+  @Override
+  public boolean hasStarted() {
+    return state != State.PENDING;
+  }
+
+  @Override
+  public boolean isOver() {
+    return state == State.DONE;
+  }
+}

@@ -1,0 +1,174 @@
+package org.dfra.app.stop;
+
+import java.rmi.RemoteException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.Executor;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import org.dfra.app.stop.PhoenixAddresses.Address;
+import org.dfra.river.call.ConnectionRefusal;
+import org.dfra.river.phoenix.stop.StopReport;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Orders every known phoenix to stop what it runs, each on a thread of its own and at once: no
+ * lookup service and no proxy is needed for it. Those that are configured are all ordered; of those
+ * that only discovery named, {@value #LIMIT}.
+ *
+ * <p>A refused connection proves that no phoenix runs there. Anything else but a report is silence,
+ * which proves nothing.
+ */
+final class PhoenixStopRequests {
+
+  private static final Logger LOG = LoggerFactory.getLogger(PhoenixStopRequests.class);
+
+  /** Addresses of discovery that are asked; anybody may announce further ones. */
+  private static final int LIMIT = 64;
+
+  /** How one phoenix is ordered. */
+  interface StopRequest {
+    /**
+     * Stops what is wanted. It may wait for a name service.
+     *
+     * @return what has become of it; null where there is nothing to ask
+     */
+    @Nullable StopReport stop() throws RemoteException;
+  }
+
+  private enum ResponseKind {
+    REPORTED,
+    ABSENT,
+    SILENT
+  }
+
+  /** One phoenix, and its answers so far. */
+  private static final class PhoenixRequest {
+    final Address address;
+    final boolean isConfigured;
+    final StopRequest order;
+    final List<StopReport> reports = new ArrayList<>(); // guarded by the outer object
+    CompletableFuture<ResponseKind> last = new CompletableFuture<>(); // guarded by the outer object
+
+    PhoenixRequest(Address address, boolean isConfigured, StopRequest order) {
+      this.address = address;
+      this.isConfigured = isConfigured;
+      this.order = order;
+    }
+  }
+
+  private final RetryPolicy configured;
+  private final RetryPolicy discovered;
+  private final Executor threads;
+  private final Consumer<StopReport> reported;
+  private final Map<Address, PhoenixRequest> asked = new LinkedHashMap<>(); // guarded by this
+  private @Nullable Address unasked; // the first of those that are too many; guarded by this
+
+  /**
+   * @param repetition how often a phoenix is ordered that is configured and does not answer, and
+   *     how long each order may take; others are ordered twice
+   * @param threads runs each order at once
+   * @param reported is given each report of a configured phoenix as it comes, by any thread
+   */
+  PhoenixStopRequests(RetryPolicy repetition, Executor threads, Consumer<StopReport> reported) {
+    this.configured = repetition;
+    this.discovered = new RetryPolicy(repetition.attemptTimeout(), () -> false);
+    this.threads = threads;
+    this.reported = reported;
+  }
+
+  /**
+   * Orders a phoenix, once. Name all that are configured before those of discovery.
+   *
+   * @param isConfigured whether the operator named it, or its computer
+   */
+  synchronized void request(Address address, boolean isConfigured, StopRequest order) {
+    if (asked.containsKey(address)) {
+      return;
+    }
+    long discovered = asked.values().stream().filter(each -> !each.isConfigured).count();
+    if (!isConfigured && discovered >= LIMIT) {
+      if (unasked == null) {
+        unasked = address;
+        LOG.warn("No phoenix is asked at {} and further addresses: {} were asked.", address, LIMIT);
+      }
+      return;
+    }
+    PhoenixRequest one = new PhoenixRequest(address, isConfigured, order);
+    one.last = repeatedly(one);
+    asked.put(address, one);
+  }
+
+  private CompletableFuture<ResponseKind> repeatedly(PhoenixRequest one) {
+    return (one.isConfigured ? configured : discovered)
+        .run(() -> once(one), PhoenixStopRequests::isAbsent)
+        .exceptionally(
+            failure -> {
+              LOG.debug("No phoenix has reported.", failure);
+              return isAbsent(failure) ? ResponseKind.ABSENT : ResponseKind.SILENT;
+            });
+  }
+
+  private static boolean isAbsent(Throwable failure) {
+    return ConnectionRefusal.isProvenBy(RetryPolicy.cause(failure));
+  }
+
+  private CompletableFuture<ResponseKind> once(PhoenixRequest one) {
+    return CompletableFuture.supplyAsync(
+            () -> {
+              try {
+                @Nullable StopReport report = one.order.stop();
+                if (report == null) {
+                  return ResponseKind.ABSENT;
+                }
+                synchronized (this) { // also one that comes too late to be awaited
+                  one.reports.add(report);
+                }
+                if (one.isConfigured) {
+                  reported.accept(report);
+                }
+                return ResponseKind.REPORTED;
+              } catch (RemoteException e) {
+                throw new CompletionException(e);
+              }
+            },
+            threads)
+        .orTimeout(configured.attemptTimeout().toMillis(), TimeUnit.MILLISECONDS);
+  }
+
+  /** Is done when every phoenix that was asked by now has answered, or will not. */
+  synchronized CompletableFuture<Void> answered() {
+    return CompletableFuture.allOf(
+        asked.values().stream().map(each -> each.last).toArray(CompletableFuture<?>[]::new));
+  }
+
+  /** Orders those once more that have reported. */
+  synchronized void retry() {
+    for (PhoenixRequest one : asked.values()) {
+      if (!one.reports.isEmpty()) {
+        one.last = repeatedly(one);
+      }
+    }
+  }
+
+  /** What they say by now. */
+  synchronized Confirmations confirmations() {
+    List<PhoenixAnswer> answers = new ArrayList<>();
+    for (PhoenixRequest one : asked.values()) {
+      boolean isSilent =
+          one.reports.isEmpty() && one.last.getNow(ResponseKind.SILENT) == ResponseKind.SILENT;
+      answers.add(PhoenixAnswer.of(one.address, one.isConfigured, isSilent, one.reports));
+    }
+    @Nullable Address further = unasked;
+    if (further != null) { // it may run what nobody else confirms
+      answers.add(PhoenixAnswer.of(further, false, true, List.of()));
+    }
+    return new Confirmations(answers);
+  }
+}

@@ -1,0 +1,54 @@
+package org.dfra.app.task;
+
+import java.rmi.RemoteException;
+import java.util.ArrayList;
+import java.util.List;
+import org.dfra.app.team.DuplicateRobotNames;
+import org.dfra.app.team.TeamDirectory;
+import org.dfra.app.team.UnansweredCall;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.behavior.RasterSearch;
+import org.dfra.directory.ModuleListing;
+
+/** Something that is said to each of several robots, after which it is asked how far it is. */
+final class TaskBroadcast {
+
+  private final TaskRobotOptions searches;
+
+  TaskBroadcast(TaskRobotOptions searches) {
+    this.searches = searches;
+  }
+
+  /** What is said. */
+  @FunctionalInterface
+  interface SearchAction {
+    void apply(RasterSearch search) throws RemoteException;
+  }
+
+  /**
+   * Says it to all of them, also where one does not answer.
+   *
+   * @return the exit code
+   */
+  int send(SearchAction said) throws Exception {
+    int silent = 0;
+    List<TaskView> tasks = new ArrayList<>();
+    try (TeamDirectory team = searches.open()) {
+      List<ModuleListing<RasterSearch>> all = searches.find(team);
+      for (ModuleListing<RasterSearch> each : all) {
+        try {
+          said.apply(each.module());
+          tasks.add(TaskView.of(DuplicateRobotNames.displayName(each, all), each));
+        } catch (RemoteException | RuntimeException | LinkageError e) {
+          if (all.size() == 1 && !(e instanceof RemoteException)) {
+            throw e; // its own refusal is the whole answer
+          }
+          silent++; // the others are to stop all the same
+          searches.answer().note(UnansweredCall.inWords(each.path(), e));
+        }
+      }
+    }
+    TaskView.show(searches.answer(), tasks);
+    return silent == 0 ? ExitCode.SUCCESS : ExitCode.NO_ANSWER;
+  }
+}

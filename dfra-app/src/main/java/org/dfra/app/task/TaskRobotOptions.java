@@ -1,0 +1,75 @@
+package org.dfra.app.task;
+
+import java.util.Arrays;
+import java.util.List;
+import org.dfra.app.team.RobotModules;
+import org.dfra.app.team.TeamDirectory;
+import org.dfra.app.team.TeamOptions;
+import org.dfra.app.terminal.CommandFailure;
+import org.dfra.app.terminal.CommandOutput;
+import org.dfra.app.terminal.ExitCode;
+import org.dfra.behavior.RasterSearch;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** The robots that a task is for, and where they are looked for. A picocli mix-in. */
+final class TaskRobotOptions {
+
+  @Option(
+      names = "--robot",
+      paramLabel = "NAME[,...]",
+      hideParamSyntax = true,
+      split = ",",
+      description = "Only these robots, in this order (default: all that can, by name).")
+  private String @Nullable [] robots;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  private TeamOptions options;
+
+  /** How the command answers. */
+  CommandOutput answer() {
+    return options.answer();
+  }
+
+  /** Begins to look for them. */
+  TeamDirectory open() throws java.io.IOException {
+    return options.open();
+  }
+
+  /**
+   * What searches on each of the robots.
+   *
+   * @throws CommandFailure if there is none, or one that was named is not there
+   */
+  List<ModuleListing<RasterSearch>> find(TeamDirectory team) throws InterruptedException {
+    List<String> wanted = robotNames(); // it may be refused before anything is awaited
+    return RobotModules.of(
+        team,
+        ModuleQuery.of(RasterSearch.class),
+        wanted,
+        "RasterSearch",
+        "bring one up, e.g. ./dfra up config/teams/raster/atrv1.xml");
+  }
+
+  /** The names given, each once; none where nothing was said. */
+  private List<String> robotNames() {
+    if (robots == null) {
+      return List.of();
+    }
+    List<String> names =
+        Arrays.stream(robots)
+            .map(String::strip)
+            .filter(name -> !name.isEmpty())
+            .distinct()
+            .toList();
+    if (names.isEmpty()) {
+      throw new CommandFailure(
+          ExitCode.USAGE_ERROR, "--robot names no robot; name one, or leave it out for all");
+    }
+    return names;
+  }
+}

@@ -1,0 +1,36 @@
+package org.dfra.app.team;
+
+import java.rmi.RemoteException;
+import org.dfra.app.terminal.CommandFailure;
+import org.dfra.module.NotReadyException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Names a module that gave no answer, so that the others can be listed all the same. Its proxy is
+ * code of its own robot, and may fail in any way.
+ */
+public final class UnansweredCall {
+
+  private UnansweredCall() {}
+
+  /**
+   * A clause of one line.
+   *
+   * @param path the module's path, {@code robot/name}
+   * @param failure what its call ended with
+   */
+  public static String inWords(String path, Throwable failure) {
+    if (failure instanceof CommandFailure) {
+      return String.valueOf(failure.getMessage()); // which names it
+    }
+    boolean isSilent = failure instanceof RemoteException || failure instanceof NotReadyException;
+    return path
+        + (isSilent
+            ? " does not answer: " + firstLine(failure.getMessage())
+            : " cannot be asked, since its proxy failed: " + firstLine(failure.toString()));
+  }
+
+  private static String firstLine(@Nullable String text) {
+    return String.valueOf(text).lines().findFirst().orElse("").strip();
+  }
+}

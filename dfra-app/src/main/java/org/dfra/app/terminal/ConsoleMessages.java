@@ -1,0 +1,46 @@
+package org.dfra.app.terminal;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dfra.text.PrintableText;
+
+/**
+ * Sentences as this process writes them: {@linkplain PrintableText printable}, and no wider than
+ * the terminal. What goes on below is indented, so that no text of another computer begins a line.
+ */
+public final class ConsoleMessages {
+
+  private static final String PREFIX = "dfra: ";
+  private static final int MARGIN = 2;
+
+  private ConsoleMessages() {}
+
+  /** A sentence of an answer, without the end of its last line. */
+  public static String wrapped(String sentence) {
+    return folded(PrintableText.line(sentence), MARGIN);
+  }
+
+  /** A sentence beside the answer, behind {@value #PREFIX}. */
+  public static String prefixed(String sentence) {
+    return folded(PREFIX + PrintableText.line(sentence), PREFIX.length());
+  }
+
+  /**
+   * The same of a text whose lines this program composed, such as the faults of a configuration:
+   * those below the first are indented.
+   */
+  public static String prefixedLines(String text) {
+    List<String> lines = new ArrayList<>();
+    String begin = PREFIX;
+    for (String line : PrintableText.lines(text).split("\n", -1)) {
+      lines.add(folded(begin + line, PREFIX.length()));
+      begin = " ".repeat(PREFIX.length());
+    }
+    return String.join(System.lineSeparator(), lines);
+  }
+
+  private static String folded(String line, int indent) {
+    return String.join(
+        System.lineSeparator(), TextWrap.hangingIndent(line, Terminal.textColumns(), indent));
+  }
+}

@@ -1,0 +1,92 @@
+package org.dfra.behaviors.perceptual.mines;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBuffer;
+import java.awt.image.Raster;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Optional;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.MemoryCacheImageInputStream;
+import org.dfra.flow.sensor.CameraImage;
+import org.dfra.flow.sensor.CameraImage.Band;
+
+/**
+ * An image, decoded. Immutable.
+ *
+ * @param band what it shows
+ * @param channels of light: red, green and blue, 0 to 255; of heat: one, hundredths of a kelvin
+ */
+record DecodedImage(Band band, List<SummedTable> channels) {
+
+  DecodedImage {
+    channels = List.copyOf(channels);
+  }
+
+  /**
+   * What a camera sent.
+   *
+   * @return nothing if it is no whole JPEG or PNG, is not as large as it says, or is of heat and
+   *     not grey with 16 bits
+   */
+  static Optional<DecodedImage> decode(CameraImage image) {
+    Optional<BufferedImage> read = read(image);
+    if (read.isEmpty()
+        || read.get().getWidth() != image.width()
+        || read.get().getHeight() != image.height()) {
+      return Optional.empty();
+    }
+    return image.band() == Band.THERMAL ? heat(read.get()) : Optional.of(light(read.get()));
+  }
+
+  private static Optional<BufferedImage> read(CameraImage image) {
+    Iterator<ImageReader> readers = ImageIO.getImageReadersByMIMEType(image.mediaType());
+    if (!readers.hasNext()) {
+      return Optional.empty();
+    }
+    ImageReader reader = readers.next();
+    try (MemoryCacheImageInputStream bytes =
+        new MemoryCacheImageInputStream(new ByteArrayInputStream(image.data()))) {
+      reader.setInput(bytes, true, true);
+      if (reader.getWidth(0) != image.width() || reader.getHeight(0) != image.height()) {
+        return Optional.empty(); // before any memory is taken for it
+      }
+      return Optional.of(reader.read(0));
+    } catch (IOException | RuntimeException e) { // the JDK's readers throw either on garbage
+      return Optional.empty();
+    } finally {
+      reader.dispose();
+    }
+  }
+
+  private static Optional<DecodedImage> heat(BufferedImage image) {
+    Raster raster = image.getRaster();
+    if (raster.getNumBands() != 1 || raster.getTransferType() != DataBuffer.TYPE_USHORT) {
+      return Optional.empty();
+    }
+    int width = image.getWidth();
+    int height = image.getHeight();
+    int[] samples = raster.getSamples(0, 0, width, height, 0, new int[width * height]);
+    return Optional.of(
+        new DecodedImage(Band.THERMAL, List.of(new SummedTable(width, height, samples))));
+  }
+
+  private static DecodedImage light(BufferedImage image) {
+    int width = image.getWidth();
+    int height = image.getHeight();
+    int[] colours = image.getRGB(0, 0, width, height, null, 0, width);
+    List<SummedTable> channels = new ArrayList<>();
+    for (int shift = 16; shift >= 0; shift -= 8) {
+      int[] samples = new int[colours.length];
+      for (int i = 0; i < samples.length; i++) {
+        samples[i] = colours[i] >> shift & 0xFF;
+      }
+      channels.add(new SummedTable(width, height, samples));
+    }
+    return new DecodedImage(Band.VISIBLE, channels);
+  }
+}

@@ -1,0 +1,113 @@
+package org.dfra.behaviors.perceptual.mines;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dfra.behaviors.perceptual.mines.PinholeCamera.Pixel;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Where in an image a mine at one place would be, and what lies around it.
+ *
+ * <pre>
+ *          o  o  o
+ *       o           o
+ *      o    .----.   o     inside: the mine, less its edge
+ *      o    | in |   o     o: sixteen boxes beside it
+ *      o    '----'   o
+ *       o           o
+ *          o  o  o
+ * </pre>
+ *
+ * @param inside the mine
+ * @param surroundings the boxes beside it that lie in the image, ten at least
+ */
+record DetectionWindow(PixelRect inside, List<PixelRect> surroundings) {
+
+  private static final int BOXES = 16;
+  private static final int FEWEST = 10;
+  private static final int CORNERS = 8; // of the circles that stand for the cylinder
+  private static final double INSIDE = 0.75; // of the mine's outline
+  private static final double AWAY = 2.2; // from the middle to the boxes', by half the outline
+  private static final double BESIDE = 0.5; // half of each box, by half the outline
+  private static final double NARROWEST = 3; // half the outline's width, pixels
+  private static final double LOWEST = 1.5; // half the outline's height, pixels
+
+  DetectionWindow {
+    surroundings = List.copyOf(surroundings);
+  }
+
+  /**
+   * For a mine at a place.
+   *
+   * @param x forward of the base, metres
+   * @param y to the left, metres
+   * @return null where the camera does not see it whole, or too small, or not enough around it
+   */
+  static @Nullable DetectionWindow at(double x, double y, MineModel target, PinholeCamera camera) {
+    double left = Double.POSITIVE_INFINITY;
+    double right = Double.NEGATIVE_INFINITY;
+    double top = Double.POSITIVE_INFINITY;
+    double bottom = Double.NEGATIVE_INFINITY;
+    for (int i = 0; i < 2 * CORNERS; i++) {
+      double angle = 2 * Math.PI * (i / 2) / CORNERS;
+      Pixel pixel =
+          camera.project(
+              x + target.radius() * Math.cos(angle),
+              y + target.radius() * Math.sin(angle),
+              i % 2 * target.height());
+      if (pixel == null) {
+        return null;
+      }
+      left = Math.min(left, pixel.column());
+      right = Math.max(right, pixel.column());
+      top = Math.min(top, pixel.row());
+      bottom = Math.max(bottom, pixel.row());
+    }
+    double column = (left + right) / 2;
+    double row = (top + bottom) / 2;
+    double halfWidth = (right - left) / 2;
+    double halfHeight = (bottom - top) / 2;
+    if (halfWidth < NARROWEST
+        || halfHeight < LOWEST
+        || !PixelRect.around(column, row, halfWidth, halfHeight)
+            .fitsWithin(camera.width(), camera.height())) {
+      return null;
+    }
+    List<PixelRect> around = surroundings(new Pixel(column, row), halfHeight, y, target, camera);
+    return around.size() < FEWEST
+        ? null
+        : new DetectionWindow(
+            PixelRect.around(column, row, INSIDE * halfWidth, INSIDE * halfHeight), around);
+  }
+
+  /** Beside it as the ground goes: what is straight on the ground goes through opposite boxes. */
+  private static List<PixelRect> surroundings(
+      Pixel middle, double halfHeight, double y, MineModel target, PinholeCamera camera) {
+    List<PixelRect> around = new ArrayList<>();
+    for (int i = 0; i < BOXES; i++) {
+      double angle = 2 * Math.PI * i / BOXES;
+      double row = middle.row() - AWAY * halfHeight * Math.cos(angle);
+      GroundPoint ground = camera.backProject(new Pixel(middle.column(), row), 0);
+      if (ground == null) {
+        continue;
+      }
+      double aside = AWAY * target.radius() * Math.sin(angle);
+      double half = BESIDE * target.radius();
+      Pixel left = camera.project(ground.x(), y + aside + half, 0);
+      Pixel right = camera.project(ground.x(), y + aside - half, 0);
+      if (left == null || right == null) {
+        continue;
+      }
+      PixelRect box =
+          PixelRect.around(
+              (left.column() + right.column()) / 2,
+              row,
+              Math.abs(right.column() - left.column()) / 2,
+              BESIDE * halfHeight);
+      if (box.fitsWithin(camera.width(), camera.height())) {
+        around.add(box);
+      }
+    }
+    return around;
+  }
+}

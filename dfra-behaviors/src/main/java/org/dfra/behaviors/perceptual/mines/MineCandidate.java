@@ -1,0 +1,83 @@
+package org.dfra.behaviors.perceptual.mines;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates.PreviousResult;
+import org.dfra.flow.sensor.CameraImage.Band;
+
+/** Somewhere on the map that looked like a mine at least once. Confined to one thread. */
+final class MineCandidate {
+
+  /** σ of where a camera sees a mine, metres; of heat the shadow beside a mine draws it away. */
+  private static final Map<Band, Double> SIGMA = Map.of(Band.VISIBLE, 0.1, Band.THERMAL, 0.25);
+
+  private final Fusion fusion;
+  private final Map<Band, RepeatedDetectionRates> rates;
+  private final Map<Band, PreviousResult> before = new EnumMap<>(Band.class);
+  private final Map<Band, List<Viewpoint>> counted = new EnumMap<>(Band.class);
+  private GroundPoint middle;
+  private double weight; // of all that was seen there
+  private Opinion opinion;
+  private int looks;
+
+  MineCandidate(GroundPoint first, Fusion fusion, Map<Band, RepeatedDetectionRates> rates) {
+    this.middle = first;
+    this.fusion = fusion;
+    this.rates = rates;
+    this.opinion = fusion.uninformed();
+  }
+
+  GroundPoint position() {
+    return middle;
+  }
+
+  /** How likely there is a mine, 0 to 1. */
+  double probability() {
+    return fusion.probability(opinion);
+  }
+
+  /** In how many looks something was seen there. */
+  int observations() {
+    return looks;
+  }
+
+  /** One look more has seen something there. */
+  void countObservation() {
+    looks++;
+  }
+
+  /** Whether a camera has not yet looked at it from within so many metres of there. */
+  boolean isNewViewpoint(Band band, Viewpoint from, double spacing) {
+    return counted.getOrDefault(band, List.of()).stream()
+        .noneMatch(other -> other.distance(from) < spacing);
+  }
+
+  /** A camera has seen something there. */
+  void recordAlarm(Band band, Viewpoint from, GroundPoint at) {
+    double more = 1 / Math.pow(SIGMA.getOrDefault(band, 1.0), 2);
+    double part = more / (weight + more);
+    middle =
+        new GroundPoint(
+            middle.x() + part * (at.x() - middle.x()), middle.y() + part * (at.y() - middle.y()));
+    weight += more;
+    count(band, from, true);
+  }
+
+  /** A camera has seen nothing there. */
+  void recordNoAlarm(Band band, Viewpoint from) {
+    count(band, from, false);
+  }
+
+  private void count(Band band, Viewpoint from, boolean isAlarm) {
+    RepeatedDetectionRates repeated = rates.get(band);
+    if (repeated == null) {
+      throw new IllegalStateException("no rates of a camera of band " + band);
+    }
+    Evidence evidence = repeated.evidence(before.getOrDefault(band, PreviousResult.NONE), isAlarm);
+    opinion = fusion.combine(opinion, fusion.opinionOf(evidence)).opinion();
+    before.put(band, PreviousResult.of(isAlarm));
+    counted.computeIfAbsent(band, unused -> new ArrayList<>()).add(from);
+  }
+}

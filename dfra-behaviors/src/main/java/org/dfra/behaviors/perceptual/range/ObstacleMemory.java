@@ -1,0 +1,112 @@
+package org.dfra.behaviors.perceptual.range;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.HashMap;
+import java.util.Iterator;
+import java.util.Map;
+import org.dfra.flow.sensor.Odometry;
+import org.dfra.flow.sensor.RangeScan;
+import org.dfra.geometry.Transform;
+
+/**
+ * What a robot has seen near it and passed, so that its sensor does not see it any more: a robot
+ * that turns swings its rear into it. Points are kept where they are by the odometry, for a while.
+ * Confined to one thread.
+ */
+final class ObstacleMemory {
+
+  private static final double CELL = 0.05; // metres; of the points in one, the last is kept
+  private static final double NEAR = 2; // metres from the robot's middle, of points that are kept
+  private static final int MOST = 2000;
+
+  private record Cell(long x, long y) {}
+
+  private record Point(double x, double y, Instant seen) {}
+
+  /** Is given points in the base's frame, metres. */
+  @FunctionalInterface
+  interface PointConsumer {
+    void accept(double x, double y);
+  }
+
+  private final Duration memory;
+  private final Map<Cell, Point> points = new HashMap<>(); // in the odometry's frame
+
+  /**
+   * @param memory how long a point is kept that nobody sees
+   */
+  ObstacleMemory(Duration memory) {
+    this.memory = memory;
+  }
+
+  /**
+   * Takes a scan: what it can see counts as it shows it, the rest stays.
+   *
+   * @param ranges along the beams, metres
+   * @param mount of the sensor in the base
+   * @param at where the base is
+   */
+  void take(RangeScan scan, float[] ranges, Transform mount, Odometry at) {
+    forget(scan, mount, at);
+    double cos = Math.cos(mount.yaw());
+    double sin = Math.sin(mount.yaw());
+    for (int i = 0; i < ranges.length && points.size() < MOST; i++) {
+      double range = ranges[i];
+      if (!Double.isFinite(range) || range < 0) {
+        continue;
+      }
+      double along = range * Math.cos(scan.angle(i));
+      double aside = range * Math.sin(scan.angle(i));
+      double x = mount.x() + cos * along - sin * aside;
+      double y = mount.y() + sin * along + cos * aside;
+      if (Math.hypot(x, y) <= NEAR) {
+        double east = at.x() + Math.cos(at.yaw()) * x - Math.sin(at.yaw()) * y;
+        double north = at.y() + Math.sin(at.yaw()) * x + Math.cos(at.yaw()) * y;
+        points.put(
+            new Cell(Math.round(east / CELL), Math.round(north / CELL)),
+            new Point(east, north, scan.measured()));
+      }
+    }
+  }
+
+  private void forget(RangeScan scan, Transform mount, Odometry at) {
+    double first = scan.firstAngle();
+    double last = scan.angle(scan.beams() - 1);
+    double low = Math.min(first, last);
+    double high = Math.max(first, last);
+    for (Iterator<Point> all = points.values().iterator(); all.hasNext(); ) {
+      Point point = all.next();
+      double x = forward(point, at);
+      double y = left(point, at);
+      double bearing =
+          Math.IEEEremainder(Math.atan2(y - mount.y(), x - mount.x()) - mount.yaw(), 2 * Math.PI);
+      boolean isSeen = bearing >= low && bearing <= high;
+      if (isSeen
+          || Math.hypot(x, y) > NEAR
+          || Duration.between(point.seen(), scan.measured()).compareTo(memory) > 0) {
+        all.remove();
+      }
+    }
+  }
+
+  /** Forgets all: where it was is not known any more. */
+  void clear() {
+    points.clear();
+  }
+
+  /** What is kept, by where the base is now. */
+  void forEach(Odometry at, PointConsumer taker) {
+    for (Point each : points.values()) {
+      taker.accept(forward(each, at), left(each, at));
+    }
+  }
+
+  private static double forward(Point point, Odometry at) {
+    return Math.cos(at.yaw()) * (point.x() - at.x()) + Math.sin(at.yaw()) * (point.y() - at.y());
+  }
+
+  private static double left(Point point, Odometry at) {
+    return Math.cos(at.yaw()) * (point.y() - at.y()) - Math.sin(at.yaw()) * (point.x() - at.x());
+  }
+}

@@ -1,0 +1,190 @@
+package org.dfra.behaviors.waypoint;
+
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.Locale;
+import java.util.function.LongSupplier;
+import java.util.function.Supplier;
+import org.dfra.core.behavior.GoalExecution;
+import org.dfra.core.behavior.GoalProgress;
+import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.flow.motor.FuzzyDrive;
+import org.dfra.flow.perceptual.Clearance;
+import org.dfra.flow.perceptual.HeadingError;
+import org.dfra.flow.perceptual.HeadingPercept;
+import org.dfra.flow.perceptual.RangeFilter;
+import org.dfra.geometry.Leg;
+import org.dfra.lease.LeaseRefusedException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One leg being driven. Every turn it looks, asks the rules, and tells the wheels. The rules get a
+ * clearance less what a late percept or cycle costs, see {@link ClearanceMargin}.
+ */
+final class LegExecution implements GoalExecution {
+
+  /**
+   * What a leg is driven by.
+   *
+   * @param headingError gives the one that is there now; likewise room and rules
+   * @param nanos the robot's time
+   * @param clock that of the percepts
+   * @param maxPeerSpeed the highest of other robots, metres per second
+   * @param maxRecoveries recoveries on one leg after which it counts as barred
+   * @param passingTolerance metres beside its end at which a leg counts as driven once it is passed
+   */
+  record Dependencies(
+      Supplier<HeadingError> headingError,
+      Supplier<RangeFilter> rangeFilter,
+      Supplier<FuzzyDrive> fuzzyDrive,
+      LeasedDrive wheels,
+      LongSupplier nanos,
+      InstantSource clock,
+      double maxPeerSpeed,
+      int maxRecoveries,
+      double passingTolerance) {}
+
+  /** Those that it uses until it rests. */
+  private record ResolvedModules(
+      HeadingError headingError, RangeFilter rangeFilter, FuzzyDrive fuzzyDrive) {}
+
+  private static final double STUCK_TIMEOUT = 6; // seconds
+  private static final double NO_PROGRESS_TIMEOUT = 40; // seconds
+
+  /** With more doubt in its yaw a robot drives straight on, by which it learns it, radians. */
+  private static final double MAX_YAW_SIGMA = 0.6;
+
+  private final Dependencies means;
+  private final Leg leg;
+  private final double tolerance;
+  private final long began; // nanoseconds of the robot's time
+  private volatile @Nullable Duration limit; // since it began
+  private final StuckDetector watch = new StuckDetector(STUCK_TIMEOUT, NO_PROGRESS_TIMEOUT);
+  private final ClearanceMargin margin;
+  private @Nullable ResolvedModules senses;
+  private @Nullable RecoveryManeuver recovery;
+  private int recoveries;
+  private double whole = Double.NaN; // metres to go at the beginning
+  private double share; // of the way that is driven, 0 to 1
+
+  /**
+   * @param limit the leg has failed when this has passed from now on; null for no limit
+   */
+  LegExecution(Dependencies means, Leg leg, double tolerance, @Nullable Duration limit) {
+    this.means = means;
+    this.leg = leg;
+    this.tolerance = tolerance;
+    this.began = means.nanos().getAsLong();
+    this.margin = new ClearanceMargin(means.maxPeerSpeed());
+    this.limit = limit;
+  }
+
+  @Override
+  public GoalProgress step() throws RemoteException, LeaseRefusedException {
+    @Nullable Duration longest = limit;
+    if (longest != null && elapsed().compareTo(longest) >= 0) {
+      return GoalProgress.failed(
+          String.format(
+              Locale.ROOT, "its time limit of %.1f s has passed", longest.toMillis() / 1000.0),
+          share);
+    }
+    ResolvedModules by = senses();
+    HeadingPercept heading = by.headingError().towards(leg);
+    if (Double.isNaN(whole)) {
+      whole = Math.max(tolerance, heading.distance());
+    }
+    if (isThere(heading)) {
+      return GoalProgress.reached(
+          String.format(Locale.ROOT, "it is there, %.2f m off", heading.distance()));
+    }
+    Clearance measured = by.rangeFilter().clearance();
+    long now = means.nanos().getAsLong();
+    Clearance room = margin.reduced(measured, means.clock().instant(), now);
+    if (recovery != null && recovery.isOver(now)) {
+      recovery = null;
+      watch.reset();
+    }
+    if (recovery == null && watch.isStuck(now, heading)) {
+      if (recoveries >= means.maxRecoveries()) {
+        return GoalProgress.failed(
+            String.format(
+                Locale.ROOT,
+                "it cannot get nearer than %.1f m; something is in the way",
+                heading.distance()),
+            done(heading));
+      }
+      recovery = new RecoveryManeuver(now, recoveries++);
+    }
+    Velocity wanted = velocity(by.fuzzyDrive(), now, room, heading);
+    margin.recordCommand(wanted, now);
+    means.wheels().setVelocity(wanted);
+    share = done(heading);
+    return GoalProgress.inProgress(doing(heading), share);
+  }
+
+  /** Another limit, from now on; by any thread. */
+  void setTimeLimit(Duration left) {
+    limit = elapsed().plus(left);
+  }
+
+  private Duration elapsed() {
+    return Duration.ofNanos(means.nanos().getAsLong() - began);
+  }
+
+  /** Whether the end is near enough, or was passed. */
+  private boolean isThere(HeadingPercept heading) {
+    return heading.distance() <= tolerance
+        || (heading.remainingAlongTrack() <= 0 && heading.distance() <= means.passingTolerance());
+  }
+
+  private ResolvedModules senses() {
+    ResolvedModules by = senses;
+    if (by == null) {
+      by =
+          new ResolvedModules(
+              means.headingError().get(), means.rangeFilter().get(), means.fuzzyDrive().get());
+      senses = by;
+    }
+    return by;
+  }
+
+  private Velocity velocity(FuzzyDrive rules, long now, Clearance room, HeadingPercept heading)
+      throws RemoteException {
+    @Nullable RecoveryManeuver out = recovery;
+    if (out == null) {
+      HeadingPercept known =
+          heading.headingSigma() > MAX_YAW_SIGMA ? heading.withoutHeadingError() : heading;
+      return rules.advise(room, known).velocity();
+    }
+    @Nullable Velocity wanted = out.velocity(now, room);
+    if (wanted != null) {
+      return wanted;
+    }
+    return rules.advise(room, heading.withoutHeadingError()).velocity();
+  }
+
+  /** In whole metres, so that it is not news at every turn. */
+  private String doing(HeadingPercept heading) {
+    String how =
+        recovery != null
+            ? "it was stuck and gets itself out"
+            : heading.headingSigma() > MAX_YAW_SIGMA
+                ? "it drives straight on to learn which way it faces"
+                : "it drives";
+    return how + ", " + Math.round(heading.distance()) + " m to go";
+  }
+
+  private double done(HeadingPercept heading) {
+    return Math.max(0, 1 - heading.distance() / whole) * 0.99;
+  }
+
+  @Override
+  public void suspend() {
+    means.wheels().release();
+    senses = null;
+    recovery = null;
+    watch.reset();
+    margin.reset();
+  }
+}

@@ -1,0 +1,126 @@
+package org.dfra.behaviors.waypoint;
+
+import java.rmi.RemoteException;
+import java.util.List;
+import java.util.Optional;
+import org.dfra.behavior.BehaviorStatus;
+import org.dfra.behavior.GoToWaypoint;
+import org.dfra.behavior.GoalRefusedException;
+import org.dfra.behavior.LegGoal;
+import org.dfra.behavior.PathGoal;
+import org.dfra.behaviors.raster.WaypointText;
+import org.dfra.core.behavior.DriveInterlock;
+import org.dfra.core.behavior.GoalDelegation;
+import org.dfra.core.behavior.GoalExecution;
+import org.dfra.core.behavior.GoalProgress;
+import org.dfra.core.chain.DelayedTaskExecutor;
+import org.dfra.core.module.ModuleDependency;
+import org.dfra.geometry.GeoPosition;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+
+/** One path being driven, leg by leg. A waypoint that is barred is left out, and counted. */
+final class PathExecution implements GoalExecution {
+
+  private final String path;
+  private final PathGoal goal;
+  private final DriveInterlock interlock;
+  private final Logger log;
+  private final GoalDelegation<LegGoal, GoToWaypoint> leg;
+  private int next; // the waypoint that is being gone to
+  private int missed;
+
+  PathExecution(
+      String path,
+      ModuleDependency<GoToWaypoint> goTo,
+      PathGoal goal,
+      DriveInterlock interlock,
+      DelayedTaskExecutor errands,
+      Logger log) {
+    this.path = path;
+    this.goal = goal;
+    this.interlock = interlock;
+    this.log = log;
+    this.leg = new GoalDelegation<>(path, goTo, errands, log);
+  }
+
+  @Override
+  public GoalProgress step() throws RemoteException {
+    GoalProgress progress = turn();
+    return progress.withSkippedParts(missed).withParts(next, goal.waypoints().size());
+  }
+
+  private GoalProgress turn() throws RemoteException {
+    Optional<BehaviorStatus> driving = leg.status();
+    if (driving.isEmpty()) {
+      return begin();
+    }
+    BehaviorStatus status = driving.get();
+    switch (status.phase()) {
+      case SUCCEEDED:
+        return reached(false);
+      case FAILED:
+        log.warn("{}: waypoint {} is left out: {}", path, next + 1, status.activity());
+        return reached(true);
+      case CANCELLED:
+        return GoalProgress.cancelled("its leg was cancelled: " + status.activity(), done(0));
+      case PAUSED: // as by a brake: whoever resumes the path begins the leg anew
+        return GoalProgress.paused("its leg is paused: " + status.activity(), done(0));
+      default:
+        return going(status.activity(), status.completion());
+    }
+  }
+
+  /**
+   * Begins the next leg.
+   *
+   * @throws GoalRefusedException if somebody else uses what drives it
+   * @throws org.dfra.flow.effector.CommandRefusedByEmergencyStopException if the drive was stopped
+   *     for an emergency since the path was begun
+   */
+  private GoalProgress begin() throws RemoteException {
+    interlock.requireNotStoppedSince();
+    List<GeoPosition> waypoints = goal.waypoints();
+    @Nullable GeoPosition from = next == 0 ? goal.from() : waypoints.get(next - 1);
+    try {
+      leg.start(new LegGoal(from, waypoints.get(next), goal.tolerance()));
+    } catch (GoalRefusedException e) {
+      if (e.isBusy()) { // somebody else uses it: it is waited for
+        throw e;
+      }
+      return GoalProgress.failed(String.valueOf(e.getMessage()), done(0));
+    }
+    return going("it begins a leg", 0);
+  }
+
+  private GoalProgress reached(boolean isMissed) throws RemoteException {
+    missed += isMissed ? 1 : 0;
+    next++;
+    leg.forget();
+    if (next < goal.waypoints().size()) {
+      return begin();
+    }
+    if (missed == goal.waypoints().size()) {
+      return GoalProgress.failed("it could get to none of its waypoints", done(0));
+    }
+    return GoalProgress.reached(
+        missed == 0
+            ? "it has been everywhere"
+            : missed + " of " + goal.waypoints().size() + " waypoints left out, barred");
+  }
+
+  private GoalProgress going(String doing, double ofLeg) {
+    return GoalProgress.inProgress(
+        WaypointText.position(next, goal.waypoints().size()) + ": " + doing, done(ofLeg));
+  }
+
+  /** So many waypoints of all, and a part of the next. */
+  private double done(double ofLeg) {
+    return Math.min(1, (next + Math.min(0.99, ofLeg)) / goal.waypoints().size());
+  }
+
+  @Override
+  public void suspend() {
+    leg.cancel();
+  }
+}

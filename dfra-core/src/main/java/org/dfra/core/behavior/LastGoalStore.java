@@ -1,0 +1,107 @@
+package org.dfra.core.behavior;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.time.format.DateTimeParseException;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.UUID;
+import org.dfra.behavior.BehaviorStatus;
+import org.dfra.behavior.BehaviorStatus.Phase;
+import org.dfra.core.state.StateStore;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What of a behaviour's last goal outlives its process: its name, its phase, and whether somebody
+ * has stopped it. Whoever began the goal can thus tell, after the process has died, a goal that was
+ * lost from one that somebody has stopped. It cannot where the process dies within the milliseconds
+ * between the stop and the writing; then whoever stopped it gets no answer.
+ *
+ * <p>Not thread-safe.
+ */
+final class LastGoalStore {
+
+  private static final String DOCUMENT = "last-goal";
+  private static final String NOT_HELD = "-";
+
+  private final StateStore state;
+  private @Nullable BehaviorStatus kept;
+
+  LastGoalStore(StateStore state) {
+    this.state = state;
+  }
+
+  /**
+   * Writes it down where it is news for the next process.
+   *
+   * @throws IOException if it cannot be written; then what was kept before is kept
+   */
+  void save(BehaviorStatus status) throws IOException {
+    @Nullable BehaviorStatus last = kept;
+    boolean isKept =
+        last != null
+            && Objects.equals(status.goal(), last.goal())
+            && status.phase() == last.phase()
+            && Objects.equals(status.heldSince(), last.heldSince());
+    if (isKept || status.goal() == null) {
+      return;
+    }
+    @Nullable Instant held = status.heldSince();
+    String text =
+        String.join(
+            "\n",
+            status.goal().toString(),
+            status.phase().name(),
+            held == null ? NOT_HELD : held.toString(),
+            status.activity());
+    state.write(DOCUMENT, text.getBytes(StandardCharsets.UTF_8));
+    kept = status;
+  }
+
+  /**
+   * What became of the goal of the earlier process; nothing where there was none.
+   *
+   * @throws IOException if that cannot be read
+   */
+  Optional<BehaviorStatus> load(InstantSource clock) throws IOException {
+    Optional<byte[]> bytes = state.read(DOCUMENT);
+    if (bytes.isEmpty()) {
+      return Optional.empty();
+    }
+    String[] lines = new String(bytes.get(), StandardCharsets.UTF_8).split("\n", 4);
+    try {
+      if (lines.length < 4) {
+        throw new IllegalArgumentException("it has " + lines.length + " of 4 lines");
+      }
+      @Nullable Instant held = lines[2].equals(NOT_HELD) ? null : Instant.parse(lines[2]);
+      return Optional.of(
+          left(
+              clock.instant(), UUID.fromString(lines[0]), Phase.valueOf(lines[1]), held, lines[3]));
+    } catch (IllegalArgumentException | DateTimeParseException e) {
+      throw new IOException("the goal of the earlier process cannot be read: " + e, e);
+    }
+  }
+
+  private static BehaviorStatus left(
+      Instant now, UUID goal, Phase phase, @Nullable Instant held, String doing) {
+    return switch (phase) {
+      case RUNNING ->
+          new BehaviorStatus(now, goal, Phase.IDLE, "its process ended before its goal", 0, 0);
+      case PAUSED ->
+          new BehaviorStatus(
+              now,
+              goal,
+              Phase.CANCELLED,
+              "its process ended while it paused: " + doing,
+              0,
+              0,
+              held,
+              0,
+              0);
+      case SUCCEEDED -> new BehaviorStatus(now, goal, phase, doing, 1, 0);
+      default -> new BehaviorStatus(now, goal, phase, doing, 0, 0, held, 0, 0);
+    };
+  }
+}

@@ -1,0 +1,42 @@
+package org.dfra.core.config;
+
+import java.util.Comparator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/** All that is wrong with a description, gathered so that one reading reports everything. */
+public final class ConfigurationFaults {
+
+  private record Fault(Place place, String sentence) {}
+
+  private final Set<Fault> faults = new LinkedHashSet<>();
+
+  /**
+   * @param sentence what is wrong; what to do
+   */
+  public void add(Place place, String sentence) {
+    faults.add(new Fault(place, sentence));
+  }
+
+  /** Whether there are none. */
+  public boolean isEmpty() {
+    return faults.isEmpty();
+  }
+
+  /** Throws what was gathered, one line each: file by file, each from its top to its end. */
+  public void throwIfAny() {
+    if (faults.isEmpty()) {
+      return;
+    }
+    List<String> files = faults.stream().map(fault -> fault.place().file()).distinct().toList();
+    throw new ConfigurationException(
+        faults.stream()
+            .sorted(
+                Comparator.comparingInt((Fault fault) -> files.indexOf(fault.place().file()))
+                    .thenComparingInt(fault -> fault.place().line()))
+            .map(fault -> fault.place() + ": " + fault.sentence())
+            .collect(Collectors.joining("\n")));
+  }
+}

@@ -1,0 +1,106 @@
+package org.dfra.core.directory;
+
+import java.util.List;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.dfra.directory.DirectoryRegistration;
+import org.dfra.persona.Attributes;
+import org.dfra.time.Scheduler;
+import org.dfra.time.Scheduler.ScheduledTask;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Tells what a module says of itself whenever that has changed.
+ *
+ * <p>It looks every {@value #POLL_MILLIS} ms rather than being told: so no driver has to remember
+ * to tell, and no restless driver can flood a lookup service.
+ *
+ * <p>Threads: one daemon, {@code dfra-attributes}, looks for all modules of a virtual machine; in
+ * lock-step the scheduler looks.
+ */
+public final class AttributeMonitor implements DirectoryRegistration {
+
+  /** Changes are looked for at this distance, in milliseconds. */
+  public static final long POLL_MILLIS = 500;
+
+  private static final Logger LOG = LoggerFactory.getLogger(AttributeMonitor.class);
+
+  private static final ScheduledExecutorService LOOKER =
+      Executors.newSingleThreadScheduledExecutor(
+          task -> {
+            Thread thread = new Thread(task, "dfra-attributes");
+            thread.setDaemon(true);
+            return thread;
+          });
+
+  private final Supplier<List<Attributes>> attributes;
+  private final Consumer<List<Attributes>> publisher;
+  private volatile ScheduledTask looking;
+  private volatile boolean closed;
+  private List<Attributes> published; // by the looker
+
+  /**
+   * @param published what is known of the module already
+   * @param attributes what it says of itself now
+   * @param publisher takes the news; it must not block
+   */
+  public AttributeMonitor(
+      List<Attributes> published,
+      Supplier<List<Attributes>> attributes,
+      Consumer<List<Attributes>> publisher) {
+    this(published, attributes, publisher, Scheduler.system());
+  }
+
+  /** The same, by the time of {@code scheduler} if that is in lock-step, by real time otherwise. */
+  public AttributeMonitor(
+      List<Attributes> published,
+      Supplier<List<Attributes>> attributes,
+      Consumer<List<Attributes>> publisher,
+      Scheduler scheduler) {
+    this.published = List.copyOf(published);
+    this.attributes = attributes;
+    this.publisher = publisher;
+    if (scheduler.isLockStep()) {
+      this.looking = later(scheduler);
+    } else {
+      Future<?> future =
+          LOOKER.scheduleWithFixedDelay(
+              this::look, POLL_MILLIS, POLL_MILLIS, TimeUnit.MILLISECONDS);
+      this.looking = () -> future.cancel(false);
+    }
+  }
+
+  private ScheduledTask later(Scheduler scheduler) {
+    return scheduler.after(
+        TimeUnit.MILLISECONDS.toNanos(POLL_MILLIS),
+        () -> {
+          if (!closed) {
+            look();
+            looking = later(scheduler);
+          }
+        });
+  }
+
+  private void look() {
+    try {
+      List<Attributes> now = attributes.get();
+      if (!now.equals(published)) {
+        published = List.copyOf(now);
+        publisher.accept(published);
+      }
+    } catch (RuntimeException e) {
+      LOG.warn("A module's attributes cannot be told: {}", e.toString(), e);
+    }
+  }
+
+  @Override
+  public void close() {
+    closed = true;
+    looking.cancel();
+  }
+}

@@ -1,0 +1,179 @@
+package org.dfra.core.history;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.ArrayDeque;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import org.dfra.core.state.StateStore;
+import org.dfra.module.Incident;
+import org.dfra.module.Incident.Kind;
+import org.dfra.module.ModuleHistory;
+import org.dfra.time.Scheduler;
+import org.slf4j.Logger;
+
+/**
+ * A module's history, kept through all its lives.
+ *
+ * <p>Every incident is written down at once, but not by the thread that notes it: while one writing
+ * is under way, all that comes meanwhile waits for one more. What the last life did not live to
+ * write is at most that, and the time it served since its last incident.
+ */
+public final class IncidentLog {
+
+  /** How many incidents are remembered one by one; the figures count all. */
+  static final int MAX_INCIDENTS = 100;
+
+  private static final String NAME = "history";
+
+  private final String module;
+  private final StateStore state;
+  private final InstantSource clock;
+  private final Scheduler scheduler;
+  private final Executor writer;
+  private final Logger log;
+
+  /**
+   * Taken before this; held while writing, so that nothing older is written over something newer.
+   */
+  private final Object file = new Object();
+
+  // all guarded by this
+  private final ArrayDeque<Incident> recent = new ArrayDeque<>();
+  private Instant since;
+  private long activations;
+  private long failures;
+  private long exceptions;
+  private Duration served = Duration.ZERO;
+  private boolean serving;
+  private long servingSince;
+  private boolean writing;
+  private boolean changed;
+
+  /**
+   * @param module the module's path, for messages
+   * @param state where it is kept
+   * @param clock stamps the incidents
+   * @param scheduler measures the time served
+   * @param writer where it is written
+   */
+  public IncidentLog(
+      String module,
+      StateStore state,
+      InstantSource clock,
+      Scheduler scheduler,
+      Executor writer,
+      Logger log) {
+    this.module = module;
+    this.state = state;
+    this.clock = clock;
+    this.scheduler = scheduler;
+    this.writer = writer;
+    this.log = log;
+    this.since = clock.instant();
+  }
+
+  /**
+   * Reads what the earlier lives wrote, and begins this one. A life that did not end as it should
+   * counts as a failure.
+   */
+  public synchronized void beginLife() {
+    since = clock.instant();
+    restore();
+    if (!recent.isEmpty() && recent.getLast().kind() != Kind.DEACTIVATION) {
+      record(
+          Kind.FAILURE, "its last life ended without being closed: killed, crashed or powered off");
+    }
+    record(Kind.ACTIVATION, "it was activated, no. " + (activations + 1));
+  }
+
+  private void restore() {
+    try {
+      Optional<byte[]> kept = state.read(NAME);
+      if (kept.isPresent()) {
+        ModuleHistory history = HistoryCodec.decode(kept.get());
+        since = history.since();
+        activations = history.activations();
+        failures = history.failures();
+        exceptions = history.exceptions();
+        served = history.servingTime();
+        recent.addAll(history.recent());
+      }
+    } catch (IOException e) {
+      log.warn(
+          "{}: its history in {} cannot be read and begins anew: {}", module, state, e.toString());
+    }
+  }
+
+  /** Writes an incident down. */
+  public synchronized Incident record(Kind kind, String what) {
+    switch (kind) {
+      case ACTIVATION -> activations++;
+      case FAILURE -> failures++;
+      case EXCEPTION -> exceptions++;
+      case RECOVERY, DEACTIVATION, GAP, EMERGENCY_STOP, RELEASE -> {
+        // neither is counted
+      }
+    }
+    Incident incident = new Incident(clock.instant(), kind, what);
+    if (recent.size() == MAX_INCIDENTS) {
+      recent.removeFirst();
+    }
+    recent.addLast(incident);
+    changed = true;
+    if (!writing) {
+      writing = true;
+      writer.execute(this::writeChanges);
+    }
+    return incident;
+  }
+
+  /** Says whether the module serves from now on. */
+  public synchronized void setServing(boolean now) {
+    if (serving) {
+      served = served.plusNanos(scheduler.nanos() - servingSince);
+    }
+    serving = now;
+    servingSince = scheduler.nanos();
+  }
+
+  /** The life so far. */
+  public synchronized ModuleHistory history() {
+    Duration soFar = serving ? served.plusNanos(scheduler.nanos() - servingSince) : served;
+    return new ModuleHistory(since, activations, failures, exceptions, soFar, List.copyOf(recent));
+  }
+
+  /** Writes what is not written yet, before it returns. */
+  public void flush() {
+    synchronized (file) {
+      byte[] content;
+      synchronized (this) {
+        changed = false;
+        content = HistoryCodec.encode(history());
+      }
+      write(content);
+    }
+  }
+
+  private void writeChanges() {
+    while (isChanged()) {
+      flush();
+    }
+  }
+
+  private synchronized boolean isChanged() {
+    writing = changed;
+    return changed;
+  }
+
+  private void write(byte[] content) {
+    try {
+      state.write(NAME, content);
+    } catch (IOException e) {
+      log.error("{}: its history cannot be written to {}: {}", module, state, e.toString());
+    }
+  }
+}

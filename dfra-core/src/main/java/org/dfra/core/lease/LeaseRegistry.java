@@ -1,0 +1,373 @@
+package org.dfra.core.lease;
+
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.UUID;
+import java.util.concurrent.Executor;
+import java.util.function.Function;
+import java.util.function.IntConsumer;
+import org.dfra.lease.LeaseHandle;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.lease.LeaseRole;
+import org.dfra.lease.LeaseStatus;
+import org.dfra.time.Scheduler;
+import org.dfra.time.Scheduler.ScheduledTask;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Grants leases on a module and counts its clients by them. A lease that is not renewed is over
+ * when its time is, not when somebody asks: its end is noticed by the scheduler.
+ *
+ * <p>A lease's ID is a secret of its holder and this book: whoever knows it can renew and cancel
+ * the lease. Listings show its {@link LeaseHandle} instead, which only revokes it.
+ *
+ * <p>Time is the scheduler's, which nobody sets; the clock only tells holders when their lease
+ * ends.
+ */
+public final class LeaseRegistry implements AutoCloseable {
+
+  private final String module;
+  private final LeaseTerms terms;
+  private final InstantSource clock;
+  private final Scheduler scheduler;
+  private final IntConsumer clientsChanged;
+  private final Function<LeaseRole, Executor> expiries;
+
+  private final Map<UUID, LeaseEntry> entries = new HashMap<>(); // guarded by itself
+  private final Set<UUID> revoked = new HashSet<>(); // guarded by entries; the latest only
+  private boolean closed; // guarded by entries
+
+  /** Taken before {@link #entries}; keeps what is told in order. */
+  private final Object publishLock = new Object();
+
+  private int lastPublished; // guarded by telling
+
+  /**
+   * @param module the module's path, {@code robot/name}
+   * @param clientsChanged is told how many clients there are when that changes, in order; must not
+   *     call this book
+   */
+  public LeaseRegistry(
+      String module,
+      LeaseTerms terms,
+      InstantSource clock,
+      Scheduler scheduler,
+      IntConsumer clientsChanged) {
+    this(module, terms, clock, scheduler, clientsChanged, holder -> Runnable::run);
+  }
+
+  /**
+   * The same.
+   *
+   * @param expiries ends those leases that were not renewed, by what their holders are; the
+   *     scheduler only hands over to it, since whoever hears of the end may be held up. It drops no
+   *     task.
+   */
+  public LeaseRegistry(
+      String module,
+      LeaseTerms terms,
+      InstantSource clock,
+      Scheduler scheduler,
+      IntConsumer clientsChanged,
+      Function<LeaseRole, Executor> expiries) {
+    this.module = module;
+    this.terms = terms;
+    this.clock = clock;
+    this.scheduler = scheduler;
+    this.clientsChanged = clientsChanged;
+    this.expiries = expiries;
+  }
+
+  /** What is granted here. */
+  public LeaseTerms terms() {
+    return terms;
+  }
+
+  /**
+   * Grants a lease.
+   *
+   * @param duration how long
+   * @param host address of the holder, for those who ask who holds what; null where it is not known
+   * @param onEnd run once when it has expired, was revoked or this book is closed, not when it is
+   *     cancelled
+   * @throws LeaseRefusedException if it is longer than allowed or not above zero, or the module has
+   *     ended
+   */
+  public LeaseGrant grant(
+      Duration duration, LeaseRole holder, @Nullable String host, Runnable onEnd)
+      throws LeaseRefusedException {
+    return grant(duration, holder, host, onEnd, () -> {});
+  }
+
+  /**
+   * The same.
+   *
+   * @param whenCancelled run once when it is cancelled
+   */
+  public LeaseGrant grant(
+      Duration duration,
+      LeaseRole holder,
+      @Nullable String host,
+      Runnable onEnd,
+      Runnable whenCancelled)
+      throws LeaseRefusedException {
+    terms.check(module, duration);
+    UUID id = UUID.randomUUID();
+    synchronized (entries) {
+      refuseIfClosed();
+      LeaseEntry entry = entry(id, holder, host, onEnd, whenCancelled);
+      extend(id, entry, duration); // first: what cannot be ended in time is not granted
+      entries.put(id, entry);
+    }
+    publishClientCount();
+    return new LeaseGrant(id, duration, clock.instant().plus(duration));
+  }
+
+  /**
+   * Counts a holder in this virtual machine until it says otherwise; nobody need renew it.
+   *
+   * @throws LeaseRefusedException if the module has ended
+   */
+  public UUID grantLocal(LeaseRole holder, Runnable whenOver) throws LeaseRefusedException {
+    return grantLocal(holder, whenOver, () -> {});
+  }
+
+  /**
+   * The same.
+   *
+   * @param whenCancelled run once when it is cancelled
+   */
+  public UUID grantLocal(LeaseRole holder, Runnable whenOver, Runnable whenCancelled)
+      throws LeaseRefusedException {
+    UUID id = UUID.randomUUID();
+    synchronized (entries) {
+      refuseIfClosed();
+      entries.put(id, entry(id, holder, null, whenOver, whenCancelled));
+    }
+    publishClientCount();
+    return id;
+  }
+
+  private LeaseEntry entry(
+      UUID id, LeaseRole holder, @Nullable String host, Runnable whenOver, Runnable whenCancelled) {
+    return new LeaseEntry(
+        id, holder, host, clock.instant(), scheduler.nanos(), whenOver, whenCancelled);
+  }
+
+  private void refuseIfClosed() throws LeaseRefusedException {
+    if (closed) {
+      throw new LeaseRefusedException(module + " grants no leases any more; it has ended");
+    }
+  }
+
+  /**
+   * Renews a lease, from now on.
+   *
+   * @return nothing if there is no such lease any more
+   * @throws LeaseRefusedException as for {@link #grant}; the lease stays as it was
+   */
+  public Optional<LeaseGrant> renew(UUID id, Duration duration) throws LeaseRefusedException {
+    terms.check(module, duration);
+    synchronized (entries) {
+      LeaseEntry entry = entries.get(id);
+      if (entry == null) {
+        return Optional.empty();
+      }
+      extend(id, entry, duration);
+    }
+    return Optional.of(new LeaseGrant(id, duration, clock.instant().plus(duration)));
+  }
+
+  /** Ends a lease before its time; false if there is no such lease any more. */
+  public boolean cancel(UUID id) {
+    LeaseEntry entry;
+    synchronized (entries) {
+      entry = entries.remove(id);
+      if (entry == null) {
+        return false;
+      }
+      if (entry.expiry != null) {
+        entry.expiry.cancel();
+      }
+    }
+    publishAndRun(entry.holder, entry.onCancel);
+    return true;
+  }
+
+  /**
+   * Ends a lease before its time, against its holder's will.
+   *
+   * @return false if there is no such lease any more
+   */
+  public boolean revoke(UUID id) {
+    LeaseEntry entry;
+    synchronized (entries) {
+      entry = entries.remove(id);
+      if (entry == null) {
+        return false;
+      }
+      if (entry.expiry != null) {
+        entry.expiry.cancel();
+        remember(id);
+      }
+    }
+    publishAndRun(entry.holder, entry.onEnd);
+    return true;
+  }
+
+  /** The same, by what listings show of it. */
+  public boolean revoke(LeaseHandle handle) {
+    Optional<UUID> id;
+    synchronized (entries) {
+      id =
+          entries.entrySet().stream()
+              .filter(each -> each.getValue().handle.equals(handle))
+              .map(Map.Entry::getKey)
+              .findFirst();
+    }
+    return id.isPresent() && revoke(id.get());
+  }
+
+  /** Long enough for whoever renews it to hear why that fails. */
+  private void remember(UUID id) {
+    revoked.add(id);
+    ScheduledTask unused =
+        scheduler.after(
+            terms.maxDuration().toNanos(),
+            () -> {
+              synchronized (entries) {
+                revoked.remove(id);
+              }
+            });
+  }
+
+  /** Whether there was such a lease, and it was revoked not longer ago than the longest lasts. */
+  public boolean isRevoked(UUID id) {
+    synchronized (entries) {
+      return revoked.contains(id);
+    }
+  }
+
+  /** Every lease there is now, the oldest first. */
+  public List<LeaseStatus> leases() {
+    synchronized (entries) {
+      long now = scheduler.nanos();
+      return entries.values().stream()
+          .map(each -> each.status(now))
+          .sorted(
+              Comparator.comparing(LeaseStatus::age).reversed().thenComparing(LeaseStatus::handle))
+          .toList();
+    }
+  }
+
+  /** Whether there is such a lease. */
+  public boolean contains(UUID id) {
+    synchronized (entries) {
+      return entries.containsKey(id);
+    }
+  }
+
+  /** How many clients hold a lease now. */
+  public int clients() {
+    synchronized (entries) {
+      return (int) entries.values().stream().filter(entry -> entry.holder.isClient()).count();
+    }
+  }
+
+  /** Ends every lease, and grants none any more. */
+  @Override
+  public void close() {
+    Map<UUID, LeaseEntry> over;
+    synchronized (entries) {
+      closed = true;
+      over = new HashMap<>(entries);
+      entries.clear();
+    }
+    List<Runnable> steps = new ArrayList<>();
+    over.values().stream().filter(LeaseRegistry::commands).forEach(each -> steps.add(each.onEnd));
+    steps.add(this::publishClientCount);
+    over.values().stream().filter(each -> !commands(each)).forEach(e -> steps.add(e.onEnd));
+    over.values().forEach(LeaseRegistry::cancelExpiry);
+    runAll(steps);
+  }
+
+  private static boolean commands(LeaseEntry entry) {
+    return entry.holder == LeaseRole.COMMANDER;
+  }
+
+  private static void cancelExpiry(LeaseEntry entry) {
+    if (entry.expiry != null) {
+      entry.expiry.cancel();
+    }
+  }
+
+  private static void runAll(List<Runnable> steps) {
+    RuntimeException failure = null;
+    for (Runnable step : steps) {
+      try {
+        step.run();
+      } catch (RuntimeException e) { // the others must hear of it too
+        failure = failure == null ? e : failure;
+        if (failure != e) {
+          failure.addSuppressed(e);
+        }
+      }
+    }
+    if (failure != null) {
+      throw failure;
+    }
+  }
+
+  /** Where its end cannot be scheduled the lease stays as it was. */
+  private void extend(UUID id, LeaseEntry entry, Duration asked) {
+    long end = scheduler.nanos() + asked.toNanos();
+    Executor ending = expiries.apply(entry.holder);
+    ScheduledTask expiry = scheduler.after(asked.toNanos(), () -> ending.execute(() -> expire(id)));
+    cancelExpiry(entry);
+    entry.end = end;
+    entry.expiry = expiry;
+  }
+
+  private void expire(UUID id) {
+    LeaseEntry entry;
+    synchronized (entries) {
+      entry = entries.get(id);
+      if (entry == null || scheduler.nanos() - entry.end < 0) {
+        return; // cancelled or renewed meanwhile
+      }
+      entries.remove(id);
+    }
+    publishAndRun(entry.holder, entry.onEnd);
+  }
+
+  /**
+   * Tells how many clients are left, and runs {@code then}, whichever of the two fails. The end of
+   * a commander's lease halts the device and comes first, since those who are told may be slow.
+   */
+  private void publishAndRun(LeaseRole holder, Runnable then) {
+    boolean isFirst = holder == LeaseRole.COMMANDER;
+    try {
+      (isFirst ? then : (Runnable) this::publishClientCount).run();
+    } finally {
+      (isFirst ? (Runnable) this::publishClientCount : then).run();
+    }
+  }
+
+  private void publishClientCount() {
+    synchronized (publishLock) {
+      int clients = clients();
+      if (clients != lastPublished) {
+        lastPublished = clients;
+        clientsChanged.accept(clients);
+      }
+    }
+  }
+}

@@ -1,0 +1,168 @@
+package org.dfra.core.robot;
+
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.config.GroupDescription;
+import org.dfra.core.config.ModuleDescription;
+import org.dfra.core.config.NearestName;
+import org.dfra.core.config.Parameters;
+import org.dfra.core.config.RobotDescription;
+import org.dfra.core.directory.InMemoryModuleDirectory;
+import org.dfra.core.module.ModuleClassFactory;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.ModuleImpl;
+import org.dfra.module.Module;
+
+/**
+ * Tries what a robot's XML names before anything is started: every class is there, every driver can
+ * be made of its parameters, and the modules that drivers need are there. Drivers are made and
+ * thrown away; none is started, so no device is opened and nothing is remembered.
+ *
+ * <p>A group whose options may change what its virtual machine finds, such as a class path of its
+ * own, cannot be tried from outside, and is left out.
+ */
+public final class RobotDryRun {
+
+  /** What options begin with that change how a virtual machine runs, not what it finds. */
+  private static final String TUNING = "-X";
+
+  private static final String BOOT = "-Xboot";
+
+  /**
+   * Another module that a driver needs.
+   *
+   * @param parameter that may name it
+   * @param kind what it must be
+   */
+  private record Need(ModuleDescription by, String parameter, Class<?> kind) {}
+
+  private final RobotDescription robot;
+  private final Map<String, Class<?>> drivers = new TreeMap<>(); // that were made, by module
+  private final List<Need> needs = new ArrayList<>();
+  private final List<String> faults = new ArrayList<>();
+
+  private RobotDryRun(RobotDescription robot) {
+    this.robot = robot;
+    try (InMemoryModuleDirectory nobody = new InMemoryModuleDirectory()) {
+      for (GroupDescription group : robot.groups()) {
+        if (group.jvmOptions().stream().allMatch(RobotDryRun::isTuning)) {
+          group.modules().forEach(module -> tryOut(module, nobody));
+        }
+      }
+    }
+  }
+
+  /**
+   * Tries all modules of a robot. A module that one of them names must be among them; one that none
+   * names may come later.
+   *
+   * @throws ConfigurationException naming everything that is wrong with them, a line each
+   */
+  public static void check(RobotDescription robot) {
+    RobotDryRun rehearsal = new RobotDryRun(robot);
+    rehearsal.needs.forEach(rehearsal::requireNamed);
+    judge(rehearsal.faults);
+  }
+
+  /**
+   * The same with a robot to which nobody adds anything: all that its modules need must be there.
+   *
+   * @throws ConfigurationException likewise
+   */
+  public static void checkComplete(RobotDescription robot) {
+    RobotDryRun rehearsal = new RobotDryRun(robot);
+    rehearsal.needs.forEach(rehearsal::requireNamed);
+    rehearsal.needs.forEach(rehearsal::requireAny);
+    judge(rehearsal.faults);
+  }
+
+  private static void judge(List<String> faults) {
+    if (!faults.isEmpty()) {
+      throw new ConfigurationException(String.join("\n", faults));
+    }
+  }
+
+  private static boolean isTuning(String option) {
+    return option.startsWith(TUNING) && !option.startsWith(BOOT);
+  }
+
+  private void tryOut(ModuleDescription module, InMemoryModuleDirectory nobody) {
+    ModuleClassFactory classes = new ModuleClassFactory(module);
+    try {
+      Class<?> unusedServer = classes.load("server", module.serverClass());
+      Class<?> unusedProxy = classes.load("proxy", module.proxyClass());
+      ModuleContext context =
+          new ModuleContext(
+                  module.robot(), module.name(), module.parameters(), InstantSource.system())
+              .withDirectory(nobody);
+      ModuleImpl driver =
+          classes.createDriver(
+              context,
+              Module.class,
+              ModuleImpl.class,
+              (parameter, kind) -> needs.add(new Need(module, parameter, kind)));
+      drivers.put(module.name(), driver.getClass());
+      driver.close();
+    } catch (ConfigurationException e) {
+      faults.add(String.valueOf(e.getMessage()));
+    }
+  }
+
+  private void requireNamed(Need need) {
+    Parameters parameters = need.by().parameters();
+    String named = parameters.find(need.parameter()).orElse(null);
+    if (named == null || mayBe(named, need.kind())) {
+      return;
+    }
+    List<String> others = able(need.kind());
+    ConfigurationException fault =
+        parameters.fault(
+            need.parameter(),
+            "the name of a "
+                + need.kind().getSimpleName()
+                + " of "
+                + robot.name()
+                + NearestName.hint(
+                    named,
+                    others,
+                    others.isEmpty()
+                        ? "; it has none, so add one to its XML"
+                        : "; it has " + String.join(", ", others)),
+            null);
+    faults.add(String.valueOf(fault.getMessage()));
+  }
+
+  /** Whether a module of that name is there, and is such a one as far as is known. */
+  private boolean mayBe(String name, Class<?> kind) {
+    Class<?> driver = drivers.get(name);
+    return driver == null
+        ? robot.modules().stream().anyMatch(each -> each.name().equals(name))
+        : kind.isAssignableFrom(driver);
+  }
+
+  private List<String> able(Class<?> kind) {
+    return drivers.entrySet().stream()
+        .filter(each -> kind.isAssignableFrom(each.getValue()))
+        .map(Map.Entry::getKey)
+        .toList();
+  }
+
+  private void requireAny(Need need) {
+    boolean isNamed = need.by().parameters().find(need.parameter()).isPresent();
+    boolean isAllKnown = drivers.size() == robot.modules().size();
+    if (isNamed || !isAllKnown || !able(need.kind()).isEmpty()) {
+      return;
+    }
+    String what = need.kind().getSimpleName();
+    ConfigurationException fault =
+        new ModuleClassFactory(need.by())
+            .fault(
+                "it needs a " + what + ", and " + robot.name() + " has none; add one to its XML",
+                null);
+    faults.add(String.valueOf(fault.getMessage()));
+  }
+}

@@ -1,0 +1,288 @@
+package org.dfra.core.effector;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.UUID;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import org.dfra.core.state.StateStore;
+import org.dfra.core.time.BootId;
+import org.dfra.flow.effector.CommandKey;
+import org.dfra.flow.effector.CommandRefusedByEmergencyStopException;
+import org.dfra.flow.effector.CommandRefusedException;
+import org.dfra.flow.effector.LeaseRefusedByEmergencyStopException;
+import org.dfra.lease.LeaseHandle;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.time.Scheduler;
+import org.junit.jupiter.api.Test;
+import org.slf4j.LoggerFactory;
+
+class CommandArbiterTest {
+
+  private static final UUID LEASE = new UUID(1, 2);
+
+  private final List<String> told = new ArrayList<>();
+  private final List<UUID> revoked = new ArrayList<>();
+  private final InstantSource clock = InstantSource.fixed(Instant.EPOCH);
+  private final EmergencyStopLatch stop =
+      new EmergencyStopLatch(
+          "atrv1/wheels",
+          StateStore.inMemory(),
+          clock,
+          Scheduler.system(),
+          BootId.system(),
+          LoggerFactory.getLogger("dfra.atrv1.wheels"));
+  private final CommandArbiter helm =
+      new CommandArbiter(
+          "atrv1/wheels",
+          clock,
+          () -> told.add("lost"),
+          () -> {},
+          Runnable::run,
+          stop,
+          revoked::add);
+  private Runnable over = () -> {};
+
+  private CommandKey take(String name) throws LeaseRefusedException {
+    return helm.acquire(
+        name,
+        whenOver -> {
+          over = whenOver;
+          return LEASE;
+        });
+  }
+
+  @Test
+  void obeysItsCommanderAndNobodyElse() throws Exception {
+    CommandKey stranger = new CommandKey(UUID.randomUUID());
+    assertThatThrownBy(() -> helm.execute(stranger, () -> told.add("done")))
+        .isInstanceOf(CommandRefusedException.class)
+        .hasMessage(
+            "atrv1/wheels has no commander, and this key counts no longer; ask it for a command"
+                + " lease");
+    CommandKey key = take("a client at 192.0.2.7");
+    assertThat(helm.isHeldBy(key)).isTrue();
+    assertThat(helm.commander()).isEqualTo("a client at 192.0.2.7");
+    helm.execute(key, () -> told.add("done"));
+    helm.execute(new CommandKey(key.secret()), () -> told.add("by a copy of the key"));
+    assertThatThrownBy(() -> helm.execute(stranger, () -> told.add("done")))
+        .isInstanceOf(CommandRefusedException.class)
+        .hasMessage(
+            "atrv1/wheels is commanded by a client at 192.0.2.7 since 1970-01-01T00:00:00Z; this"
+                + " key is not, or no longer, its commander's");
+    assertThat(told).containsExactly("done", "by a copy of the key");
+  }
+
+  @Test
+  void refusesASecondCommanderAndNamesTheFirstAndItsLease() throws Exception {
+    CommandKey first = take("a client at 192.0.2.7");
+    assertThatThrownBy(() -> take("another"))
+        .isInstanceOf(LeaseRefusedException.class)
+        .hasMessage(
+            "atrv1/wheels is commanded by a client at 192.0.2.7 since 1970-01-01T00:00:00Z; wait"
+                + " until it lets go, or have its lease "
+                + LeaseHandle.of(LEASE)
+                + " revoked");
+    assertThat(helm.isHeldBy(first)).isTrue();
+  }
+
+  @Test
+  void anEndedLeaseIsToldOnceAndDoesNotEndTheNext() throws Exception {
+    CommandKey first = take("the first");
+    Runnable firstOver = over;
+    firstOver.run();
+    firstOver.run();
+    assertThat(told).containsExactly("lost");
+    CommandKey second = take("the second");
+    firstOver.run();
+    assertThat(helm.isHeldBy(second)).as("a late end of the first").isTrue();
+    assertThatThrownBy(() -> helm.execute(first, () -> told.add("done")))
+        .hasMessageContaining("is commanded by the second");
+    assertThat(told).containsExactly("lost");
+  }
+
+  @Test
+  void aLeaseThatIsNotGrantedLeavesTheHelmFreeAndNothingComesToRest() throws Exception {
+    assertThatThrownBy(
+            () ->
+                helm.acquire(
+                    "too greedy",
+                    whenOver -> {
+                      throw new LeaseRefusedException("too long");
+                    }))
+        .hasMessage("too long");
+    assertThatThrownBy(
+            () ->
+                helm.acquire(
+                    "unlucky",
+                    whenOver -> {
+                      throw new OutOfMemoryError("a scripted one");
+                    }))
+        .isInstanceOf(OutOfMemoryError.class);
+    assertThat(helm.commander()).isNull();
+    assertThat(told).isEmpty();
+    assertThat(helm.isHeldBy(take("the next"))).isTrue();
+  }
+
+  @Test
+  void aLeaseThatIsOverBeforeItIsHandedOutComesWithAKeyThatDoesNotCount() throws Exception {
+    CommandKey key =
+        helm.acquire(
+            "short-lived",
+            whenOver -> {
+              whenOver.run();
+              return LEASE;
+            });
+    assertThat(told).containsExactly("lost");
+    assertThat(helm.isHeldBy(key)).isFalse();
+    assertThatThrownBy(() -> helm.execute(key, () -> told.add("done")))
+        .isInstanceOf(CommandRefusedException.class);
+    CommandKey next = take("the next");
+    assertThatThrownBy(() -> take("another"))
+        .as("no trace of the first lease")
+        .hasMessageContaining("by the next")
+        .hasMessageContaining(LeaseHandle.of(LEASE).toString())
+        .hasMessageNotContaining(LEASE.toString());
+    assertThat(helm.isHeldBy(next)).isTrue();
+  }
+
+  @Test
+  void aCommandThatFailsLeavesTheCommander() throws Exception {
+    CommandKey key = take("a client");
+    assertThatThrownBy(
+            () ->
+                helm.execute(
+                    key,
+                    () -> {
+                      throw new IllegalArgumentException("cannot fly");
+                    }))
+        .hasMessage("cannot fly");
+    assertThat(helm.isHeldBy(key)).isTrue();
+  }
+
+  @Test
+  void tellsNobodyTheSecret() throws Exception {
+    CommandKey key = take("a client");
+    assertThat(key.toString()).doesNotContain(key.secret().toString());
+    assertThatThrownBy(() -> take("another")).hasMessageNotContaining(key.secret().toString());
+  }
+
+  private static final String REFUSAL =
+      "atrv1/wheels is stopped for an emergency since 1970-01-01T00:00:00Z, by ops, and obeys"
+          + " nobody; when it is safe, release it: ./dfra stop --release atrv1";
+
+  @Test
+  void obeysNobodyWhileItIsStopped() throws Exception {
+    CommandKey key = take("a client");
+    assertThat(stop.engage("ops")).isTrue();
+    assertThatThrownBy(() -> helm.execute(key, () -> told.add("done")))
+        .isInstanceOf(CommandRefusedByEmergencyStopException.class)
+        .hasMessage(REFUSAL);
+    assertThat(helm.depose()).isEqualTo(LEASE);
+    assertThat(helm.commander()).isNull();
+    assertThatThrownBy(() -> take("another"))
+        .isInstanceOf(LeaseRefusedByEmergencyStopException.class)
+        .hasMessage(REFUSAL);
+    assertThat(stop.release("ops")).isTrue();
+    assertThatThrownBy(() -> helm.execute(key, () -> told.add("done")))
+        .as("an old key does not come back")
+        .hasMessageContaining("was stopped for an emergency while this key commanded it");
+    CommandKey next = take("the next");
+    over.run();
+    assertThat(told).as("of the next one's end only").containsExactly("lost");
+    assertThat(helm.isHeldBy(next)).isFalse();
+  }
+
+  /** As where the driver came to rest, and executes the next commander's command by now. */
+  @Test
+  void aCommandIsNotCalledOffForARestThatIsNotOwedAnyMore() throws Exception {
+    List<String> struck = new CopyOnWriteArrayList<>();
+    List<Runnable> halts = new ArrayList<>();
+    CommandArbiter late =
+        new CommandArbiter(
+            "atrv1/wheels",
+            clock,
+            () -> {},
+            () -> struck.add("held up"),
+            halts::add,
+            stop,
+            revoked::add);
+    CommandKey key =
+        late.acquire(
+            "the first",
+            whenOver -> {
+              over = whenOver;
+              return LEASE;
+            });
+    CountDownLatch begun = new CountDownLatch(1);
+    CountDownLatch release = new CountDownLatch(1);
+    Thread commander =
+        new Thread(
+            () ->
+                late.execute(
+                    key,
+                    () -> {
+                      begun.countDown();
+                      awaitQuietly(release);
+                    }));
+    commander.start();
+    begun.await();
+    over.run();
+    assertThat(halts).hasSize(1);
+    Thread halting = new Thread(halts.get(0));
+    late.markStopped();
+    halting.start();
+    await()
+        .atMost(Duration.ofSeconds(20))
+        .until(() -> !struck.isEmpty() || halting.getState() == Thread.State.WAITING);
+    release.countDown();
+    halting.join();
+    commander.join();
+    assertThat(struck).isEmpty();
+  }
+
+  private static void awaitQuietly(CountDownLatch latch) {
+    try {
+      latch.await();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  @Test
+  void restsAtTheEndThoughWhoGivesTheCommandUpHasNotReachedThat() throws Exception {
+    CommandKey key = take("a client");
+    helm.close();
+    helm.stopIfDue();
+    assertThat(told).containsExactly("lost");
+    assertThat(helm.isHeldBy(key)).isFalse();
+    over.run();
+    helm.close();
+    helm.stopIfDue();
+    assertThat(told).as("once").containsExactly("lost");
+  }
+
+  @Test
+  void whoIsDeposedWhileItsLeaseIsGrantedHasNoneAfterwards() {
+    assertThatThrownBy(
+            () ->
+                helm.acquire(
+                    "unlucky",
+                    whenOver -> {
+                      stop.engage("ops");
+                      assertThat(helm.depose()).as("not granted yet").isNull();
+                      return LEASE;
+                    }))
+        .isInstanceOf(LeaseRefusedByEmergencyStopException.class)
+        .hasMessage(REFUSAL);
+    assertThat(revoked).containsExactly(LEASE);
+    assertThat(helm.commander()).isNull();
+  }
+}

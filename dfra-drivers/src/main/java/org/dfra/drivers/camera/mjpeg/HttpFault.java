@@ -1,0 +1,76 @@
+package org.dfra.drivers.camera.mjpeg;
+
+import java.util.Locale;
+
+/** Why a response is no stream of images, in a sentence that says what to do. */
+final class HttpFault {
+
+  private HttpFault() {}
+
+  /**
+   * What is wrong with a response; empty where it is a stream.
+   *
+   * @param head its head
+   * @param path what was asked for
+   * @param user who asked; empty where nobody said who
+   */
+  static String of(HttpHead head, String path, String user) {
+    String answer = (head.status() + " " + head.reason()).strip();
+    return switch (head.status()) {
+      case 200 -> ofBody(head, path);
+      case 301, 302, 303, 307, 308 ->
+          "the camera sends one on to \""
+              + withoutUser(head.header("location"))
+              + "\" ("
+              + answer
+              + "); set link and path to where its stream is";
+      case 401 -> unauthorized(head, answer, user);
+      case 403 ->
+          "the camera forbids "
+              + path
+              + " ("
+              + answer
+              + "); give the user that right, or set another user";
+      case 404 -> "the camera has nothing at " + path + " (" + answer + "); set path to its stream";
+      default -> "the camera answers " + answer + "; look at the camera";
+    };
+  }
+
+  private static String ofBody(HttpHead head, String path) {
+    if (head.header("transfer-encoding").toLowerCase(Locale.ROOT).contains("chunked")) {
+      return "the camera answers HTTP/1.0 in chunks, which that does not have; is a proxy between?";
+    }
+    if (head.boundary().isEmpty()) {
+      String type = head.header("content-type");
+      return "what is at "
+          + path
+          + " is no stream of images but "
+          + (type.isEmpty() ? "of no type" : type)
+          + "; set path to the camera's multipart stream";
+    }
+    return "";
+  }
+
+  private static String unauthorized(HttpHead head, String answer, String user) {
+    String challenge = head.header("www-authenticate").toLowerCase(Locale.ROOT);
+    if (!challenge.isEmpty() && !challenge.contains("basic")) {
+      return "the camera wants authentication by "
+          + challenge.split("\\s", 2)[0]
+          + " ("
+          + answer
+          + "), here only basic is spoken; set the camera to that";
+    }
+    return user.isEmpty()
+        ? "the camera wants to know who asks (" + answer + "); set user and password"
+        : "the camera does not let user "
+            + user
+            + " in with that password ("
+            + answer
+            + "); set user and password";
+  }
+
+  /** A location may name a password before its host. */
+  private static String withoutUser(String location) {
+    return location.replaceFirst("//[^/@]*@", "//");
+  }
+}

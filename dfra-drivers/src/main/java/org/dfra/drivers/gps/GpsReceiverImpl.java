@@ -1,0 +1,335 @@
+package org.dfra.drivers.gps;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Function;
+import org.dfra.core.module.LatestReading;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.SensorImpl;
+import org.dfra.drivers.device.DeviceLink;
+import org.dfra.drivers.frame.StreamCounts;
+import org.dfra.drivers.link.EventCounter;
+import org.dfra.drivers.link.LinkAddress;
+import org.dfra.drivers.link.LinkKeeper;
+import org.dfra.drivers.link.LinkSettings;
+import org.dfra.drivers.link.Ticker;
+import org.dfra.flow.sensor.GPSSensor;
+import org.dfra.flow.sensor.GpsFix;
+import org.dfra.flow.sensor.LocationReading;
+import org.dfra.flow.sensor.TimeReading;
+import org.dfra.module.NotReadyException;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.GpsReceiverAttributes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A receiver that streams fixes over a link: what the drivers of all of them have in common. A new
+ * receiver is one class that extends this one and brings its {@link GpsReceiverProtocol}.
+ *
+ * <p>Parameters:
+ *
+ * <ul>
+ *   <li>{@code link}: where the receiver is, a {@link LinkAddress}, e.g. {@code
+ *       serial:/dev/ttyS0?baud=9600}; required
+ *   <li>{@code reopen_first}, {@code reopen_longest}: seconds to wait before a lost link is opened
+ *       again, at first and at most; default 0.5 and 8
+ *   <li>{@code mount_frame}, {@code mount_x} and so on: where the antenna is, see {@link
+ *       SensorImpl}
+ *   <li>to be read only: {@code satellites}, {@code accuracy}, {@code frames}, {@code
+ *       dropped_bytes}, {@code malformed_frames}
+ * </ul>
+ *
+ * <p>INITIALIZING until the first position, and again when the link is lost, when no solution came
+ * for three periods and 2 s (then the link is opened anew), or when none of them had a position for
+ * that long (then it stays open). A position is served no longer than that either.
+ *
+ * <p>Threads: one reader ({@code name reader}), owned by a {@link LinkKeeper} from {@code start} to
+ * {@code close}, does all the work. Askers see immutable snapshots and never wait for the device.
+ *
+ * @param <P> the receiver's protocol
+ */
+public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends SensorImpl
+    implements GPSSensor {
+
+  /**
+   * What the receiver last told; immutable.
+   *
+   * @param solution the last solution, with a position or without
+   * @param location the last position
+   * @param time the time that came with it
+   * @param utcUnconfirmedReason why that time is not UTC for sure; null when it is
+   */
+  private record Snapshot(
+      GpsSolution solution,
+      LocationReading location,
+      TimeReading time,
+      @Nullable String utcUnconfirmedReason) {}
+
+  private final GpsReceiverType kind;
+  private final ReportingPeriod pace;
+  private final LatestReading<Snapshot> latest; // its age is that of the position
+  private final P protocol;
+  private final GpsLinkHandler dialogue;
+  private final LinkKeeper keeper;
+  private final EventCounter eventCounter;
+  private final GpsReceiverDiagnostics examination;
+  private final GpsReceiverPersona attributes;
+  private final WeekRollover rollover;
+
+  // written by the reader, read by anyone
+  private volatile @Nullable GpsReceiverAttributes receiver;
+  private volatile List<SatelliteInView> satellites = List.of();
+  private volatile StreamCounts counts = StreamCounts.ZERO;
+
+  private boolean malformedReported; // confined to the reader
+
+  /**
+   * @param context what the driver is given
+   * @param kind what is known of its kind
+   * @param pace how often positions are expected
+   * @param protocol makes the protocol, which tells this listener
+   * @param ticker the time to wait by
+   * @param source opens the link; null to go by the parameter {@code link}
+   * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
+   */
+  protected GpsReceiverImpl(
+      ModuleContext context,
+      GpsReceiverType kind,
+      ReportingPeriod pace,
+      Function<GpsReceiverProtocol.Listener, P> protocol,
+      Ticker ticker,
+      LinkKeeper.@Nullable Source source) {
+    super(
+        context,
+        kind.description(),
+        "DFRA",
+        "1.0",
+        List.of("GpsFix", "LocationReading", "TimeReading"),
+        kind.preconditions());
+    LinkAddress address = LinkSettings.address(settings());
+    this.kind = kind;
+    this.pace = pace;
+    this.latest =
+        new LatestReading<>("position", this, this::transitionTo, ticker::nanos, pace::longestAge);
+    this.eventCounter = new EventCounter(ticker);
+    this.attributes = new GpsReceiverPersona(kind.sensor());
+    this.rollover = WeekRollover.of(context.clock(), address);
+    Reader reader = new Reader();
+    this.protocol = protocol.apply(reader);
+    this.dialogue = new GpsLinkHandler(this.protocol, pace, ticker, reader);
+    this.keeper =
+        new LinkKeeper(
+            context.name(),
+            source == null ? () -> address.open(ticker) : source,
+            dialogue,
+            LinkSettings.backOff(settings()),
+            ticker,
+            log);
+    this.examination =
+        new GpsReceiverDiagnostics(keeper, dialogue::send, eventCounter, pace, this::satellites);
+    examination.declareIn(diagnostics());
+    declareStatistics();
+  }
+
+  private void declareStatistics() {
+    parameterTable()
+        .declareReadOnly(
+            "satellites",
+            "what the receiver sees now",
+            () -> GpsReceiverDiagnostics.inWords(satellites));
+    parameterTable()
+        .declareReadOnly(
+            "accuracy", "what the receiver takes its error for, one sigma", this::accuracy);
+    DeviceLink.showCounts(parameterTable(), () -> counts);
+  }
+
+  private String accuracy() {
+    Snapshot last = latest.peek();
+    return last == null || Double.isNaN(last.solution().horizontalAccuracy())
+        ? "not told"
+        : String.format(
+            Locale.ROOT,
+            "horizontal %.2f m, vertical %.2f m",
+            last.solution().horizontalAccuracy(),
+            last.solution().verticalAccuracy());
+  }
+
+  @Override
+  protected void onStart() {
+    latest.setMissing("its link is being opened");
+    keeper.start();
+  }
+
+  @Override
+  protected void onClose() {
+    keeper.close();
+    latest.clear("it has ended");
+  }
+
+  /** {@inheritDoc} As wanted of the receiver now. */
+  @Override
+  public double updateRate() {
+    return 1 / pace.seconds();
+  }
+
+  /**
+   * {@inheritDoc} It may have the mode NONE while the receiver has just lost its satellites.
+   *
+   * @throws NotReadyException if there has been none yet, or none for so long that the last one
+   *     does not count any more
+   */
+  @Override
+  public final GpsFix fix() {
+    return latest.get().solution().fix();
+  }
+
+  /**
+   * {@inheritDoc} The frame is the receiver's antenna, {@code robot/name}.
+   *
+   * @throws NotReadyException as {@link #fix}
+   */
+  @Override
+  public final LocationReading location() {
+    return latest.get().location();
+  }
+
+  /**
+   * {@inheritDoc} During a leap second it stands still.
+   *
+   * @throws NotReadyException as {@link #fix}, and while the receiver does not know UTC
+   */
+  @Override
+  public final TimeReading time() {
+    Snapshot current = latest.get();
+    String unconfirmedReason = current.utcUnconfirmedReason();
+    if (unconfirmedReason != null) {
+      throw new NotReadyException(
+          path(), readiness(), "the receiver has positions, but " + unconfirmedReason);
+    }
+    return current.time();
+  }
+
+  /** {@inheritDoc} The location is one that the receiver was at not long ago. */
+  @Override
+  protected final List<? extends Attributes> deviceAttributes() {
+    return attributes.all(receiver());
+  }
+
+  /** What the receiver is, as far as it has said. */
+  public final GpsReceiverAttributes receiver() {
+    GpsReceiverAttributes identity = receiver;
+    return identity == null ? kind.receiver() : identity;
+  }
+
+  /** The satellites that the receiver sees, as it last told them. */
+  public final List<SatelliteInView> satellites() {
+    return satellites;
+  }
+
+  /** What has come over the link since the module was started, all openings together. */
+  public final StreamCounts counts() {
+    return counts;
+  }
+
+  /** The receiver's protocol; only what it allows may be called by other threads. */
+  protected final P protocol() {
+    return protocol;
+  }
+
+  /** Has bytes sent to the receiver soon; from any thread. Forgotten when the link is reopened. */
+  protected final void send(byte[] bytes) {
+    dialogue.send(bytes);
+  }
+
+  /** What every receiver can be asked, for examinations of the driver's own. */
+  protected final GpsReceiverDiagnostics examination() {
+    return examination;
+  }
+
+  /** Takes what protocol and dialogue tell; on the reader thread. */
+  private final class Reader implements GpsReceiverProtocol.Listener, GpsLinkHandler.Listener {
+
+    @Override
+    public void solutionReceived(GpsSolution reported) {
+      Instant utc = reported.fix().utc();
+      Instant corrected = reported.reportsDate() ? rollover.correct(utc) : utc;
+      GpsSolution solution = corrected.equals(utc) ? reported : reported.withTime(corrected);
+      dialogue.solutionReceived(solution);
+      eventCounter.increment(GpsReceiverDiagnostics.SOLUTION);
+      Instant now = clock().instant();
+      GpsFix fix = solution.fix();
+      Snapshot last = latest.peek();
+      if (fix.position() != null) {
+        LocationReading location = new LocationReading(fix.position(), path(), fix.utc());
+        attributes.located(location);
+        latest.set(
+            new Snapshot(
+                solution,
+                location,
+                new TimeReading(fix.utc(), now),
+                solution.utcUnconfirmedReason()));
+        publish(fix);
+      } else if (last != null) {
+        latest.amend(
+            new Snapshot(solution, last.location(), last.time(), last.utcUnconfirmedReason()));
+        publish(fix);
+      } else {
+        latest.setMissing("the receiver has no position yet, it is " + solution.state());
+      }
+    }
+
+    @Override
+    public void satellitesReceived(List<SatelliteInView> now) {
+      satellites = List.copyOf(now);
+    }
+
+    @Override
+    public void identityReceived(GpsReceiverAttributes identity) {
+      if (!identity.equals(receiver)) {
+        receiver = identity;
+        log.info("{}: {}", path(), identity);
+      }
+    }
+
+    @Override
+    public void messageReceived(String name) {
+      eventCounter.increment(name);
+    }
+
+    @Override
+    public void malformedReceived(String what, String reason) {
+      if (malformedReported) {
+        log.debug("malformed {}: {}", what, reason);
+      } else {
+        malformedReported = true;
+        log.warn(
+            "malformed {}: {}; more of them until the link is opened again are told at DEBUG",
+            what,
+            reason);
+      }
+    }
+
+    @Override
+    public void warn(String sentence) {
+      log.warn("{}: {}", path(), sentence);
+    }
+
+    @Override
+    public void opened() {
+      malformedReported = false;
+      satellites = List.of();
+      examination.opened();
+    }
+
+    @Override
+    public void countsChanged(StreamCounts now) {
+      counts = now;
+    }
+
+    @Override
+    public void positionLost(String reason) {
+      latest.markLost(reason);
+    }
+  }
+}

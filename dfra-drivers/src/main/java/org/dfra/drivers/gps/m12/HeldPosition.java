@@ -1,0 +1,14 @@
+package org.dfra.drivers.gps.m12;
+
+/**
+ * {@code @@As}: the position that is held in position hold; also the acknowledgement of setting it.
+ *
+ * @param position the position; of its heights only the one above the ellipsoid counts
+ */
+public record HeldPosition(M12Position position) implements M12Message {
+
+  @Override
+  public String id() {
+    return "As";
+  }
+}

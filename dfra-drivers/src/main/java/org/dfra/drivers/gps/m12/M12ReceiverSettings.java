@@ -1,0 +1,72 @@
+package org.dfra.drivers.gps.m12;
+
+import org.dfra.core.config.Parameters;
+import org.dfra.drivers.gps.m12.PositionControl.Mode;
+
+/**
+ * What the receiver is to do, but for its rate. Safe for use by several threads.
+ *
+ * <p>Parameters:
+ *
+ * <ul>
+ *   <li>{@code positioning}: {@code position_3d} (default), {@code altitude_hold}, {@code hold} or
+ *       {@code survey}; a receiver that holds its position tells a moving robot a false one
+ *   <li>{@code positions}: {@code full} ({@code @@Ha}, with satellites; default) or {@code short}
+ *       ({@code @@Hb}), for a slow line
+ * </ul>
+ */
+final class M12ReceiverSettings {
+
+  private final boolean shortPositions;
+  private volatile Mode positioning;
+
+  private M12ReceiverSettings(boolean shortPositions, Mode positioning) {
+    this.shortPositions = shortPositions;
+    this.positioning = positioning;
+  }
+
+  static M12ReceiverSettings from(Parameters parameters) {
+    Mode mode = Mode.POSITION_3D;
+    if (parameters.find("positioning").isPresent()) {
+      try {
+        mode = modeOf(parameters.text("positioning"));
+      } catch (IllegalArgumentException e) {
+        throw parameters.fault("positioning", String.valueOf(e.getMessage()), e);
+      }
+    }
+    String positions =
+        parameters.find("positions").isPresent() ? parameters.text("positions") : "full";
+    if (!positions.equals("full") && !positions.equals("short")) {
+      throw parameters.fault("positions", "full or short", null);
+    }
+    return new M12ReceiverSettings(positions.equals("short"), mode);
+  }
+
+  /** Whether {@code @@Hb} is wanted instead of {@code @@Ha}. */
+  boolean shortPositions() {
+    return shortPositions;
+  }
+
+  /** What is to be solved for. */
+  Mode positioning() {
+    return positioning;
+  }
+
+  /**
+   * Sets what is to be solved for.
+   *
+   * @throws IllegalArgumentException if it is none of the words; the message says what it is not
+   */
+  void setPositioning(String word) {
+    positioning = modeOf(word);
+  }
+
+  private static Mode modeOf(String word) {
+    for (Mode mode : Mode.values()) {
+      if (mode.word().equals(word)) {
+        return mode;
+      }
+    }
+    throw new IllegalArgumentException("position_3d, altitude_hold, hold or survey");
+  }
+}

@@ -1,0 +1,72 @@
+package org.dfra.drivers.gps.m12;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.dfra.drivers.gps.SatelliteInView;
+import org.dfra.flow.sensor.GpsFix;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Puts the satellites together: {@code @@Bb} tells where they stand, {@code @@Ha} and {@code @@Ea}
+ * how well they are heard. Confined to the reader thread.
+ */
+final class M12SatelliteTracker {
+
+  private final Map<Integer, VisibleSatellites.VisibleSatellite> places = new LinkedHashMap<>();
+  private final Map<Integer, SatelliteChannel> channels = new LinkedHashMap<>();
+  private boolean solved;
+
+  void forget() {
+    places.clear();
+    channels.clear();
+  }
+
+  List<SatelliteInView> with(VisibleSatellites visible) {
+    places.clear();
+    visible.satellites().forEach(place -> places.put(place.satellite(), place));
+    return all();
+  }
+
+  /**
+   * Takes the channels.
+   *
+   * @param mode what was solved for
+   */
+  List<SatelliteInView> with(M12PositionMessage message, GpsFix.Mode mode) {
+    solved = mode != GpsFix.Mode.NONE;
+    channels.clear();
+    for (SatelliteChannel channel : message.channels()) {
+      if (channel.satellite() != 0) {
+        channels.put(channel.satellite(), channel);
+      }
+    }
+    return all();
+  }
+
+  private List<SatelliteInView> all() {
+    List<SatelliteInView> all = new ArrayList<>();
+    Map<Integer, VisibleSatellites.VisibleSatellite> silent = new HashMap<>(places);
+    for (SatelliteChannel channel : channels.values()) {
+      all.add(inView(channel.satellite(), channel, silent.remove(channel.satellite())));
+    }
+    places.keySet().stream()
+        .filter(silent::containsKey)
+        .forEach(number -> all.add(inView(number, null, silent.get(number))));
+    return all;
+  }
+
+  private SatelliteInView inView(
+      int number,
+      @Nullable SatelliteChannel channel,
+      VisibleSatellites.@Nullable VisibleSatellite place) {
+    return new SatelliteInView(
+        String.format("G%02d", number),
+        place == null ? null : place.elevation(),
+        place == null ? null : place.azimuth(),
+        channel == null || channel.carrierToNoise() == 0 ? null : channel.carrierToNoise(),
+        solved && channel != null && channel.isAvailable());
+  }
+}

@@ -1,0 +1,19 @@
+package org.dfra.drivers.gps.m12;
+
+/**
+ * {@code @@Bo}: how far GPS time is ahead of UTC.
+ *
+ * @param seconds GPS time minus UTC; 0 while the receiver has not learned it
+ */
+public record M12UtcOffset(int seconds) implements M12Message {
+
+  @Override
+  public String id() {
+    return "Bo";
+  }
+
+  /** Whether the receiver has learned it. */
+  public boolean isKnown() {
+    return seconds != 0;
+  }
+}

@@ -1,0 +1,64 @@
+package org.dfra.drivers.link;
+
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+
+/**
+ * Counts what a device has said or what became of its link, by any name (a message's ID, say), for
+ * those who wait for the next: tests and recoveries. Safe for use by several threads.
+ */
+public final class EventCounter {
+
+  private final Ticker ticker;
+  private final ReentrantLock lock = new ReentrantLock();
+  private final Condition changed;
+  private final Map<String, Long> counts = new HashMap<>(); // guarded by lock
+
+  /**
+   * @param ticker the time to wait by
+   */
+  public EventCounter(Ticker ticker) {
+    this.ticker = ticker;
+    this.changed = ticker.newCondition(lock);
+  }
+
+  /** One more has come. */
+  public void increment(String event) {
+    lock.lock();
+    try {
+      counts.merge(event, 1L, Long::sum);
+      changed.signalAll();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** How many have come so far. */
+  public long total(String event) {
+    lock.lock();
+    try {
+      return counts.getOrDefault(event, 0L);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Waits until one more has come than {@code before}; false when none has in time. */
+  public boolean await(String event, long before, Duration timeout) throws InterruptedException {
+    lock.lock();
+    try {
+      long begin = ticker.nanos();
+      long left = timeout.toNanos();
+      while (counts.getOrDefault(event, 0L) <= before && left > 0) {
+        ticker.await(changed, left);
+        left = timeout.toNanos() - (ticker.nanos() - begin);
+      }
+      return counts.getOrDefault(event, 0L) > before;
+    } finally {
+      lock.unlock();
+    }
+  }
+}

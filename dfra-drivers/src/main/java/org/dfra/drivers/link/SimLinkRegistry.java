@@ -1,0 +1,93 @@
+package org.dfra.drivers.link;
+
+import java.io.IOException;
+import java.util.TreeMap;
+
+/**
+ * The simulated devices that links lead to, by name. Each time in lock-step has its own, so that
+ * several simulations in one virtual machine do not see each other's. Safe for use by several
+ * threads.
+ */
+public final class SimLinkRegistry {
+
+  /** Those of real time: there are none. */
+  static final SimLinkRegistry NONE =
+      new SimLinkRegistry(
+          "this module lives by real time, and sim: links are of a simulation in lock-step only;"
+              + " write serial:, tcp: or replay:, or give the module the simulation's clock");
+
+  /** A simulated device's end. */
+  @FunctionalInterface
+  public interface LinkFactory {
+
+    /**
+     * Opens a link to the device.
+     *
+     * @param address the link's URL
+     * @throws IOException if the device cannot be reached now; the message begins with the URL
+     */
+    SerialLink open(SimAddress address) throws IOException;
+  }
+
+  private final String whenEmpty;
+  private final TreeMap<String, LinkFactory> ports = new TreeMap<>(); // guarded by this
+
+  /**
+   * No device yet.
+   *
+   * @param emptyReason why there is none and how to get one, a clause; told to who asks for one
+   *     while there is none
+   */
+  public SimLinkRegistry(String emptyReason) {
+    this.whenEmpty = emptyReason;
+  }
+
+  /**
+   * Adds a device.
+   *
+   * @param name what its link's URL has after {@code sim:}
+   * @throws IllegalArgumentException if there is one of this name, or no URL can have it
+   */
+  public synchronized void add(String name, LinkFactory factory) {
+    if (name.isBlank() || name.indexOf('?') >= 0) {
+      throw new IllegalArgumentException(
+          "\""
+              + name
+              + "\" cannot be the name of a simulated device: it must have characters, and"
+              + " none of them may be a question mark");
+    }
+    if (this == NONE) {
+      throw new IllegalArgumentException("sim:" + name + " cannot be added: " + whenEmpty);
+    }
+    if (ports.putIfAbsent(name, factory) != null) {
+      throw new IllegalArgumentException(
+          "there is a simulated device sim:" + name + " already; name this one otherwise");
+    }
+  }
+
+  /** Removes a device. Does nothing when {@code port} is not, or no longer, the one of the name. */
+  public synchronized void remove(String name, LinkFactory factory) {
+    ports.remove(name, factory);
+  }
+
+  SerialLink open(SimAddress address) throws IOException {
+    return find(address).open(address);
+  }
+
+  private synchronized LinkFactory find(SimAddress address) throws IOException {
+    LinkFactory port = ports.get(address.name());
+    if (port != null) {
+      return port;
+    }
+    throw new IOException(
+        address
+            + ": there is no simulated device "
+            + address.name()
+            + (ports.isEmpty()
+                ? "; " + whenEmpty
+                : "; there are "
+                    + String.join(", ", ports.keySet())
+                    + ": name one of them, or have the simulation start "
+                    + address.name()));
+  }
+}

@@ -1,0 +1,62 @@
+package org.dfra.drivers.pantilt.ptu;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.dfra.drivers.pantilt.ptu.PtuReply.Refused;
+import org.dfra.drivers.pantilt.ptu.PtuReply.Value;
+import org.jspecify.annotations.Nullable;
+
+/** What the unit is asked before it can be used, and what it said. Confined to one thread. */
+final class PtuGeometryQuery {
+
+  private static final List<String> ASKED =
+      List.of("PR", "TR", "PN", "PX", "TN", "TX", "PL", "PU", "TL", "TU");
+
+  private final Map<String, Double> answers = new LinkedHashMap<>();
+  private @Nullable PtuGeometry geometry;
+
+  /** The next question; only while there is no {@link #geometry}. */
+  String nextQuestion() {
+    return ASKED.get(answers.size());
+  }
+
+  /** Takes the answer to the {@link #nextQuestion} question; what is wrong with it, or empty. */
+  String accept(String question, PtuReply reply) {
+    if (reply instanceof Refused refused) {
+      return "it refuses to tell " + question + ": " + refused.message();
+    }
+    if (!(reply instanceof Value value) || value.number().isEmpty()) {
+      return "its answer to " + question + " is no number: " + reply;
+    }
+    answers.put(question, value.number().getAsDouble());
+    if (answers.size() < ASKED.size()) {
+      return "";
+    }
+    try {
+      geometry = new PtuGeometry(limits(PtuAxis.PAN), limits(PtuAxis.TILT));
+      return "";
+    } catch (IllegalArgumentException e) {
+      return "it tells what cannot be: " + e.getMessage();
+    }
+  }
+
+  /** What it said; null until it has said all. */
+  @Nullable PtuGeometry geometry() {
+    return geometry;
+  }
+
+  private PtuAxisLimits limits(PtuAxis axis) {
+    return new PtuAxisLimits(
+        axis,
+        number(axis, 'R'),
+        (int) number(axis, 'N'),
+        (int) number(axis, 'X'),
+        (int) number(axis, 'L'),
+        (int) number(axis, 'U'));
+  }
+
+  private double number(PtuAxis axis, char what) {
+    return answers.getOrDefault("" + axis.letter() + what, Double.NaN);
+  }
+}

@@ -1,0 +1,109 @@
+package org.dfra.drivers.uav.mavlink;
+
+import java.time.Duration;
+import java.util.function.Supplier;
+import org.dfra.core.module.Diagnostics;
+import org.dfra.core.module.Diagnostics.DiagnosticFinding;
+import org.dfra.core.module.Diagnostics.DiagnosticProcedure;
+import org.dfra.core.module.LatestReading;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.ParameterTable;
+import org.dfra.drivers.device.SharedLinkHandle;
+import org.dfra.drivers.link.LinkKeeper;
+import org.dfra.drivers.link.Ticker;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A module's end of the {@link MavlinkConnection} that it shares with others.
+ *
+ * <p>Parameters that it reads: {@code link}, {@code vehicle}, {@code ground_station}, {@code
+ * reopen_first}, {@code reopen_longest}. Parameters that it shows, besides those of {@link
+ * SharedLinkHandle}, of all that shares the link: {@code autopilot}, {@code checksum_errors},
+ * {@code lost_frames}. Tests: {@code link}, {@code identification}; recovery: {@code reopen_link}.
+ */
+final class MavlinkLinkHandle extends SharedLinkHandle<MavlinkClient, MavlinkConnection> {
+
+  /**
+   * @param source opens the link; null to go by the parameter {@code link}
+   * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
+   */
+  MavlinkLinkHandle(
+      MavlinkClient client,
+      ModuleContext context,
+      Ticker ticker,
+      LinkKeeper.@Nullable Source source) {
+    this(client, context, MavlinkSettings.of(context.parameters()), ticker, source);
+  }
+
+  private MavlinkLinkHandle(
+      MavlinkClient client,
+      ModuleContext context,
+      MavlinkSettings settings,
+      Ticker ticker,
+      LinkKeeper.@Nullable Source source) {
+    super(client, each -> MavlinkConnection.join(each, context, settings, ticker, source));
+  }
+
+  @Override
+  public void declareIn(Diagnostics examinations, ParameterTable table) {
+    super.declareIn(examinations, table);
+    examinations.addTest("identification", () -> runOnOpenLink(MavlinkLinkHandle::identification));
+    table.declareReadOnly("autopilot", "what flies, as it tells", this::autopilot);
+    show(
+        table,
+        "checksum_errors",
+        "what looked like a frame but for its checksum so far",
+        MavlinkConnection::checksumErrors);
+    show(
+        table,
+        "lost_frames",
+        "frames of the vehicle that did not arrive, or were not known, so far",
+        MavlinkConnection::lostFrames);
+  }
+
+  /** What flies, in words. */
+  private String autopilot() {
+    @Nullable MavlinkConnection now = sharedLink();
+    @Nullable Vehicle vehicle = now == null ? null : now.vehicle();
+    if (now == null || vehicle == null) {
+      return "none heard";
+    }
+    String version = now.software();
+    return version == null ? vehicle.toString() : vehicle + ", software " + version;
+  }
+
+  /** One more has come, for {@link #arrivalCheck}. */
+  void count(String event) {
+    @Nullable MavlinkConnection now = sharedLink();
+    if (now != null) {
+      now.deviceLink().eventCounter().increment(event);
+    }
+  }
+
+  /**
+   * The check whether another one comes.
+   *
+   * @param event is counted: a message's name, or by {@link #count}
+   * @param name what it is, for people
+   */
+  DiagnosticProcedure arrivalCheck(String event, String name, Supplier<Duration> timeout) {
+    return arrivalCheck(
+        event, name, timeout, () -> new DiagnosticFinding(true, "the autopilot sends " + name));
+  }
+
+  private static DiagnosticFinding identification(MavlinkConnection connection)
+      throws InterruptedException {
+    if (connection.vehicle() == null) {
+      return new DiagnosticFinding(false, "the link is open, but no autopilot is heard on it");
+    }
+    long before = connection.deviceLink().eventCounter().total("AUTOPILOT_VERSION");
+    connection.askForVersion();
+    return connection.deviceLink().eventCounter().await("AUTOPILOT_VERSION", before, ANSWER)
+        ? new DiagnosticFinding(
+            true, "it says it is " + connection.vehicle() + ", software " + connection.software())
+        : new DiagnosticFinding(
+            false,
+            "it has not answered REQUEST_MESSAGE with AUTOPILOT_VERSION within "
+                + LatestReading.seconds(ANSWER));
+  }
+}

@@ -1,0 +1,82 @@
+package org.dfra.recruit.agent;
+
+import java.rmi.RemoteException;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.flow.effector.DriveEffector;
+import org.dfra.flow.effector.EmergencyStopState;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The last emergency stop of each of a robot's wheels at one moment. Two moments are told apart by
+ * whether the stops are the same, never by which was earlier: a clock may be set between them.
+ *
+ * @param last when each was stopped or released last, as text, by the path of the module
+ */
+record EmergencyStopSnapshot(Map<String, String> last) {
+
+  private static final String NEVER = "never";
+
+  EmergencyStopSnapshot {
+    last = Map.copyOf(last);
+  }
+
+  /**
+   * Asks all wheels that are found.
+   *
+   * @return nothing where some are stopped now
+   * @throws RemoteException if one does not answer
+   */
+  static Optional<EmergencyStopSnapshot> query(ModuleContext context) throws RemoteException {
+    Map<String, String> found = new TreeMap<>();
+    boolean isStopped = false;
+    for (ModuleListing<DriveEffector> each :
+        context.directory().find(ModuleQuery.of(DriveEffector.class).robot(context.robot()))) {
+      EmergencyStopState stop = each.module().emergencyStopState();
+      isStopped |= stop.latched();
+      found.put(each.path(), Objects.toString(stop.since(), NEVER));
+    }
+    return isStopped ? Optional.empty() : Optional.of(new EmergencyStopSnapshot(found));
+  }
+
+  /**
+   * Whether one of the wheels was stopped, or released, between these and those of a later moment.
+   *
+   * @param known gives the last stop that is known of wheels that were not found then; null where
+   *     none is, so that there is nothing to compare with
+   */
+  boolean differsFrom(EmergencyStopSnapshot later, Function<String, @Nullable String> known) {
+    return later.last().entrySet().stream()
+        .anyMatch(
+            now -> {
+              @Nullable String before = last.get(now.getKey());
+              @Nullable String compared = before == null ? known.apply(now.getKey()) : before;
+              return compared != null
+                  && !now.getValue().equals(NEVER) // it was stopped, or forgot that it was
+                  && !now.getValue().equals(compared);
+            });
+  }
+
+  /** As {@link #parse} reads it. */
+  String text() {
+    return last.entrySet().stream()
+        .map(each -> each.getKey() + " " + each.getValue())
+        .sorted()
+        .collect(Collectors.joining("\n"));
+  }
+
+  static EmergencyStopSnapshot parse(String text) {
+    return new EmergencyStopSnapshot(
+        text.lines()
+            .map(line -> line.split(" ", 2))
+            .filter(line -> line.length == 2)
+            .collect(Collectors.toMap(line -> line[0], line -> line[1], (one, other) -> other)));
+  }
+}

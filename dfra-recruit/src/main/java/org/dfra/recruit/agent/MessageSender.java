@@ -1,0 +1,48 @@
+package org.dfra.recruit.agent;
+
+import org.dfra.recruit.message.MessageEnvelope;
+import org.dfra.recruit.message.RecruitmentMessage;
+import org.dfra.recruit.transport.MessageMode;
+
+/** What an agent sends: it numbers and dates each message. Everything happens in its turns. */
+final class MessageSender {
+
+  private final String robot;
+  private final MessageMode mode;
+  private final RecruiterPorts ports;
+  private final RecruiterListener listener;
+  private long letters;
+
+  MessageSender(String robot, MessageMode mode, RecruiterPorts ports, RecruiterListener listener) {
+    this.robot = robot;
+    this.mode = mode;
+    this.ports = ports;
+    this.listener = listener;
+    this.letters =
+        ports.monotonicClock().millis(); // more than it sent in earlier lives: one a millisecond
+  }
+
+  void send(String to, RecruitmentMessage message) {
+    MessageEnvelope letter = letter(message);
+    listener.sent(to, letter);
+    ports.transport().send(to, letter);
+  }
+
+  /** To all that can observe that. */
+  void sendToTeam(String percept, RecruitmentMessage message) {
+    MessageEnvelope letter = letter(message);
+    listener.sent("", letter);
+    if (mode == MessageMode.BROADCAST) {
+      ports.transport().broadcast(percept, letter);
+    } else {
+      ports
+          .transport()
+          .capableRobots(percept)
+          .forEach(each -> ports.transport().send(each, letter));
+    }
+  }
+
+  private MessageEnvelope letter(RecruitmentMessage message) {
+    return new MessageEnvelope(robot, ++letters, ports.clock().instant(), message);
+  }
+}

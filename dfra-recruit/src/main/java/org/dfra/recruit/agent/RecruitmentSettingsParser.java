@@ -1,0 +1,88 @@
+package org.dfra.recruit.agent;
+
+import java.time.Duration;
+import java.util.Optional;
+import org.dfra.core.config.Parameters;
+import org.dfra.recruit.RecruitmentSettings;
+import org.jspecify.annotations.Nullable;
+
+/** Reads for how long an agent waits from its parameters. */
+final class RecruitmentSettingsParser {
+
+  private static final Duration SHORTEST = Duration.ofMillis(100);
+  private static final Duration LONGEST = Duration.ofHours(1);
+  private static final Duration LONGEST_WINDOW = Duration.ofSeconds(10);
+  private static final RecruitmentSettings USUAL = RecruitmentSettings.DEFAULT;
+
+  private final Parameters settings;
+
+  private RecruitmentSettingsParser(Parameters settings) {
+    this.settings = settings;
+  }
+
+  /**
+   * What is set, and for what is not the project's own.
+   *
+   * @throws org.dfra.core.config.ConfigurationException naming the parameter that cannot be, and
+   *     where it was written
+   */
+  static RecruitmentSettings of(Parameters settings) {
+    RecruitmentSettingsParser read = new RecruitmentSettingsParser(settings);
+    Duration replaceAfter = read.span("replace_after", USUAL.replaceAfter());
+    Duration margin = read.span("margin", USUAL.margin());
+    if (replaceAfter.compareTo(margin) <= 0) {
+      throw read.turnsBackTooEarly(replaceAfter, margin);
+    }
+    return new RecruitmentSettings(
+        read.span("help_every", USUAL.helpEvery()),
+        read.count("help_rounds", USUAL.roundsPerConversation()),
+        replaceAfter,
+        margin,
+        read.span("repeat_every", USUAL.repeatEvery()),
+        read.count("accept_sends", USUAL.acceptSends()),
+        read.count("arrival_sends", USUAL.arrivalSends()),
+        read.span("agree_every", USUAL.agreeEvery()),
+        read.span("release_every", USUAL.releaseEvery()),
+        read.window(replaceAfter.minus(margin)));
+  }
+
+  private Duration span(String name, Duration usual) {
+    return settings.seconds(name, usual, SHORTEST, LONGEST);
+  }
+
+  /**
+   * What is set; null where nothing is.
+   *
+   * @param tooLong after which who offered could not be there in time any more
+   */
+  private @Nullable Duration window(Duration tooLong) {
+    if (settings.find("window").isEmpty()) {
+      return null;
+    }
+    Duration window = settings.seconds("window", SHORTEST, SHORTEST, LONGEST_WINDOW);
+    if (window.compareTo(tooLong) >= 0) {
+      throw settings.fault("window", "below replace_after less margin, " + seconds(tooLong), null);
+    }
+    return window;
+  }
+
+  private int count(String name, int usual) {
+    double number = settings.number(name, usual, 1, 100);
+    if (number != Math.rint(number)) {
+      throw settings.fault(name, "a whole number", null);
+    }
+    return (int) number;
+  }
+
+  /** One of the two is written, since the usual ones agree. */
+  private RuntimeException turnsBackTooEarly(Duration replaceAfter, Duration margin) {
+    Optional<String> written = settings.find("margin");
+    return written.isPresent()
+        ? settings.fault("margin", "below replace_after, " + seconds(replaceAfter), null)
+        : settings.fault("replace_after", "above margin, " + seconds(margin), null);
+  }
+
+  private static String seconds(Duration span) {
+    return span.toMillis() / 1000.0 + " s";
+  }
+}

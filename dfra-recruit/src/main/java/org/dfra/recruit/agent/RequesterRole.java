@@ -1,0 +1,204 @@
+package org.dfra.recruit.agent;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.dfra.agent.HelpCall;
+import org.dfra.agent.HelpCallRejectedException;
+import org.dfra.agent.RequesterPhase;
+import org.dfra.lease.ModuleLease;
+import org.dfra.recruit.TransitionResult;
+import org.dfra.recruit.message.RecruitmentMessage;
+import org.dfra.recruit.requester.RequesterAction;
+import org.dfra.recruit.requester.RequesterMachine;
+import org.dfra.recruit.requester.RequesterState;
+import org.jspecify.annotations.Nullable;
+
+/** The half of an agent that asks others for help. Everything happens in the agent's turns. */
+final class RequesterRole {
+
+  private final String robot;
+  private final RequesterMachine machine;
+  private final RecruiterPorts ports;
+  private final RecruiterListener listener;
+  private final MessageSender mail;
+  private final Runnable giveBack;
+  private final Runnable keep;
+  private RequesterState state;
+  private @Nullable ArrivalLease lease;
+  private String replacementReason = ""; // who does not come after all, and why
+  private String ended = "it has asked for nothing yet";
+
+  /**
+   * @param giveBack is run, in no turn, where whoever has the lease gives it back
+   * @param keep is run where the state is another
+   */
+  RequesterRole(
+      String robot,
+      RequesterMachine machine,
+      RequesterState state,
+      RecruiterPorts ports,
+      RecruiterListener listener,
+      MessageSender mail,
+      Runnable giveBack,
+      Runnable keep) {
+    this.robot = robot;
+    this.machine = machine;
+    this.state = state;
+    this.ports = ports;
+    this.listener = listener;
+    this.mail = mail;
+    this.giveBack = giveBack;
+    this.keep = keep;
+  }
+
+  RequesterState state() {
+    return state;
+  }
+
+  boolean isUnderWay() {
+    return state.phase().isUnderWay();
+  }
+
+  /** The robot that was chosen; null where none is. */
+  @Nullable String helper() {
+    return state.phase() == RequesterPhase.IDLE || state.winner() == null
+        ? null
+        : state.winner().robot();
+  }
+
+  Optional<ModuleLease> lease() {
+    return Optional.ofNullable(lease);
+  }
+
+  /** What it is at, in words. */
+  String doing() {
+    return switch (state.phase()) {
+      case IDLE -> ended;
+      case CALLING -> asking();
+      case COLLECTING -> "it has an offer, and waits for others";
+      case AWARDED -> "it has chosen " + helper() + " and waits for it";
+      case ON_SITE -> helper() + " is there";
+      case BEING_HELPED -> helper() + " helps it";
+    };
+  }
+
+  private String asking() {
+    if (state.round() == 0) {
+      return "it waits until the robot that helped before confirms its release, or its lease ends";
+    }
+    return replacementReason.isEmpty()
+        ? "it asks who can come"
+        : replacementReason + "; it asks again";
+  }
+
+  /** Goes on with what it was at when its process died. */
+  void start() {
+    if (state.phase() == RequesterPhase.BEING_HELPED || state.phase() == RequesterPhase.ON_SITE) {
+      lease = new ArrivalLease(state.until(), ports.monotonicClock(), giveBack);
+    }
+  }
+
+  /**
+   * Calls for help.
+   *
+   * @throws HelpCallRejectedException where that cannot be
+   */
+  void call(HelpCall call) {
+    refuse(call);
+    replacementReason = "";
+    take(machine.call(state, call, now()));
+  }
+
+  private void refuse(HelpCall call) {
+    if (isUnderWay()) {
+      throw new HelpCallRejectedException(
+          robot
+              + " already calls for help ("
+              + doing()
+              + "); release that first, or wait for its end");
+    }
+    if (!ports.robot().isInField(call.position())) {
+      throw new HelpCallRejectedException(
+          String.format(
+              Locale.ROOT,
+              "%s cannot call anybody to %.6f°, %.6f°: that is outside the field; name a place"
+                  + " inside it",
+              robot,
+              call.position().latitude(),
+              call.position().longitude()));
+    }
+    if (ports.transport().capableRobots(call.percept()).isEmpty()) {
+      List<String> ambiguous = ports.transport().ambiguousNames(call.percept());
+      if (!ambiguous.isEmpty()) {
+        throw new HelpCallRejectedException(
+            robot
+                + " calls nobody who can observe \""
+                + call.percept()
+                + "\": "
+                + String.join("; ", ambiguous)
+                + "; give each a name of its own in its XML");
+      }
+      List<String> known = ports.transport().percepts();
+      throw new HelpCallRejectedException(
+          "nobody in reach of "
+              + robot
+              + " can observe \""
+              + call.percept()
+              + "\""
+              + (known.isEmpty()
+                  ? "; nobody is there"
+                  : "; others observe " + String.join(", ", known)));
+    }
+  }
+
+  void release() {
+    take(machine.release(state, now()));
+  }
+
+  void receive(String sender, RecruitmentMessage message) {
+    take(machine.receive(state, sender, message, now()));
+  }
+
+  void tick() {
+    take(machine.tick(state, now()));
+  }
+
+  private Instant now() {
+    return ports.monotonicClock().instant();
+  }
+
+  private void take(TransitionResult<RequesterState, RequesterAction> step) {
+    boolean isNews = !step.state().equals(state);
+    state = step.state();
+    if (isNews) {
+      keep.run();
+    }
+    step.actions().forEach(this::act);
+  }
+
+  private void act(RequesterAction action) {
+    listener.performed(action);
+    if (action instanceof RequesterAction.SendToRobot one) {
+      mail.send(one.robot(), one.message());
+    } else if (action instanceof RequesterAction.SendToTeam team) {
+      mail.sendToTeam(team.percept(), team.message());
+    } else if (action instanceof RequesterAction.AcceptLease hold) {
+      lease = new ArrivalLease(now().plus(hold.stay()), ports.monotonicClock(), giveBack);
+    } else if (action instanceof RequesterAction.ReplaceHelper replace) {
+      endLease();
+      replacementReason = replace.robot() + " " + replace.why();
+    } else if (action instanceof RequesterAction.EndCall end) {
+      endLease();
+      ended = "its call has ended: " + end.why();
+    }
+  }
+
+  private void endLease() {
+    if (lease != null) {
+      lease.invalidate();
+      lease = null;
+    }
+  }
+}

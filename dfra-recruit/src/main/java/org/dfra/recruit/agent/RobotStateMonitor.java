@@ -1,0 +1,224 @@
+package org.dfra.recruit.agent;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.UUID;
+import java.util.concurrent.ConcurrentHashMap;
+import org.dfra.behavior.Behavior;
+import org.dfra.behavior.BehaviorStatus;
+import org.dfra.behavior.BehaviorStatus.Phase;
+import org.dfra.behavior.FollowWaypoints;
+import org.dfra.behavior.GoToWaypoint;
+import org.dfra.behavior.RasterSearch;
+import org.dfra.behavior.ReturnHome;
+import org.dfra.core.chain.ChainInputs;
+import org.dfra.core.chain.DelayedTaskExecutor;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.flow.effector.DriveEffector;
+import org.dfra.flow.effector.FlightEffector;
+import org.dfra.flow.perceptual.PoseEstimate;
+import org.dfra.flow.perceptual.PositionEstimator;
+import org.dfra.flow.sensor.BatterySensor;
+import org.dfra.flow.sensor.BatteryState;
+import org.dfra.module.Module;
+import org.dfra.persona.BehaviorAttributes;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+
+/**
+ * What a robot's own modules have told of it last: where it is, its charge, whether it searches or
+ * is driven, and whether it is stopped. Safe for use by any threads; asking needs no network.
+ *
+ * <p>A behaviour that is gone counts no more, and one that has not told anything since it was found
+ * is at what its persona says. So is an emergency stop, which is seen half a second after it, and
+ * as long after its end.
+ */
+final class RobotStateMonitor implements AutoCloseable {
+
+  private static final Duration FRESH = Duration.ofSeconds(2);
+  private static final Duration BATTERY_FRESH = Duration.ofMinutes(5);
+
+  /** Is told of each goal that a behaviour begins, or goes on with. */
+  @FunctionalInterface
+  interface GoalListener {
+
+    /** It began, or went on, at that time; on a delivery thread. */
+    void goalStarted(ModuleListing<?> behavior, BehaviorStatus status);
+  }
+
+  /** What sends a robot somewhere. */
+  private static final List<Class<? extends Behavior<?>>> DRIVING =
+      List.of(GoToWaypoint.class, FollowWaypoints.class, ReturnHome.class);
+
+  /** What obeys to those. */
+  private static final List<Class<? extends Module>> MOVING =
+      List.of(DriveEffector.class, FlightEffector.class);
+
+  /**
+   * What a behaviour told last.
+   *
+   * @param module itself, or its proxy: it is another one after most restarts
+   */
+  private record LastStatus(Module module, BehaviorStatus status) {
+
+    /** Whether the goal has begun since then, or goes on. */
+    boolean isNewGoal(BehaviorStatus fresh) {
+      return status.phase() != Phase.RUNNING || !Objects.equals(status.goal(), fresh.goal());
+    }
+  }
+
+  /**
+   * What came last of its kind. How old it is goes by when it came: who measured it did so by a
+   * clock that somebody may have set since.
+   *
+   * @param nanos when it came, by the robot's monotonic time
+   */
+  private record Received<R>(R reading, long nanos) {}
+
+  private final ModuleContext context;
+  private final ChainInputs inputs;
+  private final Map<UUID, LastStatus> told = new ConcurrentHashMap<>(); // by module
+  private volatile @Nullable Received<PoseEstimate> pose;
+  private volatile @Nullable Received<BatteryState> charge;
+
+  private final GoalListener listener;
+
+  RobotStateMonitor(ModuleContext context, GoalListener listener, Logger log) {
+    this.context = context;
+    this.listener = listener;
+    this.inputs =
+        new ChainInputs(
+            context.path(),
+            context::directory,
+            new DelayedTaskExecutor("dfra-inputs " + context.path(), context.scheduler()),
+            log);
+    String robot = context.robot();
+    inputs.declare(
+        ModuleQuery.of(PositionEstimator.class).robot(robot),
+        false,
+        "",
+        PoseEstimate.class,
+        (source, sequence, estimate) -> pose = received(estimate));
+    inputs.declare(
+        ModuleQuery.of(BatterySensor.class).robot(robot),
+        false,
+        "",
+        BatteryState.class,
+        (source, sequence, state) -> charge = received(state));
+    watch(RasterSearch.class);
+    DRIVING.forEach(this::watch);
+  }
+
+  private void watch(Class<? extends Behavior<?>> kind) {
+    inputs.declare(
+        ModuleQuery.of(kind).robot(context.robot()),
+        true,
+        "",
+        BehaviorStatus.class,
+        (source, sequence, status) -> take(source, status));
+  }
+
+  private void take(ModuleListing<?> source, BehaviorStatus status) {
+    @Nullable LastStatus last = told.put(source.id(), new LastStatus(source.module(), status));
+    if (status.phase() == Phase.RUNNING && (last == null || last.isNewGoal(status))) {
+      listener.goalStarted(source, status);
+    }
+  }
+
+  void start() {
+    inputs.wire(List.of());
+  }
+
+  @Override
+  public void close() {
+    inputs.close();
+  }
+
+  private <R> Received<R> received(R reading) {
+    return new Received<>(reading, context.robotTime().nanos());
+  }
+
+  /** Where it is; null where that is older than {@code FRESH}, or it never knew. */
+  @Nullable PoseEstimate pose() {
+    @Nullable Received<PoseEstimate> last = pose;
+    return last != null && isFresh(last, FRESH) ? last.reading() : null;
+  }
+
+  /** Charge left, 0 to 1; 1 where it does not know. */
+  double battery() {
+    @Nullable Received<BatteryState> last = charge;
+    @Nullable Double remaining =
+        last == null || !isFresh(last, BATTERY_FRESH) ? null : last.reading().remaining();
+    return remaining == null ? 1 : remaining;
+  }
+
+  /** Whether one of its raster searches runs. */
+  boolean isSearching() {
+    return listed(RasterSearch.class).stream().anyMatch(each -> phase(each) == Phase.RUNNING);
+  }
+
+  /** Whether it is sent somewhere, by whomever, also if it pauses on its way. */
+  boolean isDriving() {
+    return DRIVING.stream()
+        .flatMap(kind -> listed(kind).stream())
+        .anyMatch(each -> phase(each).isUnderWay());
+  }
+
+  /** What moves it. */
+  List<ModuleListing<? extends Module>> effectors() {
+    List<ModuleListing<? extends Module>> all = new ArrayList<>();
+    MOVING.forEach(kind -> all.addAll(listed(kind)));
+    return all;
+  }
+
+  /** What sends it somewhere, and its searches. */
+  List<ModuleListing<? extends Behavior<?>>> behaviors() {
+    List<ModuleListing<? extends Behavior<?>>> all = new ArrayList<>(listed(RasterSearch.class));
+    DRIVING.forEach(kind -> all.addAll(listed(kind)));
+    return all;
+  }
+
+  /** Since when somebody has the goal of a behaviour stand; null where nobody has. */
+  @Nullable Instant heldSince(ModuleListing<?> behavior) {
+    LastStatus last = told(behavior);
+    return last != null
+        ? last.status().heldSince()
+        : behavior
+            .attributes(BehaviorAttributes.class)
+            .map(BehaviorAttributes::heldSince)
+            .orElse(null);
+  }
+
+  private @Nullable LastStatus told(ModuleListing<?> behavior) {
+    LastStatus last = told.get(behavior.id());
+    return last != null && last.module().equals(behavior.module()) ? last : null;
+  }
+
+  private <M extends Module> List<ModuleListing<M>> listed(Class<M> kind) {
+    return context.directory().find(ModuleQuery.of(kind).robot(context.robot()));
+  }
+
+  private Phase phase(ModuleListing<?> behavior) {
+    LastStatus last = told(behavior);
+    if (last != null) {
+      return last.status().phase();
+    }
+    String said =
+        behavior.attributes(BehaviorAttributes.class).map(BehaviorAttributes::phase).orElse("");
+    return Arrays.stream(Phase.values())
+        .filter(each -> each.name().equals(said))
+        .findFirst()
+        .orElse(Phase.IDLE);
+  }
+
+  private boolean isFresh(Received<?> last, Duration limit) {
+    return context.robotTime().nanos() - last.nanos() <= limit.toNanos();
+  }
+}

@@ -1,0 +1,61 @@
+package org.dfra.recruit.experiment;
+
+/** What happened to the calls of a run. */
+final class CallStatistics {
+
+  /** A mean of numbers as they come. */
+  static final class RunningMean {
+    private double sum;
+    private int count;
+
+    void add(double value) {
+      sum += value;
+      count++;
+    }
+
+    /** NaN where there was none. */
+    double mean() {
+      return count == 0 ? Double.NaN : sum / count;
+    }
+  }
+
+  final RunningMean allocation = new RunningMean(); // seconds
+  final RunningMean arrival = new RunningMean(); // seconds
+  final RunningMean regret = new RunningMean(); // seconds
+  int completed;
+  int successes;
+  double called; // seconds: when the current call was made
+  FieldPoint place = new FieldPoint(0, 0);
+  boolean isAwarded;
+  private boolean hasArrived;
+  private boolean isComplete;
+
+  void call(double now, FieldPoint where) {
+    called = now;
+    place = where;
+    isAwarded = false;
+    hasArrived = false;
+    isComplete = false;
+  }
+
+  void award(double now, double longer) {
+    isAwarded = true;
+    allocation.add(now - called);
+    regret.add(longer);
+  }
+
+  void arrive(double now) {
+    if (!hasArrived) {
+      hasArrived = true;
+      arrival.add(now - called);
+    }
+  }
+
+  void complete(boolean inTime) {
+    if (!isComplete) {
+      isComplete = true;
+      completed++;
+      successes += inTime ? 1 : 0;
+    }
+  }
+}

@@ -1,0 +1,242 @@
+package org.dfra.recruit.experiment;
+
+import java.time.Duration;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.IntConsumer;
+import java.util.random.RandomGenerator;
+import org.dfra.agent.HelpCall;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.recruit.agent.RobotPort;
+import org.dfra.time.Scheduler;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A robot in the field. It stands, follows a raster route, or drives in a straight line; on a
+ * journey it is a little slower than it expects, since wheels slip. A scanner that was called away
+ * drives back to where it left its route and goes on there; others stay where they are.
+ *
+ * <p>Safe for use by several threads. Whoever is told that it has arrived is told without a lock.
+ */
+final class ExperimentRobot implements RobotPort {
+
+  /** Metres per second, of a ground vehicle. */
+  static final double SPEED = 1;
+
+  private static final double SLIP = 0.03; // standard deviation of the share a journey takes longer
+
+  private final Scheduler time;
+  private final Set<String> percepts;
+  private final double speed;
+  private final RandomGenerator lot;
+  private final @Nullable RasterRoute route;
+
+  // All that follows is guarded by this.
+  private double way; // metres along the route, when it was last on it
+  private boolean isScanning;
+  private FieldPoint from; // where it began to drive, or stands
+  private FieldPoint to;
+  private double since; // seconds: when it began to drive, or to follow the route
+  private double lasts; // seconds that the drive takes
+  private Scheduler.@Nullable ScheduledTask journey;
+  private long leaseEnd; // of the task that it drives for, nanoseconds
+  private int drives; // so far; the number of the one under way
+  private boolean isAlive = true;
+  private double travelled;
+  private double lost;
+  private double leftRouteAt;
+
+  /**
+   * @param route that it scans along; null for one that stands
+   * @param begin where it stands, or metres along its route, as {@code east}
+   */
+  ExperimentRobot(
+      Scheduler time,
+      Set<String> percepts,
+      double speed,
+      RandomGenerator random,
+      @Nullable RasterRoute route,
+      FieldPoint begin) {
+    this.time = time;
+    this.percepts = percepts;
+    this.speed = speed;
+    this.lot = random;
+    this.route = route;
+    this.isScanning = route != null;
+    this.way = route == null ? 0 : begin.east();
+    this.from = route == null ? begin : route.at(begin.east());
+    this.to = from;
+    this.since = seconds();
+  }
+
+  private double seconds() {
+    return time.nanos() / 1e9;
+  }
+
+  /** Where it is. */
+  synchronized FieldPoint position() {
+    RasterRoute along = route;
+    if (isScanning && along != null) {
+      return along.at(way + (seconds() - since) * speed);
+    }
+    double share = lasts == 0 ? 1 : Math.min(1, (seconds() - since) / lasts);
+    return from.towards(to, share);
+  }
+
+  /** What it drove for others and back, metres. */
+  synchronized double travelled() {
+    return travelled;
+  }
+
+  /** For how long it was away from its route, seconds. */
+  synchronized double rasterTimeLost() {
+    return lost + (route != null && !isScanning ? seconds() - leftRouteAt : 0);
+  }
+
+  /** It stands still for good, and nobody is told. */
+  synchronized void die() {
+    stand();
+    isAlive = false;
+  }
+
+  /** Seconds to a place. */
+  synchronized double seconds(FieldPoint place) {
+    return position().distance(place) / speed;
+  }
+
+  @Override
+  public boolean canObserve(String percept) {
+    return percepts.contains(percept);
+  }
+
+  @Override
+  public synchronized boolean isAvailable() {
+    return isAlive;
+  }
+
+  @Override
+  public boolean hasOwnWork() {
+    return route != null;
+  }
+
+  @Override
+  public boolean isInField(GeoPosition place) {
+    return ExperimentField.contains(ExperimentField.toField(place));
+  }
+
+  @Override
+  public Optional<Duration> eta(GeoPosition place) {
+    return Optional.of(Duration.ofNanos((long) (seconds(ExperimentField.toField(place)) * 1e9)));
+  }
+
+  @Override
+  public double battery() {
+    return 1;
+  }
+
+  @Override
+  public synchronized void travelTo(HelpCall call, long leaseEnd, TravelListener listener) {
+    leaveRoute();
+    drive(ExperimentField.toField(call.position()), number -> listener.arrived());
+    extendLease(leaseEnd);
+    awaitLeaseEnd(drives, listener);
+  }
+
+  private void awaitLeaseEnd(int number, TravelListener told) {
+    Scheduler.ScheduledTask unused =
+        time.after(leaseEnd - time.nanos(), () -> overdue(number, told));
+  }
+
+  @Override
+  public synchronized void extendLease(long end) {
+    leaseEnd = end;
+  }
+
+  /** The lease of a task that it still drives for is over. */
+  private void overdue(int number, TravelListener told) {
+    synchronized (this) {
+      if (!isUnderWay(number) || journey == null) {
+        return;
+      }
+      if (time.nanos() < leaseEnd) { // it was extended
+        awaitLeaseEnd(number, told);
+        return;
+      }
+      stand();
+    }
+    told.failed("its lease of the task is over");
+  }
+
+  private void leaveRoute() {
+    if (isScanning) {
+      double now = seconds();
+      way += (now - since) * speed;
+      since = now;
+      leftRouteAt = now;
+    }
+  }
+
+  private void drive(FieldPoint target, IntConsumer there) {
+    FieldPoint here = position();
+    stand();
+    isScanning = false;
+    from = here;
+    to = target;
+    since = seconds();
+    lasts = here.distance(target) / speed * (1 + SLIP * Math.abs(lot.nextGaussian()));
+    travelled += here.distance(target);
+    int number = ++drives;
+    journey =
+        time.after(
+            Math.round(lasts * 1e9),
+            () -> {
+              if (isUnderWay(number)) {
+                there.accept(number);
+              }
+            });
+  }
+
+  /** Whether that drive is not over, and was not given up when its end was about to be told. */
+  private synchronized boolean isUnderWay(int number) {
+    return isAlive && number == drives;
+  }
+
+  private void stand() {
+    if (journey != null) {
+      journey.cancel();
+      drives++;
+    }
+    FieldPoint here = position();
+    double left = isScanning || lasts == 0 ? 0 : here.distance(to);
+    travelled -= left; // counted when it set out
+    if (!isScanning) {
+      from = here;
+      to = here;
+      lasts = 0;
+    }
+  }
+
+  @Override
+  public synchronized void observe(HelpCall call) {
+    stand();
+  }
+
+  @Override
+  public synchronized void resumeOwnWork() {
+    RasterRoute along = route;
+    if (along == null) {
+      stand();
+    } else if (!isScanning) {
+      drive(along.at(way), this::scanAgain);
+    }
+  }
+
+  private synchronized void scanAgain(int number) {
+    if (number != drives) {
+      return; // it was called away just now
+    }
+    lost += seconds() - leftRouteAt;
+    isScanning = true;
+    since = seconds();
+  }
+}

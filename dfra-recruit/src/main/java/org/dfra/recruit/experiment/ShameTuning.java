@@ -1,0 +1,71 @@
+package org.dfra.recruit.experiment;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.dfra.recruit.affect.ShameSettings;
+import org.dfra.recruit.transport.MessageMode;
+
+/**
+ * Tries constants of shame on seeds that judge nothing: teams of six, by broadcast, at 10 % loss.
+ * {@link ShameSettings#forField} was fixed before; the table shows what other choices would have
+ * come to.
+ */
+public final class ShameTuning {
+
+  private static final List<Double> GAINS = List.of(1.0, 1.5, 2.0, 3.0);
+  private static final List<Double> EXPONENTS = List.of(1.0, 2.0, 3.0);
+
+  /**
+   * What came of one choice.
+   *
+   * @param transmissions for each recruitment
+   * @param allocation seconds
+   */
+  public record Trial(ShameSettings shame, Estimate transmissions, Estimate allocation) {
+
+    @Override
+    public String toString() {
+      return String.format(
+          Locale.ROOT,
+          "g %.1f, p %.1f: %s transmissions, %s s to the choice",
+          shame.gain(),
+          shame.exponent(),
+          transmissions,
+          allocation);
+    }
+  }
+
+  private ShameTuning() {}
+
+  /** Every choice that is tried. */
+  public static List<Trial> trials(ExperimentPlan plan, int seeds, int threads)
+      throws InterruptedException {
+    List<Trial> trials = new ArrayList<>();
+    ExperimentCell cell = new ExperimentCell("affective", MessageMode.BROADCAST, 6, 0.10);
+    for (double gain : GAINS) {
+      for (double exponent : EXPONENTS) {
+        ShameSettings usual = plan.shame();
+        ShameSettings tried =
+            new ShameSettings(
+                gain,
+                exponent,
+                usual.floor(),
+                usual.idleFactor(),
+                usual.busyFactor(),
+                usual.etaReference(),
+                usual.batteryReserve());
+        CellResult result =
+            new Experiment(plan.with(tried), threads)
+                .run(List.of(cell), Seeds.tuning(seeds), (done, all) -> {})
+                .get(0);
+        trials.add(
+            new Trial(
+                tried,
+                result.mean(RunResult::transmissionsEach),
+                result.mean(RunResult::allocation)));
+      }
+    }
+    return trials;
+  }
+}

@@ -1,0 +1,81 @@
+package org.dfra.river.bootstrap;
+
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.util.ArrayList;
+import java.util.List;
+import org.dfra.core.config.AdministrationDescription;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.config.Place;
+import org.dfra.core.config.RegistrarDescription;
+import org.dfra.river.access.AddressRange;
+
+/** The addresses in a robot's XML, its host names resolved. */
+final class AddressRangeResolver {
+
+  private AddressRangeResolver() {}
+
+  /**
+   * Resolves from where a robot may be administered. A name stands for all addresses that it has
+   * now: the robot's processes do not look it up again.
+   *
+   * @throws ConfigurationException if a name has no address
+   */
+  static List<AddressRange> resolve(AdministrationDescription administration) {
+    return resolve(
+        administration.administratorHosts(),
+        administration.place(),
+        "the administrator's host",
+        "<administration from=\"…\">");
+  }
+
+  /**
+   * Resolves on which further computers modules of the robot run. A name stands for all addresses
+   * that it has now.
+   *
+   * @throws ConfigurationException if a name has no address
+   */
+  static List<AddressRange> resolve(RegistrarDescription registrar) {
+    return resolve(
+        registrar.from(),
+        registrar.place(),
+        "the registrar's module host",
+        "<registrar from=\"…\">");
+  }
+
+  private static List<AddressRange> resolve(
+      List<String> from, Place place, String what, String where) {
+    List<AddressRange> ranges = new ArrayList<>();
+    for (String each : from) {
+      if (isNumeric(each)) {
+        ranges.add(AddressRange.of(each));
+      } else {
+        for (InetAddress address : lookUp(each, place, what, where)) {
+          ranges.add(AddressRange.only(address));
+        }
+      }
+    }
+    return List.copyOf(ranges);
+  }
+
+  /** A name has neither, as the description has checked; and one of digits only is an address. */
+  private static boolean isNumeric(String text) {
+    return text.indexOf(':') >= 0 || text.indexOf('/') >= 0 || text.matches("[0-9.]+");
+  }
+
+  private static InetAddress[] lookUp(String name, Place place, String what, String where) {
+    try {
+      return InetAddress.getAllByName(name);
+    } catch (UnknownHostException e) {
+      throw new ConfigurationException(
+          place
+              + ": "
+              + what
+              + " "
+              + name
+              + " is not known; write its address, or mend the name in "
+              + where,
+          e);
+    }
+  }
+}

@@ -1,0 +1,66 @@
+package org.dfra.river.bootstrap;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The copy of the build's jars that this process was started from. {@code ./dfra build} removes a
+ * copy only when no process runs from it and no phoenix will start one, after a reboot say. So
+ * whoever has phoenix write the copy's paths into its journal notes that here.
+ */
+final class BuildCopyUsage {
+
+  /** A folder beside the jars with a file for each state folder whose journal may name them. */
+  private static final String NOTES = "states";
+
+  private static final Logger LOG = LoggerFactory.getLogger(BuildCopyUsage.class);
+
+  private BuildCopyUsage() {}
+
+  /**
+   * Notes that a phoenix with this state starts processes from these jars. Nothing happens where
+   * DFRA is installed, since nothing removes those jars.
+   *
+   * <p>Where it cannot be noted, as for a user who may not write beside the jars, a warning says
+   * so; they stay all the same while a process runs from them.
+   *
+   * @param state folder of phoenix's journal
+   */
+  static void recordUse(Path state) {
+    @Nullable String lib = System.getProperty(DownloadJars.LIB);
+    if (lib == null) {
+      return;
+    }
+    try {
+      recordUse(state, Path.of(lib).toAbsolutePath());
+    } catch (IOException e) {
+      LOG.warn(
+          "It cannot be noted beside {} that {} needs those jars ({}); after a reboot, and a build by"
+              + " somebody else, bring its robots up again",
+          lib,
+          state,
+          e.toString());
+    }
+  }
+
+  /**
+   * The same.
+   *
+   * @param lib the folder of the jars
+   */
+  static void recordUse(Path state, Path lib) throws IOException {
+    Path notes = lib.resolveSibling(NOTES);
+    if (!Files.isDirectory(notes)) {
+      return;
+    }
+    String folder = state.toAbsolutePath().normalize().toString();
+    Path note = notes.resolve(Integer.toHexString(folder.hashCode()));
+    if (!Files.exists(note) || !Files.readString(note).strip().equals(folder)) {
+      Files.writeString(note, folder + "\n");
+    }
+  }
+}

@@ -1,0 +1,135 @@
+package org.dfra.river.bootstrap;
+
+import java.io.IOException;
+import java.rmi.activation.ActivationException;
+import java.rmi.activation.ActivationGroupID;
+import java.rmi.activation.ActivationID;
+import java.rmi.activation.UnknownGroupException;
+import java.rmi.activation.UnknownObjectException;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import org.dfra.river.phoenix.GroupStatus;
+import org.dfra.river.phoenix.GroupStatus.State;
+import org.dfra.river.phoenix.ProcessIdentity;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Ends service groups: their processes are gone before phoenix forgets them. */
+final class GroupTerminator {
+
+  private static final Logger LOG = LoggerFactory.getLogger(GroupTerminator.class);
+
+  /** The number of a process where there is none. */
+  private static final long NONE = -1;
+
+  private final PhoenixClient phoenix;
+  private final RetryDeadline patience;
+
+  /**
+   * @param patience for phoenix's answers
+   */
+  GroupTerminator(PhoenixClient phoenix, RetryDeadline patience) {
+    this.phoenix = phoenix;
+    this.patience = patience;
+  }
+
+  /** Phoenix forgets an object; nothing happens where it did before. Its process is not touched. */
+  void unregister(ActivationID object) throws IOException, ActivationException {
+    try {
+      patience.run(() -> phoenix.system().unregisterObject(object));
+    } catch (UnknownObjectException e) {
+      LOG.debug("{} was unregistered before.", object, e);
+    }
+  }
+
+  /** Phoenix forgets a group; nothing happens where it did before. */
+  void unregister(ActivationGroupID group) throws IOException, ActivationException {
+    try {
+      patience.run(() -> phoenix.system().unregisterGroup(group));
+    } catch (UnknownGroupException e) {
+      LOG.debug("{} was unregistered before.", group, e);
+    }
+  }
+
+  /**
+   * What phoenix says of a group; empty where it has none of that name.
+   *
+   * @param name {@code robot.group}
+   */
+  Optional<GroupStatus> status(String name) throws IOException, ActivationException {
+    return statuses().stream().filter(each -> plain(each.name()).equals(name)).findFirst();
+  }
+
+  /** What phoenix says of all groups. */
+  List<GroupStatus> statuses() throws IOException, ActivationException {
+    return patience.call(phoenix.admin()::groupStatus);
+  }
+
+  /** A group's name as the bootstrap gave it, without phoenix's number. */
+  static String plain(String daemonsName) {
+    return daemonsName.replaceFirst("^\\d+-", "");
+  }
+
+  /** Has a group's process end in an orderly way; does not wait for it. */
+  void requestStop(String name) throws IOException, ActivationException {
+    process(status(name)).ifPresent(process -> process.destroy(false));
+  }
+
+  /**
+   * Ends the process of a group in which nothing is registered any more, and waits until phoenix
+   * has seen it dead.
+   *
+   * @param time how long it may take before it is killed
+   */
+  void terminate(String name, Duration time) throws IOException, ActivationException {
+    RetryDeadline polite = RetryDeadline.of(time);
+    @Nullable ProcessIdentity ended = null;
+    while (true) {
+      Optional<GroupStatus> status = status(name);
+      if (status.isEmpty() || status.get().state() == State.IDLE) {
+        return;
+      }
+      ended = terminate(name, process(status), ended, polite);
+    }
+  }
+
+  /**
+   * Ends a group's process and waits until it is dead; phoenix starts another one for what is
+   * registered in the group.
+   *
+   * @param time how long it may take before it is killed
+   */
+  void restart(String name, Duration time) throws IOException, ActivationException {
+    Optional<ProcessIdentity> old = process(status(name));
+    RetryDeadline polite = RetryDeadline.of(time);
+    @Nullable ProcessIdentity ended = null;
+    while (old.isPresent() && old.get().isAlive() && process(status(name)).equals(old)) {
+      ended = terminate(name, old, ended, polite);
+    }
+  }
+
+  /** A group's process; empty where it has none, or that has just died. */
+  private static Optional<ProcessIdentity> process(Optional<GroupStatus> status)
+      throws IOException {
+    long pid = status.map(GroupStatus::pid).orElse(NONE);
+    return pid < 0 ? Optional.empty() : ProcessIdentity.find(pid);
+  }
+
+  /** Ends it, politely the first time, by force when its time is over; returns which it was. */
+  private static @Nullable ProcessIdentity terminate(
+      String name,
+      Optional<ProcessIdentity> process,
+      @Nullable ProcessIdentity before,
+      RetryDeadline polite) {
+    if (process.isPresent() && !process.get().equals(before)) {
+      process.get().destroy(false);
+    } else if (process.isPresent() && polite.isExpired()) {
+      LOG.warn("Process {} of group {} did not end; it is killed.", process.get().pid(), name);
+      process.get().destroy(true);
+    }
+    polite.pause();
+    return process.orElse(before);
+  }
+}

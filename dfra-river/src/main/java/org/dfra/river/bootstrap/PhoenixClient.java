@@ -1,0 +1,25 @@
+package org.dfra.river.bootstrap;
+
+import java.nio.file.Path;
+import java.rmi.RemoteException;
+import java.rmi.activation.ActivationSystem;
+import org.dfra.river.phoenix.PhoenixAdmin;
+
+/**
+ * Phoenix as the bootstrap calls it; one proxy implements both.
+ *
+ * @param system registers and unregisters
+ * @param admin says what is registered and what runs
+ * @param state phoenix's state folder
+ */
+record PhoenixClient(ActivationSystem system, PhoenixAdmin admin, Path state) {
+
+  /**
+   * Nothing is sent before the first call.
+   *
+   * @throws RemoteException if this user may not call it, or there never was one
+   */
+  static PhoenixClient to(PhoenixProcess phoenix) throws RemoteException {
+    return new PhoenixClient(phoenix.system(), phoenix.admin(), phoenix.state());
+  }
+}

@@ -1,0 +1,156 @@
+package org.dfra.river.call;
+
+import java.lang.reflect.Proxy;
+import java.rmi.NoSuchObjectException;
+import java.rmi.Remote;
+import java.rmi.RemoteException;
+import java.rmi.activation.ActivateFailedException;
+import java.rmi.activation.ActivationException;
+import java.rmi.activation.ActivationID;
+import java.rmi.activation.UnknownObjectException;
+import java.util.Objects;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Future;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.atomic.AtomicReference;
+import net.jini.core.constraint.MethodConstraints;
+import net.jini.core.constraint.RemoteMethodControl;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The proxy by which an activatable object was last reached, and how it is replaced.
+ *
+ * <p>One that failed is doubted, not forgotten: should the activator be out of reach, it is all
+ * there is. Callers share one activation: they wait for it together and get the same outcome.
+ */
+final class LiveProxyHolder {
+
+  private final ActivationID id;
+  private final @Nullable MethodConstraints constraints;
+  private @Nullable Remote last; // guarded by this
+  private boolean suspected; // guarded by this
+  private @Nullable Activation activation; // guarded by this
+
+  LiveProxyHolder(ActivationID id, @Nullable Remote last, @Nullable MethodConstraints constraints) {
+    this.id = id;
+    this.last = last;
+    this.constraints = constraints;
+  }
+
+  /** The last one, doubted or not, or null. */
+  synchronized @Nullable Remote last() {
+    return last;
+  }
+
+  /** The last one, or null if it is doubted. */
+  synchronized @Nullable Remote unsuspectedOrNull() {
+    return suspected ? null : last;
+  }
+
+  /** Notes that the object could not be reached by this proxy, and may be dead. */
+  synchronized void suspect(Remote proxy) {
+    if (proxy.equals(last)) {
+      suspected = true;
+    }
+  }
+
+  /** Notes that the object was reached by this proxy. */
+  synchronized void confirm(Remote proxy) {
+    if (suspected && proxy.equals(last)) {
+      suspected = false;
+    }
+  }
+
+  /** An activation that is under way, and whether it was asked for with force. */
+  private record Activation(FutureTask<Remote> task, boolean force) {}
+
+  /**
+   * A proxy that replaces {@code dead}: one that another caller got, or one that the activator is
+   * asked for. The activation runs on a thread of its own, so that none of those who wait for it
+   * can spoil it for the others by being interrupted.
+   *
+   * @param dead what failed; null where nothing was tried
+   * @param force whether the activator shall ask the object's group even if it knows a proxy
+   * @return fails with an {@link ActivatorUnreachableException}, or with a {@link RemoteException}
+   *     that says why the object cannot be brought back
+   */
+  synchronized Future<Remote> replace(@Nullable Remote dead, boolean force) {
+    if (last != null && !suspected && !last.equals(dead)) {
+      return CompletableFuture.completedFuture(last);
+    }
+    // One without force may bring the same dead proxy again, so it is no help to who needs force.
+    if (activation == null || (force && !activation.force())) {
+      activation = begin(force);
+    }
+    return activation.task();
+  }
+
+  private Activation begin(boolean force) {
+    AtomicReference<@Nullable Activation> self = new AtomicReference<>();
+    Activation begun = new Activation(new FutureTask<>(() -> bringBack(force, self)), force);
+    self.set(begun);
+    CallThreads.run(begun.task());
+    return begun;
+  }
+
+  /** Asks the activator; what it answers counts before the activation is over. */
+  private Remote bringBack(boolean force, AtomicReference<@Nullable Activation> self)
+      throws RemoteException, ActivatorUnreachableException {
+    @Nullable Remote found = null;
+    try {
+      found = askActivator(force);
+      return found;
+    } finally {
+      synchronized (this) {
+        if (activation == self.get()) {
+          activation = null;
+          if (found != null) {
+            last = found;
+            suspected = false;
+          }
+        }
+      }
+    }
+  }
+
+  private Remote askActivator(boolean force) throws RemoteException, ActivatorUnreachableException {
+    try {
+      return liveProxyOf(id.activate(force));
+    } catch (UnknownObjectException e) {
+      NoSuchObjectException gone =
+          new NoSuchObjectException("the activation system does not know the object any more");
+      gone.detail = e; // a RemoteException takes no cause by initCause
+      throw gone;
+    } catch (ActivationException e) {
+      throw new ActivateFailedException("the object could not be activated", e);
+    } catch (ActivateFailedException e) {
+      throw e;
+    } catch (RemoteException e) {
+      throw new ActivatorUnreachableException(e);
+    }
+  }
+
+  private Remote liveProxyOf(Remote activated) throws ActivateFailedException {
+    if (!(Proxy.isProxyClass(activated.getClass())
+        && Proxy.getInvocationHandler(activated) instanceof ResurrectingHandler handler)) {
+      throw new ActivateFailedException(
+          "the object came back without a resurrecting proxy; export it with "
+              + ResurrectingExporter.class.getSimpleName());
+    }
+    if (!id.equals(handler.activationID())) {
+      throw new ActivateFailedException("the object came back under another activation ID");
+    }
+    @Nullable Remote found = handler.live();
+    if (found == null) {
+      throw new ActivateFailedException("the object came back without a live proxy");
+    }
+    return Objects.requireNonNull(constrain(found, constraints));
+  }
+
+  /** The same proxy under these client constraints, if it takes any. */
+  static @Nullable Remote constrain(@Nullable Remote proxy, @Nullable MethodConstraints wanted) {
+    return proxy instanceof RemoteMethodControl control
+        ? (Remote) control.setConstraints(wanted)
+        : proxy;
+  }
+}

@@ -1,0 +1,148 @@
+package org.dfra.river.callback;
+
+import java.rmi.Remote;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import org.dfra.event.delivery.DeliveryPool;
+import org.dfra.event.delivery.PeerExecutors;
+import org.dfra.river.call.CallbackProxies;
+import org.dfra.time.Scheduler;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The processes that are called back from this one.
+ *
+ * <p>Their calls run on the {@link DeliveryPool}, in {@link PeerExecutors}: other computers
+ * together have {@value #MAX_REMOTE_THREADS} of its threads at most and this computer's own
+ * processes as many, so the modules' listeners in this process always have some. An address has
+ * {@value #MAX_THREADS_PER_ADDRESS} of them, and one process {@value #MAX_THREADS_PER_PROCESS}.
+ * JERI keeps three threads for each process that is connected to, and for a while after it is not
+ * called any more, so an address has only so many processes too, and the place of one is given to
+ * others {@value #LINGER_SECONDS} s late. Bounds hold for this virtual machine. Thread-safe.
+ */
+public final class CallbackLimiter {
+
+  private static final int MAX_REMOTE_THREADS = 24;
+  private static final int MAX_THREADS_PER_ADDRESS = 6;
+  private static final int MAX_THREADS_PER_PROCESS = 4;
+
+  /** JERI looks every 15 s for connections that have not been used since it looked before. */
+  private static final long LINGER_SECONDS = 35;
+
+  private static final long LINGER_NANOS = TimeUnit.SECONDS.toNanos(LINGER_SECONDS);
+
+  private static final PeerQuota.QuotaLimits PROCESSES = new PeerQuota.QuotaLimits(12, 48, 512);
+
+  private static final CallbackLimiter SHARED =
+      new CallbackLimiter(DeliveryPool.shared(), Scheduler.system());
+
+  private final PeerExecutors others;
+  private final PeerExecutors own;
+  private final Scheduler scheduler;
+  private final PeerQuota quota =
+      new PeerQuota("processes that are called back from here", PROCESSES);
+  private final Map<Peer, ProcessSlots> places = new HashMap<>(); // guarded by this
+
+  private record Peer(ClientAddress client, Object process) {}
+
+  /** Of the objects of one process. */
+  private static final class ProcessSlots {
+    int count; // guarded by the peers
+    long since; // guarded by the peers: the time when there were none any more
+    boolean isAwaited; // guarded by the peers: whether a task looks after it
+  }
+
+  /**
+   * @param pool makes the calls
+   * @param scheduler the time by which a process is forgotten
+   */
+  CallbackLimiter(DeliveryPool pool, Scheduler scheduler) {
+    this.others =
+        new PeerExecutors(
+            pool,
+            new PeerExecutors.TaskLimits(
+                MAX_THREADS_PER_PROCESS, MAX_THREADS_PER_ADDRESS, MAX_REMOTE_THREADS));
+    this.own =
+        new PeerExecutors(
+            pool,
+            new PeerExecutors.TaskLimits(
+                MAX_THREADS_PER_PROCESS, MAX_REMOTE_THREADS, MAX_REMOTE_THREADS));
+    this.scheduler = scheduler;
+  }
+
+  /** Those of this virtual machine. */
+  public static CallbackLimiter shared() {
+    return SHARED;
+  }
+
+  /**
+   * Admits an object to be called back.
+   *
+   * @param client who wants it to be
+   * @param callback its proxy, as it came
+   * @throws CallbackRefusedException if it is in another process than the client's others, and
+   *     these are as many as may be; or it is on another computer, and a call on it could hold its
+   *     thread for as long as it likes
+   */
+  public synchronized CallbackSlot admit(ClientAddress client, Remote callback)
+      throws CallbackRefusedException {
+    if (!client.isLocal() && !CallbackProxies.isAllowedRemotely(callback)) {
+      throw new CallbackRefusedException(
+          "an object on "
+              + client.host()
+              + " is not called back: no deadline ends a call by its proxy; export it by JERI over"
+              + " TCP");
+    }
+    Peer peer = new Peer(client, CallbackProxies.processKey(callback));
+    @Nullable ProcessSlots known = places.get(peer);
+    if (known == null) {
+      Optional<String> refusal = quota.acquire(client);
+      if (refusal.isPresent()) {
+        throw new CallbackRefusedException(refusal.get());
+      }
+      known = new ProcessSlots();
+      places.put(peer, known);
+    }
+    known.count++;
+    ProcessSlots held = known;
+    PeerExecutors lanes = client.isLocal() ? own : others;
+    return new CallbackSlot(
+        lanes.executorFor(client.host(), peer.process()), () -> giveBack(peer, held));
+  }
+
+  private synchronized void giveBack(Peer peer, ProcessSlots held) {
+    held.count--;
+    if (held.count == 0) {
+      held.since = scheduler.nanos();
+      if (!held.isAwaited) {
+        await(peer, held, LINGER_NANOS);
+      }
+    }
+  }
+
+  private void await(Peer peer, ProcessSlots held, long nanos) {
+    held.isAwaited = true;
+    Scheduler.ScheduledTask unused = scheduler.after(nanos, () -> releaseIfLingered(peer, held));
+  }
+
+  private synchronized void releaseIfLingered(Peer peer, ProcessSlots held) {
+    held.isAwaited = false;
+    if (held.count > 0) {
+      return;
+    }
+    long left = held.since + LINGER_NANOS - scheduler.nanos();
+    if (left > 0) { // there was one again meanwhile
+      await(peer, held, left);
+    } else {
+      places.remove(peer);
+      quota.release(peer.client());
+    }
+  }
+
+  /** How many processes are counted, those included that are not called any more but linger. */
+  public int processCount() {
+    return quota.held();
+  }
+}

@@ -1,0 +1,72 @@
+package org.dfra.river.filter;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+
+/**
+ * Counts the hash tables of one stream, as far as a filter sees them.
+ *
+ * <p>Before {@code HashMap}, {@code HashSet}, {@code LinkedHashMap}, {@code LinkedHashSet}, {@code
+ * Hashtable} and {@code Properties} make their table, they have the filter check an array of {@code
+ * Map.Entry} with its capacity, at the depth of the table itself. Whatever is in the table is read
+ * at a greater depth, and whatever follows the table begins with a check at its depth or a smaller
+ * one. So a table counts as open until a check at its depth or less: tables beside each other are
+ * never nested, and one in another always is.
+ *
+ * <p>A reference back to a table that was read before looks like any other reference here. {@link
+ * StreamScanner}, which reads the bytes, follows those too.
+ */
+final class HashTableCounter {
+
+  /** Tables in one another: a table of tables is allowed, and no more. */
+  static final int MAX_NESTING = 2;
+
+  private final SerialLimits limits;
+  private final Deque<Long> open = new ArrayDeque<>(); // depths, the innermost first
+  private long capacity;
+
+  HashTableCounter(SerialLimits limits) {
+    this.limits = limits;
+  }
+
+  /** Notes that something else is read at this depth. */
+  void reached(long depth) {
+    while (!open.isEmpty() && depth <= open.element()) {
+      open.remove();
+    }
+  }
+
+  /**
+   * Counts a table whose check has come.
+   *
+   * @param depth of the table
+   * @param buckets its capacity
+   * @throws RefusedDataException if it is in too many others or there are too many entries
+   */
+  void opened(long depth, long buckets) {
+    if (limits.tableEntries() == Long.MAX_VALUE) {
+      return;
+    }
+    reached(depth);
+    checkNesting(open.size() + 1L);
+    capacity += buckets;
+    limits.checkTables(capacity);
+    open.push(depth);
+  }
+
+  /**
+   * Compares with {@link #MAX_NESTING}.
+   *
+   * @throws RefusedDataException if there are more
+   */
+  static void checkNesting(long nested) {
+    if (nested > MAX_NESTING) {
+      throw new RefusedDataException(
+          "refused to read on: "
+              + nested
+              + " hash tables in one another > "
+              + MAX_NESTING
+              + " allowed; send lists or records instead");
+    }
+  }
+}

@@ -1,0 +1,127 @@
+package org.dfra.river.loading;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * What a group's virtual machine does for clients that lack its classes: it annotates them with the
+ * digests that the robot's jars have when the group starts, and in the registrar's group it serves
+ * the jars.
+ *
+ * <p>Nothing here keeps a group from starting, since a robot works without clients too: what cannot
+ * be done is in the group's log, and a port that is taken is tried again until it is free.
+ */
+public final class GroupCodebasePublisher {
+
+  private static final Logger LOG = LoggerFactory.getLogger(GroupCodebasePublisher.class);
+
+  private static final long AGAIN_SECONDS = 5;
+
+  private final RobotCodebase classes;
+  private final JarStore kept;
+  private final Map<String, Path> readable = new LinkedHashMap<>();
+
+  private GroupCodebasePublisher(RobotCodebase classes) {
+    this.classes = classes;
+    this.kept = new JarStore(classes.storeFolder());
+  }
+
+  /** Does what this virtual machine was told to do; nothing if its robot serves no classes. */
+  public static void begin() {
+    RobotCodebase.fromProperties(System.getProperties())
+        .map(GroupCodebasePublisher::new)
+        .ifPresent(
+            group -> {
+              group.annotate();
+              if (RobotCodebase.serves(System.getProperties())) {
+                group.serve();
+              }
+            });
+  }
+
+  private void annotate() {
+    Map<String, String> byClass = new HashMap<>();
+    for (List<Path> kind : classes.moduleCodebases()) {
+      List<RobotCodebase.Jar> jars = read(kind);
+      String codebase = classes.annotation(jars);
+      jars.forEach(jar -> jar.classes().forEach(name -> byClass.putIfAbsent(name, codebase)));
+    }
+    List<RobotCodebase.Jar> jars = read(classes.commonJars());
+    TrustedCode.annotate(jars.isEmpty() ? null : classes.annotation(jars), byClass);
+  }
+
+  /** The jars of a codebase, or none of them if one cannot be read. */
+  private List<RobotCodebase.Jar> read(List<Path> codebase) {
+    List<RobotCodebase.Jar> jars = new ArrayList<>();
+    try {
+      for (Path file : codebase) {
+        jars.add(RobotCodebase.read(file));
+      }
+    } catch (IOException e) {
+      LOG.error("Clients cannot download {}: {}.", codebase, e.getMessage());
+      return List.of();
+    }
+    for (int i = 0; i < jars.size(); i++) {
+      readable.put(jars.get(i).name(), codebase.get(i));
+      keep(jars.get(i));
+    }
+    return jars;
+  }
+
+  private void keep(RobotCodebase.Jar jar) {
+    try {
+      kept.put(jar.bytes(), jar.digest());
+    } catch (IOException e) {
+      LOG.warn("{} can be downloaded until it is rebuilt only: {}.", jar.name(), e.getMessage());
+    }
+  }
+
+  private void serve() {
+    if (readable.isEmpty()) {
+      return;
+    }
+    ClassServer server = new ClassServer(classes.host(), classes.port(), readable, kept);
+    @Nullable String fault = start(server);
+    if (fault == null) {
+      return;
+    }
+    LOG.warn("{}; trying again every {} s.", fault, AGAIN_SECONDS);
+    ScheduledExecutorService later =
+        Executors.newSingleThreadScheduledExecutor(
+            task -> {
+              Thread thread = new Thread(task, "class server waits");
+              thread.setDaemon(true);
+              return thread;
+            });
+    later.scheduleWithFixedDelay(
+        () -> {
+          if (start(server) == null) {
+            later.shutdown();
+          }
+        },
+        AGAIN_SECONDS,
+        AGAIN_SECONDS,
+        TimeUnit.SECONDS);
+  }
+
+  /** Starts the class server, whose threads keep it; what is wrong, or null. */
+  private static @Nullable String start(ClassServer server) {
+    try {
+      server.start();
+      return null;
+    } catch (IOException e) {
+      return String.valueOf(e.getMessage());
+    }
+  }
+}

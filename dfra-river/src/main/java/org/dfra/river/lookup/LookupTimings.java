@@ -1,0 +1,117 @@
+package org.dfra.river.lookup;
+
+import com.sun.jini.thread.WakeupManager;
+import com.sun.jini.thread.WakeupManager.ThreadDesc;
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.Map;
+import net.jini.config.Configuration;
+import org.dfra.time.Scheduler;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The pace at which lookup services are looked for and registrations are renewed.
+ *
+ * <p>River's own is an office's: it waits longer and longer between tries, up to a quarter of an
+ * hour, and for a peer that falls silent in the middle of one a minute. A robot that comes back
+ * into radio range is to be found within seconds.
+ */
+final class LookupTimings {
+
+  /** The longest lease that a module asks of a lookup service, which may grant a shorter one. */
+  static final Duration MAX_LEASE = Duration.ofSeconds(30);
+
+  /** The longest wait between two tries. */
+  static final Duration MAX_RETRY_DELAY = Duration.ofSeconds(2);
+
+  /** How long one try waits for its connection, and the same again for the whole answer. */
+  static final Duration ATTEMPT_TIMEOUT = Duration.ofSeconds(2);
+
+  private LookupTimings() {}
+
+  /** What {@code own} says, and where it says nothing of the pace, this one. */
+  static Configuration configuration(Configuration own) {
+    return new SuppliedConfiguration(
+        own,
+        Map.of(
+            "net.jini.lookup.JoinManager.wakeupManager",
+            () -> new BoundedWakeupManager(Scheduler.system()),
+            "net.jini.lookup.JoinManager.maxLeaseDuration",
+            MAX_LEASE::toMillis));
+  }
+
+  /**
+   * Wakes nobody later than in {@link #MAX_RETRY_DELAY}. Its callers reckon by the computer's
+   * clock, but the wait itself is monotonic: where that clock is set back nobody waits longer for
+   * it.
+   */
+  static final class BoundedWakeupManager extends WakeupManager {
+
+    private final Scheduler time;
+    private final Map<Ticket, Scheduler.ScheduledTask> pending =
+        new HashMap<>(); // guarded by itself
+
+    BoundedWakeupManager(Scheduler time) {
+      super(new ThreadDesc(null, true));
+      this.time = time;
+    }
+
+    @Override
+    public Ticket schedule(long when, Runnable task) {
+      return schedule(when, task, null);
+    }
+
+    /**
+     * {@inheritDoc} River's tasks for it only hand on work, so they need no thread of their own.
+     */
+    @Override
+    public Ticket schedule(long when, Runnable task, @Nullable ThreadDesc thread) {
+      long millis = Math.min(when - System.currentTimeMillis(), MAX_RETRY_DELAY.toMillis());
+      synchronized (pending) {
+        Ticket ticket = newTicket(when, task, thread);
+        pending.put(ticket, time.after(millis * 1_000_000, () -> run(ticket)));
+        return ticket;
+      }
+    }
+
+    private void run(Ticket ticket) {
+      synchronized (pending) {
+        if (pending.remove(ticket) == null) {
+          return; // cancelled
+        }
+      }
+      ticket.task.run();
+    }
+
+    @Override
+    public void cancel(Ticket ticket) {
+      synchronized (pending) {
+        Scheduler.ScheduledTask task = pending.remove(ticket);
+        if (task != null) {
+          task.cancel();
+        }
+      }
+    }
+
+    @Override
+    public void cancelAll() {
+      synchronized (pending) {
+        pending.values().forEach(Scheduler.ScheduledTask::cancel);
+        pending.clear();
+      }
+    }
+
+    @Override
+    public boolean isEmpty() {
+      synchronized (pending) {
+        return pending.isEmpty();
+      }
+    }
+
+    @Override
+    public void stop() {
+      cancelAll();
+      super.stop();
+    }
+  }
+}

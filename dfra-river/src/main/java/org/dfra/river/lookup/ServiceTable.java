@@ -1,0 +1,293 @@
+package org.dfra.river.lookup;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.UUID;
+import java.util.function.BiFunction;
+import net.jini.core.lookup.ServiceID;
+import net.jini.core.lookup.ServiceItem;
+import org.dfra.core.directory.ModuleTable;
+import org.dfra.directory.Locality;
+import org.dfra.module.Module;
+import org.dfra.persona.Attributes;
+import org.dfra.persona.PersonaAttributes;
+import org.dfra.river.discovery.LocatedRegistrar;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Which lookup service lists what, put together into one table.
+ *
+ * <p>What several list under one service ID is one module. That of one lookup service counts:
+ *
+ * <ul>
+ *   <li>the first within reach that lists it readably, for as long as it is within reach and lists
+ *       it. Another one changes nothing, whatever it lists and when it goes;
+ *   <li>then the next one, by the order in which they listed it first;
+ *   <li>if none is within reach any more, the last that counted, and the module is stale.
+ * </ul>
+ *
+ * <p>The module is gone when one within reach has removed it and no other such one lists it. What
+ * one out of reach lists is gone with it if it is the same; if it is something else, it is stale.
+ */
+final class ServiceTable {
+
+  private static final String UNKNOWN =
+      "its proxy cannot be read; look whether it is of another version of DFRA";
+
+  /** What lookup services list under one service ID. */
+  private static final class ServiceListings {
+    final Map<LocatedRegistrar, ListedService> all = new LinkedHashMap<>(); // in order of sighting
+    @Nullable LocatedRegistrar counted; // what the table shows
+    @Nullable ListedService shown; // of it
+  }
+
+  private final ModuleTable table;
+  private final BiFunction<UUID, List<Attributes>, Locality> locality;
+  private final Map<UUID, ServiceListings> services = new HashMap<>(); // guarded by this
+  private final Map<LocatedRegistrar, String> hosts = new HashMap<>(); // guarded by this
+  private final Set<LocatedRegistrar> withinReach = new HashSet<>(); // guarded by this
+
+  /** Those out of reach that list something, and when they last answered; guarded by this. */
+  private final Map<LocatedRegistrar, Instant> outOfReach = new HashMap<>();
+
+  /**
+   * @param locality how far away a module is, by its identity and attributes
+   */
+  ServiceTable(ModuleTable table, BiFunction<UUID, List<Attributes>, Locality> locality) {
+    this.table = table;
+    this.locality = locality;
+  }
+
+  /**
+   * A lookup service runs on this computer, and so does the robot whose lookup service it is.
+   *
+   * @param host address or name of the computer
+   */
+  synchronized void setHost(LocatedRegistrar registrar, String host) {
+    UUID id = uuid(registrar.getServiceID());
+    hosts.put(registrar, host);
+    ServiceListings listings = services.get(id);
+    if (listings != null && listings.counted != null) {
+      table.setHost(id, host(id, listings.counted));
+    }
+  }
+
+  /** Where the lookup service of this service ID runs, as far as is known; its own word first. */
+  private String host(UUID id, LocatedRegistrar listing) {
+    if (uuid(listing.getServiceID()).equals(id)) {
+      return hosts.getOrDefault(listing, "");
+    }
+    return hosts.entrySet().stream()
+        .filter(each -> uuid(each.getKey().getServiceID()).equals(id))
+        .map(Map.Entry::getValue)
+        .findFirst()
+        .orElse("");
+  }
+
+  /** A lookup service lists these and no others. */
+  synchronized void replaceAll(LocatedRegistrar registrar, Collection<ServiceItem> items) {
+    replaceAll(registrar, items, Map.of());
+  }
+
+  /**
+   * The same.
+   *
+   * @param faults why proxies that are missing could not be read
+   */
+  synchronized void replaceAll(
+      LocatedRegistrar registrar, Collection<ServiceItem> items, Map<ServiceID, String> faults) {
+    withinReach.add(registrar);
+    outOfReach.remove(registrar);
+    Set<UUID> listed = new HashSet<>();
+    for (ServiceItem item : items) {
+      listed.add(uuid(item.serviceID));
+      update(registrar, item, faults.getOrDefault(item.serviceID, UNKNOWN));
+    }
+    for (UUID id : List.copyOf(services.keySet())) {
+      if (!listed.contains(id)) {
+        remove(registrar, id);
+      }
+    }
+    List.copyOf(outOfReach.keySet()).stream()
+        .filter(each -> isFormer(each, registrar))
+        .forEach(this::forget);
+  }
+
+  /** Whether a lookup service was restarted as the other, which has a new proxy since. */
+  private static boolean isFormer(LocatedRegistrar former, LocatedRegistrar now) {
+    return former.getServiceID().equals(now.getServiceID())
+        && former.address().equals(now.address());
+  }
+
+  private void forget(LocatedRegistrar former) {
+    outOfReach.remove(former);
+    hosts.remove(former);
+    List.copyOf(services.keySet()).forEach(id -> remove(former, id));
+  }
+
+  /** A lookup service within reach lists this. */
+  synchronized void update(LocatedRegistrar registrar, ServiceItem item) {
+    update(registrar, item, UNKNOWN);
+  }
+
+  /**
+   * The same.
+   *
+   * @param fault why its proxy could not be read, where it is missing
+   */
+  synchronized void update(LocatedRegistrar registrar, ServiceItem item, String fault) {
+    Optional<ListedService> service = ListedService.of(item, fault);
+    if (service.isPresent()) {
+      UUID id = uuid(item.serviceID);
+      ServiceListings listings = services.computeIfAbsent(id, unused -> new ServiceListings());
+      listings.all.put(registrar, service.get());
+      show(id, listings);
+    }
+  }
+
+  /** The lookup service that counts; nothing where none is within reach. */
+  private Optional<LocatedRegistrar> counted(ServiceListings of) {
+    @Nullable LocatedRegistrar last = of.counted;
+    if (last != null && isReadable(of, last)) {
+      return Optional.of(last);
+    }
+    Optional<LocatedRegistrar> readable =
+        of.all.keySet().stream().filter(each -> isReadable(of, each)).findFirst();
+    return readable.isPresent()
+        ? readable
+        : of.all.keySet().stream().filter(withinReach::contains).findFirst();
+  }
+
+  private boolean isReadable(ServiceListings of, LocatedRegistrar registrar) {
+    @Nullable ListedService service = of.all.get(registrar);
+    return service != null && service.isReadable() && withinReach.contains(registrar);
+  }
+
+  /** Shows what counts; false where no lookup service is within reach. */
+  private boolean show(UUID id, ServiceListings listings) {
+    Optional<LocatedRegistrar> counted = counted(listings);
+    counted.ifPresent(each -> show(id, listings, each));
+    return counted.isPresent();
+  }
+
+  private void show(UUID id, ServiceListings listings, LocatedRegistrar counted) {
+    @Nullable ListedService service = listings.all.get(counted);
+    @Nullable LocatedRegistrar last = listings.counted;
+    @Nullable ListedService shown = listings.shown;
+    if (service == null) {
+      return;
+    }
+    if (shown != null && last != null && !counted.equals(last)) {
+      if (!service.isReadable() && listings.all.containsKey(last)) {
+        return; // what was seen before is worth more, though it is stale
+      } else if (!service.isReadable() || !service.isSameKind(shown)) {
+        table.remove(id); // or the table would have both
+      }
+    }
+    @Nullable Module module = service.module();
+    @Nullable PersonaAttributes robot = service.robot();
+    if (module != null) {
+      table.put(id, module, service.attributes(), locality.apply(id, service.attributes()));
+    } else if (robot != null) {
+      table.put(id, robot, host(id, counted));
+    }
+    listings.counted = counted;
+    listings.shown = service;
+  }
+
+  /** A lookup service lists this no longer: it left, or its lease ran out. */
+  synchronized void remove(LocatedRegistrar registrar, UUID id) {
+    ServiceListings listings = services.get(id);
+    @Nullable ListedService removed = listings == null ? null : listings.all.remove(registrar);
+    if (listings == null || removed == null || show(id, listings)) {
+      return;
+    }
+    listings.all.values().removeIf(removed::isSameAs);
+    Optional<LocatedRegistrar> other = listings.all.keySet().stream().findFirst();
+    if (other.isPresent()) {
+      show(id, listings, other.get());
+      table.markStale(id, outOfReach.getOrDefault(other.get(), Instant.EPOCH));
+    } else {
+      services.remove(id);
+      table.remove(id);
+    }
+  }
+
+  /**
+   * A lookup service is out of reach.
+   *
+   * @param lastAnswered when it last answered
+   */
+  synchronized void markOutOfReach(LocatedRegistrar registrar, Instant lastAnswered) {
+    if (!withinReach.remove(registrar)) {
+      return;
+    }
+    boolean isListing = false;
+    for (Map.Entry<UUID, ServiceListings> each : services.entrySet()) {
+      if (each.getValue().all.containsKey(registrar)) {
+        isListing = true;
+        boolean isAnyWithinReach = show(each.getKey(), each.getValue());
+        if (!isAnyWithinReach || registrar.equals(each.getValue().counted)) {
+          table.markStale(each.getKey(), lastAnswered);
+        }
+      }
+    }
+    if (isListing) {
+      outOfReach.put(registrar, lastAnswered);
+    } else {
+      hosts.remove(registrar);
+    }
+  }
+
+  /** The modules that count and whose proxies cannot be read here, by path. */
+  synchronized List<UnreadableModule> unreadable() {
+    List<UnreadableModule> unreadable = new ArrayList<>();
+    for (ServiceListings each : services.values()) {
+      counted(each).map(each.all::get).map(ListedService::unreadable).ifPresent(unreadable::add);
+    }
+    unreadable.sort(Comparator.comparing(UnreadableModule::path));
+    return unreadable;
+  }
+
+  /** What lookup services within reach list differently under one service ID, by path. */
+  synchronized List<ModuleConflict> conflicts() {
+    List<ModuleConflict> conflicts = new ArrayList<>();
+    services.forEach(
+        (id, listings) ->
+            counted(listings)
+                .flatMap(each -> conflict(id, listings, each))
+                .ifPresent(conflicts::add));
+    conflicts.sort(Comparator.comparing(ModuleConflict::path));
+    return conflicts;
+  }
+
+  private Optional<ModuleConflict> conflict(UUID id, ServiceListings of, LocatedRegistrar counted) {
+    @Nullable ListedService service = of.all.get(counted);
+    if (service == null) {
+      return Optional.empty();
+    }
+    List<String> others = new ArrayList<>();
+    for (Map.Entry<LocatedRegistrar, ListedService> other : of.all.entrySet()) {
+      if (withinReach.contains(other.getKey()) && !service.isSameAs(other.getValue())) {
+        others.add(other.getKey().hostAndPort());
+      }
+    }
+    return others.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            new ModuleConflict(service.path(), id.toString(), counted.hostAndPort(), others));
+  }
+
+  static UUID uuid(ServiceID id) {
+    return new UUID(id.getMostSignificantBits(), id.getLeastSignificantBits());
+  }
+}

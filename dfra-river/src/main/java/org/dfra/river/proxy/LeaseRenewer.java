@@ -1,0 +1,317 @@
+package org.dfra.river.proxy;
+
+import java.lang.System.Logger.Level;
+import java.rmi.RemoteException;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import net.jini.core.lease.Lease;
+import net.jini.core.lease.LeaseDeniedException;
+import net.jini.core.lease.UnknownLeaseException;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.river.call.CallThreads;
+import org.dfra.river.call.ConnectionRefusal;
+import org.dfra.river.remote.LeaseRevokedException;
+import org.dfra.time.Scheduler;
+import org.dfra.time.Scheduler.ScheduledTask;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Keeps a lease at a server for as long as its owner wants: renews it, and where the server has
+ * lost it or died, asks for a new one.
+ *
+ * <p>It looks after its lease every {@value #PERIOD_MILLIS} ms, or more often where the lease is
+ * short, and once more soon after the first call that failed. All tenures of this virtual machine
+ * share one timer thread, which only sends them to work: the calls are made by threads that exist
+ * while a call is under way, so a silent server delays nobody else's renewal. How long the lease
+ * lasts goes by monotonic time: setting the computer's clock ends none and prolongs none. It is
+ * kept alive by the timer; it ends when it is closed, or hears that its lease was revoked, or has
+ * lost one that does not come back.
+ */
+final class LeaseRenewer implements AutoCloseable {
+
+  /** Asks a server for a lease. */
+  @FunctionalInterface
+  interface LeaseRequest {
+
+    /**
+     * @throws LeaseRevokedException if it is over and not to come back
+     */
+    Lease register() throws RemoteException, LeaseRefusedException, LeaseRevokedException;
+  }
+
+  /** With the usual deadline of 2 s, a server that falls silent is noticed within 3 s. */
+  private static final long PERIOD_MILLIS = 800;
+
+  /**
+   * The wait after the first call that failed. A server that is killed breaks off the call that is
+   * under way, and the next one has it brought back.
+   */
+  private static final long RETRY_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
+
+  private static final System.Logger LOG = System.getLogger(LeaseRenewer.class.getName());
+  private static final ThreadPoolExecutor CALLERS = CallThreads.pool("dfra-renewal-");
+
+  private final String what;
+  private final LeaseRequest registration;
+  private final boolean comesBack;
+  private final long duration;
+  private final long periodNanos;
+  private final Scheduler scheduler;
+  private final Executor callers;
+  private final @Nullable ClassLoader loader = Thread.currentThread().getContextClassLoader();
+
+  // guarded by this
+  private Lease lease;
+  private long end; // of the lease unless it is renewed; the scheduler's time
+  private boolean closed;
+  private @Nullable Instant interruptedSince; // for people
+  private long interruptedNanos; // the same, by the scheduler's time
+  private boolean justMissed; // the last call failed, and none before it
+  private @Nullable ScheduledTask next;
+
+  /**
+   * @param what what is kept, for the log
+   * @param duration what to renew for, milliseconds; {@link Lease#ANY} for the server's choice
+   * @param lease the first lease
+   */
+  LeaseRenewer(
+      String what, LeaseRequest registration, long duration, Lease lease, Scheduler scheduler) {
+    this(what, registration, true, duration, lease, scheduler, CALLERS);
+  }
+
+  /** Of a lease that is not asked for again once it is lost; see above. */
+  LeaseRenewer(String what, long duration, Lease lease, Scheduler scheduler) {
+    this(what, duration, lease, scheduler, CALLERS);
+  }
+
+  /** For tests: with threads that can fail to start. */
+  LeaseRenewer(String what, long duration, Lease lease, Scheduler scheduler, Executor callers) {
+    this(
+        what,
+        () -> {
+          throw new LeaseRevokedException("it was lost; who wants to go on takes it anew");
+        },
+        false,
+        duration,
+        lease,
+        scheduler,
+        callers);
+  }
+
+  private LeaseRenewer(
+      String what,
+      LeaseRequest registration,
+      boolean comesBack,
+      long duration,
+      Lease lease,
+      Scheduler scheduler,
+      Executor callers) {
+    this.what = what;
+    this.registration = registration;
+    this.comesBack = comesBack;
+    this.duration = duration;
+    this.lease = lease;
+    this.scheduler = scheduler;
+    this.callers = callers;
+    long granted = grantedNanos(lease);
+    this.end = scheduler.nanos() + granted;
+    this.periodNanos = Math.min(TimeUnit.MILLISECONDS.toNanos(PERIOD_MILLIS), granted / 3);
+  }
+
+  /**
+   * How long a lease lasts that was granted or renewed just now. It travels as a span, and is
+   * turned into a time of this computer's clock on arrival; here it is turned back, before anybody
+   * sets that clock.
+   */
+  private long grantedNanos(Lease fresh) {
+    long granted = Math.max(1, fresh.getExpiration() - System.currentTimeMillis());
+    return TimeUnit.MILLISECONDS.toNanos(duration > 0 ? Math.min(granted, duration) : granted);
+  }
+
+  /** Begins to look after the lease. */
+  synchronized void start() {
+    if (!closed) {
+      HeldLeaseRegistry.add(lease);
+      next =
+          scheduler.after(
+              justMissed ? Math.min(RETRY_NANOS, periodNanos) : periodNanos, this::send);
+      justMissed = false;
+    }
+  }
+
+  /** On the timer's thread: has a thread look after the lease. */
+  private void send() {
+    try {
+      callers.execute(this::look);
+    } catch (OutOfMemoryError e) { // no further thread
+      LOG.log(Level.WARNING, () -> what + ": no thread to renew it, trying again: " + e);
+      start();
+    }
+  }
+
+  /** Since when the server has not been reached, while that is so. */
+  synchronized Optional<Instant> interruptedSince() {
+    return Optional.ofNullable(interruptedSince);
+  }
+
+  /** When the lease ends unless it is renewed. */
+  synchronized Instant expiration() {
+    return Instant.now().plusNanos(end - scheduler.nanos()).truncatedTo(ChronoUnit.MILLIS);
+  }
+
+  /** Whether the lease is held, as far as is known. */
+  synchronized boolean isLive() {
+    return !closed && !isOver();
+  }
+
+  /** Whether it has ended. */
+  synchronized boolean isClosed() {
+    return closed;
+  }
+
+  private boolean isOver() { // called with the lock held
+    return scheduler.nanos() - end >= 0;
+  }
+
+  /** Gives the lease back, in the background; see {@link PendingLeaseCancellations}. Idempotent. */
+  @Override
+  public void close() {
+    CompletableFuture<Void> unused = cancel();
+  }
+
+  /** The same, for those who want to know when it is given back, or cannot be. */
+  synchronized CompletableFuture<Void> cancel() {
+    if (closed) {
+      return CompletableFuture.completedFuture(null);
+    }
+    closed = true;
+    if (next != null) {
+      next.cancel();
+    }
+    Lease last = lease;
+    HeldLeaseRegistry.remove(last);
+    return PendingLeaseCancellations.run(CALLERS, () -> cancelLease(last));
+  }
+
+  private void look() {
+    Thread thread = Thread.currentThread();
+    @Nullable ClassLoader before = thread.getContextClassLoader();
+    thread.setContextClassLoader(loader);
+    try {
+      lookAfterIt();
+    } finally {
+      thread.setContextClassLoader(before);
+    }
+  }
+
+  private void lookAfterIt() {
+    Lease held;
+    boolean over;
+    synchronized (this) {
+      if (closed) {
+        return;
+      }
+      held = lease;
+      over = isOver();
+    }
+    try {
+      long begun = scheduler.nanos();
+      if (!over && renewed(held)) {
+        extended(held, begun);
+      } else {
+        long asked = scheduler.nanos();
+        replace(registration.register(), asked);
+      }
+      reached();
+    } catch (LeaseRevokedException e) {
+      revoked(e);
+    } catch (RemoteException | LeaseRefusedException | RuntimeException e) {
+      missed(e);
+    } finally {
+      start();
+    }
+  }
+
+  /** Renews the lease; false where it is certainly gone, or the server that granted it is. */
+  private boolean renewed(Lease held) throws RemoteException, LeaseRevokedException {
+    try {
+      held.renew(duration);
+      return true;
+    } catch (LeaseRevokedException e) {
+      throw e;
+    } catch (java.rmi.ConnectException | java.rmi.ConnectIOException e) {
+      if (!comesBack || !ConnectionRefusal.isProvenBy(e)) {
+        throw e; // it may yet be renewed
+      }
+      return gone(e);
+    } catch (UnknownLeaseException | LeaseDeniedException | java.rmi.NoSuchObjectException e) {
+      return gone(e);
+    }
+  }
+
+  private boolean gone(Exception e) {
+    LOG.log(Level.DEBUG, () -> what + ": the lease is gone: " + e);
+    return false;
+  }
+
+  private synchronized void extended(Lease renewed, long begun) {
+    end = begun + grantedNanos(renewed);
+  }
+
+  private void replace(Lease fresh, long asked) {
+    boolean tooLate;
+    synchronized (this) {
+      tooLate = closed;
+      if (!tooLate) {
+        HeldLeaseRegistry.remove(lease);
+        HeldLeaseRegistry.add(fresh);
+        lease = fresh;
+        end = asked + grantedNanos(fresh);
+      }
+    }
+    if (tooLate) {
+      cancelLease(fresh);
+    } else {
+      LOG.log(Level.INFO, () -> what + ": registered anew");
+    }
+  }
+
+  private synchronized void revoked(LeaseRevokedException e) {
+    if (!closed) {
+      closed = true;
+      HeldLeaseRegistry.remove(lease);
+      LOG.log(Level.INFO, () -> what + ": ended: " + e.getMessage());
+    }
+  }
+
+  private synchronized void reached() {
+    if (interruptedSince != null) {
+      Duration gap = Duration.ofNanos(scheduler.nanos() - interruptedNanos);
+      LOG.log(Level.INFO, () -> what + ": back after " + gap);
+      interruptedSince = null;
+    }
+  }
+
+  private synchronized void missed(Exception e) {
+    if (interruptedSince == null && !closed) {
+      interruptedSince = Instant.now();
+      interruptedNanos = scheduler.nanos();
+      justMissed = true;
+      LOG.log(Level.WARNING, () -> what + ": interrupted, trying again until it is closed: " + e);
+    }
+  }
+
+  private void cancelLease(Lease last) {
+    try {
+      last.cancel();
+    } catch (UnknownLeaseException | RemoteException e) {
+      LOG.log(Level.DEBUG, () -> what + ": the lease ends by itself: " + e);
+    }
+  }
+}

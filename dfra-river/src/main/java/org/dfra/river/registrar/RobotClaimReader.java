@@ -1,0 +1,154 @@
+package org.dfra.river.registrar;
+
+import java.lang.reflect.Field;
+import java.lang.reflect.Modifier;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import net.jini.core.entry.Entry;
+import org.dfra.river.entry.ModuleEntry;
+import org.dfra.river.entry.PersonaEntry;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Reads from the entries of a registration, as they cross the network, which robot they name. No
+ * entry is built: a class would be downloaded for that.
+ *
+ * <p>Reggie sends the class of an entry and its fields, superclass first, by name within a class.
+ * Texts come as they are, all other objects marshalled.
+ */
+final class RobotClaimReader {
+
+  private static final Map<Class<?>, Integer> ROBOT =
+      Map.of(
+          ModuleEntry.class, index(ModuleEntry.class, "robot"),
+          PersonaEntry.class, index(PersonaEntry.class, "robot"));
+
+  private static final int HOST = index(ModuleEntry.class, "host");
+
+  private final Field entryClass;
+  private final Field fields;
+  private final EntryDescriptorReader descriptors;
+
+  /**
+   * @param loader of reggie's classes
+   * @throws ReflectiveOperationException if that is no reggie that is known here
+   */
+  RobotClaimReader(@Nullable ClassLoader loader, EntryDescriptorReader descriptors)
+      throws ReflectiveOperationException {
+    Class<?> entry = Class.forName("com.sun.jini.reggie.EntryRep", false, loader);
+    entryClass = ReggieFields.accessible(entry, "eclass");
+    fields = ReggieFields.accessible(entry, "fields");
+    this.descriptors = descriptors;
+  }
+
+  /** Where a field of an entry without superclass fields comes. */
+  private static int index(Class<? extends Entry> type, String field) {
+    List<String> names =
+        Arrays.stream(type.getDeclaredFields())
+            .filter(each -> Modifier.isPublic(each.getModifiers()))
+            .filter(each -> !Modifier.isStatic(each.getModifiers()))
+            .map(Field::getName)
+            .sorted(Comparator.naturalOrder())
+            .toList();
+    int index = names.indexOf(field);
+    if (index < 0) {
+      throw new AssertionError(type + " has no field " + field);
+    }
+    return index;
+  }
+
+  /**
+   * Whether entries name a robot as the one that they belong to. What cannot be judged does: an
+   * entry of ours whose robot is no text, and one that has the robot's name in any field and is of
+   * a class that is not known here, or not as it is here, since it may extend one of ours.
+   *
+   * @param entries reggie's form of entries; null for none
+   */
+  boolean anyNamesRobot(Object @Nullable [] entries, String robot) {
+    if (entries != null) {
+      for (Object each : entries) {
+        if (each != null && names(each, robot)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /**
+   * Whether a change could have an entry name a robot. Reggie puts the fields of a change into each
+   * entry that matches, and takes the client's word for the class of both.
+   *
+   * @param changes reggie's form of what is to be changed; null for nothing
+   */
+  boolean changeMayNameRobot(Object @Nullable [] changes, String robot) {
+    if (changes != null) {
+      for (Object each : changes) {
+        if (each != null && (names(each, robot) || hasInPlace(values(each), robot))) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  private static boolean hasInPlace(@Nullable Object[] values, String robot) {
+    return ROBOT.values().stream().anyMatch(at -> at < values.length && robot.equals(values[at]));
+  }
+
+  private boolean names(Object entry, String robot) {
+    @Nullable Object[] values = values(entry);
+    @Nullable Class<?> type = type(entry);
+    if (type == null) {
+      return Arrays.asList(values).contains(robot);
+    }
+    @Nullable Integer at = null;
+    for (@Nullable Class<?> each = type; each != null && at == null; each = each.getSuperclass()) {
+      at = ROBOT.get(each);
+    }
+    if (at == null) {
+      return false;
+    }
+    @Nullable Object value = at < values.length ? values[at] : null;
+    return value instanceof String text ? text.equals(robot) : at >= values.length || value != null;
+  }
+
+  /** The host that the entries of a module give; null where they give none. */
+  @Nullable String host(Object @Nullable [] entries) {
+    if (entries != null) {
+      for (Object each : entries) {
+        @Nullable Class<?> type = each == null ? null : type(each);
+        if (each != null && type != null && ModuleEntry.class.isAssignableFrom(type)) {
+          @Nullable Object[] values = values(each);
+          return HOST < values.length && values[HOST] instanceof String host ? host : null;
+        }
+      }
+    }
+    return null;
+  }
+
+  private @Nullable Object[] values(Object entry) {
+    @Nullable Object values = ReggieFields.value(fields, entry);
+    return values instanceof Object[] array ? array : new Object[0];
+  }
+
+  /**
+   * The class of an entry, if it is known here and the client's is the same. Which superclasses a
+   * client sends proves nothing: reggie finds an entry by them, whatever the name of its class.
+   */
+  private @Nullable Class<?> type(Object entry) {
+    @Nullable Object described = ReggieFields.value(entryClass, entry);
+    @Nullable String name = described == null ? null : descriptors.name(described);
+    if (described == null || name == null) {
+      return null;
+    }
+    try {
+      Class<?> type = Class.forName(name, false, RobotClaimReader.class.getClassLoader());
+      return descriptors.describes(described, type) ? type : null;
+    } catch (ClassNotFoundException | LinkageError e) { // of somebody else's
+      return null;
+    }
+  }
+}

@@ -1,0 +1,111 @@
+package org.dfra.river.server;
+
+import java.io.IOException;
+import java.time.InstantSource;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.function.Supplier;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.directory.OwnRobotDirectory;
+import org.dfra.directory.ModuleDirectory;
+import org.dfra.river.lookup.DirectorySettings;
+import org.dfra.river.lookup.JiniModuleDirectory;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What one module finds others by: a directory of the lookup services that it joins itself, in
+ * which no other robot of its own robot's name counts as its own. It is opened when the module
+ * first asks, and shared by all modules of this virtual machine that join the same ones.
+ */
+final class ModuleDirectorySupplier implements Supplier<ModuleDirectory>, AutoCloseable {
+
+  private static final class SharedDirectory {
+    private final JiniModuleDirectory directory;
+    private int users;
+
+    SharedDirectory(JiniModuleDirectory directory) {
+      this.directory = directory;
+    }
+  }
+
+  private static final Map<DirectorySettings, SharedDirectory> OPEN =
+      new HashMap<>(); // guarded by itself
+
+  private final String module;
+  private final String robot;
+  private final String host;
+  private final OwnRobotMatcher ownModules;
+  private final DirectorySettings settings;
+  private @Nullable SharedDirectory used; // guarded by OPEN
+  private boolean closed; // guarded by OPEN
+
+  ModuleDirectorySupplier(ModuleActivation activation) {
+    this.module = activation.module().path();
+    this.robot = activation.module().robot();
+    this.host = activation.host();
+    this.ownModules = new OwnRobotMatcher(activation);
+    this.settings =
+        DirectorySettings.of(activation.host(), activation.lookupGroups(), activation.locators());
+  }
+
+  /**
+   * The directory.
+   *
+   * @throws ConfigurationException if multicast cannot be used or a locator is malformed
+   */
+  @Override
+  public ModuleDirectory get() {
+    synchronized (OPEN) {
+      SharedDirectory shared = used;
+      if (shared != null) {
+        return own(shared);
+      }
+      if (closed) {
+        throw new IllegalStateException(module + " has ended and looks for no other modules");
+      }
+      shared = OPEN.get(settings);
+      if (shared == null) {
+        shared = new SharedDirectory(open());
+        OPEN.put(settings, shared);
+      }
+      shared.users++;
+      used = shared;
+      return own(shared);
+    }
+  }
+
+  private ModuleDirectory own(SharedDirectory shared) {
+    return new OwnRobotDirectory(shared.directory, robot, host, ownModules);
+  }
+
+  private JiniModuleDirectory open() {
+    try {
+      return new JiniModuleDirectory(settings, InstantSource.system());
+    } catch (IOException e) {
+      throw new ConfigurationException(
+          module
+              + " cannot look for other modules ("
+              + e.getMessage()
+              + "); mend groups and locators in <lookup> of the robot's XML",
+          e);
+    }
+  }
+
+  /** The module looks for no others any more; the last one closes the directory. */
+  @Override
+  public void close() {
+    @Nullable JiniModuleDirectory ending = null;
+    synchronized (OPEN) {
+      closed = true;
+      SharedDirectory shared = used;
+      used = null;
+      if (shared != null && --shared.users == 0) {
+        OPEN.remove(settings);
+        ending = shared.directory;
+      }
+    }
+    if (ending != null) {
+      ending.close();
+    }
+  }
+}

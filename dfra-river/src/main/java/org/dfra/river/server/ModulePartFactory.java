@@ -1,0 +1,132 @@
+package org.dfra.river.server;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.rmi.RemoteException;
+import java.util.UUID;
+import net.jini.config.Configuration;
+import net.jini.config.ConfigurationProvider;
+import net.jini.config.EmptyConfiguration;
+import net.jini.export.Exporter;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.config.ModuleDescription;
+import org.dfra.core.lease.LeaseTerms;
+import org.dfra.core.module.ModuleClassFactory;
+import org.dfra.core.module.ModuleContext;
+import org.dfra.core.module.ModuleImpl;
+import org.dfra.core.state.StateStore;
+import org.dfra.core.time.RobotTime;
+import org.dfra.module.Identification;
+import org.dfra.river.proxy.ModuleProxy;
+import org.dfra.river.remote.RemoteModule;
+import org.dfra.river.server.Exporters.ServerSettings;
+import org.dfra.time.Scheduler;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Makes the parts that a module's description names: its configuration, driver, proxy and exporter.
+ * What cannot be made is told with the place where it is named.
+ */
+final class ModulePartFactory {
+
+  private final ModuleActivation activation;
+  private final ModuleDescription description;
+  private final ModuleDirectorySupplier neighbours;
+  private final ModuleClassFactory classes;
+
+  ModulePartFactory(ModuleActivation activation) {
+    this.activation = activation;
+    this.description = activation.module();
+    this.neighbours = new ModuleDirectorySupplier(activation);
+    this.classes = new ModuleClassFactory(description);
+  }
+
+  Configuration configuration() throws net.jini.config.ConfigurationException {
+    return description.configuration() == null
+        ? EmptyConfiguration.INSTANCE
+        : ConfigurationProvider.getInstance(new String[] {description.configuration()});
+  }
+
+  private ModuleContext context(LeaseTerms terms) {
+    @Nullable String folder = activation.state();
+    return new ModuleContext(
+        description.robot(),
+        description.name(),
+        description.parameters(),
+        RobotTime.clock(),
+        folder == null ? StateStore.inMemory() : StateStore.inFolder(Path.of(folder)),
+        terms,
+        Scheduler.system(),
+        neighbours);
+  }
+
+  /** What the driver finds other modules by; to be closed after it. */
+  ModuleDirectorySupplier directorySupplier() {
+    return neighbours;
+  }
+
+  /**
+   * The driver.
+   *
+   * @param kind what it must implement
+   * @param base what it must extend
+   */
+  ModuleImpl driver(LeaseTerms terms, Class<?> kind, Class<? extends ModuleImpl> base) {
+    return classes.createDriver(context(terms), kind, base);
+  }
+
+  ModuleProxy<?> proxy(Class<?> kind, RemoteModule server, UUID id, Identification identification) {
+    Class<?> type = classes.load("proxy", description.proxyClass());
+    if (!ModuleProxy.class.isAssignableFrom(type) || !kind.isAssignableFrom(type)) {
+      throw classes.fault(
+          "proxy " + type.getName() + " is no ModuleProxy that implements " + kind.getName(), null);
+    }
+    return (ModuleProxy<?>)
+        classes.construct(
+            "proxy",
+            type,
+            new Class<?>[] {RemoteModule.class, UUID.class, Identification.class},
+            server,
+            id,
+            identification);
+  }
+
+  static Exporter exporter(Configuration configuration, ServerSettings settings)
+      throws net.jini.config.ConfigurationException {
+    @Nullable Exporter exporter =
+        (Exporter)
+            configuration.getEntry(
+                ModuleServer.COMPONENT,
+                "serverExporter",
+                Exporter.class,
+                Exporters.jeri(settings, ModuleServer.DEADLINE_MILLIS),
+                settings);
+    if (exporter == null) {
+      throw new net.jini.config.ConfigurationException(
+          ModuleServer.COMPONENT + ".serverExporter is null; leave it out to have the usual one");
+    }
+    return exporter;
+  }
+
+  /** A failed step as a sentence that names the place where the module is described. */
+  ConfigurationException withLocation(Exception failure) {
+    if (failure instanceof ConfigurationException known) {
+      // What is not written at all has no place of its own.
+      return String.valueOf(known.getMessage()).startsWith(description.path() + ":")
+          ? new ConfigurationException(description.place() + ": " + known.getMessage(), known)
+          : known;
+    } else if (failure instanceof net.jini.config.ConfigurationException) {
+      String message = String.valueOf(failure.getMessage());
+      String file = String.valueOf(description.configuration());
+      return classes.fault(
+          "its Jini configuration "
+              + (message.contains(file) ? "" : file + " ")
+              + "cannot be used: "
+              + message,
+          failure);
+    } else if (failure instanceof IOException && !(failure instanceof RemoteException)) {
+      return classes.fault(String.valueOf(failure.getMessage()), failure);
+    }
+    return classes.fault("it cannot be served: " + failure, failure);
+  }
+}

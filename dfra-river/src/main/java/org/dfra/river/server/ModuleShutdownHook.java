@@ -1,0 +1,129 @@
+package org.dfra.river.server;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Closes the modules of a process when the process is terminated. Phoenix ends its groups so, and a
+ * device must be put to rest then as after any other end; nor is it a failure that history would
+ * count.
+ *
+ * <pre>
+ *   SIGTERM --&gt; halt what moves the robot, all at once --&gt; close all modules, all at once
+ * </pre>
+ *
+ * <p>There is one shutdown hook for all of them, so that effectors halt before anything else uses
+ * the processor. An effector whose driver is held up delays the second step by {@link
+ * #HALT_TIMEOUT} at the longest.
+ */
+final class ModuleShutdownHook implements AutoCloseable {
+
+  /** How long the other modules wait until the robot is halted. */
+  static final Duration HALT_TIMEOUT = Duration.ofMillis(500);
+
+  private static final Logger LOG = LoggerFactory.getLogger(ModuleShutdownHook.class);
+
+  private static final List<ModuleShutdownHook> OPEN = new ArrayList<>(); // guarded by itself
+  private static boolean hooked; // guarded by OPEN
+  private static boolean ending; // guarded by OPEN
+
+  private final ModuleServer<?> server;
+
+  private ModuleShutdownHook(ModuleServer<?> server) {
+    this.server = server;
+  }
+
+  /**
+   * Has a server closed at the end of the process, unless this is closed before.
+   *
+   * @throws IllegalStateException if the process is being terminated already
+   */
+  static ModuleShutdownHook register(ModuleServer<?> server) {
+    ModuleShutdownHook end = new ModuleShutdownHook(server);
+    synchronized (OPEN) {
+      if (ending) {
+        throw new IllegalStateException("its process is being terminated");
+      }
+      if (!hooked) {
+        hooked = true;
+        Runtime.getRuntime()
+            .addShutdownHook(new Thread(ModuleShutdownHook::shutDownAll, "dfra-end"));
+      }
+      OPEN.add(end);
+    }
+    return end;
+  }
+
+  /** Halts what moves the robot, then closes every module that is still open. */
+  private static void shutDownAll() {
+    List<ModuleServer<?>> servers = new ArrayList<>();
+    synchronized (OPEN) {
+      ending = true;
+      OPEN.forEach(each -> servers.add(each.server));
+    }
+    shutDownAll(servers);
+  }
+
+  /** The same with these servers. */
+  static void shutDownAll(List<? extends ModuleServer<?>> servers) {
+    List<Thread> halting = each(servers, "halt", ModuleServer::halt);
+    await(halting, System.nanoTime() + HALT_TIMEOUT.toNanos());
+    List<Thread> closing = each(servers, "end", ModuleServer::close);
+    await(closing, Long.MAX_VALUE);
+    await(halting, Long.MAX_VALUE); // the virtual machine ends with this thread
+  }
+
+  private static List<Thread> each(
+      List<? extends ModuleServer<?>> servers, String step, Consumer<ModuleServer<?>> task) {
+    List<Thread> threads = new ArrayList<>();
+    for (ModuleServer<?> server : servers) {
+      Thread thread = new Thread(() -> run(server, task), server.path() + " " + step);
+      try {
+        thread.start();
+        threads.add(thread);
+      } catch (OutOfMemoryError e) { // there is no room for one more thread; this one will do
+        run(server, task);
+      }
+    }
+    return threads;
+  }
+
+  private static void run(ModuleServer<?> server, Consumer<ModuleServer<?>> task) {
+    try {
+      task.accept(server);
+    } catch (RuntimeException | Error e) { // the others must end as well
+      LOG.error("{} did not end cleanly with its process: {}", server.path(), e.toString(), e);
+    }
+  }
+
+  /**
+   * @param deadline {@link System#nanoTime}; {@link Long#MAX_VALUE} for as long as it takes
+   */
+  private static void await(List<Thread> threads, long deadline) {
+    try {
+      for (Thread thread : threads) {
+        if (deadline == Long.MAX_VALUE) {
+          thread.join();
+        } else {
+          long millis = (deadline - System.nanoTime()) / 1_000_000;
+          if (millis > 0) {
+            thread.join(millis);
+          }
+        }
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt(); // nobody interrupts the end of a process; go on at once
+    }
+  }
+
+  @Override
+  public void close() {
+    synchronized (OPEN) {
+      OPEN.remove(this);
+    }
+  }
+}

@@ -1,0 +1,147 @@
+package org.dfra.river.server;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.stream.LongStream;
+import net.jini.core.lease.Lease;
+import org.dfra.core.event.EventHub;
+import org.dfra.core.module.ModuleImpl;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.ModuleListener;
+import org.dfra.lease.LeaseRefusedException;
+import org.dfra.module.NotReadyException;
+import org.dfra.river.call.CallbackProxies;
+import org.dfra.river.callback.CallbackLimiter;
+import org.dfra.river.callback.CallbackRefusedException;
+import org.dfra.river.callback.CallbackSlot;
+import org.dfra.river.callback.ClientAddress;
+import org.dfra.river.callback.PeerQuota;
+import org.dfra.river.lease.ModuleLandlord;
+import org.dfra.river.remote.GrantedSubscription;
+import org.dfra.river.remote.RemoteModuleListener;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The remote listeners of one module. Each has a lease and a place at the module's hub; it loses
+ * both when its client closes the subscription, when the lease has expired, when {@value #FAILURES}
+ * deliveries in a row have failed, or when it turns out to be gone.
+ *
+ * <p>Each delivery is a call of at most {@link CallbackProxies#DEADLINE}, whatever deadline the
+ * listener's proxy brought, in its process' lane. A client has only so many listeners.
+ */
+final class RemoteListenerRegistry {
+
+  /** At a deadline of 2 s each, that is six seconds of silence. */
+  private static final int FAILURES = 3;
+
+  private static final PeerQuota.QuotaLimits LIMITS = new PeerQuota.QuotaLimits(128, 512, 1024);
+
+  private final ModuleImpl driver;
+  private final ModuleLandlord landlord;
+  private final String host;
+  private final PeerQuota quota;
+  private final Map<ModuleListener, RegisteredListener> registered =
+      new HashMap<>(); // guarded by this
+
+  /**
+   * @param host address or name that the module's proxies carry
+   */
+  RemoteListenerRegistry(ModuleImpl driver, ModuleLandlord landlord, String host) {
+    this.driver = driver;
+    this.landlord = landlord;
+    this.host = host;
+    this.quota = new PeerQuota("listeners of " + driver.identification().path(), LIMITS);
+  }
+
+  /** One listener's lease and places. */
+  private static final class RegisteredListener {
+    final ModuleListener listener;
+    final ClientAddress client;
+    boolean isCounted; // guarded by the listeners
+    @Nullable CallbackSlot slot; // guarded by the listeners
+    EventHub.@Nullable ListenerEntry entry; // guarded by the listeners
+    @Nullable UUID lease; // guarded by the listeners
+
+    RegisteredListener(ModuleListener listener, ClientAddress client) {
+      this.listener = listener;
+      this.client = client;
+    }
+  }
+
+  synchronized GrantedSubscription add(ModuleListener listener, DeliveryPolicy policy) {
+    if (!(listener instanceof RemoteModuleListener remote)) {
+      throw new IllegalArgumentException(
+          driver.identification().path()
+              + " cannot tell a "
+              + listener.getClass().getSimpleName()
+              + ", which is no RemoteModuleListener; subscribe through the module's proxy");
+    }
+    RegisteredListener before = registered.get(listener);
+    if (before != null) {
+      remove(before);
+    }
+    RegisteredListener now = new RegisteredListener(listener, ClientAddress.ofCurrentCall(host));
+    try {
+      return register(now, remote, policy);
+    } catch (LeaseRefusedException | CallbackRefusedException e) {
+      remove(now);
+      throw refused(String.valueOf(e.getMessage()));
+    } catch (RuntimeException e) {
+      remove(now);
+      throw e;
+    }
+  }
+
+  private NotReadyException refused(String reason) {
+    return new NotReadyException(driver.identification().path(), driver.readiness(), reason);
+  }
+
+  private GrantedSubscription register(
+      RegisteredListener now, RemoteModuleListener remote, DeliveryPolicy policy)
+      throws LeaseRefusedException, CallbackRefusedException {
+    Optional<String> refusal = quota.acquire(now.client);
+    if (refusal.isPresent()) {
+      throw refused(refusal.get());
+    }
+    now.isCounted = true;
+    CallbackSlot place = CallbackLimiter.shared().admit(now.client, remote);
+    now.slot = place;
+    Runnable gone = () -> remove(now); // also where the client gives the lease back
+    Lease lease = landlord.grant(Lease.ANY, ModuleImpl.leaseRole(policy), gone, gone);
+    now.lease = ModuleLandlord.id(lease);
+    EventHub.ListenerEntry entry =
+        driver
+            .events()
+            .add(
+                CallbackProxies.withDeadline(
+                    remote, RemoteModuleListener.class, CallbackProxies.DEADLINE),
+                policy,
+                FAILURES,
+                gone,
+                place.lane());
+    now.entry = entry;
+    registered.put(now.listener, now);
+    return new GrantedSubscription(
+        lease, entry.epoch(), LongStream.of(entry.lastSequences()).boxed().toList());
+  }
+
+  /** Also for one that is being removed: ending its lease leads here again, and to nothing. */
+  private synchronized void remove(RegisteredListener gone) {
+    boolean unused = registered.remove(gone.listener, gone);
+    if (gone.entry != null) {
+      driver.events().remove(gone.entry);
+    }
+    if (gone.slot != null) {
+      gone.slot.close();
+    }
+    if (gone.isCounted) {
+      gone.isCounted = false;
+      quota.release(gone.client);
+    }
+    if (gone.lease != null) {
+      boolean ended = driver.leases().cancel(gone.lease);
+    }
+  }
+}

@@ -1,0 +1,65 @@
+package org.dfra.sim.device;
+
+import java.time.Duration;
+import org.dfra.geometry.GeoPosition;
+
+/**
+ * How an emulated receiver is set up. Immutable.
+ *
+ * @param port TCP port on the loopback interface, 0 to 65535; 0 is any free one
+ * @param baud bits per second at which bytes come out, 1 to 4 000 000
+ * @param path where its antenna is
+ * @param timeToFirstFix how long after it was started it looks for satellites
+ * @param options how many channels it has, and when it learns UTC
+ */
+public record M12EmulatorSettings(
+    int port,
+    int baud,
+    AntennaTrajectory path,
+    Duration timeToFirstFix,
+    M12EmulatorOptions options) {
+
+  public M12EmulatorSettings {
+    if (port < 0 || port > 65535) {
+      throw new IllegalArgumentException("port " + port + " is outside 0 to 65535");
+    }
+    if (baud < 1 || baud > UartLine.FASTEST) {
+      throw new IllegalArgumentException(
+          "baud rate " + baud + " is outside 1 to " + UartLine.FASTEST);
+    }
+    if (timeToFirstFix.isNegative()) {
+      throw new IllegalArgumentException("time to first fix " + timeToFirstFix + " is negative");
+    }
+  }
+
+  /** At a fixed place, on any free port, at 9600 baud, with satellites in sight from the start. */
+  public static M12EmulatorSettings at(GeoPosition position) {
+    return new M12EmulatorSettings(
+        0, 9600, AntennaTrajectory.fixed(position), Duration.ZERO, M12EmulatorOptions.USUAL);
+  }
+
+  /** The same on another port. */
+  public M12EmulatorSettings withPort(int other) {
+    return new M12EmulatorSettings(other, baud, path, timeToFirstFix, options);
+  }
+
+  /** The same on a line of another speed. */
+  public M12EmulatorSettings withBaud(int other) {
+    return new M12EmulatorSettings(port, other, path, timeToFirstFix, options);
+  }
+
+  /** The same on another path. */
+  public M12EmulatorSettings withPath(AntennaTrajectory other) {
+    return new M12EmulatorSettings(port, baud, other, timeToFirstFix, options);
+  }
+
+  /** The same with another time to its first fix. */
+  public M12EmulatorSettings withTimeToFirstFix(Duration other) {
+    return new M12EmulatorSettings(port, baud, path, other, options);
+  }
+
+  /** The same, of another kind. */
+  public M12EmulatorSettings withOptions(M12EmulatorOptions other) {
+    return new M12EmulatorSettings(port, baud, path, timeToFirstFix, other);
+  }
+}

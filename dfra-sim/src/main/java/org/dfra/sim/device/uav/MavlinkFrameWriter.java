@@ -1,0 +1,71 @@
+package org.dfra.sim.device.uav;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+
+/**
+ * The frames of MAVLink 2, packed and summed here. One object counts the frames of one sender.
+ * Confined to one thread.
+ */
+final class MavlinkFrameWriter {
+
+  /** Bytes before a frame's payload. */
+  static final int HEAD = 10;
+
+  /** Bytes after it. */
+  static final int TAIL = 2;
+
+  static final int MARK = 0xFD;
+
+  private final int system;
+  private final int component;
+  private int sent;
+
+  MavlinkFrameWriter(int system, int component) {
+    this.system = system;
+    this.component = component;
+  }
+
+  /** Room for the longest payload there is, lowest byte first. */
+  static ByteBuffer payload() {
+    return ByteBuffer.allocate(255).order(ByteOrder.LITTLE_ENDIAN);
+  }
+
+  /**
+   * A frame.
+   *
+   * @param message what it is
+   * @param payload up to its position
+   */
+  byte[] frame(MavlinkMessageType message, ByteBuffer payload) {
+    int length = payload.position();
+    while (length > 1 && payload.get(length - 1) == 0) {
+      length--;
+    }
+    byte[] frame = new byte[HEAD + length + TAIL];
+    frame[0] = (byte) MARK;
+    frame[1] = (byte) length;
+    frame[4] = (byte) sent++;
+    frame[5] = (byte) system;
+    frame[6] = (byte) component;
+    frame[7] = (byte) message.id();
+    frame[8] = (byte) (message.id() >> 8);
+    System.arraycopy(payload.array(), 0, frame, HEAD, length);
+    int sum = sum(frame, 1, HEAD + length, message.extra());
+    frame[HEAD + length] = (byte) sum;
+    frame[HEAD + length + 1] = (byte) (sum >> 8);
+    return frame;
+  }
+
+  /** The checksum, bit by bit: polynomial 0x8408, begun with all ones. */
+  static int sum(byte[] bytes, int from, int to, int extra) {
+    int sum = 0xFFFF;
+    for (int i = from; i <= to; i++) {
+      sum ^= i == to ? extra : bytes[i] & 0xFF;
+      for (int bit = 0; bit < 8; bit++) {
+        sum = (sum & 1) == 0 ? sum >> 1 : sum >> 1 ^ 0x8408;
+      }
+    }
+    return sum;
+  }
+}

@@ -1,0 +1,29 @@
+package org.dfra.sim.physics;
+
+import java.time.Instant;
+
+/** What a camera sees from where it is mounted, through whatever it is mounted on. */
+@FunctionalInterface
+public interface CameraInput {
+
+  /**
+   * A frame as the sensor of the camera read it, noise included. Confined to its asker.
+   *
+   * @param width pixels
+   * @param height pixels
+   * @param samples row by row from the upper left: of a visible camera 0xRRGGBB, of a thermal one
+   *     the temperature in hundredths of a kelvin
+   */
+  record Frame(int width, int height, int[] samples) {
+
+    public Frame {
+      if (samples.length != width * height) {
+        throw new IllegalArgumentException(
+            samples.length + " samples for " + width + " × " + height + " pixels");
+      }
+    }
+  }
+
+  /** Takes a frame. */
+  Frame capture(Instant time);
+}

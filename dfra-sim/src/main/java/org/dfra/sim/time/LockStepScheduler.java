@@ -1,0 +1,219 @@
+package org.dfra.sim.time;
+
+import java.time.Duration;
+import java.util.concurrent.locks.Condition;
+import org.dfra.sim.time.EventQueue.ScheduledEvent;
+import org.dfra.sim.time.SteppedThread.Phase;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Lets one thread work at a time. Whoever has the baton gives it to a {@link SteppedThread} that
+ * waits, and has it back when that one waits again or has ended.
+ */
+final class LockStepScheduler {
+
+  /** One wait of one thread. */
+  static final class Wait {
+    private boolean over; // guarded by the agenda's lock
+    private @Nullable SteppedThread thread; // guarded by the agenda's lock; null for an outsider
+  }
+
+  private final EventQueue agenda;
+  private final Duration stuckTimeout;
+  private final Condition givenBack;
+  private final Condition outsideOver;
+  private @Nullable SteppedThread overdue; // guarded by the agenda's lock
+
+  /**
+   * @param patience real time that a thread may work before it is reported as stuck
+   */
+  LockStepScheduler(EventQueue agenda, Duration patience) {
+    this.agenda = agenda;
+    this.stuckTimeout = patience;
+    this.givenBack = agenda.lock.newCondition();
+    this.outsideOver = agenda.lock.newCondition();
+  }
+
+  Condition newTurn() {
+    return agenda.lock.newCondition();
+  }
+
+  /** A thread was started: it is to have its first turn. */
+  void register(SteppedThread thread) {
+    agenda.lock.lock();
+    try {
+      thread.phase = Phase.WAITING;
+      wakeAt(thread, agenda.now());
+    } finally {
+      agenda.lock.unlock();
+    }
+  }
+
+  void awaitFirstTurn(SteppedThread thread) {
+    agenda.lock.lock();
+    try {
+      awaitTurn(thread);
+    } finally {
+      agenda.lock.unlock();
+    }
+  }
+
+  /** A thread will have no more turns. */
+  void end(SteppedThread thread) {
+    agenda.lock.lock();
+    try {
+      thread.phase = Phase.TERMINATED;
+      givenBack.signalAll();
+    } finally {
+      agenda.lock.unlock();
+    }
+  }
+
+  boolean isOver(Wait wait) {
+    agenda.lock.lock();
+    try {
+      return wait.over;
+    } finally {
+      agenda.lock.unlock();
+    }
+  }
+
+  /** What a thread waits for has come. */
+  void end(Wait wait) {
+    agenda.lock.lock();
+    try {
+      wait.over = true;
+      if (wait.thread != null) {
+        wakeNow(wait.thread);
+      }
+      outsideOver.signalAll();
+    } finally {
+      agenda.lock.unlock();
+    }
+  }
+
+  /** A thread that waits is to have its turn at this instant, not when its time comes. */
+  void wakeNow(SteppedThread thread) {
+    agenda.lock.lock();
+    try {
+      ScheduledEvent wake = thread.wake;
+      if (thread.phase == Phase.WAITING && (wake == null || wake.at() > agenda.now())) {
+        wakeAt(thread, agenda.now());
+      }
+    } finally {
+      agenda.lock.unlock();
+    }
+  }
+
+  private void wakeAt(SteppedThread thread, long at) {
+    if (thread.wake != null) {
+      agenda.remove(thread.wake);
+    }
+    thread.wake =
+        at == EventQueue.NEVER ? null : agenda.add(at, thread.getName(), () -> run(thread));
+  }
+
+  /** The calling thread, whose turn it is, gives the baton back until its wait is over. */
+  void await(SteppedThread me, Wait wait, long until) {
+    agenda.lock.lock();
+    try {
+      if (wait.over || me.isInterrupted() || until <= agenda.now()) {
+        return;
+      }
+      wait.thread = me;
+      wakeAt(me, until);
+      me.phase = Phase.WAITING;
+      givenBack.signalAll();
+      awaitTurn(me);
+    } finally {
+      agenda.lock.unlock();
+    }
+  }
+
+  private static void awaitTurn(SteppedThread me) {
+    while (me.phase != Phase.RUNNING) {
+      me.mayRun.awaitUninterruptibly();
+    }
+  }
+
+  /** A thread that never has the baton waits while others move the time on. */
+  void awaitOutside(Wait wait, long until) throws InterruptedException {
+    agenda.lock.lockInterruptibly();
+    try {
+      ScheduledEvent end = agenda.add(until, "an asker's wait", () -> end(wait));
+      try {
+        while (!wait.over) {
+          outsideOver.await();
+        }
+      } finally {
+        agenda.remove(end);
+      }
+    } finally {
+      agenda.lock.unlock();
+    }
+  }
+
+  /**
+   * Gives the baton, which the caller has, to a thread that waits; returns when it is back.
+   *
+   * @throws StuckThreadException if it is not back within the patience
+   */
+  void run(SteppedThread thread) {
+    if (!tryRun(thread, stuckTimeout.toNanos())) {
+      throw new StuckThreadException(thread, stuckTimeout);
+    }
+  }
+
+  /** The same, with a patience in real nanoseconds; whether it came back within that. */
+  boolean tryRun(SteppedThread thread, long patienceNanos) {
+    agenda.lock.lock();
+    try {
+      if (thread.phase == Phase.WAITING) {
+        if (thread.wake != null) {
+          agenda.remove(thread.wake);
+          thread.wake = null;
+        }
+        thread.phase = Phase.RUNNING;
+        thread.mayRun.signal();
+      }
+      return awaitBack(thread, patienceNanos);
+    } finally {
+      agenda.lock.unlock();
+    }
+  }
+
+  /**
+   * Has the baton back from a thread that did not come back in time.
+   *
+   * @throws StuckThreadException if it does not now either
+   */
+  void reclaim() {
+    agenda.lock.lock();
+    try {
+      SteppedThread late = overdue;
+      if (late != null && !awaitBack(late, stuckTimeout.toNanos())) {
+        throw new StuckThreadException(late, stuckTimeout);
+      }
+    } finally {
+      agenda.lock.unlock();
+    }
+  }
+
+  private boolean awaitBack(SteppedThread thread, long patienceNanos) {
+    boolean interrupted = false;
+    long left = patienceNanos;
+    while (thread.phase == Phase.RUNNING && left > 0) {
+      try {
+        left = givenBack.awaitNanos(left);
+      } catch (InterruptedException e) {
+        interrupted = true; // a turn that was given cannot be taken back
+      }
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+    boolean isBack = thread.phase != Phase.RUNNING;
+    overdue = isBack ? null : thread;
+    return isBack;
+  }
+}

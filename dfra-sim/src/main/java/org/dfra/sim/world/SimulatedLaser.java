@@ -1,0 +1,134 @@
+package org.dfra.sim.world;
+
+import java.time.Instant;
+import java.util.List;
+import org.dfra.sim.physics.RangeInput;
+import org.dfra.sim.world.description.DeviceDescription;
+import org.dfra.sim.world.description.VehicleType;
+import org.dfra.sim.world.noise.RandomStream;
+import org.dfra.sim.world.shape.MutableTransform;
+import org.dfra.sim.world.shape.ObstacleIndex;
+import org.dfra.sim.world.shape.RayCaster;
+
+/**
+ * What a laser sees: solids, and other robots as rectangles, all at the moment when its mirror
+ * begins to turn. Some beams do not come back: a few anywhere, and all from what is too far away
+ * for the light it returns. Ghosts hide what is behind them.
+ */
+final class SimulatedLaser implements RangeInput {
+
+  /** Part of a laser's light that a robot returns. */
+  private static final double ROBOT_REFLECTIVITY = 0.5;
+
+  /** What a laser's reach is told for. */
+  private static final double TENTH = 0.1;
+
+  /** From this part of the reach on beams begin to get lost, and as far above it all are. */
+  private static final double FADES = 0.8;
+
+  private final World world;
+  private final DeviceMount rig;
+  private final RandomStream draws;
+  private final GhostRangeModel ghosts;
+  private final double white;
+  private final double miss;
+  private final double reach;
+  private final RayCaster fan = new RayCaster(); // guarded by the world's monitor
+  private final int[] near;
+
+  SimulatedLaser(World world, DeviceMount rig, DeviceDescription device, RandomStream draws) {
+    VehicleType type = rig.body().vehicle.type();
+    this.world = world;
+    this.rig = rig;
+    this.draws = draws.substream("beams");
+    this.white = device.parameter("white", type);
+    this.miss = device.parameter("miss", type);
+    this.reach = device.parameter("reach", type);
+    this.ghosts =
+        new GhostRangeModel(
+            draws.substream("ghosts"),
+            device.parameter("ghosts", type),
+            device.parameter("ghost_time", type),
+            device.parameter("ghost_width", type),
+            device.parameter("ghost_near", type),
+            device.parameter("ghost_far", type));
+    this.near = new int[world.solids().size()];
+  }
+
+  @Override
+  public void measure(Instant time, double first, double step, double longest, double[] distances) {
+    if (!(longest > 0 && longest < Double.POSITIVE_INFINITY)) {
+      throw new IllegalArgumentException("a laser that sees " + longest + " m far sees nothing");
+    }
+    synchronized (world.monitor()) {
+      long now = world.stepAt(time);
+      double[] row = world.row(now);
+      MutableTransform transform = rig.at(row);
+      fan.setBeams(first, step, distances.length);
+      fan.beginScan(transform, longest);
+      ObstacleIndex solids = world.solids();
+      int count = solids.query(transform.east, transform.north, longest, near);
+      for (int i = 0; i < count; i++) {
+        fan.intersect(solids.solid(near[i]));
+      }
+      castRobots(row);
+      long seed = draws.bits(now);
+      for (int i = 0; i < distances.length; i++) {
+        distances[i] = measured(i, seed);
+      }
+      ghosts.forEachAt(
+          now * World.STEP_SECONDS,
+          (bearing, halfWidth, distance) ->
+              addGhost(first, step, bearing, halfWidth, distance, seed, distances));
+      for (int i = 0; i < distances.length; i++) {
+        distances[i] = distances[i] > longest ? Double.POSITIVE_INFINITY : distances[i];
+      }
+    }
+  }
+
+  private void castRobots(double[] row) {
+    List<VehicleBody> bodies = world.bodies();
+    for (int i = 0; i < bodies.size(); i++) {
+      VehicleBody body = bodies.get(i);
+      if (body != rig.body()) {
+        int at = body.offset;
+        double up = row[at + VehicleBody.UP];
+        fan.intersect(body.boxAt(row), up, up + body.vehicle.height(), ROBOT_REFLECTIVITY);
+      }
+    }
+  }
+
+  private double measured(int beam, long seed) {
+    double distance = fan.distance(beam);
+    if (distance == Double.POSITIVE_INFINITY) {
+      return distance;
+    }
+    double seen = reach * Math.sqrt(fan.reflectivity(beam) / TENTH);
+    double fading = (distance / seen - FADES) / (2 * (1 - FADES));
+    double lost = miss + (1 - miss) * Math.max(0, fading);
+    return RandomStream.uniformOf(RandomStream.bits(seed, 2L * beam)) < lost
+        ? Double.POSITIVE_INFINITY
+        : noisy(distance, beam, seed);
+  }
+
+  private double noisy(double distance, int beam, long seed) {
+    return Math.max(
+        0, distance + white * RandomStream.gaussianOf(RandomStream.bits(seed, 2L * beam + 1)));
+  }
+
+  private void addGhost(
+      double first,
+      double step,
+      double bearing,
+      double halfWidth,
+      double distance,
+      long seed,
+      double[] distances) {
+    for (int i = 0; i < distances.length; i++) {
+      double off = Math.IEEEremainder(first + i * step - bearing, 2 * Math.PI);
+      if (Math.abs(off) <= halfWidth) {
+        distances[i] = Math.min(distances[i], noisy(distance, i, seed));
+      }
+    }
+  }
+}

@@ -1,0 +1,252 @@
+package org.dfra.sim.world.shape;
+
+import java.util.Arrays;
+
+/**
+ * The beams of a range finder: how far each gets among solids and boxes.
+ *
+ * <p>It does not follow each beam but goes through what is near: the corners of an outline are
+ * taken into the plane of the beams, their bearings say which beams may meet an edge, and each of
+ * these is cut with it. So the cost follows what there is to be seen, not how far there is nothing.
+ * Tilted fans work too; those that look down meet the ground. What lies under a beam when it
+ * crosses its outline it does not meet, even where it comes down on its top behind.
+ *
+ * <p>Mutable, made once and used for every look; confined to one thread.
+ */
+public final class RayCaster {
+
+  /** Part of a laser's light that the ground returns. */
+  public static final double GROUND_REFLECTIVITY = 0.2;
+
+  private static final double TURN = 2 * Math.PI;
+  private static final double EDGE = 1e-12; // an edge is so much longer, so that none slips through
+  private static final double LEVEL = 1e-12;
+
+  private double first;
+  private double step;
+  private int beams;
+  private double longest;
+  private double[] cos = {};
+  private double[] sin = {};
+  private double[] distances = {};
+  private double[] reflectivities = {};
+  private final MutableTransform stance = new MutableTransform();
+  private double inverse00;
+  private double inverse01;
+  private double inverse10;
+  private double inverse11;
+  private double stretch;
+  private double bottom;
+  private double top;
+  private double reflectivity;
+
+  /**
+   * Says which beams there are.
+   *
+   * @param firstAngle angle of the first beam in its own frame, radians, to the left is +
+   * @param angleStep from one to the next, radians, not 0
+   * @param beams how many
+   */
+  public void setBeams(double firstAngle, double angleStep, int beams) {
+    if (firstAngle == this.first && angleStep == this.step && beams == this.beams) {
+      return;
+    }
+    if (!(Math.abs(angleStep) > 0) || !Double.isFinite(firstAngle + angleStep)) {
+      throw new IllegalArgumentException(
+          "beams from " + firstAngle + " by " + angleStep + " rad are none");
+    }
+    this.first = firstAngle;
+    this.step = angleStep;
+    this.beams = beams;
+    cos = new double[beams];
+    sin = new double[beams];
+    distances = new double[beams];
+    reflectivities = new double[beams];
+    for (int i = 0; i < beams; i++) {
+      cos[i] = StrictMath.cos(firstAngle + i * angleStep);
+      sin[i] = StrictMath.sin(firstAngle + i * angleStep);
+    }
+  }
+
+  /**
+   * Begins a look.
+   *
+   * @param from where it stands and how it is turned; within 60° of level, upside down or not
+   * @param maxRange metres that the beams get
+   */
+  public void beginScan(MutableTransform from, double maxRange) {
+    stance.set(from);
+    this.longest = maxRange;
+    double determinant = stance.xx * stance.yy - stance.xy * stance.yx;
+    if (!(Math.abs(determinant) > 0.4)) {
+      throw new IllegalArgumentException("beams more than 60° off the level cannot be simulated");
+    }
+    inverse00 = stance.yy / determinant;
+    inverse01 = -stance.xy / determinant;
+    inverse10 = -stance.yx / determinant;
+    inverse11 = stance.xx / determinant;
+    stretch = 1 / Math.abs(determinant);
+    Arrays.fill(distances, maxRange);
+    Arrays.fill(reflectivities, 0);
+    if (Math.abs(stance.zx) > LEVEL || Math.abs(stance.zy) > LEVEL) {
+      intersectGround();
+    }
+  }
+
+  /** How far a beam got in metres; positive infinity where it met nothing. */
+  public double distance(int beam) {
+    return reflectivities[beam] > 0 ? distances[beam] : Double.POSITIVE_INFINITY;
+  }
+
+  /** Part of its light that what a beam met returns; 0 where it met nothing. */
+  public double reflectivity(int beam) {
+    return reflectivities[beam];
+  }
+
+  private void intersectGround() {
+    for (int i = 0; i < beams; i++) {
+      double down = -(stance.zx * cos[i] + stance.zy * sin[i]);
+      if (down > 0 && stance.up / down < distances[i]) {
+        distances[i] = stance.up / down;
+        reflectivities[i] = GROUND_REFLECTIVITY;
+      }
+    }
+  }
+
+  /** Looks at a solid, from outside of it. */
+  public void intersect(StaticObstacle solid) {
+    Disc bounds = solid.bounds;
+    if (isFar(bounds.east(), bounds.north(), bounds.radius())) {
+      return;
+    }
+    bottom = 0;
+    top = solid.height();
+    reflectivity = Math.max(solid.reflectivity(), Double.MIN_NORMAL);
+    if (solid.isDisc()) {
+      intersectDisc(bounds);
+      return;
+    }
+    int last = solid.east.length - 1;
+    double fromEast = solid.east[last];
+    double fromNorth = solid.north[last];
+    for (int i = 0; i <= last; i++) {
+      intersectEdge(fromEast, fromNorth, solid.east[i], solid.north[i]);
+      fromEast = solid.east[i];
+      fromNorth = solid.north[i];
+    }
+  }
+
+  /**
+   * Looks at a box, from outside of it.
+   *
+   * @param bottom metres above the ground
+   * @param top metres above the ground
+   * @param reflectivity part of the light that it returns, above 0
+   */
+  public void intersect(OrientedRectangle box, double bottom, double top, double reflectivity) {
+    if (isFar(box.east, box.north, box.radius)) {
+      return;
+    }
+    this.bottom = bottom;
+    this.top = top;
+    this.reflectivity = reflectivity;
+    double fromEast = box.cornerEast(3);
+    double fromNorth = box.cornerNorth(3);
+    for (int i = 0; i < 4; i++) {
+      double toEast = box.cornerEast(i);
+      double toNorth = box.cornerNorth(i);
+      intersectEdge(fromEast, fromNorth, toEast, toNorth);
+      fromEast = toEast;
+      fromNorth = toNorth;
+    }
+  }
+
+  private boolean isFar(double east, double north, double radius) {
+    double x = east - stance.east;
+    double y = north - stance.north;
+    double reach = longest + radius;
+    return x * x + y * y > reach * reach;
+  }
+
+  /** An edge with the inside to its left; from there it is not seen. */
+  private void intersectEdge(double ax, double ay, double bx, double by) {
+    if (LineSegments.side(ax, ay, bx, by, stance.east, stance.north) >= 0) {
+      return;
+    }
+    double east = ax - stance.east;
+    double north = ay - stance.north;
+    double px = inverse00 * east + inverse01 * north;
+    double py = inverse10 * east + inverse11 * north;
+    double ex = inverse00 * (bx - ax) + inverse01 * (by - ay);
+    double ey = inverse10 * (bx - ax) + inverse11 * (by - ay);
+    double from = ApproximateAngles.atan2(px, py);
+    double turn = ApproximateAngles.wrapped(ApproximateAngles.atan2(px + ex, py + ey) - from);
+    cut(Math.min(from, from + turn), Math.abs(turn), px, py, ex, ey);
+  }
+
+  /** Cuts an edge with the beams whose bearings lie between its ends'. */
+  private void cut(double from, double turn, double px, double py, double ex, double ey) {
+    double margin = ApproximateAngles.ERROR / Math.abs(step) + 1e-6;
+    double low = (step > 0 ? from - first : from + turn - first) / step - margin;
+    double high = low + turn / Math.abs(step) + 2 * margin;
+    double period = TURN / Math.abs(step);
+    double round = Math.ceil(-high / period) * period;
+    double numerator = px * ey - py * ex;
+    for (; low + round <= beams - 1; round += period) {
+      int end = (int) Math.min(beams - 1, Math.floor(high + round));
+      for (int i = (int) Math.max(0, Math.ceil(low + round)); i <= end; i++) {
+        double c = cos[i];
+        double s = sin[i];
+        double across = c * ey - s * ex;
+        double distance = numerator / across;
+        double along = (px * s - py * c) / across;
+        if (distance > 0 && along >= -EDGE && along <= 1 + EDGE) {
+          recordHit(i, distance);
+        }
+      }
+    }
+  }
+
+  private void intersectDisc(Disc disc) {
+    double x = stance.east - disc.east();
+    double y = stance.north - disc.north();
+    double outside = x * x + y * y - disc.radius() * disc.radius();
+    if (outside <= 0) {
+      return;
+    }
+    double qx = -(inverse00 * x + inverse01 * y);
+    double qy = -(inverse10 * x + inverse11 * y);
+    double sine = disc.radius() * stretch / Math.sqrt(qx * qx + qy * qy);
+    double half =
+        sine >= 0.99 ? Math.PI : ApproximateAngles.atan2(Math.sqrt(1 - sine * sine), sine);
+    double low =
+        (ApproximateAngles.atan2(qx, qy) - first) / step
+            - (half + 2 * ApproximateAngles.ERROR) / Math.abs(step);
+    double high = low + 2 * (half + 2 * ApproximateAngles.ERROR) / Math.abs(step);
+    double period = TURN / Math.abs(step);
+    double round = Math.ceil(-high / period) * period;
+    for (; low + round <= beams - 1; round += period) {
+      int end = (int) Math.min(beams - 1, Math.floor(high + round));
+      for (int i = (int) Math.max(0, Math.ceil(low + round)); i <= end; i++) {
+        double dx = stance.xx * cos[i] + stance.xy * sin[i];
+        double dy = stance.yx * cos[i] + stance.yy * sin[i];
+        double a = dx * dx + dy * dy;
+        double b = dx * x + dy * y;
+        double root = b * b - a * outside;
+        if (b < 0 && root >= 0) {
+          recordHit(i, (-b - Math.sqrt(root)) / a);
+        }
+      }
+    }
+  }
+
+  private void recordHit(int beam, double distance) {
+    if (distance < distances[beam]) {
+      double up = stance.up + distance * (stance.zx * cos[beam] + stance.zy * sin[beam]);
+      if (up >= bottom && up <= top) {
+        distances[beam] = distance;
+        reflectivities[beam] = reflectivity;
+      }
+    }
+  }
+}
