@@ -51,7 +51,7 @@ final class FalseDrives implements AutoCloseable {
     InvocationHandler says =
         (self, method, args) ->
             switch (method.getName()) {
-              case "emergencyStop", "stopState" -> {
+              case "emergencyStop", "emergencyStopState" -> {
                 Instant now = Instant.now().truncatedTo(ChronoUnit.MILLIS);
                 yield new EmergencyStopState(true, "a fake", now, true, null);
               }

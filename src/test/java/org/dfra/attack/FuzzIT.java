@@ -248,7 +248,7 @@ class FuzzIT {
         CallBytes.of(type.getMethod("history")),
         CallBytes.of(type.getMethod("parameters")),
         CallBytes.of(type.getMethod("awaitReadiness", duration), Duration.ofMillis(1)),
-        CallBytes.of(type.getMethod("use", duration), Duration.ofMillis(100)),
+        CallBytes.of(type.getMethod("acquireLease", duration), Duration.ofMillis(100)),
         CallBytes.of(type.getMethod("setLogLevel", LogLevel.class), LogLevel.INFO),
         CallBytes.of(type.getMethod("setParameter", String.class, String.class), "celsius", "21"),
         CallBytes.of(

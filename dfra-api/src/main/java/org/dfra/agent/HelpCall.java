@@ -23,12 +23,12 @@ public record HelpCall(
   public static final Duration MAX_DURATION = Duration.ofDays(30);
 
   public HelpCall {
-    Objects.requireNonNull(position, "place");
+    Objects.requireNonNull(position, "position");
     if (percept.isBlank()) {
       throw new IllegalArgumentException("a call without a percept asks for nothing; name one");
     }
-    check("stay", stayDuration);
-    check("patience", searchTimeout);
+    check("stayDuration", stayDuration);
+    check("searchTimeout", searchTimeout);
   }
 
   private static void check(String what, Duration span) {

@@ -29,9 +29,9 @@ public record LeaseStatus(
 
   public LeaseStatus {
     Objects.requireNonNull(handle, "handle");
-    Objects.requireNonNull(role, "holder");
-    Objects.requireNonNull(grantedAt, "since");
-    Objects.requireNonNull(age, "held");
+    Objects.requireNonNull(role, "role");
+    Objects.requireNonNull(grantedAt, "grantedAt");
+    Objects.requireNonNull(age, "age");
   }
 
   /** Whether the holder lives in the module's own virtual machine. */

@@ -52,7 +52,7 @@ final class CallBench implements Bench {
     byte[] command =
         objectStream(
             CallBytes.of(
-                RemoteDriveEffector.class.getMethod("obey", CommandKey.class, Command.class),
+                RemoteDriveEffector.class.getMethod("execute", CommandKey.class, Command.class),
                 new CommandKey(UUID.randomUUID()),
                 new Velocity(0.3, 0)));
     try (BenchRegistrar reggie = new BenchRegistrar(LEASE);

@@ -326,7 +326,7 @@ class OrphanedTripTest extends BodyFixture {
                       switch (method.getName()) {
                         case "equals" -> proxy == args[0];
                         case "hashCode" -> 1;
-                        case "stopState" -> stop;
+                        case "emergencyStopState" -> stop;
                         default -> throw new AssertionError(method);
                       });
       show();

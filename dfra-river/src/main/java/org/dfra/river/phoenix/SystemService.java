@@ -129,14 +129,14 @@ final class SystemService implements ActivationSystem, PhoenixAdmin, ReadinessMo
 
   @Override
   public long minReadyMillis() throws RemoteException {
-    admit("workedMillis");
+    admit("minReadyMillis");
     return daemon.configuration().restartPolicy().minReadyTime().toMillis();
   }
 
   @Override
   public void reportStable(ActivationID id, long incarnation)
       throws UnknownObjectException, RemoteException {
-    admit("worked");
+    admit("reportStable");
     ActivatorService.object(daemon, id).setStable(incarnation);
   }
 

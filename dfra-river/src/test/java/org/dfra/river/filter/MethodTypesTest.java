@@ -212,7 +212,7 @@ class MethodTypesTest {
   void methodsOfModulesAreClosedWhereTheyCanBe() throws Exception {
     List<Method> closed =
         List.of(
-            RemoteModule.class.getMethod("use", Duration.class),
+            RemoteModule.class.getMethod("acquireLease", Duration.class),
             RemoteModule.class.getMethod("awaitReadiness", Duration.class),
             RemoteModule.class.getMethod("setParameter", String.class, String.class),
             RemoteDiagnostics.class.getMethod(

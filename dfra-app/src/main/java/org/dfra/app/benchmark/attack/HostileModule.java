@@ -133,10 +133,10 @@ public final class HostileModule implements InvocationHandler, Serializable {
       case "preconditions" -> List.of(new Precondition(TEXT, 0, 1, TEXT));
       case "tests", "recoveries", "inputTypes", "outputTypes", "inputs", "outputs" -> List.of(TEXT);
       case "localTransform" -> Transform.IDENTITY;
-      case "emergencyStop", "releaseStop", "stopState" ->
+      case "emergencyStop", "releaseEmergencyStop", "emergencyStopState" ->
           new EmergencyStopState(true, TEXT, Instant.EPOCH, false, TEXT, Duration.ofHours(1));
       case "getAdmin" -> proxy(ModuleAdmin.class);
-      case "clock" -> Instant.now();
+      case "hostTime" -> Instant.now();
       case "heldLeases" -> Set.of();
       case "leases" ->
           List.of(

@@ -29,7 +29,7 @@ public final class UnfinishedRequests extends AttackTask {
 
   @Override
   protected void prepare(Target target) throws Exception {
-    Method method = RemoteModule.class.getMethod("use", Duration.class);
+    Method method = RemoteModule.class.getMethod("acquireLease", Duration.class);
     bytes = CallBytes.of(method, LEASE);
     RemoteDriveEffector drive = target.remoteDrive();
     for (int i = 0; i < CONNECTIONS; i++) {

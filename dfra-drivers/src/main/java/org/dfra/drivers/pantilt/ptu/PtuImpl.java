@@ -103,7 +103,7 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
         "pan-tilt unit, Directed Perception PTU-46",
         "DFRA",
         "1.0",
-        List.of("Halt", "Point"),
+        List.of("Halt", "PointAt"),
         List.of("PanTiltState"),
         PRECONDITIONS);
     this.latest =
