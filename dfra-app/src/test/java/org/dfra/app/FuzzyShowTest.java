@@ -158,7 +158,7 @@ class FuzzyShowTest {
     assertThat(show(WAYPOINT, "--json", "--output=" + picture())).isZero();
     JsonNode told = new ObjectMapper().readTree(out.toString());
     assertThat(told.at("/name").asText()).isEqualTo("waypoint");
-    assertThat(told.at("/methods/defuzzification").asText()).isEqualTo("centroid");
+    assertThat(told.at("/operators/defuzzification").asText()).isEqualTo("centroid");
     assertThat(told.at("/inputs/3/low").asDouble()).isEqualTo(-180);
     assertThat(told.at("/inputs/0/terms/1/parameters/3").asDouble()).isEqualTo(2.6);
     assertThat(told.at("/rules")).hasSize(135);

@@ -5,7 +5,7 @@ import java.time.Instant;
 import java.util.UUID;
 import org.dfra.behavior.BehaviorStatus.Phase;
 
-/** As it crossed the network before parts were counted. */
+/** Before parts were counted, by the names that its components have since. */
 public record BehaviorStatus(
-    Instant measured, UUID goal, Phase phase, String doing, double done, int missed)
+    Instant measured, UUID goal, Phase phase, String activity, double completion, int skippedParts)
     implements Serializable {}

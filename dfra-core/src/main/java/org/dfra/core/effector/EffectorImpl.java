@@ -278,7 +278,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
             throw new NotReadyException(
                 path(),
                 readiness,
-                "it cannot obey " + command + " now" + (awaits == null ? "" : ": " + awaits));
+                "it cannot execute " + command + " now" + (awaits == null ? "" : ": " + awaits));
           }
           boolean unused =
               haltExecutor().isPrepared(); // for its end; a halt is obeyed without, too

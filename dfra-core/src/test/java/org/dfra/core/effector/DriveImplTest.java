@@ -249,7 +249,7 @@ class DriveImplTest {
     wheels.restart(true);
     assertThatThrownBy(() -> wheels.execute(key, AHEAD))
         .isInstanceOf(NotReadyException.class)
-        .hasMessageStartingWith("atrv1/wheels is INITIALIZING: it cannot obey Velocity[");
+        .hasMessageStartingWith("atrv1/wheels is INITIALIZING: it cannot execute Velocity[");
     assertThat(wheels.driveState().velocity()).isEqualTo(Velocity.ZERO);
     time.step(Duration.ofSeconds(1));
     assertThat(wheels.told).as("there is nobody to tell").containsExactly("turn 0.5 0.0");

@@ -106,8 +106,8 @@ class QueryParserTest {
             + " Effector, FlightEffector, FollowWaypoints, FuzzyDrive, GPSSensor, GoToWaypoint,"
             + " HeadingError, LocalGPSSensor, LocationSensor, MineDetector, Module, MotorSchema,"
             + " OdometrySensor, PanTiltEffector, PerceptualSchema, PositionEstimator, RangeFilter,"
-            + " RangeSensor, RasterSearch, Recruiting, RecruitmentAgent, ReturnHome, Schema,"
-            + " Script, Sensor, TeamTracker, TimeSensor",
+            + " RangeSensor, RasterSearch, RecruitmentAgent, RecruitmentControl, ReturnHome,"
+            + " Schema, Script, Sensor, TeamTracker, TimeSensor",
         "Sensor wiht x | at character 8: \"wiht\" begins no condition; did you mean \"with\"?",
         "Sensor near here | at character 8: \"near\" begins no condition; go on with named, on,"
             + " with or within",
@@ -118,9 +118,9 @@ class QueryParserTest {
         "Sensor with Senso.maxRate >= 1 | at character 13: there are no attributes \"Senso\"; did"
             + " you mean \"Sensor\"?",
         "Sensor with laser.maxRate >= 1 | at character 13: there are no attributes \"laser\";"
-            + " there is Behavior, Camera, Chain, Drive, Effector, Everything, Flight, GpsReceiver,"
-            + " Location, Module, MotorSchema, PanTilt, PerceptualSchema, Pose, Range, Recruitment,"
-            + " Sensor, Stop",
+            + " there is Behavior, Camera, Chain, Drive, Effector, EmergencyStop, Everything, Flight,"
+            + " GpsReceiver, Location, Module, MotorSchema, PanTilt, PerceptualSchema, Pose, Range,"
+            + " Recruitment, Sensor",
         "Sensor with sensor.maxRat >= 1 | at character 13: SensorAttributes has no component"
             + " \"maxRat\"; did you mean \"maxRate\"?",
         "Sensor with sensor.volume >= 1 | at character 13: SensorAttributes has no component"

@@ -23,8 +23,8 @@ class AdministrativeMethodsTest {
   void anEffectorHasThese() {
     assertThat(names(RemoteDriveEffector.class))
         .containsExactlyInAnyOrder(
-            "beginExamination",
-            "releaseStop",
+            "startDiagnostic",
+            "releaseEmergencyStop",
             "setInputs",
             "setLogLevel",
             "setOutputs",

@@ -179,7 +179,7 @@ abstract class EffectorContract extends EmergencyStopContract {
       driver().lose();
       assertThatThrownBy(() -> effector().execute(lease.key(), AHEAD))
           .isInstanceOf(NotReadyException.class)
-          .hasMessageStartingWith(PATH + " is INITIALIZING: it cannot obey ");
+          .hasMessageStartingWith(PATH + " is INITIALIZING: it cannot execute ");
       assertThat(driver().told).isEmpty();
     }
   }

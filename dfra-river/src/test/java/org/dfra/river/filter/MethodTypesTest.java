@@ -216,7 +216,7 @@ class MethodTypesTest {
             RemoteModule.class.getMethod("awaitReadiness", Duration.class),
             RemoteModule.class.getMethod("setParameter", String.class, String.class),
             RemoteDiagnostics.class.getMethod(
-                "beginExamination", RemoteDiagnostics.DiagnosticType.class, String.class));
+                "startDiagnostic", RemoteDiagnostics.DiagnosticType.class, String.class));
     for (Method method : closed) {
       assertThat(MethodTypes.of(method, CONFIGURED).acceptsUndeclaredTypes())
           .as("%s", method)

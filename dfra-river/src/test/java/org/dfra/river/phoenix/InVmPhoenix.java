@@ -60,13 +60,13 @@ final class InVmPhoenix implements AutoCloseable {
             + journal()
             + "\"; registryPort = -1; permittedCommands = new String[] { \"*\" }; activator"
             + exporter
-            + "Identities.ACTIVATOR); system"
+            + "PhoenixIdentities.ACTIVATOR); system"
             + exporter
-            + "Identities.system"
+            + "PhoenixIdentities.system"
             + secret
             + "monitor"
             + exporter
-            + "Identities.monitor"
+            + "PhoenixIdentities.monitor"
             + secret
             + "stop"
             + exporter

@@ -74,7 +74,7 @@ class M12ExaminationTest {
         .startsWith("9 in view, 9 heard, 9 used: G14 10° up, 158° from north, ");
     assertThat(gps.preconditions().get(0))
         .hasToString(
-            "Precondition[quantity=temperature of the receiver, least=-40.0, most=85.0, unit=°C]");
+            "Precondition[quantity=temperature of the receiver, min=-40.0, max=85.0, unit=°C]");
   }
 
   @Test

@@ -8,7 +8,7 @@ public enum TrackerKind {
   /** An extended Kalman filter: {@link KalmanTracker}. */
   KALMAN,
   /** The last fixes against dead reckoning: {@link FixWindowTracker}. */
-  FIX_WINDOW,
+  HISTORY,
   /** The last fix as it is: {@link RawGpsTracker}. */
   RAW;
 
@@ -35,7 +35,7 @@ public enum TrackerKind {
       KalmanTracker.@Nullable InitialYaw known) {
     return switch (this) {
       case KALMAN -> new KalmanTracker(settings, frame, datum, known);
-      case FIX_WINDOW -> new FixWindowTracker(settings, frame, datum);
+      case HISTORY -> new FixWindowTracker(settings, frame, datum);
       case RAW -> new RawGpsTracker(settings, frame, datum);
     };
   }

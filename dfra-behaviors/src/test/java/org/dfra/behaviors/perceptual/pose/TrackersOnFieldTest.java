@@ -82,7 +82,7 @@ class TrackersOnFieldTest {
   @Test
   void isFarBetterThanRawFixesWhenTheirNoiseIsWhite() {
     double[] kalman = ride(TrackerKind.KALMAN, Errors.WHITE, 0, Ride::rms);
-    double[] history = ride(TrackerKind.FIX_WINDOW, Errors.WHITE, 0, Ride::rms);
+    double[] history = ride(TrackerKind.HISTORY, Errors.WHITE, 0, Ride::rms);
     double[] raw = ride(TrackerKind.RAW, Errors.WHITE, 0, Ride::rms);
     // Required is 30 % better; dead reckoning over a lane averages tens of fixes.
     assertThat(ratio(kalman, raw).atMost()).isLessThan(0.7);

@@ -85,7 +85,7 @@ public final class MavlinkBatteryImpl extends MavlinkSensorImpl<BatteryState>
     BatteryState now =
         new BatteryState(
             clock().instant(), voltage, current, remaining, remaining != null && current == null);
-    publish(now);
+    markDelivered(now);
     publish(now);
   }
 

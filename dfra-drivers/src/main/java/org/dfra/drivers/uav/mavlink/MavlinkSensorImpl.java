@@ -85,7 +85,7 @@ abstract class MavlinkSensorImpl<T> extends SensorImpl {
   }
 
   /** A reading has been taken; on the reader thread. */
-  final void publish(T reading) {
+  final void markDelivered(T reading) {
     latest.set(reading);
     port.count(path());
   }

@@ -78,7 +78,7 @@ class RflexStandingTest extends RflexInLockStep {
     comesTo(drive, Readiness.INITIALIZING);
     assertThatThrownBy(() -> drive.execute(key, new Velocity(1, 0)))
         .isInstanceOf(NotReadyException.class)
-        .hasMessageContaining("atrv1/drive is INITIALIZING: it cannot obey Velocity[");
+        .hasMessageContaining("atrv1/drive is INITIALIZING: it cannot execute Velocity[");
 
     port.cable().restore();
     comesTo(drive, Readiness.READY);
