@@ -116,7 +116,7 @@ class ForgedOutputTest {
         "module get",
         "module diagnose",
         "module recover",
-        "module call drive",
+        "module call driveState",
         "log level",
         "lease list",
         "persona show"

@@ -87,7 +87,7 @@ class RecruitVerbsTest {
     assertThat(json(one)).hasSize(1);
     assertThat(json(one).get(0).get("robot").asText()).isEqualTo("uav");
     assertThat(json(one).get(0).get("responder").asText()).isEqualToIgnoringCase("free");
-    assertThat(json(one).get(0).get("doing").asText()).isEqualTo("it helps nobody");
+    assertThat(json(one).get(0).get("activity").asText()).isEqualTo("it helps nobody");
   }
 
   @Test

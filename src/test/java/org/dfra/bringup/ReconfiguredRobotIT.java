@@ -109,9 +109,9 @@ class ReconfiguredRobotIT {
     assertThat(mu.steps())
         .containsExactly(
             "GROUP_ENDED mu.one one",
-            "KEPT mu/registrar lookup",
+            "UNCHANGED mu/registrar lookup",
             "MOVED mu/drive two one",
-            "KEPT mu/eye two");
+            "UNCHANGED mu/eye two");
     assertThat(mu.device("drive")).as("a driver has it").exists();
     awaitCelsius("drive", 5);
     assertThat(listed("drive").id()).isEqualTo(id);
@@ -133,7 +133,7 @@ class ReconfiguredRobotIT {
 
     mu.up(mu.drive(1, "one") + group("two", ""));
 
-    assertThat(mu.steps()).contains("ENDED mu/eye two", "KEPT mu/drive one");
+    assertThat(mu.steps()).contains("ENDED mu/eye two", "UNCHANGED mu/drive one");
     assertThat(mu.device("eye")).doesNotExist();
     assertThat(mu.device("drive")).exists();
     await()
@@ -185,9 +185,9 @@ class ReconfiguredRobotIT {
 
     assertThat(mu.steps())
         .containsExactly(
-            "KEPT mu/registrar lookup",
+            "UNCHANGED mu/registrar lookup",
             "RESTARTED mu/drive one parameter celsius",
-            "KEPT mu/eye two");
+            "UNCHANGED mu/eye two");
     assertThat(drive.celsius()).as("through the proxy from before").isEqualTo(7);
     assertThat(phoenix.group("mu.two").pid()).isEqualTo(process);
 
@@ -197,7 +197,7 @@ class ReconfiguredRobotIT {
             + "<group name=\"two\"><jvm-option>-Xmx64m</jvm-option>"
             + mu.module("eye", 1)
             + "</group>");
-    assertThat(mu.steps()).contains("KEPT mu/eye two", "GROUP_KEPT mu.two two");
+    assertThat(mu.steps()).contains("UNCHANGED mu/eye two", "GROUP_STALE mu.two two");
     assertThat(phoenix.group("mu.two").pid()).as("it works on").isEqualTo(process);
   }
 
@@ -213,7 +213,7 @@ class ReconfiguredRobotIT {
       later.shutdownNow();
       signal("CONT", registrar);
     }
-    assertThat(mu.steps()).contains("KEPT mu/registrar lookup", "KEPT mu/drive one");
+    assertThat(mu.steps()).contains("UNCHANGED mu/registrar lookup", "UNCHANGED mu/drive one");
   }
 
   private static Process signal(String name, long pid) throws IOException {

@@ -31,12 +31,13 @@ class BehaviorsReferenceTest {
   private static final Pattern ASKED =
       Pattern.compile(
           "(?:settings(?:\\(\\))?\\s*\\.(?:number|seconds|find|text)\\(\\s*"
-              + "|Needed\\.of\\(\\s*context,\\s*\\w+\\.class,\\s*"
+              + "|ModuleDependency\\.of\\(\\s*context,\\s*\\w+\\.class,\\s*"
               + "|takes\\(\\s*\\w+\\.class,\\s*"
-              + "|declared\\(\\)\\s*\\.(?:show|text|number)\\(\\s*)\"(\\w+)\"");
+              + "|declared\\(\\)\\s*\\.(?:declareReadOnly|declareText|declareNumber)\\(\\s*)\"(\\w+)\"");
 
   private static final Pattern NUMBER =
-      Pattern.compile("number\\(\\s*\"(\\w+)\",\\s*([^,]+),\\s*([-\\w.]+),\\s*([-\\w.]+)\\)");
+      Pattern.compile(
+          "(?:number|declareNumber)\\(\\s*\"(\\w+)\",\\s*([^,]+),\\s*([-\\w.]+),\\s*([-\\w.]+)\\)");
 
   @Test
   void everyModuleOfASearchHasASection() throws Exception {

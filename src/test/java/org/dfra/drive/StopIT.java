@@ -141,7 +141,8 @@ class StopIT {
     assertThat(robot.dfraHere("up", robot.xml().toString()).text())
         .contains("But eta/drive is stopped for an emergency since " + kept.since());
     ModuleQuery<?> query =
-        new QueryParser(QueryVocabulary.standard()).parse("DriveEffector with stop.latched = true");
+        new QueryParser(QueryVocabulary.standard())
+            .parse("DriveEffector with emergency_stop.latched = true");
     assertThat(robot.directory().findFirst(query, PATIENCE)).isPresent();
 
     assertThat(stop("--release", "eta"))

@@ -74,7 +74,7 @@ class HeadDevicesTest {
           find(
               directory,
               "PanTiltEffector with pan_tilt.maxPan >= 1.57 and pan_tilt.maxTilt >= 0.5"
-                  + " and effector.commands contains Point");
+                  + " and effector.commands contains PointAt");
       assertThat(listing.attributes()).asString().contains("maxPan=2.77", "frame=robot/pan_tilt");
       PanTiltProxy found = (PanTiltProxy) listing.module();
       PanTiltProxy elsewhere =

@@ -83,7 +83,7 @@ class UavTest {
         ModuleListing<?> listing =
             find(
                 directory,
-                "FlightEffector with flight.maxHeight >= 50 and flight.craft = quadrotor"
+                "FlightEffector with flight.maxHeight >= 50 and flight.vehicleType = quadrotor"
                     + " and effector.commands contains TakeOff and module.state = READY");
         assertThat(listing.attributes()).asString().contains("maxHeight=60.0", "autopilot=PX4");
         FlightProxy found = (FlightProxy) listing.module();

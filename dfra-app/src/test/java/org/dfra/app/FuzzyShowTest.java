@@ -168,7 +168,7 @@ class FuzzyShowTest {
                 + " tr is stop, rv is hard_right");
     assertThat(told.at("/surfaces/1").asText())
         .isEqualTo("rv over left and centre at right = 4, heading_error = 0");
-    assertThat(Path.of(told.at("/picture").asText())).isRegularFile();
+    assertThat(Path.of(told.at("/image").asText())).isRegularFile();
   }
 
   @ParameterizedTest

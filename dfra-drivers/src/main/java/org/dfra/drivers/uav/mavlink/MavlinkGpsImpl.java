@@ -130,7 +130,8 @@ public final class MavlinkGpsImpl extends MavlinkSensorImpl<MavlinkGpsImpl.Snaps
     } else {
       LocationReading location = new LocationReading(position, path(), fix.utc());
       attributes.located(location);
-      markDelivered(new Snapshot(fix, location, utc == null ? null : new TimeReading(utc, now), raw));
+      markDelivered(
+          new Snapshot(fix, location, utc == null ? null : new TimeReading(utc, now), raw));
     }
     publish(fix);
   }

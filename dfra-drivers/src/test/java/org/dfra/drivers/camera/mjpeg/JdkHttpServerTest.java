@@ -90,7 +90,8 @@ class JdkHttpServerTest {
     for (String path : new String[] {"/counted", "/uncounted"}) {
       try (MjpegCameraImpl camera = camera("path", path, "idle_period", "0")) {
         awaitReadiness(camera, Readiness.READY);
-        await().until(() -> camera.parameters().toString().matches(".*name=frames, value=\\d{3}.*"));
+        await()
+            .until(() -> camera.parameters().toString().matches(".*name=frames, value=\\d{3}.*"));
         assertThat(camera.image().data()).as(path).isEqualTo(image);
         assertThat(camera.parameters().toString())
             .contains("name=dropped_bytes, value=0,")

@@ -138,7 +138,8 @@ class RflexDriveImplTest {
     say(STANDING, NOT_TURNING);
     CommandKey key = drive.acquireCommandLease(Duration.ofSeconds(30)).key();
     assertThatThrownBy(() -> drive.execute(key, new Brake(true)))
-        .hasMessageStartingWith("atrv1/drive is INITIALIZING: it cannot execute Brake[engaged=true] now");
+        .hasMessageStartingWith(
+            "atrv1/drive is INITIALIZING: it cannot execute Brake[engaged=true] now");
     serve(true);
     assertThat(drive.driveState().parkingBrakeEngaged()).isTrue();
     assertThatThrownBy(() -> drive.execute(key, new Velocity(1, 0)))
