@@ -82,12 +82,12 @@ class DoctorIT {
         CompletableFuture<Outcome> beside =
             CompletableFuture.supplyAsync(() -> doctor(state, 10)); // it is all used up, each time
         processes.set("DFRA_WAIT", "10");
-        Outcome told = processes.dfra(PATIENCE, "doctor", "--team=", state);
-        assertThat(told.out())
+        Outcome reported = processes.dfra(PATIENCE, "doctor", "--team=", state);
+        assertThat(reported.out())
             .contains("FAIL  registrar", "→ ")
             .doesNotContain("\u001b")
             .containsPattern("\n1 failure, \\d+ warnings?\\.\n$|\n1 failure\\.\n$");
-        assertThat(told.exit()).as(told.out()).isEqualTo(1);
+        assertThat(reported.exit()).as(reported.out()).isEqualTo(1);
         Outcome ill = beside.get();
         assertThat(found(ill, "registrar")).containsExactly("fail");
         assertThat(ill.exit()).as(ill.out()).isEqualTo(1);

@@ -144,7 +144,7 @@ class BehaviorsTest {
             GoToWaypointProxy.class,
             "GoToWaypoint with behavior.goal = LegGoal and behavior.script = false"
                 + " and behavior.rate >= 10 and behavior.phase = IDLE");
-    List<BehaviorStatus> told = ServedRobots.heard(goTo, BehaviorStatus.class);
+    List<BehaviorStatus> reported = ServedRobots.heard(goTo, BehaviorStatus.class);
     assertThat(goTo.status().phase()).isEqualTo(Phase.IDLE);
     UUID goal = pursue(goTo, FAR, GoToWaypointProxy::pursue);
     await().atMost(PATIENCE).until(() -> SmallRobot.east() > 1);
@@ -165,9 +165,9 @@ class BehaviorsTest {
     assertThat(goTo.status().phase()).isEqualTo(Phase.CANCELLED);
     await()
         .atMost(PATIENCE)
-        .until(() -> told.stream().anyMatch(each -> each.phase() == Phase.CANCELLED));
-    assertThat(told).allMatch(each -> goal.equals(each.goal()));
-    assertThat(told.stream().map(BehaviorStatus::phase).distinct())
+        .until(() -> reported.stream().anyMatch(each -> each.phase() == Phase.CANCELLED));
+    assertThat(reported).allMatch(each -> goal.equals(each.goal()));
+    assertThat(reported.stream().map(BehaviorStatus::phase).distinct())
         .containsExactly(Phase.RUNNING, Phase.PAUSED, Phase.CANCELLED);
   }
 
@@ -194,12 +194,12 @@ class BehaviorsTest {
                     new RasterGoal(List.of(SmallRobot.at(1, 1), SmallRobot.at(2, 2)), 2, 1, false)))
         .isInstanceOf(GoalRefusedException.class);
 
-    List<BehaviorStatus> told = ServedRobots.heard(follow, BehaviorStatus.class);
+    List<BehaviorStatus> reported = ServedRobots.heard(follow, BehaviorStatus.class);
     PathGoal two = new PathGoal(null, List.of(SmallRobot.at(2, 0), SmallRobot.at(4, 0)), 0.5);
     UUID goal = pursue(follow, two, FollowWaypointsProxy::pursue);
     await()
         .atMost(PATIENCE.multipliedBy(2))
-        .until(() -> told.stream().anyMatch(each -> each.phase() == Phase.SUCCEEDED));
+        .until(() -> reported.stream().anyMatch(each -> each.phase() == Phase.SUCCEEDED));
     assertThat(follow.status().goal()).isEqualTo(goal);
     assertThat(SmallRobot.east()).isGreaterThan(3);
 

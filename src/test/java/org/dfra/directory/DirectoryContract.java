@@ -121,27 +121,27 @@ abstract class DirectoryContract extends DirectoryFixture {
   @Test
   void tellsListenersOfMatchChangeAndNoMatch() throws Exception {
     list("r", "before", 10);
-    Heard heard = new Heard();
+    Heard received = new Heard();
     try (DirectoryRegistration watch =
         directory.listen(
             ModuleQuery.of(GPSSensor.class).where(SensorAttributes.class, "maxRate", atLeast(5)),
-            heard)) {
-      assertThat(heard.next()).isEqualTo("matched before");
+            received)) {
+      assertThat(received.next()).isEqualTo("matched before");
       list("r", "slow", 1);
       ListedGps gps = list("r", "gps", 5);
-      assertThat(heard.next()).isEqualTo("matched gps");
+      assertThat(received.next()).isEqualTo("matched gps");
       stage.announce(gps, attributes("r", "gps", 6), Locality.SAME_HOST);
-      assertThat(heard.next()).isEqualTo("changed gps");
+      assertThat(received.next()).isEqualTo("changed gps");
       stage.announce(gps, attributes("r", "gps", 4), Locality.SAME_HOST);
-      assertThat(heard.next()).isEqualTo("unmatched gps");
+      assertThat(received.next()).isEqualTo("unmatched gps");
       stage.announce(gps, attributes("r", "gps", 7), Locality.SAME_HOST);
-      assertThat(heard.next()).isEqualTo("matched gps");
+      assertThat(received.next()).isEqualTo("matched gps");
       stage.withdraw(gps.id());
-      assertThat(heard.next()).isEqualTo("unmatched gps");
+      assertThat(received.next()).isEqualTo("unmatched gps");
       stage.loseSight();
-      assertThat(heard.next()).as("%s", watch).isEqualTo("changed before stale");
+      assertThat(received.next()).as("%s", watch).isEqualTo("changed before stale");
     }
-    assertThat(heard.lines).isEmpty();
+    assertThat(received.lines).isEmpty();
   }
 
   @Test
@@ -187,7 +187,7 @@ abstract class DirectoryContract extends DirectoryFixture {
 
   @Test
   void aListenerThatFailsIsToldOfTheNextAllTheSame() throws Exception {
-    Heard heard =
+    Heard received =
         new Heard() {
           @Override
           public void matched(ModuleListing<GPSSensor> listing) {
@@ -195,11 +195,12 @@ abstract class DirectoryContract extends DirectoryFixture {
             throw new IllegalStateException("on purpose");
           }
         };
-    try (DirectoryRegistration watch = directory.listen(ModuleQuery.of(GPSSensor.class), heard)) {
+    try (DirectoryRegistration watch =
+        directory.listen(ModuleQuery.of(GPSSensor.class), received)) {
       list("r", "one", 1);
       list("r", "two", 1);
-      assertThat(heard.next()).as("%s", watch).isEqualTo("matched one");
-      assertThat(heard.next()).isEqualTo("matched two");
+      assertThat(received.next()).as("%s", watch).isEqualTo("matched one");
+      assertThat(received.next()).isEqualTo("matched two");
     }
   }
 

@@ -70,14 +70,14 @@ class BehaviorsReferenceTest {
   private static void compare(String name, String section, String source, int[] ranges) {
     TreeSet<String> asked = new TreeSet<>();
     ASKED.matcher(source).results().forEach(found -> asked.add(found.group(1)));
-    Map<String, MatchResult> told = new TreeMap<>();
-    ROW.matcher(section).results().forEach(row -> told.put(row.group(1), row));
-    assertThat(told.keySet()).as(name).isEqualTo(asked);
+    Map<String, MatchResult> reported = new TreeMap<>();
+    ROW.matcher(section).results().forEach(row -> reported.put(row.group(1), row));
+    assertThat(reported.keySet()).as(name).isEqualTo(asked);
     Map<String, MatchResult> numbers = new HashMap<>();
     NUMBER.matcher(source).results().forEach(found -> numbers.put(found.group(1), found));
     numbers.forEach(
         (parameter, number) -> {
-          MatchResult row = told.get(parameter);
+          MatchResult row = reported.get(parameter);
           same(name, parameter, number.group(3), row.group(3));
           same(name, parameter, number.group(4), row.group(4));
           if (number.group(2).matches("[0-9.]+") && row.group(2).matches("[0-9].*")) {
@@ -87,8 +87,8 @@ class BehaviorsReferenceTest {
         });
   }
 
-  private static void same(String module, String parameter, String inCode, String told) {
-    assertThat(new BigDecimal(told.replace(" ", "")))
+  private static void same(String module, String parameter, String inCode, String reported) {
+    assertThat(new BigDecimal(reported.replace(" ", "")))
         .as("%s of %s", parameter, module)
         .isEqualByComparingTo(new BigDecimal(inCode.replace("_", "")));
   }

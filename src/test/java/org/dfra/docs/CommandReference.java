@@ -58,20 +58,20 @@ final class CommandReference {
       paragraph("    ./" + synopsis(verb));
       List<OptionSpec> own = new ArrayList<>(spec.options());
       Set<String> names = own.stream().map(OptionSpec::longestName).collect(Collectors.toSet());
-      Set<String> told = new HashSet<>(Set.of("--help", "--version"));
+      Set<String> reported = new HashSet<>(Set.of("--help", "--version"));
       List<String> links = new ArrayList<>();
       SHARED.forEach(
           (heading, group) -> {
             if (names.containsAll(group)) {
-              told.addAll(group);
+              reported.addAll(group);
               String anchor = heading.toLowerCase(java.util.Locale.ROOT).replace(' ', '-');
               links.add("[" + heading.toLowerCase(java.util.Locale.ROOT) + "](#" + anchor + ")");
             }
           });
-      if (told.contains("--locator")) {
-        told.add("--json");
+      if (reported.contains("--locator")) {
+        reported.add("--json");
       }
-      own.removeIf(option -> told.contains(option.longestName()));
+      own.removeIf(option -> reported.contains(option.longestName()));
       arguments(spec.positionalParameters());
       options(own);
       if (!links.isEmpty()) {
@@ -102,14 +102,14 @@ final class CommandReference {
   }
 
   private void options(List<OptionSpec> options) {
-    List<OptionSpec> told =
+    List<OptionSpec> reported =
         options.stream().filter(each -> !each.usageHelp() && !each.versionHelp()).toList();
-    if (told.isEmpty()) {
+    if (reported.isEmpty()) {
       return;
     }
     paragraph("| option | meaning |\n|---|---|");
     text.setLength(text.length() - 1);
-    for (OptionSpec each : told) {
+    for (OptionSpec each : reported) {
       String value = each.arity().max() == 0 ? "" : " " + each.paramLabel();
       row(
           "`" + each.longestName() + value + "`",

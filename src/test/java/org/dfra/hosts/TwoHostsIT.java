@@ -178,7 +178,7 @@ class TwoHostsIT {
             () ->
                 hosts.get(0).ask("call atrv1/gps_rear").endsWith(" ok")
                     && hosts.get(1).ask("call atrv2/gps_rear").endsWith(" ok"));
-    long[] heard = {
+    long[] received = {
       heard(hosts.get(0), "atrv2/gps_front", 0), heard(hosts.get(1), "atrv1/gps_front", 0)
     };
 
@@ -198,7 +198,7 @@ class TwoHostsIT {
     for (int i = 0; i < 2; i++) {
       RobotHost host = hosts.get(i);
       String elsewhere = hosts.get(1 - i).robot() + "/gps_front";
-      long already = heard[i];
+      long already = received[i];
       patiently().until(() -> heard(host, elsewhere, 0) > already);
       Timing listening = changed(host, elsewhere);
       System.out.printf(

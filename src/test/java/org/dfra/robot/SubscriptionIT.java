@@ -68,7 +68,7 @@ class SubscriptionIT {
   private static boolean isUp;
 
   private final StallProbe probe = StallProbe.start();
-  private final List<Delivery> heard = new CopyOnWriteArrayList<>();
+  private final List<Delivery> received = new CopyOnWriteArrayList<>();
 
   @BeforeEach
   void bringUp() throws Exception {
@@ -128,17 +128,17 @@ class SubscriptionIT {
   @Test
   @Order(1) // it counts the activations
   void fixesComeAgainAfterKillMinusNineWithoutAnyClientCode() throws Exception {
-    try (Subscription subscription = gps.subscribe(heard::add, DeliveryPolicy.keepLast(10));
+    try (Subscription subscription = gps.subscribe(received::add, DeliveryPolicy.keepLast(10));
         ModuleLease lease = gps.acquireLease(Duration.ofSeconds(30))) {
       await().atMost(PATIENCE).until(() -> fixes(0) >= 2);
-      Delivery last = heard.get(heard.size() - 1);
+      Delivery last = received.get(received.size() - 1);
 
       StallProbe.Stopwatch killed = probe.stopwatch();
       phoenix.kill("zeta.gps");
       await()
           .atMost(PATIENCE)
           .pollInterval(Duration.ofMillis(20))
-          .until(() -> heard.get(heard.size() - 1).epoch() > last.epoch());
+          .until(() -> received.get(received.size() - 1).epoch() > last.epoch());
       Timing back = killed.stop();
       phoenix.note();
       await().atMost(PATIENCE).until(() -> fixes(last.epoch() + 1) >= 2);
@@ -166,7 +166,7 @@ class SubscriptionIT {
   @Test
   @Order(2)
   void aStoppedServerIsNoticedAndGoesOnWhenItCan() throws Exception {
-    try (Subscription subscription = gps.subscribe(heard::add, DeliveryPolicy.keepLast(10))) {
+    try (Subscription subscription = gps.subscribe(received::add, DeliveryPolicy.keepLast(10))) {
       await().atMost(PATIENCE).until(() -> fixes(0) >= 1);
       long pid = phoenix.group("zeta.gps").pid();
       StallProbe.Stopwatch stopped = probe.stopwatch();
@@ -201,7 +201,7 @@ class SubscriptionIT {
 
   private int fixes(long fromEpoch) {
     return (int)
-        heard.stream()
+        received.stream()
             .filter(each -> each.kind() == EventKind.READING && each.epoch() >= fromEpoch)
             .count();
   }

@@ -336,10 +336,10 @@ public abstract class ActivationGroup extends UnicastRemoteObject
    * @throws RemoteException if the daemon cannot be told
    */
   protected void inactiveGroup() throws UnknownGroupException, RemoteException {
-    ActivationMonitor told;
+    ActivationMonitor reported;
     boolean isCurrent;
     synchronized (ActivationGroup.class) {
-      told = monitor;
+      reported = monitor;
       monitor = null;
       isCurrent = currentGroup == this;
       if (isCurrent) {
@@ -347,11 +347,11 @@ public abstract class ActivationGroup extends UnicastRemoteObject
         currentID = null;
       }
     }
-    if (told == null) {
+    if (reported == null) {
       throw new UnknownGroupException(
           isCurrent ? NO_MONITOR : "This group is not active, so it cannot become inactive.");
     }
-    told.inactiveGroup(groupID, incarnation);
+    reported.inactiveGroup(groupID, incarnation);
   }
 
   private ActivationMonitor activeMonitor() throws ActivationException {

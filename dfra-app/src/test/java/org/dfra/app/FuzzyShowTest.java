@@ -156,19 +156,19 @@ class FuzzyShowTest {
   @Test
   void tellsProgramsInJson() throws Exception {
     assertThat(show(WAYPOINT, "--json", "--output=" + picture())).isZero();
-    JsonNode told = new ObjectMapper().readTree(out.toString());
-    assertThat(told.at("/name").asText()).isEqualTo("waypoint");
-    assertThat(told.at("/operators/defuzzification").asText()).isEqualTo("centroid");
-    assertThat(told.at("/inputs/3/low").asDouble()).isEqualTo(-180);
-    assertThat(told.at("/inputs/0/terms/1/parameters/3").asDouble()).isEqualTo(2.6);
-    assertThat(told.at("/rules")).hasSize(135);
-    assertThat(told.at("/rules/0").asText())
+    JsonNode reported = new ObjectMapper().readTree(out.toString());
+    assertThat(reported.at("/name").asText()).isEqualTo("waypoint");
+    assertThat(reported.at("/operators/defuzzification").asText()).isEqualTo("centroid");
+    assertThat(reported.at("/inputs/3/low").asDouble()).isEqualTo(-180);
+    assertThat(reported.at("/inputs/0/terms/1/parameters/3").asDouble()).isEqualTo(2.6);
+    assertThat(reported.at("/rules")).hasSize(135);
+    assertThat(reported.at("/rules/0").asText())
         .isEqualTo(
             "left is close and centre is close and right is close and heading_error is far_right:"
                 + " tr is stop, rv is hard_right");
-    assertThat(told.at("/surfaces/1").asText())
+    assertThat(reported.at("/surfaces/1").asText())
         .isEqualTo("rv over left and centre at right = 4, heading_error = 0");
-    assertThat(Path.of(told.at("/image").asText())).isRegularFile();
+    assertThat(Path.of(reported.at("/image").asText())).isRegularFile();
   }
 
   @ParameterizedTest

@@ -120,9 +120,11 @@ class RecruitExperimentTest {
         experiment("--embedded", "--seeds=2", "--jobs=8", "--speed=200", "--report=" + folder);
     assertThat(err.toString()).isEmpty();
     assertThat(ended).isEqualTo(out.toString().contains("MISSED") ? 1 : 0);
-    String told = out.toString().replaceAll("\\s+", " ");
+    String reported = out.toString().replaceAll("\\s+", " ");
     // How many is not held here: on a busy computer two seconds of their time are nothing.
-    assertThat(told).containsPattern("second helpers over JERI \\d").contains("orphaned helpers");
+    assertThat(reported)
+        .containsPattern("second helpers over JERI \\d")
+        .contains("orphaned helpers");
     assertThat(read(folder.resolve("runs-real.csv")).lines()).hasSize(1 + 16 * 2);
     assertThat(read(folder.resolve("runs-simulated.csv")).lines()).hasSize(1 + 16 * 20);
     assertThat(read(folder.resolve("agreement.csv")).lines()).hasSize(1 + 16 * 4);

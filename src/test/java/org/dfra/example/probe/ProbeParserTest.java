@@ -14,8 +14,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class ProbeParserTest {
 
-  private final List<Double> told = new ArrayList<>();
-  private final ProbeParser parser = new ProbeParser(told::add);
+  private final List<Double> reported = new ArrayList<>();
+  private final ProbeParser parser = new ProbeParser(reported::add);
 
   /** Two seeds that never change and the run's; a failing test shows its own. */
   static long[] seeds() {
@@ -26,14 +26,14 @@ class ProbeParserTest {
   @ValueSource(doubles = {21.5, 0, -0.25, -55, 125})
   void readsWhatTheProbeTells(double celsius) {
     feed(ProbeDevice.line(celsius));
-    assertThat(told).containsExactly(celsius);
+    assertThat(reported).containsExactly(celsius);
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"T+125.01", "T-055.01", "T---.---", "T+1E1.00", "T+NaN.00", "T**--**T"})
   void countsAnIntactLineThatTellsNoTemperature(String text) {
     feed(ProbeDevice.checked(text.substring(0, 8)));
-    assertThat(told).containsExactly(Double.NaN);
+    assertThat(reported).containsExactly(Double.NaN);
     assertThat(parser.counts()).isEqualTo(new StreamCounts(1, 0, 1));
   }
 
@@ -61,7 +61,7 @@ class ProbeParserTest {
     parser.finish();
     // No line can hide in this garbage: its only digit is 8, and no exclusive or of ASCII is 88.
     // (With 0 one did: of T**--**T it is 00.)
-    assertThat(told).isEqualTo(expected);
+    assertThat(reported).isEqualTo(expected);
     assertThat(parser.counts().droppedBytes()).isEqualTo(bytes.length - 12L * expected.size());
   }
 
@@ -79,9 +79,9 @@ class ProbeParserTest {
   void tellsALineWithItsLastByte() {
     byte[] line = ProbeDevice.line(21.5);
     parser.feed(line, 0, 11);
-    assertThat(told).isEmpty();
+    assertThat(reported).isEmpty();
     parser.feed(line, 11, 1);
-    assertThat(told).hasSize(1);
+    assertThat(reported).hasSize(1);
   }
 
   private void feed(byte[] bytes) {

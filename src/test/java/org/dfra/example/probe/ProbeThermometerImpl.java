@@ -32,7 +32,7 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
   private static final Precondition AIR = new Precondition("temperature", -55, 125, "°C");
 
   private final Ticker ticker;
-  private final EventCounter heard;
+  private final EventCounter received;
   private final LinkKeeper keeper;
   private final ProbePace pace;
 
@@ -46,7 +46,7 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
     super(context, "Probe", "you", "1.0", List.of("TemperatureReading"), List.of(AIR));
     pace = new ProbePace(settings());
     ticker = Ticker.of(clock());
-    heard = new EventCounter(ticker);
+    received = new EventCounter(ticker);
     LinkAddress address = LinkSettings.address(settings());
     keeper =
         new LinkKeeper(
@@ -61,7 +61,7 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
         .declareReadOnly("dropped_bytes", "bytes of no line", () -> "" + counts.droppedBytes());
     parameterTable()
         .declareReadOnly("malformed", "lines of no temperature", () -> "" + counts.malformed());
-    new ProbeExamination(keeper, heard, pace).declareIn(diagnostics());
+    new ProbeExamination(keeper, received, pace).declareIn(diagnostics());
   }
 
   @Override
@@ -107,7 +107,7 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
     public void opened(SerialLink link) {
       awaits = link + " is open, no temperature has come yet";
       ordered = 0; // it may have been switched off meanwhile, or be another one
-      heard.increment(ProbeExamination.OPENING);
+      received.increment(ProbeExamination.OPENING);
     }
 
     @Override
@@ -150,7 +150,7 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
       patientSince = ticker.nanos();
       TemperatureReading reading = new TemperatureReading(celsius, clock().instant());
       latest = reading;
-      heard.increment(ProbeExamination.READING);
+      received.increment(ProbeExamination.READING);
       if (readiness() == Readiness.INITIALIZING) {
         transitionTo(Readiness.READY);
       }

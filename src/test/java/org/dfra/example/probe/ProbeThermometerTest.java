@@ -65,15 +65,16 @@ class ProbeThermometerTest {
         Subscription unused =
             thermometer.subscribe(
                 delivery -> {
-                  if (delivery.event() instanceof NewReading told) {
-                    readings.add(told.reading());
+                  if (delivery.event() instanceof NewReading reported) {
+                    readings.add(reported.reading());
                   }
                 },
                 DeliveryPolicy.keepLast(100))) {
       await().until(() -> readings.size() >= 3);
       assertThat(thermometer.celsius()).isEqualTo(21.5);
       assertThat(readings)
-          .allSatisfy(told -> assertThat(((TemperatureReading) told).celsius()).isEqualTo(21.5));
+          .allSatisfy(
+              reported -> assertThat(((TemperatureReading) reported).celsius()).isEqualTo(21.5));
       await().until(() -> thermometer.readiness() == Readiness.ACTIVE);
     }
   }

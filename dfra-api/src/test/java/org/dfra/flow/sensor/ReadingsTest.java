@@ -54,9 +54,9 @@ class ReadingsTest {
 
   @Test
   void aClockAheadOfTheSensorsTimeHasAPositiveOffset() {
-    Instant told = Instant.EPOCH;
+    Instant reported = Instant.EPOCH;
 
-    assertThat(new TimeReading(told, told.plusMillis(160)).hostOffset())
+    assertThat(new TimeReading(reported, reported.plusMillis(160)).hostOffset())
         .isEqualTo(Duration.ofMillis(160));
   }
 }

@@ -113,17 +113,17 @@ final class EventBench implements Bench {
   }
 
   private void report(Report report, List<ListenerProcess> listeners) throws IOException {
-    List<Map<Long, Long>> told = new ArrayList<>();
+    List<Map<Long, Long>> reported = new ArrayList<>();
     for (ListenerProcess each : listeners) {
-      told.add(each.report());
+      reported.add(each.report());
     }
-    List<Map<Long, Long>> healthy = told.subList(1, told.size());
+    List<Map<Long, Long>> healthy = reported.subList(1, reported.size());
     double[][] beside = new double[PAIRS][];
     double[][] besideStopped = new double[PAIRS][];
     double[][] all = new double[PAIRS][];
     for (int pair = 0; pair < PAIRS; pair++) {
       int first = WARM_UP + 2 * pair * ROUND + 1;
-      all[pair] = latencies(told, first);
+      all[pair] = latencies(reported, first);
       beside[pair] = latencies(healthy, first);
       besideStopped[pair] = latencies(healthy, first + ROUND);
     }
@@ -148,11 +148,11 @@ final class EventBench implements Bench {
   }
 
   /** Of a round's events, from the sensor to these listeners, each in milliseconds. */
-  private double[] latencies(List<Map<Long, Long>> told, int first) throws IOException {
-    double[] latencies = new double[(ROUND - SETTLING) * told.size()];
+  private double[] latencies(List<Map<Long, Long>> reported, int first) throws IOException {
+    double[] latencies = new double[(ROUND - SETTLING) * reported.size()];
     int count = 0;
     for (int number = first + SETTLING; number < first + ROUND; number++) {
-      for (Map<Long, Long> each : told) {
+      for (Map<Long, Long> each : reported) {
         Long at = each.get((long) number);
         if (at == null) {
           throw new IOException("a listener was not told event " + number + " of " + last);

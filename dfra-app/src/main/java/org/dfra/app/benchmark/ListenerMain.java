@@ -42,7 +42,7 @@ final class ListenerMain {
     SerialFilters.install();
     TrustedCode.install();
     PrintStream out = new PrintStream(System.out, true);
-    Queue<ReceivedEvent> told = new ConcurrentLinkedQueue<>();
+    Queue<ReceivedEvent> reported = new ConcurrentLinkedQueue<>();
     try (JiniModuleDirectory directory =
         new JiniModuleDirectory(BenchRegistrar.HOST, List.of(), List.of(args[0]))) {
       GPSSensor gps =
@@ -52,7 +52,7 @@ final class ListenerMain {
               event -> {
                 long now = System.nanoTime();
                 if (event.kind() == EventKind.READING) {
-                  told.add(new ReceivedEvent(event.sequence(), now));
+                  reported.add(new ReceivedEvent(event.sequence(), now));
                 }
               },
               DeliveryPolicy.keepLast(DEPTH))) {
@@ -66,7 +66,7 @@ final class ListenerMain {
             long sent = write(agent(directory), ++letters);
             out.println(sent + " " + System.nanoTime());
           } else {
-            told.forEach(each -> out.println(each.number() + " " + each.nanos()));
+            reported.forEach(each -> out.println(each.number() + " " + each.nanos()));
             out.println(subscription.interruptedSince().isEmpty() ? "" : "interrupted");
           }
         }

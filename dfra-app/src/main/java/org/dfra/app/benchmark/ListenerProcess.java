@@ -63,15 +63,15 @@ final class ListenerProcess implements AutoCloseable {
 
   /** When it was told, in nanoseconds, by the event's number. */
   Map<Long, Long> report() throws IOException {
-    Map<Long, Long> told = new HashMap<>();
+    Map<Long, Long> reported = new HashMap<>();
     for (String line = ask("report"); !line.isEmpty(); line = line()) {
       String[] words = line.split(" ");
       if (words.length != 2) {
         throw new IOException("a listener's subscription is " + line);
       }
-      told.put(Long.parseLong(words[0]), Long.parseLong(words[1]));
+      reported.put(Long.parseLong(words[0]), Long.parseLong(words[1]));
     }
-    return told;
+    return reported;
   }
 
   /** Sends it a signal, as an operator would. */

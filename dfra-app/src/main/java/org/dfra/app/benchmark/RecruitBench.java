@@ -121,10 +121,10 @@ final class RecruitBench implements Bench {
       next += PERIOD;
       sleep(next);
     }
-    Map<Long, Long> told = listener.report();
+    Map<Long, Long> reported = listener.report();
     List<Double> delays = new ArrayList<>();
     for (int i = WARM_UP + 1; i < published.length; i++) {
-      Long at = told.get((long) i);
+      Long at = reported.get((long) i);
       if (at != null) { // else the queue was full: the machine was busy with other things
         delays.add((at - published[i]) / NANOS_PER_SECOND);
       }

@@ -64,15 +64,15 @@ final class JiniMulticast implements MulticastCheck.Network {
   private static Optional<Duration> hears(MulticastSocket ear, byte[] sent, long began)
       throws IOException {
     long end = began + MulticastCheck.PATIENCE.toNanos();
-    DatagramPacket heard = new DatagramPacket(new byte[LARGEST], LARGEST);
+    DatagramPacket received = new DatagramPacket(new byte[LARGEST], LARGEST);
     for (long now = began; now - end < 0; now = System.nanoTime()) {
       ear.setSoTimeout((int) Math.max(1, (end - now) / 1_000_000));
       try {
-        ear.receive(heard);
+        ear.receive(received);
       } catch (SocketTimeoutException e) {
         return Optional.empty();
       }
-      byte[] bytes = Arrays.copyOf(heard.getData(), heard.getLength());
+      byte[] bytes = Arrays.copyOf(received.getData(), received.getLength());
       if (Arrays.equals(bytes, sent)) { // others talk too
         return Optional.of(Duration.ofNanos(System.nanoTime() - began));
       }

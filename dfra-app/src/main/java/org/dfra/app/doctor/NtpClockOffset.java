@@ -35,9 +35,10 @@ record NtpClockOffset(Duration offset, Duration uncertainty) {
     Optional<NtpClockOffset> best = Optional.empty();
     for (int i = 0; i < times; i++) {
       Instant asked = here.instant();
-      Instant told = other.call();
+      Instant reported = other.call();
       Duration half = Duration.between(asked, here.instant()).dividedBy(2);
-      NtpClockOffset offset = new NtpClockOffset(Duration.between(asked.plus(half), told), half);
+      NtpClockOffset offset =
+          new NtpClockOffset(Duration.between(asked.plus(half), reported), half);
       if (best.isEmpty() || half.compareTo(best.get().uncertainty()) < 0) {
         best = Optional.of(offset);
       }

@@ -37,7 +37,7 @@ final class LocalModule {
    *
    * @param done what has become of the module, such as {@code removed}
    */
-  void change(ModuleAction deed, String done) throws Exception {
+  void change(ModuleAction action, String done) throws Exception {
     PhoenixProcess phoenix = options.requireRunning();
     ServiceGroup group = LocalGroup.of(phoenix, module);
     RobotDescription robot =
@@ -50,7 +50,7 @@ final class LocalModule {
                         "what is known of "
                             + group.robot()
                             + " is gone; bring it up once more: ./dfra up ROBOT.XML"));
-    deed.apply(new RobotBootstrap(phoenix, robot), module.substring(module.indexOf('/') + 1));
+    action.apply(new RobotBootstrap(phoenix, robot), module.substring(module.indexOf('/') + 1));
     answer.sentence(
         Map.of("module", module, "group", group.name(), done, true),
         module + " in group " + group.name() + " is " + done + ".");

@@ -34,13 +34,13 @@ record RobotView(
   }
 
   static RobotView of(Persona persona) {
-    Optional<PersonaAttributes> told = persona.attributes();
+    Optional<PersonaAttributes> reported = persona.attributes();
     return new RobotView(
         persona.robot(),
         persona.host(),
-        told.map(PersonaAttributes::role).filter(role -> !role.isEmpty()),
-        told.map(PersonaAttributes::goals).orElse(List.of()),
-        told.map(PersonaAttributes::limitations).orElse(List.of()),
+        reported.map(PersonaAttributes::role).filter(role -> !role.isEmpty()),
+        reported.map(PersonaAttributes::goals).orElse(List.of()),
+        reported.map(PersonaAttributes::limitations).orElse(List.of()),
         persona.modules().size(),
         persona.stale(),
         persona.confirmed());

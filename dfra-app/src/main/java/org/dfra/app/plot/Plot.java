@@ -153,17 +153,19 @@ final class Plot {
   /**
    * @param number of the series' name, from 0; below zero where it has none
    */
-  private static void dress(XYSeries series, Series told, int number) {
-    Series.Style style = told.style();
+  private static void dress(XYSeries series, Series reported, int number) {
+    Series.Style style = reported.style();
     Color full = number < 0 ? Palette.GREY : Palette.colour(number);
-    Color colour = told.isFaint() ? Palette.faint(full) : full;
+    Color colour = reported.isFaint() ? Palette.faint(full) : full;
     series.setLineColor(colour);
     series.setMarkerColor(colour);
     series.setFillColor(Palette.fill(full));
     series.setLineStyle(
         style == Series.Style.POINTS ? SeriesLines.NONE : Palette.stroke(Math.max(0, number)));
     series.setMarker(
-        style != Series.Style.POINTS ? SeriesMarkers.NONE : told.isFaint() ? FAINT_POINTS : POINTS);
+        style != Series.Style.POINTS
+            ? SeriesMarkers.NONE
+            : reported.isFaint() ? FAINT_POINTS : POINTS);
     series.setXYSeriesRenderStyle(
         switch (style) {
           case LINE -> XYSeriesRenderStyle.Line;

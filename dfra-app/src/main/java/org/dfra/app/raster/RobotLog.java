@@ -137,18 +137,18 @@ public final class RobotLog {
     if (reading instanceof GpsFix fix && fix.position() != null) {
       LocalPosition at = frame.toLocal(fix.position());
       fixes.add(new Fix(time, module, at.east(), at.north()));
-    } else if (reading instanceof DriveAdvice told) {
+    } else if (reading instanceof DriveAdvice reported) {
       advice.add(
           new Advice(
               time,
-              told.velocity().speed(),
-              told.velocity().yawRate(),
-              told.reason(),
-              told.strength()));
+              reported.velocity().speed(),
+              reported.velocity().yawRate(),
+              reported.reason(),
+              reported.strength()));
     } else if (reading instanceof Clearance room) {
       rooms.add(new ClearanceReading(time, room.left(), room.centre(), room.right()));
-    } else if (reading instanceof TeamPositions told) {
-      told.teammates().forEach(this::note);
+    } else if (reading instanceof TeamPositions reported) {
+      reported.teammates().forEach(this::note);
     }
   }
 

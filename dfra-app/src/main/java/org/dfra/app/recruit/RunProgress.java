@@ -20,7 +20,7 @@ final class RunProgress implements Experiment.Progress {
   private final ProgressReporter tell;
   private final LongSupplier nanos;
   private final long began;
-  private long told; // guarded by this
+  private long reported; // guarded by this
 
   /**
    * @param nanos a clock of real time, of which only differences are taken
@@ -29,17 +29,17 @@ final class RunProgress implements Experiment.Progress {
     this.tell = tell;
     this.nanos = nanos;
     this.began = nanos.getAsLong();
-    this.told = began;
+    this.reported = began;
   }
 
   @Override
   public synchronized void done(int runs, int ofThem) {
     long now = nanos.getAsLong();
     boolean isLast = runs == ofThem && tell.isTerminal();
-    if (now - told < (tell.isTerminal() ? REDRAW : SENTENCE) && !isLast) {
+    if (now - reported < (tell.isTerminal() ? REDRAW : SENTENCE) && !isLast) {
       return;
     }
-    told = now;
+    reported = now;
     double left = (now - began) / 1e9 / runs * (ofThem - runs);
     if (tell.isTerminal()) {
       int full = (int) ((long) WIDE * runs / ofThem);

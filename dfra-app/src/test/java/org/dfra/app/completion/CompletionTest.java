@@ -70,7 +70,7 @@ class CompletionTest {
     assumeTrue(isInstalled("zsh"), "zsh is not installed here");
     // Completion itself needs a terminal; that it is in place, and what bash's function answers,
     // does not.
-    String told =
+    String reported =
         run(
             "zsh",
             "-f",
@@ -84,13 +84,13 @@ class CompletionTest {
             """,
             "zsh",
             script.toString());
-    assertThat(told).contains("_complete_dfra", "function: 1");
+    assertThat(reported).contains("_complete_dfra", "function: 1");
   }
 
   /** What bash would put at the end of a line at the stroke of the tabulator. */
   private List<String> bash(String typed) throws Exception {
     String[] words = typed.split(" ", -1);
-    String told =
+    String reported =
         run(
             "bash",
             "--norc",
@@ -109,7 +109,7 @@ class CompletionTest {
             """,
             Stream.concat(Stream.of("bash", script.toString()), Arrays.stream(words))
                 .toArray(String[]::new));
-    return told.lines().map(String::strip).filter(line -> !line.isEmpty()).toList();
+    return reported.lines().map(String::strip).filter(line -> !line.isEmpty()).toList();
   }
 
   private static String run(String shell, String flag, String c, String code, String... arguments)
@@ -120,10 +120,10 @@ class CompletionTest {
             .redirectErrorStream(true)
             .start();
     process.getOutputStream().close();
-    String told = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    String reported = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     assertThat(process.waitFor(30, TimeUnit.SECONDS)).as("%s still runs", shell).isTrue();
-    assertThat(process.exitValue()).as(told).isZero();
-    return told;
+    assertThat(process.exitValue()).as(reported).isZero();
+    return reported;
   }
 
   private static boolean isInstalled(String shell) {

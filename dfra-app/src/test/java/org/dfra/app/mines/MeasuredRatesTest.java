@@ -26,16 +26,16 @@ class MeasuredRatesTest {
     try (Reader reader = Files.newBufferedReader(PROPERTIES)) {
       properties.load(reader);
     }
-    Map<String, Double> told = new TreeMap<>();
+    Map<String, Double> reported = new TreeMap<>();
     for (String key : properties.stringPropertyNames()) {
       if (key.contains("_positive")) {
-        told.put(key.substring(PREFIX.length()), Double.valueOf(properties.getProperty(key)));
+        reported.put(key.substring(PREFIX.length()), Double.valueOf(properties.getProperty(key)));
       }
     }
-    assertThat(told).hasSize(RATES);
+    assertThat(reported).hasSize(RATES);
     Map<String, Double> recorded = new TreeMap<>(RecordedRates.last());
-    recorded.keySet().retainAll(told.keySet());
-    assertThat(told)
+    recorded.keySet().retainAll(reported.keySet());
+    assertThat(reported)
         .as(
             "%s against the last run in benchmarks/mines.csv; copy what ./dfra bench mines measured",
             PROPERTIES)

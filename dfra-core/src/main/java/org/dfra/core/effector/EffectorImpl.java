@@ -40,7 +40,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
   private static final Duration STOP_TIMEOUT = Duration.ofMillis(500);
 
   private final Scheduler time;
-  private final CommandArbiter helm;
+  private final CommandArbiter arbiter;
   private final EmergencyStop stop;
 
   /**
@@ -68,7 +68,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
             context.scheduler(),
             BootId.system(),
             log);
-    this.helm =
+    this.arbiter =
         new CommandArbiter(
             context.path(),
             context.clock(),
@@ -77,7 +77,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
             this::haltSoon,
             latch,
             this::revoke);
-    this.stop = new EmergencyStop(context.path(), latch, helm, new StopEnds());
+    this.stop = new EmergencyStop(context.path(), latch, arbiter, new StopEnds());
   }
 
   /**
@@ -115,7 +115,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
    * #stopDuringCommand}, which may be late.
    */
   protected final boolean isStopDue() {
-    return helm.isStopDue();
+    return arbiter.isStopDue();
   }
 
   /**
@@ -150,7 +150,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
     if (haltExecutor().isPrepared()) {
       return haltExecutor().executeWithin(task, patience);
     }
-    if (helm.awaitFree()) {
+    if (arbiter.awaitFree()) {
       task.run();
       return true;
     }
@@ -173,8 +173,8 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
    */
   @Override
   protected final void endLeases() {
-    helm.close();
-    if (helm.awaitFree()) { // and stays so: who commands from now on is refused
+    arbiter.close();
+    if (arbiter.awaitFree()) { // and stays so: who commands from now on is refused
       if (!haltWithin(this::endLeasesAndSettle, DRIVER_TIMEOUT)) {
         log.warn("{}: its driver does not come to rest, and is closed nevertheless", path());
       }
@@ -188,7 +188,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
   /** Who has the command, or gives it up just now, has lost it by now; the rest is owed. */
   private void endLeasesAndSettle() {
     super.endLeases();
-    helm.stopIfDue();
+    arbiter.stopIfDue();
   }
 
   /** Halts it past the command that holds it up, as far as its driver can. */
@@ -259,7 +259,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
     leases().terms().check(path(), duration);
     UUID[] lease = new UUID[1];
     CommandKey key =
-        helm.acquire(
+        arbiter.acquire(
             "a module in its own virtual machine",
             whenOver -> lease[0] = leases().grantLocal(LeaseRole.COMMANDER, whenOver, whenOver));
     return new LocalCommandLease(leases(), lease[0], key, duration, clock());
@@ -268,7 +268,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
   @Override
   public final void execute(CommandKey key, C command) {
     long asked = time.nanos();
-    helm.execute(
+    arbiter.execute(
         key,
         () -> {
           refuseIfTooOld(command, time.nanos() - asked);
@@ -301,11 +301,11 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
 
   /** Who commands it, for whoever serves it to the network. */
   public final CommandArbiter commandArbiter() {
-    return helm;
+    return arbiter;
   }
 
   /** Who commands it, for people; null while nobody does. */
   protected final @Nullable String commander() {
-    return helm.commander();
+    return arbiter.commander();
   }
 }

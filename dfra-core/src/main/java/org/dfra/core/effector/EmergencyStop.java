@@ -42,16 +42,16 @@ final class EmergencyStop {
 
   private final String module;
   private final EmergencyStopLatch latch;
-  private final CommandArbiter helm;
+  private final CommandArbiter arbiter;
   private final Actions ends;
 
   private final Object halting = new Object();
   private @Nullable Halt last; // guarded by halting
 
-  EmergencyStop(String module, EmergencyStopLatch latch, CommandArbiter helm, Actions ends) {
+  EmergencyStop(String module, EmergencyStopLatch latch, CommandArbiter arbiter, Actions ends) {
     this.module = module;
     this.latch = latch;
-    this.helm = helm;
+    this.arbiter = arbiter;
     this.ends = ends;
   }
 
@@ -64,7 +64,7 @@ final class EmergencyStop {
     @Override
     public void run() {
       try {
-        helm.runBetweenCommands(this::rest, ends::stopDuringCommand);
+        arbiter.runBetweenCommands(this::rest, ends::stopDuringCommand);
       } catch (RuntimeException | Error e) { // a driver's fault; it is told to whoever asks
         fault = "its driver could not be told to come to rest (" + e + "); switch it off by hand";
         ends.recordIncident(Incident.Kind.EXCEPTION, "stopped for an emergency, " + fault);
@@ -77,7 +77,7 @@ final class EmergencyStop {
       synchronized (halting) {
         begun = true; // who stops it from now on wants more than this
       }
-      helm.markStopped(); // by what follows
+      arbiter.markStopped(); // by what follows
       ends.stopSafely();
     }
 
@@ -91,7 +91,7 @@ final class EmergencyStop {
   /** See {@link org.dfra.flow.effector.Effector#emergencyStop}. */
   EmergencyStopState stop(@Nullable String by) {
     boolean isNew = latch.engage(by);
-    @Nullable UUID lease = helm.depose();
+    @Nullable UUID lease = arbiter.depose();
     Halt halt = halt();
     if (isNew) {
       ends.recordIncident(

@@ -54,7 +54,7 @@ class ChainTest {
   private final Thermometer outdoors = new Thermometer("atrv1", "outdoors");
   private final Thermometer elsewhere = new Thermometer("atrv2", "indoors");
   private final ToKelvin schema = new ToKelvin();
-  private final List<Double> told = new CopyOnWriteArrayList<>();
+  private final List<Double> reported = new CopyOnWriteArrayList<>();
 
   @AfterEach
   void end() {
@@ -68,7 +68,7 @@ class ChainTest {
         schema.subscribe(
             delivery -> {
               if (delivery.event() instanceof ModuleEvent.NewReading fresh) {
-                told.add(((Kelvin) fresh.reading()).degrees());
+                reported.add(((Kelvin) fresh.reading()).degrees());
               }
             },
             DeliveryPolicy.keepLast(100));
@@ -89,19 +89,19 @@ class ChainTest {
     start();
     awaitClient(indoors);
     indoors.measure(20);
-    await().atMost(PATIENCE).until(() -> told.contains(293.15));
+    await().atMost(PATIENCE).until(() -> reported.contains(293.15));
 
     directory.add(outdoors); // comes later
     awaitClient(outdoors);
     outdoors.measure(-5);
-    await().atMost(PATIENCE).until(() -> told.contains(268.15));
+    await().atMost(PATIENCE).until(() -> reported.contains(268.15));
 
     first.close(); // goes
     awaitNoClient(indoors);
     indoors.measure(30);
     outdoors.measure(-6);
-    await().atMost(PATIENCE).until(() -> told.contains(267.15));
-    assertThat(told).containsExactly(293.15, 268.15, 267.15);
+    await().atMost(PATIENCE).until(() -> reported.contains(267.15));
+    assertThat(reported).containsExactly(293.15, 268.15, 267.15);
     assertThat(elsewhere.readiness()).as("that of another robot").isEqualTo(Readiness.READY);
   }
 
@@ -153,7 +153,7 @@ class ChainTest {
     awaitNoClient(outdoors);
     outdoors.measure(-5);
     indoors.measure(20);
-    await().atMost(PATIENCE).until(() -> told.contains(293.15));
+    await().atMost(PATIENCE).until(() -> reported.contains(293.15));
 
     schema.setInputs(List.of("atrv2/indoors"));
     assertThat(schema.inputs()).containsExactly("atrv2/indoors");
@@ -161,8 +161,8 @@ class ChainTest {
     awaitNoClient(indoors);
     indoors.measure(21);
     elsewhere.measure(-10);
-    await().atMost(PATIENCE).until(() -> told.contains(263.15));
-    assertThat(told).containsExactly(293.15, 263.15);
+    await().atMost(PATIENCE).until(() -> reported.contains(263.15));
+    assertThat(reported).containsExactly(293.15, 263.15);
   }
 
   @Test
@@ -200,7 +200,7 @@ class ChainTest {
     directory.put(id, proxy, attributes("second life"), Locality.SAME_VM); // it is listed anew
     awaitClient(reborn);
     reborn.measure(20);
-    await().atMost(PATIENCE).until(() -> told.contains(293.15));
+    await().atMost(PATIENCE).until(() -> reported.contains(293.15));
     reborn.close();
   }
 
@@ -213,7 +213,7 @@ class ChainTest {
     awaitClient(indoors);
     assertThat(failures.get()).isNegative();
     indoors.measure(20);
-    await().atMost(PATIENCE).until(() -> told.contains(293.15));
+    await().atMost(PATIENCE).until(() -> reported.contains(293.15));
   }
 
   @Test

@@ -28,7 +28,7 @@ class CommandArbiterTest {
 
   private static final UUID LEASE = new UUID(1, 2);
 
-  private final List<String> told = new ArrayList<>();
+  private final List<String> reported = new ArrayList<>();
   private final List<UUID> revoked = new ArrayList<>();
   private final InstantSource clock = InstantSource.fixed(Instant.EPOCH);
   private final EmergencyStopLatch stop =
@@ -39,11 +39,11 @@ class CommandArbiterTest {
           Scheduler.system(),
           BootId.system(),
           LoggerFactory.getLogger("dfra.atrv1.wheels"));
-  private final CommandArbiter helm =
+  private final CommandArbiter arbiter =
       new CommandArbiter(
           "atrv1/wheels",
           clock,
-          () -> told.add("lost"),
+          () -> reported.add("lost"),
           () -> {},
           Runnable::run,
           stop,
@@ -51,7 +51,7 @@ class CommandArbiterTest {
   private Runnable over = () -> {};
 
   private CommandKey take(String name) throws LeaseRefusedException {
-    return helm.acquire(
+    return arbiter.acquire(
         name,
         whenOver -> {
           over = whenOver;
@@ -62,22 +62,22 @@ class CommandArbiterTest {
   @Test
   void obeysItsCommanderAndNobodyElse() throws Exception {
     CommandKey stranger = new CommandKey(UUID.randomUUID());
-    assertThatThrownBy(() -> helm.execute(stranger, () -> told.add("done")))
+    assertThatThrownBy(() -> arbiter.execute(stranger, () -> reported.add("done")))
         .isInstanceOf(CommandRefusedException.class)
         .hasMessage(
             "atrv1/wheels has no commander, and this key counts no longer; ask it for a command"
                 + " lease");
     CommandKey key = take("a client at 192.0.2.7");
-    assertThat(helm.isHeldBy(key)).isTrue();
-    assertThat(helm.commander()).isEqualTo("a client at 192.0.2.7");
-    helm.execute(key, () -> told.add("done"));
-    helm.execute(new CommandKey(key.secret()), () -> told.add("by a copy of the key"));
-    assertThatThrownBy(() -> helm.execute(stranger, () -> told.add("done")))
+    assertThat(arbiter.isHeldBy(key)).isTrue();
+    assertThat(arbiter.commander()).isEqualTo("a client at 192.0.2.7");
+    arbiter.execute(key, () -> reported.add("done"));
+    arbiter.execute(new CommandKey(key.secret()), () -> reported.add("by a copy of the key"));
+    assertThatThrownBy(() -> arbiter.execute(stranger, () -> reported.add("done")))
         .isInstanceOf(CommandRefusedException.class)
         .hasMessage(
             "atrv1/wheels is commanded by a client at 192.0.2.7 since 1970-01-01T00:00:00Z; this"
                 + " key is not, or no longer, its commander's");
-    assertThat(told).containsExactly("done", "by a copy of the key");
+    assertThat(reported).containsExactly("done", "by a copy of the key");
   }
 
   @Test
@@ -90,7 +90,7 @@ class CommandArbiterTest {
                 + " until it lets go, or have its lease "
                 + LeaseHandle.of(LEASE)
                 + " revoked");
-    assertThat(helm.isHeldBy(first)).isTrue();
+    assertThat(arbiter.isHeldBy(first)).isTrue();
   }
 
   @Test
@@ -99,20 +99,20 @@ class CommandArbiterTest {
     Runnable firstOver = over;
     firstOver.run();
     firstOver.run();
-    assertThat(told).containsExactly("lost");
+    assertThat(reported).containsExactly("lost");
     CommandKey second = take("the second");
     firstOver.run();
-    assertThat(helm.isHeldBy(second)).as("a late end of the first").isTrue();
-    assertThatThrownBy(() -> helm.execute(first, () -> told.add("done")))
+    assertThat(arbiter.isHeldBy(second)).as("a late end of the first").isTrue();
+    assertThatThrownBy(() -> arbiter.execute(first, () -> reported.add("done")))
         .hasMessageContaining("is commanded by the second");
-    assertThat(told).containsExactly("lost");
+    assertThat(reported).containsExactly("lost");
   }
 
   @Test
   void aLeaseThatIsNotGrantedLeavesTheHelmFreeAndNothingComesToRest() throws Exception {
     assertThatThrownBy(
             () ->
-                helm.acquire(
+                arbiter.acquire(
                     "too greedy",
                     whenOver -> {
                       throw new LeaseRefusedException("too long");
@@ -120,29 +120,29 @@ class CommandArbiterTest {
         .hasMessage("too long");
     assertThatThrownBy(
             () ->
-                helm.acquire(
+                arbiter.acquire(
                     "unlucky",
                     whenOver -> {
                       throw new OutOfMemoryError("a scripted one");
                     }))
         .isInstanceOf(OutOfMemoryError.class);
-    assertThat(helm.commander()).isNull();
-    assertThat(told).isEmpty();
-    assertThat(helm.isHeldBy(take("the next"))).isTrue();
+    assertThat(arbiter.commander()).isNull();
+    assertThat(reported).isEmpty();
+    assertThat(arbiter.isHeldBy(take("the next"))).isTrue();
   }
 
   @Test
   void aLeaseThatIsOverBeforeItIsHandedOutComesWithAKeyThatDoesNotCount() throws Exception {
     CommandKey key =
-        helm.acquire(
+        arbiter.acquire(
             "short-lived",
             whenOver -> {
               whenOver.run();
               return LEASE;
             });
-    assertThat(told).containsExactly("lost");
-    assertThat(helm.isHeldBy(key)).isFalse();
-    assertThatThrownBy(() -> helm.execute(key, () -> told.add("done")))
+    assertThat(reported).containsExactly("lost");
+    assertThat(arbiter.isHeldBy(key)).isFalse();
+    assertThatThrownBy(() -> arbiter.execute(key, () -> reported.add("done")))
         .isInstanceOf(CommandRefusedException.class);
     CommandKey next = take("the next");
     assertThatThrownBy(() -> take("another"))
@@ -150,7 +150,7 @@ class CommandArbiterTest {
         .hasMessageContaining("by the next")
         .hasMessageContaining(LeaseHandle.of(LEASE).toString())
         .hasMessageNotContaining(LEASE.toString());
-    assertThat(helm.isHeldBy(next)).isTrue();
+    assertThat(arbiter.isHeldBy(next)).isTrue();
   }
 
   @Test
@@ -158,13 +158,13 @@ class CommandArbiterTest {
     CommandKey key = take("a client");
     assertThatThrownBy(
             () ->
-                helm.execute(
+                arbiter.execute(
                     key,
                     () -> {
                       throw new IllegalArgumentException("cannot fly");
                     }))
         .hasMessage("cannot fly");
-    assertThat(helm.isHeldBy(key)).isTrue();
+    assertThat(arbiter.isHeldBy(key)).isTrue();
   }
 
   @Test
@@ -182,22 +182,22 @@ class CommandArbiterTest {
   void obeysNobodyWhileItIsStopped() throws Exception {
     CommandKey key = take("a client");
     assertThat(stop.engage("ops")).isTrue();
-    assertThatThrownBy(() -> helm.execute(key, () -> told.add("done")))
+    assertThatThrownBy(() -> arbiter.execute(key, () -> reported.add("done")))
         .isInstanceOf(CommandRefusedByEmergencyStopException.class)
         .hasMessage(REFUSAL);
-    assertThat(helm.depose()).isEqualTo(LEASE);
-    assertThat(helm.commander()).isNull();
+    assertThat(arbiter.depose()).isEqualTo(LEASE);
+    assertThat(arbiter.commander()).isNull();
     assertThatThrownBy(() -> take("another"))
         .isInstanceOf(LeaseRefusedByEmergencyStopException.class)
         .hasMessage(REFUSAL);
     assertThat(stop.release("ops")).isTrue();
-    assertThatThrownBy(() -> helm.execute(key, () -> told.add("done")))
+    assertThatThrownBy(() -> arbiter.execute(key, () -> reported.add("done")))
         .as("an old key does not come back")
         .hasMessageContaining("was stopped for an emergency while this key commanded it");
     CommandKey next = take("the next");
     over.run();
-    assertThat(told).as("of the next one's end only").containsExactly("lost");
-    assertThat(helm.isHeldBy(next)).isFalse();
+    assertThat(reported).as("of the next one's end only").containsExactly("lost");
+    assertThat(arbiter.isHeldBy(next)).isFalse();
   }
 
   /** As where the driver came to rest, and executes the next commander's command by now. */
@@ -259,30 +259,30 @@ class CommandArbiterTest {
   @Test
   void restsAtTheEndThoughWhoGivesTheCommandUpHasNotReachedThat() throws Exception {
     CommandKey key = take("a client");
-    helm.close();
-    helm.stopIfDue();
-    assertThat(told).containsExactly("lost");
-    assertThat(helm.isHeldBy(key)).isFalse();
+    arbiter.close();
+    arbiter.stopIfDue();
+    assertThat(reported).containsExactly("lost");
+    assertThat(arbiter.isHeldBy(key)).isFalse();
     over.run();
-    helm.close();
-    helm.stopIfDue();
-    assertThat(told).as("once").containsExactly("lost");
+    arbiter.close();
+    arbiter.stopIfDue();
+    assertThat(reported).as("once").containsExactly("lost");
   }
 
   @Test
   void whoIsDeposedWhileItsLeaseIsGrantedHasNoneAfterwards() {
     assertThatThrownBy(
             () ->
-                helm.acquire(
+                arbiter.acquire(
                     "unlucky",
                     whenOver -> {
                       stop.engage("ops");
-                      assertThat(helm.depose()).as("not granted yet").isNull();
+                      assertThat(arbiter.depose()).as("not granted yet").isNull();
                       return LEASE;
                     }))
         .isInstanceOf(LeaseRefusedByEmergencyStopException.class)
         .hasMessage(REFUSAL);
     assertThat(revoked).containsExactly(LEASE);
-    assertThat(helm.commander()).isNull();
+    assertThat(arbiter.commander()).isNull();
   }
 }

@@ -205,9 +205,9 @@ class HeldUpDriverTest {
     release.countDown();
     released.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
     writing.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
-    List<String> told = List.copyOf(wheels.told);
-    assertThat(told.subList(0, 3)).containsExactly(TURNED, "halt", "halt");
-    assertThat(told).endsWith("brake false");
+    List<String> reported = List.copyOf(wheels.told);
+    assertThat(reported.subList(0, 3)).containsExactly(TURNED, "halt", "halt");
+    assertThat(reported).endsWith("brake false");
     assertThat(wheels.driveState().velocity()).isEqualTo(Velocity.ZERO);
   }
 

@@ -19,11 +19,11 @@ import org.junit.jupiter.api.Test;
 class LeaseRegistryTest {
 
   private final SteppedScheduler time = new SteppedScheduler();
-  private final List<Integer> told = new ArrayList<>();
+  private final List<Integer> reported = new ArrayList<>();
   private final List<String> over = new ArrayList<>();
   private final LeaseRegistry book =
       new LeaseRegistry(
-          "atrv1/gps", LeaseTerms.DEFAULT, InstantSource.fixed(Instant.EPOCH), time, told::add);
+          "atrv1/gps", LeaseTerms.DEFAULT, InstantSource.fixed(Instant.EPOCH), time, reported::add);
 
   @Test
   void tellsTheFirstClientAndTheLast() throws Exception {
@@ -35,7 +35,7 @@ class LeaseRegistryTest {
     assertThat(book.cancel(second.id())).isTrue();
     assertThat(book.cancel(second.id())).isFalse();
     time.step(Duration.ofSeconds(10));
-    assertThat(told).containsExactly(1, 2, 1, 0);
+    assertThat(reported).containsExactly(1, 2, 1, 0);
     assertThat(over).as("a lease that was given back is not over").containsExactly("first");
     assertThat(book.renew(first.id(), Duration.ofSeconds(1))).isEmpty();
   }
@@ -61,7 +61,7 @@ class LeaseRegistryTest {
     assertThat(book.contains(watching.id())).isTrue();
     time.step(Duration.ofSeconds(5));
     assertThat(over).containsExactly("watcher");
-    assertThat(told).isEmpty();
+    assertThat(reported).isEmpty();
   }
 
   @Test
@@ -71,7 +71,7 @@ class LeaseRegistryTest {
     assertThat(book.contains(held)).isTrue();
     book.close();
     assertThat(over).containsExactly("held");
-    assertThat(told).containsExactly(1, 0);
+    assertThat(reported).containsExactly(1, 0);
     assertThatThrownBy(() -> book.grantLocal(LeaseRole.CLIENT, () -> {}))
         .isInstanceOf(LeaseRefusedException.class)
         .hasMessage("atrv1/gps grants no leases any more; it has ended");
@@ -148,7 +148,7 @@ class LeaseRegistryTest {
     assertThat(book.revoke(grant.id())).as("a second time").isFalse();
     assertThat(book.revoke(held)).isTrue();
     assertThat(over).containsExactly("it", "held");
-    assertThat(told).containsExactly(1, 2, 1, 0);
+    assertThat(reported).containsExactly(1, 2, 1, 0);
     assertThat(book.renew(grant.id(), Duration.ofSeconds(1))).isEmpty();
     assertThat(book.isRevoked(grant.id())).isTrue();
     assertThat(book.isRevoked(held)).as("nobody renews it").isFalse();
@@ -175,7 +175,7 @@ class LeaseRegistryTest {
     assertThat(book.cancel(held)).isTrue();
     book.close();
     assertThat(over).containsExactly("given cancelled", "held cancelled");
-    assertThat(told).as("a commander is a client").containsExactly(1, 2, 1, 0);
+    assertThat(reported).as("a commander is a client").containsExactly(1, 2, 1, 0);
   }
 
   @Test
@@ -207,7 +207,7 @@ class LeaseRegistryTest {
     }
     assertThatThrownBy(book::close).isSameAs(deaf);
     assertThat(over).containsExactly("one", "one", "one");
-    assertThat(told).containsExactly(1, 2, 3, 0);
+    assertThat(reported).containsExactly(1, 2, 3, 0);
   }
 
   @Test

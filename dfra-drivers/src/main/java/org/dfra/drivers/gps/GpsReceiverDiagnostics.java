@@ -44,12 +44,12 @@ public final class GpsReceiverDiagnostics {
   GpsReceiverDiagnostics(
       LinkKeeper keeper,
       Consumer<byte[]> sender,
-      EventCounter heard,
+      EventCounter received,
       ReportingPeriod pace,
       Supplier<List<SatelliteInView>> satellites) {
-    this.link = new LinkDiagnostics(keeper, heard);
+    this.link = new LinkDiagnostics(keeper, received);
     this.sender = sender;
-    this.eventCounter = heard;
+    this.eventCounter = received;
     this.pace = pace;
     this.satellites = satellites;
   }

@@ -69,18 +69,19 @@ class SharedLinesTest {
   @Test
   void tellsThoseWhoWereGreetedUntilTheyLeave() {
     Line line = join(first, "port");
-    line.clients().dispatch(member -> member.told.add("too early"));
-    line.clients().notifyConnected(member -> member.told.add("hello"));
+    line.clients().dispatch(member -> member.reported.add("too early"));
+    line.clients().notifyConnected(member -> member.reported.add("hello"));
     assertThat(join(second, "port")).isSameAs(line);
-    line.clients().notifyConnected(member -> member.told.add("hello"));
-    line.clients().dispatch(member -> member.told.add("news"));
+    line.clients().notifyConnected(member -> member.reported.add("hello"));
+    line.clients().dispatch(member -> member.reported.add("news"));
     line.clients().notifyLost("gone");
-    line.clients().dispatch(member -> member.told.add("too late"));
-    line.clients().notifyConnected(member -> member.told.add("hello again"));
+    line.clients().dispatch(member -> member.reported.add("too late"));
+    line.clients().notifyConnected(member -> member.reported.add("hello again"));
     line.leave(second);
     line.clients().notifyLost("gone again");
-    assertThat(first.told).containsExactly("hello", "news", "gone", "hello again", "gone again");
-    assertThat(second.told).containsExactly("hello", "news", "gone", "hello again");
+    assertThat(first.reported)
+        .containsExactly("hello", "news", "gone", "hello again", "gone again");
+    assertThat(second.reported).containsExactly("hello", "news", "gone", "hello again");
   }
 
   @Test
@@ -98,7 +99,7 @@ class SharedLinesTest {
   private static final class Member implements SharedLinkClient {
 
     private final String name;
-    private final List<String> told = new ArrayList<>();
+    private final List<String> reported = new ArrayList<>();
 
     Member(String name) {
       this.name = name;
@@ -111,7 +112,7 @@ class SharedLinesTest {
 
     @Override
     public void lost(String reason) {
-      told.add(reason);
+      reported.add(reason);
     }
   }
 

@@ -28,7 +28,7 @@ class LinkKeeperTest {
   private static final Duration FIRST = Duration.ofSeconds(1);
 
   private final Logger log = (Logger) LoggerFactory.getLogger("dfra.test.keeper");
-  private final ListAppender<ILoggingEvent> told = new ListAppender<>();
+  private final ListAppender<ILoggingEvent> reported = new ListAppender<>();
   private final StepTicker ticker = new StepTicker(false);
   private final AtomicInteger tries = new AtomicInteger();
   private final ConcurrentLinkedQueue<ScriptedLink> links = new ConcurrentLinkedQueue<>();
@@ -39,16 +39,16 @@ class LinkKeeperTest {
 
   @BeforeEach
   void listen() {
-    told.list = new CopyOnWriteArrayList<>();
-    told.start();
-    log.addAppender(told);
+    reported.list = new CopyOnWriteArrayList<>();
+    reported.start();
+    log.addAppender(reported);
     log.setAdditive(false);
   }
 
   @AfterEach
   void end() {
     keeper.close();
-    log.detachAppender(told);
+    log.detachAppender(reported);
   }
 
   private SerialLink open() throws IOException {
@@ -191,7 +191,7 @@ class LinkKeeperTest {
   }
 
   private List<String> messages() {
-    return told.list.stream().map(ILoggingEvent::getFormattedMessage).toList();
+    return reported.list.stream().map(ILoggingEvent::getFormattedMessage).toList();
   }
 
   private static List<Thread> readers() {

@@ -26,7 +26,7 @@ public final class Impatience implements Affect {
   private final Duration first;
   private double level;
   private @Nullable Conversation last;
-  private Instant heard = Instant.MIN;
+  private Instant received = Instant.MIN;
 
   /**
    * @param minWaitSeconds seconds until an idle robot that is there already is moved, above 0
@@ -60,12 +60,12 @@ public final class Impatience implements Affect {
   @Override
   public void stimulate(Stimulus stimulus) {
     boolean isFirst = !stimulus.conversation().equals(last);
-    Duration waited = isFirst ? first : Duration.between(heard, stimulus.time());
+    Duration waited = isFirst ? first : Duration.between(received, stimulus.time());
     double share = Math.min(1, stimulus.etaSeconds() / etaReference);
     double until = (fastest + (slowest - fastest) * share) * (stimulus.busy() ? 2 : 1);
     level = Math.min(1, level + Math.max(0, waited.toNanos() / 1e9) / until);
     last = stimulus.conversation();
-    heard = stimulus.time();
+    received = stimulus.time();
   }
 
   @Override

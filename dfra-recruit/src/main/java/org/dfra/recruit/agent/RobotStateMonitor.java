@@ -84,7 +84,7 @@ final class RobotStateMonitor implements AutoCloseable {
 
   private final ModuleContext context;
   private final ChainInputs inputs;
-  private final Map<UUID, LastStatus> told = new ConcurrentHashMap<>(); // by module
+  private final Map<UUID, LastStatus> reported = new ConcurrentHashMap<>(); // by module
   private volatile @Nullable Received<PoseEstimate> pose;
   private volatile @Nullable Received<BatteryState> charge;
 
@@ -126,7 +126,7 @@ final class RobotStateMonitor implements AutoCloseable {
   }
 
   private void take(ModuleListing<?> source, BehaviorStatus status) {
-    @Nullable LastStatus last = told.put(source.id(), new LastStatus(source.module(), status));
+    @Nullable LastStatus last = reported.put(source.id(), new LastStatus(source.module(), status));
     if (status.phase() == Phase.RUNNING && (last == null || last.isNewGoal(status))) {
       listener.goalStarted(source, status);
     }
@@ -197,7 +197,7 @@ final class RobotStateMonitor implements AutoCloseable {
   }
 
   private @Nullable LastStatus told(ModuleListing<?> behavior) {
-    LastStatus last = told.get(behavior.id());
+    LastStatus last = reported.get(behavior.id());
     return last != null && last.module().equals(behavior.module()) ? last : null;
   }
 

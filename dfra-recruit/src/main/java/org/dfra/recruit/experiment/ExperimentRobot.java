@@ -142,9 +142,9 @@ final class ExperimentRobot implements RobotPort {
     awaitLeaseEnd(drives, listener);
   }
 
-  private void awaitLeaseEnd(int number, TravelListener told) {
+  private void awaitLeaseEnd(int number, TravelListener reported) {
     Scheduler.ScheduledTask unused =
-        time.after(leaseEnd - time.nanos(), () -> overdue(number, told));
+        time.after(leaseEnd - time.nanos(), () -> overdue(number, reported));
   }
 
   @Override
@@ -153,18 +153,18 @@ final class ExperimentRobot implements RobotPort {
   }
 
   /** The lease of a task that it still drives for is over. */
-  private void overdue(int number, TravelListener told) {
+  private void overdue(int number, TravelListener reported) {
     synchronized (this) {
       if (!isUnderWay(number) || journey == null) {
         return;
       }
       if (time.nanos() < leaseEnd) { // it was extended
-        awaitLeaseEnd(number, told);
+        awaitLeaseEnd(number, reported);
         return;
       }
       stand();
     }
-    told.failed("its lease of the task is over");
+    reported.failed("its lease of the task is over");
   }
 
   private void leaveRoute() {

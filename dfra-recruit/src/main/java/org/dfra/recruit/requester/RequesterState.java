@@ -58,8 +58,8 @@ public record RequesterState(
 
   /** When something is to be done though nothing happens; the far future where nothing is. */
   public Instant nextWake() {
-    Instant told = farewell == null ? Instant.MAX : farewell.again();
-    return told.isBefore(due) ? told : due;
+    Instant reported = farewell == null ? Instant.MAX : farewell.again();
+    return reported.isBefore(due) ? reported : due;
   }
 
   HelpCall requireCall() {

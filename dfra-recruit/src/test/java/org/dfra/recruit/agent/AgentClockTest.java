@@ -39,7 +39,7 @@ class AgentClockTest {
   private final InMemoryModuleDirectory directory = new InMemoryModuleDirectory(time);
   private final StateStore kept = StateStore.inMemory();
   private final Map<RecruitmentAgentImpl, DirectoryRegistration> listed = new HashMap<>();
-  private final List<MessageEnvelope> heard = new ArrayList<>(); // by the other robot
+  private final List<MessageEnvelope> received = new ArrayList<>(); // by the other robot
   private Duration set = Duration.ZERO; // by how much somebody has set the wall clock
 
   @TempDir Path folder;
@@ -76,7 +76,7 @@ class AgentClockTest {
             new RecruiterListener() {
               @Override
               public void received(MessageEnvelope letter) {
-                heard.add(letter);
+                received.add(letter);
               }
             },
             boot);
@@ -102,11 +102,11 @@ class AgentClockTest {
     uav.callForHelp(CALL);
     time.advance(Duration.ofSeconds(10));
     set = Duration.ofSeconds(seconds);
-    int before = heard.size();
+    int before = received.size();
     time.advance(Duration.ofSeconds(45));
-    assertThat(heard.size()).as("it goes on calling").isGreaterThan(before);
+    assertThat(received.size()).as("it goes on calling").isGreaterThan(before);
     assertThat(uav.status().requesterPhase()).isEqualTo(RequesterPhase.CALLING);
-    assertThat(heard.get(heard.size() - 1).time())
+    assertThat(received.get(received.size() - 1).time())
         .as("for people, by the clock as it is now")
         .isBetween(wall().minusSeconds(60), wall());
     time.advance(Duration.ofSeconds(10));
@@ -122,15 +122,15 @@ class AgentClockTest {
     uav.callForHelp(CALL);
     time.advance(Duration.ofSeconds(10));
     end(uav);
-    long last = heard.get(heard.size() - 1).number();
-    heard.clear();
+    long last = received.get(received.size() - 1).number();
+    received.clear();
     set = Duration.ofSeconds(seconds);
     time.advance(Duration.ofSeconds(4));
     RecruitmentAgentImpl again = caller(); // 15 s of 60
     time.advance(Duration.ofSeconds(40));
     assertThat(again.status().requesterPhase()).isEqualTo(RequesterPhase.CALLING);
-    assertThat(heard).as("it goes on calling").isNotEmpty();
-    assertThat(heard.get(0).number()).as("numbers go on growing").isGreaterThan(last);
+    assertThat(received).as("it goes on calling").isNotEmpty();
+    assertThat(received.get(0).number()).as("numbers go on growing").isGreaterThan(last);
     time.advance(Duration.ofSeconds(10));
     assertThat(again.status().requesterPhase())
         .as("after its patience")
@@ -144,21 +144,21 @@ class AgentClockTest {
     uav.callForHelp(CALL);
     time.advance(Duration.ofSeconds(2));
     end(uav);
-    long conversation = heard.get(0).message().conversation().number();
+    long conversation = received.get(0).message().conversation().number();
     BootId former = new BootId(Files.writeString(folder.resolve("boot_id"), "another"));
     AgentMemory writer = new AgentMemory(context("uav", kept, Map.of()), former);
     AgentSnapshot last =
         new AgentMemory(context("uav", kept, Map.of()), BootId.system()).load().orElseThrow();
     writer.save(last);
-    heard.clear();
+    received.clear();
     RecruitmentAgentImpl again = caller();
     assertThat(last.requester().phase()).isEqualTo(RequesterPhase.CALLING);
     assertThat(again.status().requesterPhase()).isEqualTo(RequesterPhase.IDLE);
     time.advance(Duration.ofSeconds(20));
-    assertThat(heard).as("it calls nobody by itself").isEmpty();
+    assertThat(received).as("it calls nobody by itself").isEmpty();
     again.callForHelp(CALL);
     time.advance(Duration.ofSeconds(1));
-    assertThat(heard.get(0).message().conversation().number()).isEqualTo(conversation + 1);
+    assertThat(received.get(0).message().conversation().number()).isEqualTo(conversation + 1);
   }
 
   /** As in a shortage of file descriptors, which is over when it keeps its next state. */
@@ -169,8 +169,8 @@ class AgentClockTest {
     uav.callForHelp(CALL);
     time.advance(Duration.ofSeconds(2));
     end(uav);
-    long conversation = heard.get(0).message().conversation().number();
-    heard.clear();
+    long conversation = received.get(0).message().conversation().number();
+    received.clear();
     Files.delete(file);
     Files.createDirectory(file); // it is there, but not readable
     RecruitmentAgentImpl again = agent("uav", kept, Map.of(), new BootId(file));
@@ -179,12 +179,12 @@ class AgentClockTest {
     Files.writeString(file, "this one");
     again.callForHelp(CALL);
     time.advance(Duration.ofSeconds(1));
-    assertThat(heard.get(0).message().conversation().number()).isEqualTo(conversation + 1);
+    assertThat(received.get(0).message().conversation().number()).isEqualTo(conversation + 1);
     end(again);
-    heard.clear();
+    received.clear();
     RecruitmentAgentImpl third = agent("uav", kept, Map.of(), new BootId(file));
     assertThat(third.status().requesterPhase()).as("it goes on").isEqualTo(RequesterPhase.CALLING);
     time.advance(Duration.ofSeconds(20));
-    assertThat(heard.get(0).message().conversation().number()).isEqualTo(conversation + 1);
+    assertThat(received.get(0).message().conversation().number()).isEqualTo(conversation + 1);
   }
 }

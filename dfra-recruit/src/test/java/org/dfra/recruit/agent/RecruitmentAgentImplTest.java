@@ -52,7 +52,7 @@ class RecruitmentAgentImplTest {
   private final StateStore kept = StateStore.inMemory();
   private final List<RecruitmentAgentImpl> made = new ArrayList<>();
   private final Map<RecruitmentAgentImpl, DirectoryRegistration> listed = new HashMap<>();
-  private final List<MessageEnvelope> heard = new ArrayList<>();
+  private final List<MessageEnvelope> received = new ArrayList<>();
 
   @AfterEach
   void end() {
@@ -70,7 +70,7 @@ class RecruitmentAgentImplTest {
             new RecruiterListener() {
               @Override
               public void received(MessageEnvelope letter) {
-                heard.add(letter);
+                received.add(letter);
               }
             });
     made.add(agent);
@@ -91,8 +91,8 @@ class RecruitmentAgentImplTest {
     time.advance(Duration.ofSeconds(1));
     uav.callForHelp(call("mine"));
     time.advance(Duration.ofSeconds(1));
-    assertThat(heard).as("one can observe mines").hasSize(1);
-    assertThat(heard.get(0).sender()).isEqualTo("uav");
+    assertThat(received).as("one can observe mines").hasSize(1);
+    assertThat(received.get(0).sender()).isEqualTo("uav");
     assertThat(uav.status().requesterPhase()).isEqualTo(RequesterPhase.CALLING);
     assertThatThrownBy(() -> uav.callForHelp(call("gold")))
         .isInstanceOf(HelpCallRejectedException.class);
@@ -118,7 +118,7 @@ class RecruitmentAgentImplTest {
         .hasMessage(
             "uav calls nobody who can observe \"mine\": 2 robots are named ugv1, on 10.0.0.6 and"
                 + " localhost; give each a name of its own in its XML");
-    assertThat(heard).isEmpty();
+    assertThat(received).isEmpty();
   }
 
   private static Attributes elsewhere(Attributes one) {
@@ -147,13 +147,13 @@ class RecruitmentAgentImplTest {
     made.remove(uav);
     listed.get(uav).close();
     time.advance(Duration.ofSeconds(4));
-    long last = heard.get(heard.size() - 1).number();
-    heard.clear();
+    long last = received.get(received.size() - 1).number();
+    received.clear();
     RecruitmentAgentImpl again = agent("uav", kept, Map.of());
     assertThat(again.status().requesterPhase()).isEqualTo(RequesterPhase.CALLING);
     time.advance(Duration.ofSeconds(70));
-    assertThat(heard).as("it goes on calling").isNotEmpty();
-    assertThat(heard.get(0).number()).as("numbers go on growing").isGreaterThan(last);
+    assertThat(received).as("it goes on calling").isNotEmpty();
+    assertThat(received.get(0).number()).as("numbers go on growing").isGreaterThan(last);
     assertThat(again.status().requesterPhase()).isEqualTo(RequesterPhase.IDLE);
     assertThat(again.status().lastChange()).contains("nobody offered to come in time");
   }
@@ -227,7 +227,7 @@ class RecruitmentAgentImplTest {
     time.advance(Duration.ofSeconds(1));
     uav.callForHelp(call("mine"));
     time.advance(Duration.ofMillis(1700));
-    assertThat(heard).as("calls after 0, 0.5, 1 and 1.5 s").hasSize(4);
+    assertThat(received).as("calls after 0, 0.5, 1 and 1.5 s").hasSize(4);
   }
 
   @Test

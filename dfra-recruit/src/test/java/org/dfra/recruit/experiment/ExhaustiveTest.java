@@ -118,14 +118,14 @@ class ExhaustiveTest {
     private final List<String> names = List.of("uav", "ugv1", "ugv2");
     private final List<String> dead = new ArrayList<>();
     private final double letGoAfter;
-    private final String told;
+    private final String reported;
     private int letters;
     private boolean isComplete;
 
     Play(String strategy, double letGoAfter, List<Fault> faults) {
       this.faults = faults;
       this.letGoAfter = letGoAfter;
-      this.told = strategy + ", let go after " + letGoAfter + " s, " + faults;
+      this.reported = strategy + ", let go after " + letGoAfter + " s, " + faults;
       for (int i = 0; i < names.size(); i++) {
         add(strategy, i);
       }
@@ -213,20 +213,20 @@ class ExhaustiveTest {
       for (int i = 0; i < names.size(); i++) {
         if (!dead.contains(names.get(i))) {
           assertThat(agents.get(i).status().responderPhase())
-              .as("%s: %s", told, names.get(i))
+              .as("%s: %s", reported, names.get(i))
               .isEqualTo(ResponderPhase.FREE);
         }
       }
       if (dead.isEmpty()) {
-        assertThat(referee.doubles()).as("%s: second helpers", told).isZero();
-        assertThat(referee.orphans()).as("%s: orphans", told).isZero();
+        assertThat(referee.doubles()).as("%s: second helpers", reported).isZero();
+        assertThat(referee.orphans()).as("%s: orphans", reported).isZero();
       }
       if (!isRequesterDead) {
         assertThat(agents.get(0).status().requesterPhase())
-            .as("%s", told)
+            .as("%s", reported)
             .isEqualTo(RequesterPhase.IDLE);
         if (letGoAfter == NEVER && !dead.containsAll(List.of("ugv1", "ugv2"))) {
-          assertThat(isComplete).as("%s: help came", told).isTrue();
+          assertThat(isComplete).as("%s: help came", reported).isTrue();
         }
       }
       return letters;

@@ -77,7 +77,7 @@ class SuspendedAgentTest {
     private final Map<String, Recruiter> agents = new HashMap<>();
     private final Map<String, ExperimentRobot> bodies = new HashMap<>();
     private final Map<String, FieldPoint> places = new HashMap<>();
-    private final String told;
+    private final String reported;
     private final boolean lettersFirst;
     private final double optimism; // of the nearer robot: its true time of travel by its ETA
     private final List<Runnable> letters = new ArrayList<>(); // that came meanwhile
@@ -87,7 +87,7 @@ class SuspendedAgentTest {
 
     Play(String robot, double from, double span, boolean lettersFirst, double optimism) {
       this.optimism = optimism;
-      this.told = robot + " suspended at " + from + " s for " + span + " s";
+      this.reported = robot + " suspended at " + from + " s for " + span + " s";
       this.lettersFirst = lettersFirst;
       add("uav", Set.of(), 0, robot);
       add("near", Set.of("mine"), 30, robot);
@@ -166,18 +166,18 @@ class SuspendedAgentTest {
         boolean isNearHelping = helps("near");
         boolean isFarHelping = helps("far");
         if (isNearHelping && isFarHelping) { // asked millions of times
-          throw new AssertionError(told + ": both help after " + now);
+          throw new AssertionError(reported + ": both help after " + now);
         }
       }
       for (String robot : List.of("near", "far")) {
         assertThat(agents.get(robot).status().responderPhase())
-            .as("%s: %s in the end", told, robot)
+            .as("%s: %s in the end", reported, robot)
             .isEqualTo(ResponderPhase.FREE);
       }
       assertThat(agents.get("uav").status().requesterPhase())
-          .as(told)
+          .as(reported)
           .isEqualTo(RequesterPhase.IDLE);
-      assertThat(isComplete).as("%s: help came", told).isTrue();
+      assertThat(isComplete).as("%s: help came", reported).isTrue();
     }
 
     /** Whether its lease of the task is valid by its own clock, or it has moved. */

@@ -53,7 +53,7 @@ public final class DiscoveryServerSocketFactory extends ServerSocketFactory {
   }
 
   private BindException taken(int port, BindException cause) {
-    BindException told =
+    BindException reported =
         new BindException(
             "port "
                 + port
@@ -62,7 +62,7 @@ public final class DiscoveryServerSocketFactory extends ServerSocketFactory {
                 + " cannot be listened on ("
                 + cause.getMessage()
                 + "); end what listens there, or give the registrar another port");
-    told.initCause(cause);
-    return told;
+    reported.initCause(cause);
+    return reported;
   }
 }

@@ -19,9 +19,9 @@ final class ActivatorUnreachableException extends Exception {
    * @param attempt how the object itself could not be reached
    */
   RemoteException forCaller(RemoteException attempt) {
-    RemoteException told = forCaller();
-    told.addSuppressed(attempt);
-    return told;
+    RemoteException reported = forCaller();
+    reported.addSuppressed(attempt);
+    return reported;
   }
 
   /** The same in the terms of a call, which has not run. */

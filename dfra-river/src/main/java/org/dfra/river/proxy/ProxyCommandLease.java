@@ -21,19 +21,19 @@ public final class ProxyCommandLease implements CommandLease {
   private final LeaseRenewer renewer;
   private final CommandKey key;
 
-  private ProxyCommandLease(LeaseRenewer tenure, CommandKey key) {
-    this.renewer = tenure;
+  private ProxyCommandLease(LeaseRenewer renewer, CommandKey key) {
+    this.renewer = renewer;
     this.key = key;
   }
 
   /** Renews a lease from now on; where it is lost it asks for no other. */
   public static CommandLease startRenewing(
       String path, GrantedCommandLease given, Duration duration) {
-    LeaseRenewer tenure =
+    LeaseRenewer renewer =
         new LeaseRenewer(
             "command of " + path, duration.toMillis(), given.lease(), Scheduler.system());
-    tenure.start();
-    return new ProxyCommandLease(tenure, given.key());
+    renewer.start();
+    return new ProxyCommandLease(renewer, given.key());
   }
 
   @Override

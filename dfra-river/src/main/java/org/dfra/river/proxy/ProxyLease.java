@@ -15,23 +15,23 @@ final class ProxyLease implements ModuleLease {
 
   private final LeaseRenewer renewer;
 
-  private ProxyLease(LeaseRenewer tenure) {
-    this.renewer = tenure;
+  private ProxyLease(LeaseRenewer renewer) {
+    this.renewer = renewer;
   }
 
   /** Asks for a lease, and keeps it. */
   static ProxyLease open(String path, RemoteModule server, Duration duration)
       throws LeaseRefusedException, RemoteException {
     Lease first = register(server, duration);
-    LeaseRenewer tenure =
+    LeaseRenewer renewer =
         new LeaseRenewer(
             "use of " + path,
             () -> register(server, duration),
             duration.toMillis(),
             first,
             Scheduler.system());
-    tenure.start();
-    return new ProxyLease(tenure);
+    renewer.start();
+    return new ProxyLease(renewer);
   }
 
   private static Lease register(RemoteModule server, Duration duration)

@@ -43,7 +43,7 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
   private final DeliveryCounter tally;
   private final ListenerQueue queue;
   private final Exporter exporter;
-  private final LeaseRenewer tenure;
+  private final LeaseRenewer renewer;
 
   private ProxySubscription(
       String path, RemoteModule server, ModuleListener listener, DeliveryPolicy policy)
@@ -68,7 +68,7 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
     OPEN.add(this);
     try {
       GrantedSubscription first = register(server, stub, policy);
-      this.tenure =
+      this.renewer =
           new LeaseRenewer(
               "subscription to " + path,
               () -> register(server, stub, policy).lease(),
@@ -91,7 +91,7 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
       String path, RemoteModule server, ModuleListener listener, DeliveryPolicy policy)
       throws RemoteException {
     ProxySubscription subscription = new ProxySubscription(path, server, listener, policy);
-    subscription.tenure.start();
+    subscription.renewer.start();
     return subscription;
   }
 
@@ -133,17 +133,17 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
 
   @Override
   public Optional<Instant> interruptedSince() {
-    return tenure.interruptedSince();
+    return renewer.interruptedSince();
   }
 
   @Override
   public boolean isOpen() {
-    return !tenure.isClosed();
+    return !renewer.isClosed();
   }
 
   @Override
   public void close() {
-    tenure.close();
+    renewer.close();
     queue.close();
     unexport();
   }

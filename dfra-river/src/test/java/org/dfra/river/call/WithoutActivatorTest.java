@@ -83,14 +83,14 @@ class WithoutActivatorTest extends ResurrectionFixture {
     assertThatExceptionOfType(ConnectException.class)
         .isThrownBy(() -> proxy(proxyOf(dead)).read())
         .withMessageContaining("the activation system cannot be reached")
-        .satisfies(told -> assertThat(told.getSuppressed()).containsExactly(refused));
+        .satisfies(reported -> assertThat(reported.getSuppressed()).containsExactly(refused));
     assertThat(dead.calls()).isEqualTo(2);
 
     NoSuchObjectException no = new NoSuchObjectException("no such object");
     Live closed = new Live("closed", null, no, no);
     assertThatExceptionOfType(ConnectException.class)
         .isThrownBy(() -> proxy(proxyOf(closed)).read())
-        .satisfies(told -> assertThat(told.getSuppressed()).containsExactly(no));
+        .satisfies(reported -> assertThat(reported.getSuppressed()).containsExactly(no));
     assertThat(closed.calls()).as("who says no is not asked again").isEqualTo(1);
   }
 

@@ -12,13 +12,13 @@ import org.dfra.flow.sensor.GpsFix;
 /** A listener that remembers, and can be made to take its time. */
 final class Ear implements ModuleListener {
 
-  private final List<Delivery> heard = new CopyOnWriteArrayList<>();
+  private final List<Delivery> received = new CopyOnWriteArrayList<>();
   private final Semaphore listening = new Semaphore(Integer.MAX_VALUE / 2);
   volatile boolean throwing;
 
   @Override
   public void notify(Delivery delivery) {
-    heard.add(delivery);
+    received.add(delivery);
     listening.acquireUninterruptibly();
     listening.release();
     if (throwing) {
@@ -36,18 +36,18 @@ final class Ear implements ModuleListener {
   }
 
   List<Delivery> heard() {
-    return heard;
+    return received;
   }
 
   /** Waits for so many. */
   List<Delivery> await(int count) {
     Duration patience = Duration.ofSeconds(20);
-    org.awaitility.Awaitility.await().atMost(patience).until(() -> heard.size() >= count);
-    return heard;
+    org.awaitility.Awaitility.await().atMost(patience).until(() -> received.size() >= count);
+    return received;
   }
 
   List<Double> latitudes() {
-    return heard.stream()
+    return received.stream()
         .filter(delivery -> delivery.event() instanceof NewReading)
         .map(delivery -> ((GpsFix) ((NewReading) delivery.event()).reading()).position().latitude())
         .toList();

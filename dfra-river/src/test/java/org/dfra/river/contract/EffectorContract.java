@@ -201,25 +201,25 @@ abstract class EffectorContract extends EmergencyStopContract {
 
   @Test
   void tellsWhatItDoesToWhomItMayConcern() throws Exception {
-    List<DriveState> heard = new CopyOnWriteArrayList<>();
+    List<DriveState> received = new CopyOnWriteArrayList<>();
     try (Subscription unused =
             effector()
                 .subscribe(
                     delivery -> {
                       if (delivery.event() instanceof NewReading reading) {
-                        heard.add((DriveState) reading.reading());
+                        received.add((DriveState) reading.reading());
                       }
                     },
                     DeliveryPolicy.keepLast(100).withKinds(EventKind.READING));
         CommandLease lease = effector().acquireCommandLease(LEASE)) {
       effector().execute(lease.key(), AHEAD);
       lease.close();
-      await().atMost(PATIENCE).until(() -> heard.size() >= 2);
+      await().atMost(PATIENCE).until(() -> received.size() >= 2);
     }
-    assertThat(heard.get(0).velocity()).isEqualTo(AHEAD);
-    assertThat(heard.get(0).commander()).isEqualTo(commander());
-    assertThat(heard.get(1).velocity()).isEqualTo(Velocity.ZERO);
-    assertThat(heard.get(1).commander()).isNull();
+    assertThat(received.get(0).velocity()).isEqualTo(AHEAD);
+    assertThat(received.get(0).commander()).isEqualTo(commander());
+    assertThat(received.get(1).velocity()).isEqualTo(Velocity.ZERO);
+    assertThat(received.get(1).commander()).isNull();
   }
 
   @Test

@@ -164,13 +164,13 @@ abstract class EmergencyStopContract {
 
   @Test
   void tellsThatItIsStoppedAndReleased() throws Exception {
-    List<Incident> heard = new CopyOnWriteArrayList<>();
+    List<Incident> received = new CopyOnWriteArrayList<>();
     try (Subscription unused =
         effector()
             .subscribe(
                 delivery -> {
                   if (delivery.event() instanceof IncidentRecorded noted) {
-                    heard.add(noted.incident());
+                    received.add(noted.incident());
                   }
                 },
                 DeliveryPolicy.keepLast(100).withKinds(EventKind.INCIDENT))) {
@@ -178,17 +178,17 @@ abstract class EmergencyStopContract {
       assertThat(driver().attributes())
           .contains(new EmergencyStopAttributes(true, "ops", stopped.since()));
       effector().releaseEmergencyStop("the chief");
-      await().atMost(PATIENCE).until(() -> heard.size() >= 2);
+      await().atMost(PATIENCE).until(() -> received.size() >= 2);
     }
-    assertThat(heard)
+    assertThat(received)
         .extracting(Incident::kind)
         .containsExactly(Incident.Kind.EMERGENCY_STOP, Incident.Kind.RELEASE);
-    assertThat(heard)
+    assertThat(received)
         .extracting(Incident::description)
         .containsExactly(
             "it was stopped for an emergency, by ops",
             "it was released from its emergency stop, by the chief");
-    assertThat(effector().history().recent()).containsAll(heard);
+    assertThat(effector().history().recent()).containsAll(received);
   }
 
   @Test

@@ -65,12 +65,12 @@ abstract class ModuleContract {
         driver().solve(i);
         driver().stumble(); // another kind, which this listener does not want
       }
-      List<Delivery> heard = ear.await(50);
+      List<Delivery> received = ear.await(50);
       assertThat(ear.latitudes()).isSorted().hasSize(50);
-      for (int i = 1; i < heard.size(); i++) {
-        assertThat(heard.get(i).sequence()).isEqualTo(heard.get(i - 1).sequence() + 1);
+      for (int i = 1; i < received.size(); i++) {
+        assertThat(received.get(i).sequence()).isEqualTo(received.get(i - 1).sequence() + 1);
       }
-      assertThat(heard).allMatch(each -> each.module().equals(PATH) && each.epoch() == 1);
+      assertThat(received).allMatch(each -> each.module().equals(PATH) && each.epoch() == 1);
       assertThat(subscription.received()).isEqualTo(50);
       assertThat(subscription.lost()).isZero();
       assertThat(subscription.interruptedSince()).isEmpty();

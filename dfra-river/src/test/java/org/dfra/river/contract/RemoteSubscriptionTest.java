@@ -83,10 +83,10 @@ class RemoteSubscriptionTest {
       Timing back = restarted.stop();
       gps().solve(4);
 
-      List<Delivery> heard = ear.await(2);
+      List<Delivery> received = ear.await(2);
       assertThat(ear.latitudes()).containsExactly(1.0, 4.0);
-      assertThat(heard.get(1).epoch()).isEqualTo(2);
-      assertThat(heard.get(1).sequence()).isEqualTo(heard.get(0).sequence() + 3);
+      assertThat(received.get(1).epoch()).isEqualTo(2);
+      assertThat(received.get(1).sequence()).isEqualTo(received.get(0).sequence() + 3);
       assertThat(subscription.lost()).isEqualTo(2);
       await().atMost(PATIENCE).until(() -> subscription.interruptedSince().isEmpty());
       assertThat(lease.isLive()).isTrue();

@@ -41,8 +41,8 @@ class EventFilterTest {
   private Payload payload;
   private BasicJeriExporter exporter;
   private ModuleListener stub;
-  private final List<Delivery> heard = new CopyOnWriteArrayList<>();
-  private final RemoteModuleListener listener = heard::add;
+  private final List<Delivery> received = new CopyOnWriteArrayList<>();
+  private final RemoteModuleListener listener = received::add;
 
   @BeforeAll
   static void compile() throws IOException {
@@ -85,9 +85,9 @@ class EventFilterTest {
       assertRefused(gadget.getValue(), gadget.getKey());
       assertThat(Payload.ran()).as(gadget.getKey()).isFalse();
     }
-    assertThat(heard).isEmpty();
+    assertThat(received).isEmpty();
     send(new double[] {1, 2, 3});
-    assertThat(heard).hasSize(1);
+    assertThat(received).hasSize(1);
   }
 
   @Test
@@ -104,6 +104,6 @@ class EventFilterTest {
             "x".repeat((8 << 20) + 1));
     cargoes.forEach(
         (limit, cargo) -> assertRefused(cargo, limit).hasStackTraceContaining(" " + limit + " > "));
-    assertThat(heard).isEmpty();
+    assertThat(received).isEmpty();
   }
 }

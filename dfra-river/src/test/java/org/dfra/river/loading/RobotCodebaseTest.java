@@ -35,7 +35,7 @@ class RobotCodebaseTest {
   @Test
   void aGroupIsToldByOptions() throws IOException {
     Path kind = Path.of("/a/kind dl.jar");
-    RobotCodebase told =
+    RobotCodebase reported =
         new RobotCodebase(
             "fe80::1",
             8085,
@@ -43,12 +43,12 @@ class RobotCodebaseTest {
             List.of(List.of(kind), List.of(), List.of(kind), List.of(Path.of("/b.jar"), kind)),
             List.of(Path.of("/c.jar")));
     Properties properties = new Properties();
-    for (String option : told.options(true)) {
+    for (String option : reported.options(true)) {
       String[] parts = option.substring(2).split("=", 2);
       properties.setProperty(parts[0], parts[1]);
     }
-    assertThat(RobotCodebase.fromProperties(properties)).contains(told);
-    assertThat(told.moduleCodebases()).as("each once").hasSize(2);
+    assertThat(RobotCodebase.fromProperties(properties)).contains(reported);
+    assertThat(reported.moduleCodebases()).as("each once").hasSize(2);
     assertThat(RobotCodebase.serves(properties)).isTrue();
     assertThat(RobotCodebase.fromProperties(new Properties())).isEmpty();
     assertThat(classes(1, List.of(), List.of()).isEmpty()).isTrue();

@@ -15,9 +15,9 @@ final class SteppedCondition implements Condition {
   private final ReentrantLock lock;
   private final ArrayDeque<Wait> waits = new ArrayDeque<>(); // guarded by lock
 
-  SteppedCondition(LockStep time, LockStepScheduler baton, ReentrantLock lock) {
+  SteppedCondition(LockStep time, LockStepScheduler stuckTurn, ReentrantLock lock) {
     this.time = time;
-    this.scheduler = baton;
+    this.scheduler = stuckTurn;
     this.lock = lock;
   }
 

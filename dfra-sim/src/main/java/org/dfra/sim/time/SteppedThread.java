@@ -38,11 +38,11 @@ final class SteppedThread extends Thread {
   Phase phase = Phase.NEW;
   @Nullable ScheduledEvent wake; // when it waits for a time
 
-  SteppedThread(LockStepScheduler baton, String name, Runnable role) {
+  SteppedThread(LockStepScheduler stuckTurn, String name, Runnable role) {
     super(name);
-    this.scheduler = baton;
+    this.scheduler = stuckTurn;
     this.role = role;
-    this.mayRun = baton.newTurn();
+    this.mayRun = stuckTurn.newTurn();
     setDaemon(true);
   }
 

@@ -35,8 +35,8 @@ class M12DeviceTest {
   private static final String GPS_TIME = "40404177 00 36 0D0A";
   private static final String ASK_TIME_SCALE = "40404177 FF C9 0D0A";
 
-  private final List<M12Message> heard = new ArrayList<>();
-  private final M12Parser parser = new M12Parser(heard::add);
+  private final List<M12Message> received = new ArrayList<>();
+  private final M12Parser parser = new M12Parser(received::add);
   private final M12Device device = device(9600, Duration.ZERO);
   private Instant now = BEGIN;
 
@@ -57,9 +57,9 @@ class M12DeviceTest {
   void aFrameTakesAsLongAsTheLineNeedsForIt() {
     command(device, HA_EVERY_SECOND);
     assertThat(run(device, Duration.ofMillis(160))).isEqualTo(153); // 960 bytes/s
-    assertThat(heard).isEmpty();
+    assertThat(received).isEmpty();
     assertThat(run(device, Duration.ofMillis(1))).isEqualTo(1);
-    assertThat(heard).hasSize(1);
+    assertThat(received).hasSize(1);
   }
 
   @Test
@@ -75,7 +75,7 @@ class M12DeviceTest {
   void sendsBothFamiliesWhenAskedForBoth() {
     command(device, HA_EVERY_SECOND + EA_EVERY_SECOND);
     run(device, Duration.ofMillis(2900));
-    assertThat(heard.stream().map(M12Message::id))
+    assertThat(received.stream().map(M12Message::id))
         .containsExactly("Ha", "Ea", "Ha", "Ea", "Ha", "Ea");
     assertThat(parser.counts().droppedBytes()).isZero();
   }
@@ -84,16 +84,16 @@ class M12DeviceTest {
   void saysWhatItIs() {
     command(device, CJ);
     assertThat(run(device, Duration.ofSeconds(1))).isEqualTo(294);
-    assertThat(heard).singleElement().extracting(M12Message::id).isEqualTo("Cj");
+    assertThat(received).singleElement().extracting(M12Message::id).isEqualTo("Cj");
   }
 
   @Test
   void changesAndTellsItsTimeScale() {
     command(device, ASK_TIME_SCALE + GPS_TIME + HA_ONCE);
     run(device, Duration.ofSeconds(1));
-    assertThat(heard.get(0)).isEqualTo(new TimeScale(true));
-    assertThat(heard.get(1)).isEqualTo(new TimeScale(false));
-    M12PositionMessage position = (M12PositionMessage) heard.get(2);
+    assertThat(received.get(0)).isEqualTo(new TimeScale(true));
+    assertThat(received.get(1)).isEqualTo(new TimeScale(false));
+    M12PositionMessage position = (M12PositionMessage) received.get(2);
     assertThat(position.time().toInstant()).isEqualTo(BEGIN.plusSeconds(18));
     assertThat(position.utc()).isEqualTo(BEGIN);
   }
@@ -104,11 +104,11 @@ class M12DeviceTest {
     say(M12Commands.shortPosition(0));
     say(M12Commands.askHoldPosition());
     run(device, Duration.ofSeconds(1));
-    assertThat(heard.get(0)).isEqualTo(new PositionControl(PositionControl.Mode.HOLD));
-    M12PositionMessage position = (M12PositionMessage) heard.get(1);
+    assertThat(received.get(0)).isEqualTo(new PositionControl(PositionControl.Mode.HOLD));
+    M12PositionMessage position = (M12PositionMessage) received.get(1);
     assertThat(position.id()).isEqualTo("Hb");
     assertThat(position.mode()).isEqualTo(GpsFix.Mode.POSITION_HOLD);
-    assertThat(((HeldPosition) heard.get(2)).position()).isEqualTo(position.position());
+    assertThat(((HeldPosition) received.get(2)).position()).isEqualTo(position.position());
   }
 
   @Test
@@ -120,12 +120,12 @@ class M12DeviceTest {
     say(M12Commands.timeRaimOf8Channels(0));
     say(M12Commands.utcOffset());
     run(device, Duration.ofSeconds(1));
-    assertThat(((VisibleSatellites) heard.get(0)).satellites()).hasSize(9);
-    assertThat(((TimeRaim) heard.get(1)).solution()).isEqualTo(TimeRaim.Solution.UNKNOWN);
-    assertThat(heard.get(2).id()).isEqualTo("Ge");
-    assertThat(((TimeRaim) heard.get(3)).solution()).isEqualTo(TimeRaim.Solution.OK);
-    assertThat(((TimeRaim) heard.get(4)).sawtooth()).isEqualTo(-7);
-    assertThat(heard.get(5)).isEqualTo(new M12UtcOffset(18));
+    assertThat(((VisibleSatellites) received.get(0)).satellites()).hasSize(9);
+    assertThat(((TimeRaim) received.get(1)).solution()).isEqualTo(TimeRaim.Solution.UNKNOWN);
+    assertThat(received.get(2).id()).isEqualTo("Ge");
+    assertThat(((TimeRaim) received.get(3)).solution()).isEqualTo(TimeRaim.Solution.OK);
+    assertThat(((TimeRaim) received.get(4)).sawtooth()).isEqualTo(-7);
+    assertThat(received.get(5)).isEqualTo(new M12UtcOffset(18));
   }
 
   @Test
@@ -138,9 +138,9 @@ class M12DeviceTest {
     run(cold, Duration.ofSeconds(3));
     cold.receive(set, 0, set.length, now);
     run(cold, Duration.ofSeconds(1));
-    assertThat(((ReceiverClock) heard.get(0)).time().toInstant()).isEqualTo(wrong);
-    assertThat(((M12PositionMessage) heard.get(1)).utc()).isEqualTo(wrong);
-    assertThat(((ReceiverClock) heard.get(2)).time().toInstant())
+    assertThat(((ReceiverClock) received.get(0)).time().toInstant()).isEqualTo(wrong);
+    assertThat(((M12PositionMessage) received.get(1)).utc()).isEqualTo(wrong);
+    assertThat(((ReceiverClock) received.get(2)).time().toInstant())
         .as("it knows better")
         .isEqualTo("2026-01-21T07:33:32Z");
   }
@@ -157,7 +157,7 @@ class M12DeviceTest {
             + "40404861"); // cut short by the next
     command(device, CJ);
     run(device, Duration.ofSeconds(1));
-    assertThat(heard).singleElement().extracting(M12Message::id).isEqualTo("Cj");
+    assertThat(received).singleElement().extracting(M12Message::id).isEqualTo("Cj");
   }
 
   @Test
@@ -166,7 +166,7 @@ class M12DeviceTest {
       device.receive(new byte[] {b}, 0, 1, now);
     }
     run(device, Duration.ofSeconds(1));
-    assertThat(heard).hasSize(1);
+    assertThat(received).hasSize(1);
   }
 
   @Test
@@ -174,7 +174,7 @@ class M12DeviceTest {
     M12Device cold = device(9600, Duration.ofSeconds(2));
     command(cold, HA_EVERY_SECOND);
     run(cold, Duration.ofMillis(3500));
-    assertThat(heard.stream().map(message -> ((M12PositionMessage) message).mode()))
+    assertThat(received.stream().map(message -> ((M12PositionMessage) message).mode()))
         .containsExactly(
             GpsFix.Mode.NONE, GpsFix.Mode.NONE, GpsFix.Mode.FIX_3D, GpsFix.Mode.FIX_3D);
   }
@@ -184,7 +184,7 @@ class M12DeviceTest {
     M12Device slow = device(600, Duration.ZERO); // 60 bytes/s for 154 bytes/s
     command(slow, HA_EVERY_SECOND);
     run(slow, Duration.ofMinutes(2));
-    assertThat(heard.size()).isBetween(40, 47); // 7200 bytes through, in whole frames
+    assertThat(received.size()).isBetween(40, 47); // 7200 bytes through, in whole frames
     assertThat(parser.counts().droppedBytes()).isZero();
   }
 
@@ -236,7 +236,7 @@ class M12DeviceTest {
   }
 
   private List<Instant> times(String id) {
-    return heard.stream()
+    return received.stream()
         .filter(message -> message.id().equals(id))
         .map(message -> ((M12PositionMessage) message).utc())
         .toList();

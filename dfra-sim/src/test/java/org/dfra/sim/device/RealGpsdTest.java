@@ -45,7 +45,7 @@ class RealGpsdTest {
         gps.start();
         await().until(gps::readiness, Readiness.READY::equals);
         // Its first report may not have the height yet.
-        GpsFix fix = await().until(gps::fix, told -> told.mode() == GpsFix.Mode.FIX_3D);
+        GpsFix fix = await().until(gps::fix, reported -> reported.mode() == GpsFix.Mode.FIX_3D);
         assertThat(fix.position().latitude()).isCloseTo(PLACE.latitude(), within(1e-8));
         assertThat(fix.position().longitude()).isCloseTo(PLACE.longitude(), within(1e-8));
         // gpsd may have its own geoid: it adds back what it took from GGA.

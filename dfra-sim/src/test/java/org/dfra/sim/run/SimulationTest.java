@@ -98,7 +98,7 @@ class SimulationTest {
   /** What is told in ten seconds with real drivers at the lines, of which three on the way. */
   private static List<String> readings(long seed) throws Exception {
     LockStep time = new LockStep(BEGIN);
-    List<String> told = new ArrayList<>();
+    List<String> reported = new ArrayList<>();
     try (Simulation simulation = Simulation.inLockStep(yard(seed), time);
         M12PlusImpl gps = new M12PlusImpl(context("gps", "gps", time));
         LmsImpl laser = new LmsImpl(context("laser", "laser", time));
@@ -112,7 +112,7 @@ class SimulationTest {
             each.subscribe(
                 delivery -> {
                   if (delivery.event() instanceof ModuleEvent.NewReading reading) {
-                    told.add(
+                    reported.add(
                         reading.reading() instanceof RangeScan scan
                             ? scan + " " + scan.hashCode()
                             : reading.reading().toString());
@@ -141,7 +141,7 @@ class SimulationTest {
       assertThat(after.east() - before.east()).as("metres it went").isBetween(1.0, 1.6);
       assertThat(counted.x()).as("metres its wheels counted").isBetween(1.0, 1.6);
     }
-    return told;
+    return reported;
   }
 
   private static Duration minute() {

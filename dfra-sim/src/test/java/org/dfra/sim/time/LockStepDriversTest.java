@@ -38,18 +38,18 @@ class LockStepDriversTest {
 
   @Test
   void anHourOfADriverHasAFixForEverySecond() throws Exception {
-    List<Instant> told = new ArrayList<>();
+    List<Instant> reported = new ArrayList<>();
     try (port;
         M12PlusImpl gps = new M12PlusImpl(context(port.url()))) {
       port.start();
-      listen(gps, told);
+      listen(gps, reported);
       gps.start();
       assertThat(gps.readiness()).isEqualTo(Readiness.INITIALIZING);
       time.advance(Duration.ofHours(1));
       assertThat(gps.readiness()).isEqualTo(Readiness.ACTIVE);
       assertThat(gps.history().failures()).isZero();
       assertThat(gps.counts().droppedBytes()).isZero();
-      assertThat(told).hasSizeBetween(3599, 3601).isSorted();
+      assertThat(reported).hasSizeBetween(3599, 3601).isSorted();
       assertThat(gps.fix().utc()).isBetween(time.instant().minusSeconds(2), time.instant());
     }
   }
@@ -119,13 +119,13 @@ class LockStepDriversTest {
     return time.advanceUntil(() -> gps.readiness() == expected, Duration.ofSeconds(20));
   }
 
-  private static void listen(M12PlusImpl gps, List<Instant> told) {
+  private static void listen(M12PlusImpl gps, List<Instant> reported) {
     var unused =
         gps.subscribe(
             delivery -> {
               if (delivery.event() instanceof NewReading reading
                   && reading.reading() instanceof GpsFix) {
-                told.add(delivery.published());
+                reported.add(delivery.published());
               }
             },
             DeliveryPolicy.keepLast(1));

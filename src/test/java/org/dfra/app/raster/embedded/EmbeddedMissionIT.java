@@ -55,7 +55,7 @@ class EmbeddedMissionIT {
 
   @TempDir Path folder;
 
-  private final ToldMarks told = new ToldMarks();
+  private final ToldMarks reported = new ToldMarks();
   private final RunMeasurements figures = new RunMeasurements();
 
   /** Looks at the robot and its lookup service while it searches, and does nothing to them. */
@@ -121,7 +121,7 @@ class EmbeddedMissionIT {
                 robot -> robot,
                 List.of(new RegistrarOutage(0, 0.9, RegistrarOutage.NEVER)),
                 figures)
-            .run(told);
+            .run(reported);
     RobotMissionResult robot = flight.robots().get(0);
     assertThat(robot.completed()).isFalse();
     assertThat(robot.samples()).hasSizeGreaterThan(50);
@@ -141,13 +141,13 @@ class EmbeddedMissionIT {
                 robot -> robot,
                 List.of(new RegistrarOutage(0, 0.2, 0.6), onlooker),
                 figures)
-            .run(told);
+            .run(reported);
 
     RobotMissionResult robot = flight.robots().get(0);
     String story = flight.events() + "; " + robot.ending() + "; " + figures.all();
     assertThat(robot.completed()).as(story).isTrue();
     assertThat(flight.collisions()).as(story).isEmpty();
-    assertThat(flight.events()).as("as told on the way").isEqualTo(told.marks());
+    assertThat(flight.events()).as("as told on the way").isEqualTo(reported.marks());
     String modules = onlooker.described.size() + " modules";
     assertThat(flight.events())
         .extracting(MissionEvent::what)

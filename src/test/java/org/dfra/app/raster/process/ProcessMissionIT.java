@@ -43,7 +43,7 @@ class ProcessMissionIT {
 
   @TempDir Path folder;
 
-  private final ToldMarks told = new ToldMarks();
+  private final ToldMarks reported = new ToldMarks();
   private final RunMeasurements figures = new RunMeasurements();
 
   private MissionResult fly(List<InjectedFault<DemoRobot>> troubles) throws Exception {
@@ -55,7 +55,7 @@ class ProcessMissionIT {
       scenario = FewLanes.twoLanes(world, robot);
     }
     return new ProcessMission(scenario, world, 1, LONGEST, robot -> robot, troubles, figures)
-        .run(told);
+        .run(reported);
   }
 
   /**
@@ -72,7 +72,7 @@ class ProcessMissionIT {
     RobotMissionResult robot = flight.robots().get(0);
     String story = flight.events() + "; " + robot.ending() + "; " + figures.all();
     assertThat(robot.completed()).as(story).isTrue();
-    assertThat(flight.events()).as("as told on the way").isEqualTo(told.marks());
+    assertThat(flight.events()).as("as told on the way").isEqualTo(reported.marks());
     assertThat(flight.events())
         .extracting(MissionEvent::what)
         .satisfiesExactly(

@@ -110,7 +110,7 @@ final class DevicesReport {
   }
 
   private Page motion() {
-    double[][] told = streams.drive.series("speed_mps");
+    double[][] reported = streams.drive.series("speed_mps");
     double[][] wheels = streams.odometry.series("speed_mps");
     double[][] gyro = streams.gyro.series("rate_radps");
     double[][] turning = streams.odometry.series("turn_rate_radps");
@@ -119,7 +119,7 @@ final class DevicesReport {
             260,
             new LinePanel("Speed", TIME, Axis.of("speed", "m/s"))
                 .add(
-                    Series.steps("commanded", told[0], told[1]),
+                    Series.steps("commanded", reported[0], reported[1]),
                     Series.line("odometry", wheels[0], wheels[1]),
                     Series.line("truly", truth.seconds(), truth.speed()))
                 .moment(killed, "drive killed"))

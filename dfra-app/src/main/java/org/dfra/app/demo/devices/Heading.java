@@ -37,8 +37,8 @@ final class Heading implements ModuleListener, AutoCloseable {
 
   @Override
   public synchronized void notify(Delivery delivery) {
-    if (delivery.event() instanceof ModuleEvent.NewReading told
-        && told.reading() instanceof AngularRate rate) {
+    if (delivery.event() instanceof ModuleEvent.NewReading reported
+        && reported.reading() instanceof AngularRate rate) {
       if (bias == null) {
         sum += rate.rate();
         count++;

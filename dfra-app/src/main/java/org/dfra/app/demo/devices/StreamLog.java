@@ -82,9 +82,9 @@ final class StreamLog<R extends Reading> implements ModuleListener, AutoCloseabl
 
   @Override
   public synchronized void notify(Delivery delivery) {
-    if (delivery.event() instanceof ModuleEvent.NewReading told
-        && type.isInstance(told.reading())) {
-      R reading = type.cast(told.reading());
+    if (delivery.event() instanceof ModuleEvent.NewReading reported
+        && type.isInstance(reported.reading())) {
+      R reading = type.cast(reported.reading());
       rows.add(new Row(seconds(reading.measured()), numbers.of(reading, delivery.epoch())));
       last = reading;
       count++;

@@ -32,7 +32,7 @@ final class LiveProgress implements MissionListener {
   private final List<RasterPlan> plans = new ArrayList<>();
   private final List<List<LocalPosition>> driven = new ArrayList<>();
   private double clearance = Double.POSITIVE_INFINITY;
-  private long told;
+  private long reported;
 
   /**
    * @param nanos a clock of real time, of which only differences are taken
@@ -42,7 +42,7 @@ final class LiveProgress implements MissionListener {
     this.nanos = nanos;
     this.scenario = scenario;
     this.bodies = new ClearanceCalculator(scenario.world());
-    this.told = nanos.getAsLong();
+    this.reported = nanos.getAsLong();
   }
 
   @Override
@@ -57,8 +57,8 @@ final class LiveProgress implements MissionListener {
       clearance = Math.min(clearance, sample.clearance());
     }
     long now = nanos.getAsLong();
-    if (now - told >= (tell.isTerminal() ? REDRAW : SENTENCE)) {
-      told = now;
+    if (now - reported >= (tell.isTerminal() ? REDRAW : SENTENCE)) {
+      reported = now;
       show(robots);
     }
   }

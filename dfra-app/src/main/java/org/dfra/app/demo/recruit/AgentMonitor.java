@@ -44,7 +44,7 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
   private final Instant began;
   private final DirectoryRegistration watch;
   private final Map<String, Subscription> subscriptions = new TreeMap<>(); // guarded by this
-  private final Map<String, List<RecruitmentStatus>> heard = new TreeMap<>(); // guarded by this
+  private final Map<String, List<RecruitmentStatus>> received = new TreeMap<>(); // guarded by this
   private final List<SentMessage> letters = new ArrayList<>(); // guarded by this
   private final List<OperatorEvent> noted = new ArrayList<>(); // guarded by this
   private final Map<String, Instant> deaths = new TreeMap<>(); // by robot; guarded by this
@@ -95,7 +95,7 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
     if (fresh.reading() instanceof SentMessage sent) {
       letters.add(sent);
     } else if (fresh.reading() instanceof RecruitmentStatus status) {
-      List<RecruitmentStatus> all = heard.computeIfAbsent(robot, name -> new ArrayList<>());
+      List<RecruitmentStatus> all = received.computeIfAbsent(robot, name -> new ArrayList<>());
       say(robot, all.isEmpty() ? null : last(all), status);
       all.add(status);
     }
@@ -180,7 +180,7 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
 
   /** The robot that is committed to help, and not one of those. */
   synchronized Optional<String> committed(Set<String> others) {
-    return heard.entrySet().stream()
+    return received.entrySet().stream()
         .filter(each -> !others.contains(each.getKey()))
         .filter(each -> last(each.getValue()).responderPhase().isCommitted())
         .map(Map.Entry::getKey)
@@ -189,16 +189,18 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
 
   /** Robots that were committed to help at some time. */
   synchronized Set<String> helpers() {
-    return heard.entrySet().stream()
+    return received.entrySet().stream()
         .filter(
-            each -> each.getValue().stream().anyMatch(told -> told.responderPhase().isCommitted()))
+            each ->
+                each.getValue().stream()
+                    .anyMatch(reported -> reported.responderPhase().isCommitted()))
         .map(Map.Entry::getKey)
         .collect(Collectors.toSet());
   }
 
   /** What that robot told last; nothing where it has told nothing. */
   synchronized Optional<RecruitmentStatus> last(String robot) {
-    return Optional.ofNullable(heard.get(robot)).map(AgentMonitor::last);
+    return Optional.ofNullable(received.get(robot)).map(AgentMonitor::last);
   }
 
   private static RecruitmentStatus last(List<RecruitmentStatus> all) {
@@ -208,7 +210,7 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
   /** All that was told, by robot, as it was told. */
   synchronized Map<String, List<RecruitmentStatus>> statuses() {
     Map<String, List<RecruitmentStatus>> copy = new TreeMap<>();
-    heard.forEach((robot, all) -> copy.put(robot, List.copyOf(all)));
+    received.forEach((robot, all) -> copy.put(robot, List.copyOf(all)));
     return copy;
   }
 
@@ -219,7 +221,7 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
 
   /** For how many seconds of the robots' time two helped at once, as each dated it. */
   synchronized double overlapSeconds() {
-    return overlapSeconds(heard, deaths);
+    return overlapSeconds(received, deaths);
   }
 
   /** From when to when a robot was committed to help. */
@@ -232,15 +234,15 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
    * @param deaths when a robot died, by robot
    */
   static double overlapSeconds(
-      Map<String, List<RecruitmentStatus>> told, Map<String, Instant> deaths) {
+      Map<String, List<RecruitmentStatus>> reported, Map<String, Instant> deaths) {
     Instant last =
-        told.values().stream()
+        reported.values().stream()
             .flatMap(List::stream)
             .map(RecruitmentStatus::measured)
             .max(Comparator.naturalOrder())
             .orElse(Instant.MIN);
     List<Span> spans = new ArrayList<>();
-    told.forEach(
+    reported.forEach(
         (robot, all) -> {
           Instant death = deaths.getOrDefault(robot, last);
           @Nullable Instant from = null;

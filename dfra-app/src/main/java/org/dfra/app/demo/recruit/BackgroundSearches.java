@@ -50,7 +50,7 @@ final class BackgroundSearches implements AutoCloseable {
   private final Duration patience;
   private final Map<String, RasterSearch> under = new TreeMap<>(); // way, by robot; guarded by this
   private final Map<String, Subscription> subscriptions = new TreeMap<>(); // guarded by this
-  private final Map<String, List<BehaviorStatus>> heard = new TreeMap<>(); // guarded by this
+  private final Map<String, List<BehaviorStatus>> received = new TreeMap<>(); // guarded by this
 
   /**
    * @param frame the world's
@@ -104,17 +104,17 @@ final class BackgroundSearches implements AutoCloseable {
   private synchronized void received(String robot, Delivery delivery) {
     if (delivery.event() instanceof ModuleEvent.NewReading fresh
         && fresh.reading() instanceof BehaviorStatus status) {
-      heard.computeIfAbsent(robot, name -> new ArrayList<>()).add(status);
+      received.computeIfAbsent(robot, name -> new ArrayList<>()).add(status);
     }
   }
 
   private synchronized List<BehaviorStatus> statuses(String robot) {
-    return List.copyOf(heard.getOrDefault(robot, List.of()));
+    return List.copyOf(received.getOrDefault(robot, List.of()));
   }
 
   /** What a robot's search told last; nothing where it has none, or told nothing. */
   synchronized Optional<BehaviorStatus> last(String robot) {
-    List<BehaviorStatus> all = heard.getOrDefault(robot, List.of());
+    List<BehaviorStatus> all = received.getOrDefault(robot, List.of());
     return all.isEmpty() ? Optional.empty() : Optional.of(all.get(all.size() - 1));
   }
 

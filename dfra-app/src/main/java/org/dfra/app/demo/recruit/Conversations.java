@@ -53,17 +53,17 @@ final class Conversations {
                     .add(each));
     List<Attempt> all = new ArrayList<>();
     sorted.forEach(
-        (conversation, told) -> {
-          HelpCall asked = asked(told);
+        (conversation, reported) -> {
+          HelpCall asked = asked(reported);
           if (asked != null) {
-            all.add(next(all, conversation.requester(), asked, told));
+            all.add(next(all, conversation.requester(), asked, reported));
           }
         });
     return all;
   }
 
-  private static @Nullable HelpCall asked(List<SentMessage> told) {
-    return told.stream()
+  private static @Nullable HelpCall asked(List<SentMessage> reported) {
+    return reported.stream()
         .map(each -> each.envelope().message() instanceof Help help ? help.call() : null)
         .filter(call -> call != null)
         .findFirst()

@@ -68,17 +68,17 @@ final class DemoTimeline {
         all.add(of(each.begun(), each.requester(), what));
       }
     }
-    witness.statuses().forEach((robot, told) -> all.addAll(helped(robot, told)));
+    witness.statuses().forEach((robot, reported) -> all.addAll(helped(robot, reported)));
     witness.noted().forEach(each -> all.add(of(each.time(), each.robot(), each.what())));
     all.sort(Comparator.comparingDouble(each -> each.mark().time()));
     return all;
   }
 
   /** When a robot set out, was there, and was free again. */
-  private List<Event> helped(String robot, List<RecruitmentStatus> told) {
+  private List<Event> helped(String robot, List<RecruitmentStatus> reported) {
     List<Event> all = new ArrayList<>();
     ResponderPhase last = ResponderPhase.FREE;
-    for (RecruitmentStatus each : told) {
+    for (RecruitmentStatus each : reported) {
       ResponderPhase phase = each.responderPhase();
       boolean wasThere = isThere(last);
       if (phase == ResponderPhase.TRAVELLING && last != phase) {

@@ -56,27 +56,27 @@ final class RecruitCharts {
   }
 
   /** Who told whom what in one conversation. */
-  Page chart(Attempt told) {
+  Page chart(Attempt reported) {
     SequencePanel panel = new SequencePanel(robots);
-    for (SentMessage each : told.messages()) {
+    for (SentMessage each : reported.messages()) {
       panel.message(
           String.format(Locale.ROOT, "%.1f s", chronicle.seconds(each.measured())),
           each.envelope().sender(),
           each.to(),
           text(each.envelope().message()));
     }
-    return new Page(title(told)).row(panel.height(), panel);
+    return new Page(title(reported)).row(panel.height(), panel);
   }
 
   /** Such as {@code Call 2, by uav, after 49.9 s: attempt 1}. */
-  String title(Attempt told) {
+  String title(Attempt reported) {
     return String.format(
         Locale.ROOT,
         "Call %d, by %s%s, after %.1f s",
-        told.call(),
-        told.requester(),
-        told.attempt() == 1 ? "" : ", attempt " + told.attempt(),
-        chronicle.seconds(told.begun()));
+        reported.call(),
+        reported.requester(),
+        reported.attempt() == 1 ? "" : ", attempt " + reported.attempt(),
+        chronicle.seconds(reported.begun()));
   }
 
   /** As the protocol names it. */

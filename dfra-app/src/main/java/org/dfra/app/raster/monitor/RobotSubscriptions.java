@@ -54,7 +54,7 @@ public final class RobotSubscriptions implements AutoCloseable {
   // guarded by this
   private final PriorityQueue<PendingReading> waiting =
       new PriorityQueue<>(
-          Comparator.comparing((PendingReading heard) -> heard.reading().measured()));
+          Comparator.comparing((PendingReading received) -> received.reading().measured()));
   private final List<DriveState> wheels = new ArrayList<>();
   private final List<ReceivedPosition> positions = new ArrayList<>();
   private BehaviorStatus newest;
@@ -98,10 +98,10 @@ public final class RobotSubscriptions implements AutoCloseable {
     }
     Reading reading = fresh.reading();
     waiting.add(new PendingReading(taker, delivery, reading));
-    if (reading instanceof BehaviorStatus told) {
-      newest = told;
-    } else if (reading instanceof DriveState told) {
-      wheels.add(told);
+    if (reading instanceof BehaviorStatus reported) {
+      newest = reported;
+    } else if (reading instanceof DriveState reported) {
+      wheels.add(reported);
     } else if (reading instanceof GpsFix fix && fix.position() != null) {
       positions.add(new ReceivedPosition(module, fix.measured(), delivery.epoch()));
     }
@@ -113,8 +113,8 @@ public final class RobotSubscriptions implements AutoCloseable {
         next != null && !next.reading().measured().isAfter(until);
         next = waiting.peek()) {
       waiting.remove();
-      if (next.reading() instanceof BehaviorStatus told) {
-        status = told;
+      if (next.reading() instanceof BehaviorStatus reported) {
+        status = reported;
       } else {
         next.log().notify(next.delivery());
       }

@@ -36,7 +36,7 @@ class RasterReportTest {
 
   @TempDir Path folder;
 
-  private final StringWriter told = new StringWriter();
+  private final StringWriter reported = new StringWriter();
 
   private void search(long seed, Path report) {
     RasterOptions options = new RasterOptions();
@@ -45,8 +45,8 @@ class RasterReportTest {
     options.spacing = 2.5;
     options.seed = seed;
     ProgressReporter narration =
-        new ProgressReporter(new PrintWriter(told, true), System::nanoTime);
-    assertThat(RasterDemo.of(narration, options, report).run()).as(told.toString()).isTrue();
+        new ProgressReporter(new PrintWriter(reported, true), System::nanoTime);
+    assertThat(RasterDemo.of(narration, options, report).run()).as(reported.toString()).isTrue();
   }
 
   @Test
@@ -70,7 +70,7 @@ class RasterReportTest {
     assertThat(one.get("metrics.csv").lines().skip(1))
         .hasSize(2)
         .allSatisfy(row -> assertThat(row).contains(",true,", "it has been everywhere"));
-    assertThat(told.toString().replaceAll("\\s+", " "))
+    assertThat(reported.toString().replaceAll("\\s+", " "))
         .contains("Mode local:", "A region becomes lanes", "atrv2: the region is searched");
 
     String html = Files.readString(folder.resolve("one/report.html"));

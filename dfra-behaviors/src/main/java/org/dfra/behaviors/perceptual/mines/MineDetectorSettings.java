@@ -76,54 +76,56 @@ record MineDetectorSettings(
         parameters.number("least_probability", 0.05, 0, 1));
   }
 
-  private static int colour(Parameters told, int usual) {
-    Optional<String> text = told.find("mine_colour");
+  private static int colour(Parameters reported, int usual) {
+    Optional<String> text = reported.find("mine_colour");
     if (text.isEmpty()) {
       return usual;
     }
     String hex = text.get().strip();
     if (!hex.matches("#[0-9A-Fa-f]{6}") || hex.equals("#000000")) {
-      throw told.fault("mine_colour", "red, green and blue as #3F4526, not all 0", null);
+      throw reported.fault("mine_colour", "red, green and blue as #3F4526, not all 0", null);
     }
     return Integer.parseInt(hex.substring(1), 16);
   }
 
-  private static Map<Band, RepeatedDetectionRates> rates(Parameters told) {
+  private static Map<Band, RepeatedDetectionRates> rates(Parameters reported) {
     Map<Band, RepeatedDetectionRates> rates = new EnumMap<>(Band.class);
     for (Band band : Band.values()) {
       String name = band.name().toLowerCase(Locale.ROOT);
       rates.put(
           band,
           new RepeatedDetectionRates(
-              rates(told, name, ""),
-              rates(told, name, "_after_alarm"),
-              rates(told, name, "_after_silence")));
+              rates(reported, name, ""),
+              rates(reported, name, "_after_alarm"),
+              rates(reported, name, "_after_silence")));
     }
     return rates;
   }
 
   /** There is no rate that would be right for all cameras, so there is none by default. */
-  private static DetectorRates rates(Parameters told, String band, String when) {
+  private static DetectorRates rates(Parameters reported, String band, String when) {
     return new DetectorRates(
-        rate(told, band + "_true_positive" + when), rate(told, band + "_false_positive" + when), 1);
+        rate(reported, band + "_true_positive" + when),
+        rate(reported, band + "_false_positive" + when),
+        1);
   }
 
-  private static double rate(Parameters told, String name) {
-    told.text(name); // says so where it is not there
-    return told.number(name, Double.NaN, RAREST, 1 - RAREST);
+  private static double rate(Parameters reported, String name) {
+    reported.text(name); // says so where it is not there
+    return reported.number(name, Double.NaN, RAREST, 1 - RAREST);
   }
 
   /** How often a method of fusion was right and wrong; null where nobody has measured it. */
   private record MeasuredRates(@Nullable Double truePositive, @Nullable Double falsePositive) {}
 
   /** Of every method, chosen or not: so that what is written of the other is looked at too. */
-  private static MeasuredRates shares(Parameters told, String method) {
+  private static MeasuredRates shares(Parameters reported, String method) {
     String name = method.replace('-', '_');
     return new MeasuredRates(
-        share(told, name + "_true_positive"), share(told, name + "_false_positive"));
+        share(reported, name + "_true_positive"), share(reported, name + "_false_positive"));
   }
 
-  private static @Nullable Double share(Parameters told, String name) {
-    return told.find(name).isEmpty() ? null : Double.valueOf(told.number(name, 0, 0, 1));
+  private static @Nullable Double share(Parameters reported, String name) {
+    return reported.find(name).isEmpty() ? null : Double.valueOf(reported.number(name, 0, 0, 1));
   }
 }

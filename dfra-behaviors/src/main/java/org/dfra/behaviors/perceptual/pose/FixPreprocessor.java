@@ -168,9 +168,9 @@ final class FixPreprocessor {
     private final long[] moments = new long[KEPT];
     private int count;
 
-    Receiver(String name, long heard, boolean isNew) {
+    Receiver(String name, long received, boolean isNew) {
       this.name = name;
-      this.heard = heard;
+      this.heard = received;
       this.isNew = isNew;
     }
 

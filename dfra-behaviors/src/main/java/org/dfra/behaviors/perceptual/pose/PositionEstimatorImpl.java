@@ -105,7 +105,7 @@ public final class PositionEstimatorImpl extends PerceptualSchemaImpl<PoseEstima
   private static TrackerSettings trackerSettings(Parameters settings) {
     TrackerSettings usual = TrackerSettings.DEFAULT;
     GpsErrors gps = usual.gps();
-    GpsErrors told =
+    GpsErrors reported =
         new GpsErrors(
             settings.number("gps_white", gps.whiteNoiseSigma(), 0.01, 50),
             settings.number("gps_bias", gps.biasSigma(), 0, 50),
@@ -117,7 +117,7 @@ public final class PositionEstimatorImpl extends PerceptualSchemaImpl<PoseEstima
     Duration window =
         settings.seconds("window", usual.fixWindow(), Duration.ofSeconds(2), Duration.ofMinutes(2));
     return new TrackerSettings(
-        told,
+        reported,
         wheels(settings, usual.wheels()),
         gyro(settings, usual.gyro()),
         settings.number("gate", usual.positionGate(), 1, 1000),

@@ -12,24 +12,24 @@ import org.junit.jupiter.api.Test;
 
 class MineDetectorSettingsTest {
 
-  private final Map<String, String> told = new TreeMap<>();
+  private final Map<String, String> reported = new TreeMap<>();
 
   MineDetectorSettingsTest() {
     for (String band : new String[] {"visible", "thermal"}) {
       for (String when : new String[] {"", "_after_alarm", "_after_silence"}) {
-        told.put(band + "_true_positive" + when, "0.8");
-        told.put(band + "_false_positive" + when, "0.1");
+        reported.put(band + "_true_positive" + when, "0.8");
+        reported.put(band + "_false_positive" + when, "0.1");
       }
     }
   }
 
   private MineDetectorSettings settings() {
-    return MineDetectorSettings.of(Parameters.of("robot/mines", told));
+    return MineDetectorSettings.of(Parameters.of("robot/mines", reported));
   }
 
   @Test
   void ratesAreThoseOfTheirCameraAndOfTheLookBefore() {
-    told.put("thermal_false_positive_after_alarm", "0.7");
+    reported.put("thermal_false_positive_after_alarm", "0.7");
     RepeatedDetectionRates heat = settings().rates().get(Band.THERMAL);
     assertThat(heat).isNotNull();
     assertThat(heat.afterAlarm().falsePositive()).isEqualTo(0.7);
@@ -38,7 +38,7 @@ class MineDetectorSettingsTest {
 
   @Test
   void ratesThatNobodyMeasuredAreAskedFor() {
-    told.remove("visible_false_positive_after_silence");
+    reported.remove("visible_false_positive_after_silence");
     assertThatThrownBy(this::settings)
         .isInstanceOf(ConfigurationException.class)
         .hasMessageContaining("visible_false_positive_after_silence");
@@ -46,11 +46,11 @@ class MineDetectorSettingsTest {
 
   @Test
   void theRatesShownAreThoseOfTheFusionChosen() {
-    told.put("bayes_true_positive", "0.9");
-    told.put("dempster_shafer_true_positive", "0.95");
+    reported.put("bayes_true_positive", "0.9");
+    reported.put("dempster_shafer_true_positive", "0.95");
     assertThat(settings().truePositive()).isEqualTo(0.9);
     assertThat(settings().falsePositive()).as("not told").isNull();
-    told.put("fusion", "dempster-shafer");
+    reported.put("fusion", "dempster-shafer");
     assertThat(settings().truePositive()).isEqualTo(0.95);
     assertThat(settings().fusion()).isInstanceOf(DempsterShaferFusion.class);
   }
@@ -65,7 +65,7 @@ class MineDetectorSettingsTest {
                 "far", "0.6",
                 "prior", "0")
             .entrySet()) {
-      Map<String, String> others = new TreeMap<>(told);
+      Map<String, String> others = new TreeMap<>(reported);
       others.put(wrong.getKey(), wrong.getValue());
       assertThatThrownBy(() -> MineDetectorSettings.of(Parameters.of("robot/mines", others)))
           .as("%s", wrong)

@@ -31,7 +31,7 @@ class AnyTrackerTest {
     PoseTracker tracker = kind.create(TrackerSettings.DEFAULT, "r/map", null);
     Field field = new Field(1, Errors.WHITE, 20);
     Ride ride = new Ride(field, tracker);
-    ride.without(heard -> heard.antenna() >= 0);
+    ride.without(received -> received.antenna() >= 0);
     ride.go(19);
     assertThat(tracker.estimate(field.host(19))).isEmpty();
   }
@@ -74,10 +74,10 @@ class AnyTrackerTest {
     PoseTracker twice = kind.create(TrackerSettings.DEFAULT, "r/map", Field.DATUM);
     new Ride(field, once).go(59);
     Ride again = new Ride(field, twice);
-    for (Field.Heard heard : field.heard) {
-      if (heard.at() <= 59) {
-        again.give(heard);
-        again.give(heard);
+    for (Field.Heard received : field.heard) {
+      if (received.at() <= 59) {
+        again.give(received);
+        again.give(received);
       }
     }
     PoseEstimate expected = once.estimate(field.host(59)).orElseThrow();

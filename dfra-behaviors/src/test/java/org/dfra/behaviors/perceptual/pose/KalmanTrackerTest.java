@@ -31,15 +31,15 @@ class KalmanTrackerTest {
     return new KalmanTracker(TrackerTable.told(0), "r/map", Field.DATUM, null);
   }
 
-  private static boolean isFix(Heard heard) {
-    return heard.reading() instanceof GpsFix;
+  private static boolean isFix(Heard received) {
+    return received.reading() instanceof GpsFix;
   }
 
   @ParameterizedTest
   @MethodSource("seeds")
   void goesOnWithOneReceiver(long seed) {
     Ride ride = new Ride(new Field(seed, Errors.WHITE, 300), tracker());
-    ride.go(60).without(heard -> heard.antenna() == 0);
+    ride.go(60).without(received -> received.antenna() == 0);
     ride.compare(60, 300);
     assertThat(ride.missing()).isZero();
     assertThat(ride.worst()).isLessThan(FAR);
@@ -60,7 +60,7 @@ class KalmanTrackerTest {
     PoseEstimate blind = tracker.estimate(field.host(180)).orElseThrow();
     assertThat(blind.positionSigma()).isGreaterThan(2 * before);
     assertThat(blind.fixAge()).isGreaterThan(java.time.Duration.ofSeconds(58));
-    ride.without(heard -> false);
+    ride.without(received -> false);
     ride.go(200).compare(200, 300);
     assertThat(ride.worst()).isLessThan(FAR);
   }
@@ -95,8 +95,8 @@ class KalmanTrackerTest {
     new Ride(new Field(seed, Errors.WHITE, 100), tracker).go(99);
     // Another place and direction; the wheels count from another place, the gyro has another bias.
     Ride there = new Ride(new Field(seed + 1000, Errors.WHITE, 300), tracker);
-    there.without(heard -> true);
-    there.go(99).without(heard -> false);
+    there.without(received -> true);
+    there.go(99).without(received -> false);
     there.go(160).compare(160, 300);
     assertThat(there.missing()).isZero();
     assertThat(there.worst()).isLessThan(FAR);

@@ -98,7 +98,7 @@ class PositionEstimatorTest {
   void knowsItsFirstYawWhereItIsTold() {
     Wheels wheels = robot.add(new Wheels(robot.context("odometry", Map.of())));
     Receiver front = robot.add(new Receiver(robot.context("front", Map.of())));
-    PositionEstimatorImpl told =
+    PositionEstimatorImpl reported =
         estimator(Map.of("initial_yaw", "1.2", "initial_yaw_sigma", "0.05"));
     PositionEstimatorImpl untold =
         robot.add(new PositionEstimatorImpl(robot.context("untold", Map.of())));
@@ -110,8 +110,8 @@ class PositionEstimatorTest {
       }
     }
     robot.time.step(0);
-    assertThat(told.estimate().yaw()).isCloseTo(1.2, within(0.01));
-    assertThat(told.estimate().yawSigma()).isLessThan(0.1);
+    assertThat(reported.estimate().yaw()).isCloseTo(1.2, within(0.01));
+    assertThat(reported.estimate().yawSigma()).isLessThan(0.1);
     assertThat(untold.estimate().yawSigma()).isGreaterThan(1);
   }
 

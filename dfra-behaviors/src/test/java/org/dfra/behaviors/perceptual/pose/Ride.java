@@ -13,7 +13,7 @@ final class Ride {
 
   private final Field field;
   private final PoseTracker tracker;
-  private Predicate<Field.Heard> passes = heard -> true;
+  private Predicate<Field.Heard> passes = received -> true;
   private double[] shift = new double[3];
   private long set;
   private int next;
@@ -73,27 +73,27 @@ final class Ride {
   /** Goes on until a time, seconds from the beginning, without comparing. */
   Ride go(double until) {
     while (next < field.heard.size() && field.heard.get(next).at() <= until) {
-      Field.Heard heard = field.heard.get(next);
-      if (passes.test(heard)) {
-        give(heard);
+      Field.Heard received = field.heard.get(next);
+      if (passes.test(received)) {
+        give(received);
       }
       next++;
     }
     return this;
   }
 
-  void give(Field.Heard heard) {
-    if (heard.reading() instanceof Odometry odometry) {
+  void give(Field.Heard received) {
+    if (received.reading() instanceof Odometry odometry) {
       tracker.addMeasurement(shifted(odometry));
-    } else if (heard.reading() instanceof AngularRate rate) {
+    } else if (received.reading() instanceof AngularRate rate) {
       tracker.addMeasurement(
           new AngularRate(rate.measured().plusNanos(set), rate.frame(), rate.rate()));
     } else {
       tracker.addMeasurement(
-          (GpsFix) heard.reading(),
-          Field.SOURCES.get(heard.antenna()),
-          Field.ANTENNAS.get(heard.antenna()),
-          host(heard.at()));
+          (GpsFix) received.reading(),
+          Field.SOURCES.get(received.antenna()),
+          Field.ANTENNAS.get(received.antenna()),
+          host(received.at()));
     }
   }
 

@@ -33,7 +33,8 @@ final class TrackerTable {
     return TrackerSettings.DEFAULT.with(TrackerSettings.GpsErrors.DEFAULT.withBias(bias));
   }
 
-  private static void row(String name, Field.Errors errors, String told, TrackerSettings settings) {
+  private static void row(
+      String name, Field.Errors errors, String reported, TrackerSettings settings) {
     for (TrackerKind kind : TrackerKind.values()) {
       double[] rms = new double[SEEDS];
       double[] worst = new double[SEEDS];
@@ -51,7 +52,7 @@ final class TrackerTable {
       System.out.printf(
           "| %s | %s | %s | %.3f | %.2f | %.4f | %s |%n",
           name,
-          told,
+          reported,
           kind,
           rootMeanSquare(rms),
           Arrays.stream(worst).max().orElse(0),

@@ -50,9 +50,9 @@ class TrackersOnFieldTest {
   private static final Map<Errors, List<Field>> FIELDS = new HashMap<>();
 
   private static double[] ride(
-      TrackerKind kind, Errors errors, double told, ToDoubleFunction<Ride> figure) {
+      TrackerKind kind, Errors errors, double reported, ToDoubleFunction<Ride> figure) {
     return RIDES
-        .computeIfAbsent(new Question(kind, errors, told), TrackersOnFieldTest::rides)
+        .computeIfAbsent(new Question(kind, errors, reported), TrackersOnFieldTest::rides)
         .stream()
         .mapToDouble(figure)
         .toArray();

@@ -18,8 +18,8 @@ class UtcOffsetTest {
     long now = 0;
     for (int i = 0; i < fixes; i++) {
       long utc = i * 500_000_000L;
-      long heard = utc + LEAST + (long) (-MEAN * Math.log(1 - random.nextDouble()));
-      now = heard + ahead + (long) (drift * heard);
+      long received = utc + LEAST + (long) (-MEAN * Math.log(1 - random.nextDouble()));
+      now = received + ahead + (long) (drift * received);
       offset.addFix(utc, now);
     }
     return offset.estimate(now).orElseThrow();
@@ -34,10 +34,10 @@ class UtcOffsetTest {
       for (int fixes : new int[] {2, 5, 20, 64, 300}) {
         long ahead = random.nextLong(-2_000_000_000L, 2_000_000_000L);
         double drift = random.nextDouble(-1e-4, 1e-4);
-        ClockOffset told = after(fixes, ahead, drift, random);
+        ClockOffset reported = after(fixes, ahead, drift, random);
         double truly = ahead / 1e9 + drift * fixes * 0.5 + LEAST / 1e9;
         all++;
-        if (Math.abs(told.seconds() - truly) > told.uncertaintySeconds()) {
+        if (Math.abs(reported.seconds() - truly) > reported.uncertaintySeconds()) {
           wrong++;
         }
       }

@@ -176,7 +176,7 @@ public final class GpsdImpl extends GpsReceiverImpl<GpsdImpl.Protocol> {
       GpsFix.Mode mode = mode(reported);
       boolean none = mode == GpsFix.Mode.NONE;
       double dilution = mode == GpsFix.Mode.FIX_3D ? pdop : hdop;
-      int heard = (int) satellites.stream().filter(SatelliteInView::isTracked).count();
+      int received = (int) satellites.stream().filter(SatelliteInView::isTracked).count();
       return new GpsSolution(
           new GpsFix(
               mode,
@@ -189,10 +189,10 @@ public final class GpsdImpl extends GpsReceiverImpl<GpsdImpl.Protocol> {
               reported.track(),
               none ? 0 : orZero(dilution),
               satellites.size(),
-              heard),
+              received),
           reported.time() == null ? "gpsd has not told the time yet" : null,
           (none ? "searching for satellites, " : "giving a fix, ")
-              + heard
+              + received
               + " of "
               + satellites.size()
               + " heard",

@@ -44,8 +44,8 @@ final class LmsPersona {
 
   /** Bits per second of the line, as told, or as wanted. */
   int baud() {
-    Integer told = laser.baud();
-    return told == null ? settings.baud().orElse(LmsBaud.B9600).rate() : told;
+    Integer reported = laser.baud();
+    return reported == null ? settings.baud().orElse(LmsBaud.B9600).rate() : reported;
   }
 
   /** Takes what the laser told. */

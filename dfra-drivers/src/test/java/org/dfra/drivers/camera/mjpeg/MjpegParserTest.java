@@ -24,8 +24,8 @@ class MjpegParserTest {
   private static final String HEAD =
       "HTTP/1.0 200 OK\r\nContent-Type: multipart/x-mixed-replace; boundary=frame\r\n\r\n";
 
-  private final List<MjpegMessage> heard = new ArrayList<>();
-  private final MjpegParser parser = new MjpegParser(LARGEST, heard::add);
+  private final List<MjpegMessage> received = new ArrayList<>();
+  private final MjpegParser parser = new MjpegParser(LARGEST, received::add);
   private final byte[] image = Images.jpeg(16, 8, new Random(1));
 
   static long[] seeds() {
@@ -36,9 +36,9 @@ class MjpegParserTest {
   void readsPartsWithALength() {
     feed(HEAD, "--frame\r\nContent-Type: image/jpeg\r\nContent-Length: " + image.length);
     feed("\r\nX-Timestamp: 12.5\r\n\r\n", image, "\r\n--frame\r\n");
-    assertThat(heard).hasSize(2);
-    assertThat(((Response) heard.get(0)).head().boundary()).isEqualTo("frame");
-    Part part = (Part) heard.get(1);
+    assertThat(received).hasSize(2);
+    assertThat(((Response) received.get(0)).head().boundary()).isEqualTo("frame");
+    Part part = (Part) received.get(1);
     assertThat(part.data()).isEqualTo(image);
     assertThat(part.head().header("x-timestamp")).isEqualTo("12.5");
     assertThat(part.head().mediaType()).isEqualTo("image/jpeg");
@@ -50,19 +50,19 @@ class MjpegParserTest {
   void tellsAPartWithALengthWithItsLastByte() {
     feed(HEAD, "--frame\r\nContent-Length: " + image.length + "\r\n\r\n");
     parser.feed(image, 0, image.length - 1);
-    assertThat(heard).hasSize(1);
+    assertThat(received).hasSize(1);
     parser.feed(image, image.length - 1, 1);
-    assertThat(heard).hasSize(2);
+    assertThat(received).hasSize(2);
   }
 
   @Test
   void readsPartsWithoutALengthWhenTheNextOneBegins() {
     feed(HEAD, "--frame\r\nContent-Type: image/jpeg\r\n\r\n", image);
-    assertThat(heard).hasSize(1);
+    assertThat(received).hasSize(1);
     feed("\r\n--frame\r\n\r\n", image, "\r\n--frame--\r\n");
-    assertThat(heard.subList(1, 3)).allMatch(Part.class::isInstance);
-    assertThat(((Part) heard.get(2)).data()).as("of no head at all").isEqualTo(image);
-    assertThat(heard.get(3)).isEqualTo(new Ended("the camera has ended its stream"));
+    assertThat(received.subList(1, 3)).allMatch(Part.class::isInstance);
+    assertThat(((Part) received.get(2)).data()).as("of no head at all").isEqualTo(image);
+    assertThat(received.get(3)).isEqualTo(new Ended("the camera has ended its stream"));
     assertThat(parser.counts().droppedBytes()).isZero();
   }
 
@@ -76,15 +76,15 @@ class MjpegParserTest {
           {"boundary=--frame", "----frame"},
           {"Boundary = frame ; charset=x", "--frame"},
         }) {
-      heard.clear();
-      MjpegParser other = new MjpegParser(LARGEST, heard::add);
+      received.clear();
+      MjpegParser other = new MjpegParser(LARGEST, received::add);
       String head = "HTTP/1.1 200\nContent-Type: multipart/x-mixed-replace;" + way[0] + "\n\n";
       byte[] stream =
           bytes(
               head, way[1] + "  \n\n", image, "\n" + way[1] + "\n\n", image, "\n" + way[1] + "\n");
       other.feed(stream, 0, stream.length);
-      assertThat(heard).as(String.join(" ", way)).hasSize(3);
-      assertThat(((Part) heard.get(2)).data()).isEqualTo(image);
+      assertThat(received).as(String.join(" ", way)).hasSize(3);
+      assertThat(((Part) received.get(2)).data()).isEqualTo(image);
       assertThat(other.counts().droppedBytes()).isZero();
     }
   }
@@ -93,23 +93,23 @@ class MjpegParserTest {
   void doesNotTakeAnotherWordForTheBoundary() {
     feed(HEAD, "--framework\r\n\r\n", "--frame\r\n\r\n", image, "x--frame", image);
     feed("\r\n--frame\r\n");
-    assertThat(heard.get(1)).as("the boundary within the image").isInstanceOf(Part.class);
-    assertThat(((Part) heard.get(1)).data().length).isEqualTo(2 * image.length + 8);
+    assertThat(received.get(1)).as("the boundary within the image").isInstanceOf(Part.class);
+    assertThat(((Part) received.get(1)).data().length).isEqualTo(2 * image.length + 8);
   }
 
   @Test
   void findsTheNextImageWhereALengthIsWrong() {
     for (int off : new int[] {-5, 5, 2000, 19_000 - image.length}) {
-      heard.clear();
-      MjpegParser other = new MjpegParser(LARGEST, heard::add);
+      received.clear();
+      MjpegParser other = new MjpegParser(LARGEST, received::add);
       ByteArrayOutputStream stream = new ByteArrayOutputStream();
       stream.writeBytes(bytes(HEAD, part(image.length + off), image));
       for (int i = 0; i < 40; i++) {
         stream.writeBytes(bytes("\r\n", part(image.length), image));
       }
       other.feed(stream.toByteArray(), 0, stream.size());
-      assertThat(heard.stream().filter(Part.class::isInstance)).as("%s", off).hasSize(40);
-      assertThat(heard.get(1)).isEqualTo(new Malformed("a part is no whole image"));
+      assertThat(received.stream().filter(Part.class::isInstance)).as("%s", off).hasSize(40);
+      assertThat(received.get(1)).isEqualTo(new Malformed("a part is no whole image"));
     }
   }
 
@@ -119,8 +119,8 @@ class MjpegParserTest {
     feed("\r\n--frame\r\n\r\n", new byte[10 * LARGEST], "\r\n", part(image.length), image);
     feed("\r\n--frame\r\nContent-Length: -3\r\n\r\n", "\r\n", part(image.length), image);
     feed("\r\n--frame\r\nX: " + "y".repeat(100_000), "\r\n", part(image.length), image);
-    assertThat(heard.stream().filter(Part.class::isInstance)).hasSize(4);
-    assertThat(heard.stream().filter(Malformed.class::isInstance))
+    assertThat(received.stream().filter(Part.class::isInstance)).hasSize(4);
+    assertThat(received.stream().filter(Malformed.class::isInstance))
         .containsExactly(
             new Malformed("a part of 20001 bytes is larger than 20000"),
             new Malformed("a part without a Content-Length is larger than 20000 bytes"),
@@ -140,16 +140,16 @@ class MjpegParserTest {
           {"HTTP/2 200 OK\r\n\r\n", "its status line is none of HTTP"},
           {"HTTP/1.0 200 OK\r\nX: " + "y".repeat(9000), "its head has no end"},
         }) {
-      heard.clear();
-      MjpegParser other = new MjpegParser(LARGEST, heard::add);
+      received.clear();
+      MjpegParser other = new MjpegParser(LARGEST, received::add);
       byte[] stream = bytes(wrong[0], HEAD, part(image.length), image);
       other.feed(stream, 0, stream.length);
-      assertThat(heard).containsExactly(new Ended(wrong[1]));
+      assertThat(received).containsExactly(new Ended(wrong[1]));
       other.finish();
       assertThat(other.pendingBytes()).isZero();
       byte[] right = bytes(HEAD, part(image.length), image);
       other.feed(right, 0, right.length);
-      assertThat(heard).as("another stream").hasSize(3);
+      assertThat(received).as("another stream").hasSize(3);
     }
   }
 
@@ -168,11 +168,11 @@ class MjpegParserTest {
     }
     stream.writeBytes(bytes("--frame\r\n"));
     feedInRandomCuts(stream.toByteArray(), random);
-    List<byte[]> told =
-        heard.stream().filter(Part.class::isInstance).map(part -> ((Part) part).data()).toList();
-    assertThat(told).hasSameSizeAs(images);
-    for (int i = 0; i < told.size(); i++) {
-      assertThat(told.get(i)).as("image %s", i).isEqualTo(images.get(i));
+    List<byte[]> reported =
+        received.stream().filter(Part.class::isInstance).map(part -> ((Part) part).data()).toList();
+    assertThat(reported).hasSameSizeAs(images);
+    for (int i = 0; i < reported.size(); i++) {
+      assertThat(reported.get(i)).as("image %s", i).isEqualTo(images.get(i));
     }
     assertThat(parser.counts().droppedBytes()).isZero();
   }
@@ -195,9 +195,9 @@ class MjpegParserTest {
       wasDamaged = isDamaged;
     }
     feedInRandomCuts(stream.toByteArray(), random);
-    long told = heard.stream().filter(Part.class::isInstance).count();
-    assertThat(told).isGreaterThanOrEqualTo(intact);
-    assertThat(told).isLessThanOrEqualTo(FRAMES);
+    long reported = received.stream().filter(Part.class::isInstance).count();
+    assertThat(reported).isGreaterThanOrEqualTo(intact);
+    assertThat(reported).isLessThanOrEqualTo(FRAMES);
   }
 
   @ParameterizedTest(name = "-Ddfra.seed={0}")

@@ -43,9 +43,10 @@ class RflexDecoderTest {
   @Test
   void readsWhatTheSonarsHeard() {
     // 1476 = 5C4 counts are 1 m
-    List<RflexMessage> told = parse("1B02 04 04 02 0E 00000000 00000005 03 05C4 0A 0B88 42 1B03");
-    assertThat(told).hasSize(1);
-    SonarReport report = (SonarReport) told.get(0);
+    List<RflexMessage> reported =
+        parse("1B02 04 04 02 0E 00000000 00000005 03 05C4 0A 0B88 42 1B03");
+    assertThat(reported).hasSize(1);
+    SonarReport report = (SonarReport) reported.get(0);
     assertThat(report.timestamp()).isEqualTo(5);
     assertThat(report.echoes()).extracting(Echo::sonar).containsExactly(3, 10);
     assertThat(report.echoes().get(0).range()).isEqualTo(1.0);

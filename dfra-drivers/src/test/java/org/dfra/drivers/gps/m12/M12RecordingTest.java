@@ -223,12 +223,12 @@ class M12RecordingTest {
           expected.add(satellite.get("PRN").asInt() + " at " + satellite.get("ss").asInt());
         }
       }
-      List<String> told =
+      List<String> reported =
           messages.get(i).channels().stream()
               .filter(SatelliteChannel::isAvailable)
               .map(channel -> channel.satellite() + " at " + channel.carrierToNoise())
               .toList();
-      assertThat(told).as("position frame %d", i).isEqualTo(expected);
+      assertThat(reported).as("position frame %d", i).isEqualTo(expected);
       assertThat(messages.get(i).tracked()).isEqualTo(skies.get(i).get("uSat").asInt());
     }
   }

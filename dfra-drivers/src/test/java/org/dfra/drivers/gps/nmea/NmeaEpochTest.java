@@ -18,17 +18,17 @@ class NmeaEpochTest {
   private static final String GGA = "GNGGA,%s,4807.038,N,01131.0,E,1,08,0.9,545.4,M,46.9,M,,";
   private static final String RMC = "GNRMC,%s,A,4807.038,N,01131.0,E,10.0,84.4,211126,,,A";
 
-  private final List<GpsSolution> told = new ArrayList<>();
-  private final NmeaEpochAssembler epoch = new NmeaEpochAssembler(() -> HOST, told::add);
+  private final List<GpsSolution> reported = new ArrayList<>();
+  private final NmeaEpochAssembler epoch = new NmeaEpochAssembler(() -> HOST, reported::add);
   private final NmeaParser parser = new NmeaParser(epoch::take);
 
   @Test
   void tellsAMomentAsSoonAsBothSentencesAreThere() {
     hear("GNGSA,A,3,04,05,,,,,,,,,,,2.5,1.3,2.1");
     hear(RMC.formatted("120000.00"));
-    assertThat(told).isEmpty();
+    assertThat(reported).isEmpty();
     hear(GGA.formatted("120000.00"));
-    GpsFix fix = told.get(0).fix();
+    GpsFix fix = reported.get(0).fix();
     assertThat(fix.mode()).isEqualTo(GpsFix.Mode.FIX_3D);
     assertThat(fix.position().height()).isCloseTo(592.3, within(1e-9)); // 545.4 + 46.9
     assertThat(fix.utc()).isEqualTo("2026-11-21T12:00:00Z");
@@ -36,9 +36,9 @@ class NmeaEpochTest {
     assertThat(fix.course()).isEqualTo(84.4);
     assertThat(fix.dilutionOfPrecision()).isEqualTo(2.5);
     assertThat(fix.satellitesTracked()).isEqualTo(8);
-    assertThat(told.get(0).utcUnconfirmedReason()).isNull();
+    assertThat(reported.get(0).utcUnconfirmedReason()).isNull();
     hear(GGA.formatted("120000.00"));
-    assertThat(told).as("a moment is told once").hasSize(1);
+    assertThat(reported).as("a moment is told once").hasSize(1);
   }
 
   @Test
@@ -46,14 +46,14 @@ class NmeaEpochTest {
     for (int second = 0; second < 5; second++) {
       hear(GGA.formatted("00001" + second));
     }
-    assertThat(told).hasSize(5);
-    assertThat(told.get(4).fix().utc()).as("the host's day").isEqualTo("2026-11-21T00:00:14Z");
-    assertThat(told.get(4).utcUnconfirmedReason())
+    assertThat(reported).hasSize(5);
+    assertThat(reported.get(4).fix().utc()).as("the host's day").isEqualTo("2026-11-21T00:00:14Z");
+    assertThat(reported.get(4).utcUnconfirmedReason())
         .isEqualTo("has not reported the date yet, which only RMC and ZDA do");
     hear(RMC.formatted("000015"));
     hear(GGA.formatted("000015"));
-    assertThat(told).as("and that it sends both after all").hasSize(6);
-    assertThat(told.get(5).utcUnconfirmedReason()).isNull();
+    assertThat(reported).as("and that it sends both after all").hasSize(6);
+    assertThat(reported.get(5).utcUnconfirmedReason()).isNull();
   }
 
   @Test
@@ -61,9 +61,9 @@ class NmeaEpochTest {
     for (int second = 0; second < 3; second++) {
       hear(RMC.formatted("12000" + second));
     }
-    assertThat(told).hasSize(3);
-    assertThat(told.get(2).fix().mode()).isEqualTo(GpsFix.Mode.FIX_2D);
-    assertThat(told.get(2).fix().position().height()).isZero();
+    assertThat(reported).hasSize(3);
+    assertThat(reported.get(2).fix().mode()).isEqualTo(GpsFix.Mode.FIX_2D);
+    assertThat(reported.get(2).fix().position().height()).isZero();
   }
 
   @Test
@@ -71,20 +71,20 @@ class NmeaEpochTest {
     hear(RMC.formatted("120000"));
     hear(GGA.formatted("120000"));
     hear(RMC.formatted("120001")); // its GGA is lost
-    assertThat(told).hasSize(1);
+    assertThat(reported).hasSize(1);
     hear(RMC.formatted("120002"));
-    assertThat(told).hasSize(2);
-    assertThat(told.get(1).fix().mode()).isEqualTo(GpsFix.Mode.FIX_2D);
+    assertThat(reported).hasSize(2);
+    assertThat(reported.get(1).fix().mode()).isEqualTo(GpsFix.Mode.FIX_2D);
     hear(GGA.formatted("120002"));
-    assertThat(told).hasSize(3);
-    assertThat(told.get(2).fix().mode()).isEqualTo(GpsFix.Mode.FIX_3D);
+    assertThat(reported).hasSize(3);
+    assertThat(reported.get(2).fix().mode()).isEqualTo(GpsFix.Mode.FIX_3D);
   }
 
   @Test
   void theHostsDayIsTheNearestOne() {
     hear(GGA.formatted("235959"));
     hear(GGA.formatted("000000"));
-    assertThat(told.get(0).fix().utc()).isEqualTo("2026-11-20T23:59:59Z");
+    assertThat(reported.get(0).fix().utc()).isEqualTo("2026-11-20T23:59:59Z");
   }
 
   @Test
@@ -94,10 +94,10 @@ class NmeaEpochTest {
       hear("GPRMC,,V,,,,,,,,,,N");
       hear("GPGGA,,,,,,0,00,99.99,,,,,,");
     }
-    assertThat(told).hasSize(2);
-    assertThat(told.get(0).fix().mode()).isEqualTo(GpsFix.Mode.NONE);
-    assertThat(told.get(0).state()).isEqualTo("searching for satellites, 1 of 2 heard");
-    assertThat(told.get(0).utcUnconfirmedReason()).isEqualTo("has not told the time yet");
+    assertThat(reported).hasSize(2);
+    assertThat(reported.get(0).fix().mode()).isEqualTo(GpsFix.Mode.NONE);
+    assertThat(reported.get(0).state()).isEqualTo("searching for satellites, 1 of 2 heard");
+    assertThat(reported.get(0).utcUnconfirmedReason()).isEqualTo("has not told the time yet");
   }
 
   @Test
@@ -108,7 +108,7 @@ class NmeaEpochTest {
     hear(GGA.formatted("120001"));
     hear(RMC.formatted("120002"));
     hear(GGA.formatted("120002").replace(",E,1,", ",E,7,"));
-    assertThat(told)
+    assertThat(reported)
         .extracting(solution -> solution.fix().mode())
         .containsExactly(GpsFix.Mode.NONE, GpsFix.Mode.NONE, GpsFix.Mode.POSITION_HOLD);
   }
@@ -118,14 +118,14 @@ class NmeaEpochTest {
     for (int tenth = 0; tenth < 3; tenth++) {
       hear(GGA.formatted("12000%d.00".formatted(tenth))); // and learns that it need not wait
     }
-    told.clear();
+    reported.clear();
     hear(RMC.formatted("120010.00"));
     hear(GGA.formatted("120010.00"));
     for (int fifth = 1; fifth <= 12; fifth++) {
       hear(GGA.formatted("1200%d.%d0".formatted(10 + fifth / 5, fifth % 5 * 2)));
     }
     // The first three without RMC wait for the next.
-    List<GpsFix> fixes = told.stream().map(GpsSolution::fix).toList();
+    List<GpsFix> fixes = reported.stream().map(GpsSolution::fix).toList();
     assertThat(fixes).hasSize(13);
     assertThat(fixes.subList(0, 11))
         .allSatisfy(fix -> assertThat(fix.speed()).isCloseTo(5.1444, within(1e-4)))
@@ -144,7 +144,7 @@ class NmeaEpochTest {
     for (int second = 0; second < 3; second++) {
       hear(GGA.formatted("00000%d.00".formatted(second)));
     }
-    assertThat(told)
+    assertThat(reported)
         .extracting(solution -> Double.isNaN(solution.fix().speed()))
         .containsExactly(false, false, false, true);
   }
@@ -157,9 +157,9 @@ class NmeaEpochTest {
     hear(GGA.formatted("120001"));
     hear(GGA.formatted("120002"));
     hear(GGA.formatted("120003"));
-    assertThat(told).hasSize(4);
-    assertThat(told.get(1).fix().speed()).isNaN();
-    assertThat(told.get(2).fix().speed()).as("not the old one again").isNaN();
+    assertThat(reported).hasSize(4);
+    assertThat(reported.get(1).fix().speed()).isNaN();
+    assertThat(reported.get(2).fix().speed()).as("not the old one again").isNaN();
   }
 
   @Test
@@ -168,13 +168,13 @@ class NmeaEpochTest {
       hear(GGA.formatted("12000" + second));
       hear("GNVTG,054.7,T,034.4,M,010.0,N,018.5,K,A");
     }
-    GpsFix last = told.get(told.size() - 1).fix();
+    GpsFix last = reported.get(reported.size() - 1).fix();
     assertThat(last.utc()).isEqualTo("2026-11-21T12:00:03Z"); // the host's nearest day
     assertThat(last.speed()).isCloseTo(5.1444, within(1e-4));
     assertThat(last.course()).isEqualTo(54.7);
     hear("GNVTG,,T,,M,,N,,K,N");
     hear(GGA.formatted("120004"));
-    assertThat(told.get(told.size() - 1).fix().speed()).isNaN();
+    assertThat(reported.get(reported.size() - 1).fix().speed()).isNaN();
   }
 
   @Test
@@ -183,15 +183,15 @@ class NmeaEpochTest {
     hear("GNGNS,120000,4807.038,N,01131.0,E,AAN,14,0.9,545.4,46.9,,");
     hear("GPGNS,120000,,,,,,7,,,,,");
     hear(GGA.formatted("120000").replace("545.4", "9999"));
-    assertThat(told).hasSize(1);
-    GpsFix fix = told.get(0).fix();
+    assertThat(reported).hasSize(1);
+    GpsFix fix = reported.get(0).fix();
     assertThat(fix.mode()).isEqualTo(GpsFix.Mode.FIX_3D);
     assertThat(fix.position().height()).isCloseTo(592.3, within(1e-9));
     assertThat(fix.satellitesTracked()).isEqualTo(14);
     assertThat(fix.dilutionOfPrecision()).isEqualTo(0.9);
     hear("GNRMC,120001,A,4807.038,N,01131.0,E,10.0,84.4,211126,,,A");
     hear("GNGNS,120001,4807.038,N,01131.0,E,NN,00,,,,,");
-    assertThat(told.get(1).fix().mode()).isEqualTo(GpsFix.Mode.NONE);
+    assertThat(reported.get(1).fix().mode()).isEqualTo(GpsFix.Mode.NONE);
   }
 
   @Test
@@ -200,7 +200,7 @@ class NmeaEpochTest {
     for (String time : List.of("235959.00", "000000.00", "000001.00", "000002.00")) {
       hear(GGA.formatted(time));
     }
-    GpsSolution last = told.get(told.size() - 1);
+    GpsSolution last = reported.get(reported.size() - 1);
     assertThat(last.fix().utc()).as("the next day").isEqualTo("2026-07-05T00:00:02Z");
     assertThat(last.utcUnconfirmedReason()).isNull();
   }
@@ -211,15 +211,15 @@ class NmeaEpochTest {
     hear(GGA.formatted("235959"));
     hear(GGA.formatted("000000"));
     hear(GGA.formatted("000001"));
-    assertThat(told.get(1).fix().utc()).isEqualTo("2026-11-22T00:00:00Z");
-    assertThat(told.get(1).utcUnconfirmedReason()).isNull();
+    assertThat(reported.get(1).fix().utc()).isEqualTo("2026-11-22T00:00:00Z");
+    assertThat(reported.get(1).utcUnconfirmedReason()).isNull();
   }
 
   @Test
   void withoutTheGeoidAFixIsFlat() {
     hear(RMC.formatted("120000"));
     hear(GGA.formatted("120000").replace("46.9", ""));
-    assertThat(told.get(0).fix().mode()).isEqualTo(GpsFix.Mode.FIX_2D);
+    assertThat(reported.get(0).fix().mode()).isEqualTo(GpsFix.Mode.FIX_2D);
   }
 
   @Test

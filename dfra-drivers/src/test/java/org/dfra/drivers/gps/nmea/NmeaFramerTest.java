@@ -44,19 +44,19 @@ class NmeaFramerTest extends FrameScannerContract {
 
   @Test
   void takesSentencesWithoutChecksumUntilOneHasCome() {
-    List<NmeaSentence> heard = new ArrayList<>();
-    NmeaParser parser = new NmeaParser(heard::add);
+    List<NmeaSentence> received = new ArrayList<>();
+    NmeaParser parser = new NmeaParser(received::add);
     byte[] bare = Sentences.bytes("$GPGGA,,,,,,0,,,,,,,,\n");
     byte[] checked = Sentences.with("GPGGA,,,,,,0,,,,,,,,");
     parser.feed(bare, 0, bare.length);
-    assertThat(heard).hasSize(1);
+    assertThat(received).hasSize(1);
     parser.feed(checked, 0, checked.length);
     parser.feed(bare, 0, bare.length);
-    assertThat(heard).hasSize(2);
+    assertThat(received).hasSize(2);
     assertThat(parser.counts()).isEqualTo(new StreamCounts(2, bare.length, 0));
     parser.finish();
     parser.feed(bare, 0, bare.length);
-    assertThat(heard).as("a new stream").hasSize(3);
+    assertThat(received).as("a new stream").hasSize(3);
   }
 
   @Test

@@ -35,13 +35,13 @@ class NmeaRecordingTest {
         reports.add(mapper.readTree(line));
       }
     }
-    List<GpsSolution> told = new ArrayList<>();
-    NmeaEpochAssembler epoch = new NmeaEpochAssembler(Instant::now, told::add);
+    List<GpsSolution> reported = new ArrayList<>();
+    NmeaEpochAssembler epoch = new NmeaEpochAssembler(Instant::now, reported::add);
     NmeaParser parser = new NmeaParser(epoch::take);
     parser.feed(bytes, 0, bytes.length);
     parser.finish();
     List<GpsFix> fixes =
-        told.stream().map(GpsSolution::fix).filter(fix -> fix.position() != null).toList();
+        reported.stream().map(GpsSolution::fix).filter(fix -> fix.position() != null).toList();
     assertThat(parser.counts().malformed()).isZero();
     assertThat(fixes).hasSameSizeAs(reports).isNotEmpty();
     for (int i = 0; i < fixes.size(); i++) {

@@ -77,9 +77,9 @@ class UbxDecoderTest {
   void knowsNoTimeThatIsNotValid() {
     put(11, 1, 1);
     put(6, 0, 1);
-    NavPvt told = (NavPvt) decode(UbxFramer.NAV_PVT, pvt);
-    assertThat(told.utc()).isNull();
-    assertThat(told.resolved()).isFalse();
+    NavPvt reported = (NavPvt) decode(UbxFramer.NAV_PVT, pvt);
+    assertThat(reported.utc()).isNull();
+    assertThat(reported.resolved()).isFalse();
   }
 
   @Test

@@ -40,14 +40,14 @@ class LmsCommandsTest {
     for (int i = 0; i < bytes.length; i++) {
       bytes[i] = (byte) (100 + i);
     }
-    LmsConfiguration told = new LmsConfiguration(bytes);
+    LmsConfiguration reported = new LmsConfiguration(bytes);
     byte[] telegram =
-        LmsCommands.configure(told.with(LmsUnit.MM).with(MeasuringMode.of(6).orElseThrow()));
+        LmsCommands.configure(reported.with(LmsUnit.MM).with(MeasuringMode.of(6).orElseThrow()));
     bytes[5] = 6;
     bytes[6] = 1;
     assertThat(telegram).hasSize(41).startsWith(2, 0, 35, 0, 0x77);
     assertThat(telegram).containsSubsequence(bytes);
-    assertThat(told.modeCode()).as("the one told stays as it is").isEqualTo(105);
+    assertThat(reported.modeCode()).as("the one told stays as it is").isEqualTo(105);
   }
 
   private static void assertTelegram(byte[] telegram, String hex) {

@@ -62,10 +62,10 @@ class LmsDecoderTest {
     int[] data = new int[34];
     data[5] = 6;
     data[6] = 1;
-    LmsMessage.ConfigurationReply told =
+    LmsMessage.ConfigurationReply reported =
         (LmsMessage.ConfigurationReply) decode(Replies.telegram(0xF4, data));
-    assertThat(told.configuration().mode()).contains(new MeasuringMode(6, 15));
-    assertThat(told.configuration().unit()).contains(LmsUnit.MM);
+    assertThat(reported.configuration().mode()).contains(new MeasuringMode(6, 15));
+    assertThat(reported.configuration().unit()).contains(LmsUnit.MM);
     int[] answer = new int[35];
     answer[0] = 1;
     answer[6] = 9;

@@ -44,24 +44,24 @@ class LmsImplTest {
 
   private final StepTicker ticker = new StepTicker(false);
   private final ScriptedLinks links = new ScriptedLinks(URL);
-  private final ListAppender<ILoggingEvent> told = new ListAppender<>();
+  private final ListAppender<ILoggingEvent> reported = new ListAppender<>();
   private final Logger log = (Logger) LoggerFactory.getLogger("dfra.atrv1.laser");
   private ScriptedLink link = new ScriptedLink(URL);
   private LmsImpl laser;
-  private int heard; // of the commands written
+  private int received; // of the commands written
 
   @BeforeEach
   void listen() {
-    told.list = new CopyOnWriteArrayList<>();
-    told.start();
-    log.addAppender(told);
+    reported.list = new CopyOnWriteArrayList<>();
+    reported.start();
+    log.addAppender(reported);
     log.setAdditive(false);
   }
 
   @AfterEach
   void end() {
     laser.close();
-    log.detachAppender(told);
+    log.detachAppender(reported);
   }
 
   @Test
@@ -202,7 +202,7 @@ class LmsImplTest {
                 return !next.written().isEmpty();
               });
       link = next;
-      heard = 0;
+      received = 0;
     }
     assertThat(parameter(laser, "flash_writes")).isEqualTo("3");
     assertWarned("the laser's flash was written, but the laser still has measuring mode 0 in cm");
@@ -275,7 +275,7 @@ class LmsImplTest {
       }
     }
     await("-Ddfra.seed=" + seed).until(() -> Integer.parseInt(parameter(laser, "frames")) >= 2000);
-    assertThat(told.list)
+    assertThat(reported.list)
         .as("-Ddfra.seed=%d", seed)
         .noneMatch(event -> event.getLevel() == Level.ERROR);
     laser.close();
@@ -306,9 +306,9 @@ class LmsImplTest {
   }
 
   private void awaitCommand(byte[] command) {
-    await().until(() -> link.written().size() > heard);
-    assertThat(link.written().get(heard)).as("command %d", heard).isEqualTo(command);
-    heard++;
+    await().until(() -> link.written().size() > received);
+    assertThat(link.written().get(received)).as("command %d", received).isEqualTo(command);
+    received++;
   }
 
   private static LmsConfiguration told(byte[] telegram) {
@@ -345,7 +345,7 @@ class LmsImplTest {
   }
 
   private void assertWarned(String sentence) {
-    List<String> all = told.list.stream().map(ILoggingEvent::getFormattedMessage).toList();
+    List<String> all = reported.list.stream().map(ILoggingEvent::getFormattedMessage).toList();
     assertThat(all).anyMatch(line -> line.contains(sentence));
   }
 

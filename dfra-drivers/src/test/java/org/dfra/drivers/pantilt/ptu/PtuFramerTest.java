@@ -52,11 +52,11 @@ class PtuFramerTest extends FrameScannerContract {
   void readsTerseAndVerboseReplies() {
     assertThat(PtuParser.parse(bytes("*\r\n* 22\r\n* 185.1428\r\n* -907\r\n")))
         .containsExactly(new Done(), new Value("22"), new Value("185.1428"), new Value("-907"));
-    for (String told :
+    for (String reported :
         new String[] {
           "-3090", "Minimum Pan position is -3090",
         }) {
-      assertThat(new Value(told).number()).hasValue(-3090);
+      assertThat(new Value(reported).number()).hasValue(-3090);
     }
     assertThat(new Value("185.1428 seconds arc per Pan position").number()).hasValue(185.1428);
     assertThat(new Value("Pan-Tilt Controller v2.12.1d1(C14/E), (C)2003").number()).hasValue(2003);

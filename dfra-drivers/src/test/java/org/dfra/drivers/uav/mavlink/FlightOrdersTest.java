@@ -58,10 +58,10 @@ class FlightOrdersTest {
     CompletableFuture<Boolean> begun =
         CompletableFuture.supplyAsync(() -> orders.start("Arm", steps, stuck));
     assertThat(writing.await(20, TimeUnit.SECONDS)).isTrue();
-    CompletableFuture<String> told =
+    CompletableFuture<String> reported =
         CompletableFuture.supplyAsync(orders::status, task -> new Thread(task).start());
     try {
-      assertThat(told.get(10, TimeUnit.SECONDS)).isEqualTo("Arm awaits its answer");
+      assertThat(reported.get(10, TimeUnit.SECONDS)).isEqualTo("Arm awaits its answer");
       assertThat(begun).isNotDone();
     } finally {
       release.countDown();

@@ -191,9 +191,9 @@ class MjpegDriverTest {
     }
   }
 
-  private static void assertNear(int told, int expected, int within) {
-    assertThat(Math.abs(told - expected))
-        .as("%s for %s", told, expected)
+  private static void assertNear(int reported, int expected, int within) {
+    assertThat(Math.abs(reported - expected))
+        .as("%s for %s", reported, expected)
         .isLessThanOrEqualTo(within);
   }
 

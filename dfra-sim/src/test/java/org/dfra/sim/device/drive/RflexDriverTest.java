@@ -34,16 +34,16 @@ class RflexDriverTest extends RflexInLockStep {
 
     assertThat(wheels.travel(time.instant()).speed()).isCloseTo(0.5, within(2e-5));
     assertThat(wheels.travel(time.instant()).yawRate()).isCloseTo(0.25, within(2e-5));
-    Odometry told = odometry.odometry();
-    assertThat(told.frame()).isEqualTo("atrv1/odom");
-    assertThat(told.childFrame()).isEqualTo("atrv1/base_link");
-    assertThat(told.speed()).isCloseTo(0.5, within(2e-5));
-    assertThat(told.yawRate()).isCloseTo(0.25, within(2e-5));
+    Odometry reported = odometry.odometry();
+    assertThat(reported.frame()).isEqualTo("atrv1/odom");
+    assertThat(reported.childFrame()).isEqualTo("atrv1/base_link");
+    assertThat(reported.speed()).isCloseTo(0.5, within(2e-5));
+    assertThat(reported.yawRate()).isCloseTo(0.25, within(2e-5));
     // It goes round a circle of 2 m to the left; while it comes up to speed, in half a second and
     // an eighth, its wheels are on another curve, which is less than a centimetre.
-    assertThat(told.yaw()).isBetween(1.9, 2.0);
-    assertThat(told.x()).isCloseTo(2 * Math.sin(told.yaw()), within(0.1));
-    assertThat(told.y()).isCloseTo(2 * (1 - Math.cos(told.yaw())), within(0.1));
+    assertThat(reported.yaw()).isBetween(1.9, 2.0);
+    assertThat(reported.x()).isCloseTo(2 * Math.sin(reported.yaw()), within(0.1));
+    assertThat(reported.y()).isCloseTo(2 * (1 - Math.cos(reported.yaw())), within(0.1));
     // 25.2 V less 1.2 V told in hundredths
     assertThat(battery.battery().voltage()).isCloseTo(25.2, within(0.005));
     assertThat(battery.battery().remaining()).isCloseTo(0.75, within(0.01));
@@ -93,10 +93,10 @@ class RflexDriverTest extends RflexInLockStep {
     startAll();
     CommandKey key = commander();
     driveOn(key, new Velocity(0.5, -0.25), Duration.ofSeconds(4));
-    Odometry told = odometry.odometry();
+    Odometry reported = odometry.odometry();
     double turn = wheels.travel(time.instant()).yaw();
-    assertThat(told.yaw()).isCloseTo(turn, within(0.03)); // one period of 0.1 s
-    assertThat(told.x() * told.x() + told.y() * told.y()).isGreaterThan(1);
+    assertThat(reported.yaw()).isCloseTo(turn, within(0.03)); // one period of 0.1 s
+    assertThat(reported.x() * reported.x() + reported.y() * reported.y()).isGreaterThan(1);
     assertThat(restarts()).isEqualTo("0");
   }
 

@@ -133,9 +133,9 @@ class RflexStandingTest extends RflexInLockStep {
       time.advance(Duration.ofMillis(2));
     }
     drive.execute(key, Velocity.ZERO);
-    Instant told = time.instant();
+    Instant reported = time.instant();
     time.advance(TENTH);
-    assertThat(lastMotion()).isBefore(told.plusMillis(40));
+    assertThat(lastMotion()).isBefore(reported.plusMillis(40));
     assertThat(wheels.orders.get(wheels.orders.size() - 1).moves()).isFalse();
     assertThat(device.malformedFrames()).isZero();
   }

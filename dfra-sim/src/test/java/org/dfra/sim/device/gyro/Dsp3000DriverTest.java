@@ -65,13 +65,13 @@ class Dsp3000DriverTest {
   @Test
   void tellsHowTheRobotTurns() throws Exception {
     awaitReadiness(gyro, Readiness.READY);
-    List<AngularRate> told = new CopyOnWriteArrayList<>();
-    try (Subscription unused = listen(told)) {
-      await().until(() -> told.size() > 50);
+    List<AngularRate> reported = new CopyOnWriteArrayList<>();
+    try (Subscription unused = listen(reported)) {
+      await().until(() -> reported.size() > 50);
       // A line tells six decimals of a degree per second.
-      assertThat(told).allMatch(each -> Math.abs(each.rate() - 0.25) < 1e-7);
+      assertThat(reported).allMatch(each -> Math.abs(each.rate() - 0.25) < 1e-7);
       rate = -3;
-      await().until(() -> Math.abs(told.get(told.size() - 1).rate() + 3) < 1e-7);
+      await().until(() -> Math.abs(reported.get(reported.size() - 1).rate() + 3) < 1e-7);
     }
     assertThat(gyro.attributes())
         .contains(
@@ -157,12 +157,12 @@ class Dsp3000DriverTest {
     await("-Ddfra.seed=" + seed).until(() -> Math.abs(gyro.rate().rate() - 0.25) < 1e-7);
   }
 
-  private Subscription listen(List<AngularRate> told) {
+  private Subscription listen(List<AngularRate> reported) {
     return gyro.subscribe(
         delivery -> {
           if (delivery.event() instanceof NewReading reading
               && reading.reading() instanceof AngularRate each) {
-            told.add(each);
+            reported.add(each);
           }
         },
         DeliveryPolicy.keepLast(100));
