@@ -4,10 +4,11 @@ import java.net.InetAddress;
 import java.net.UnknownHostException;
 
 /**
- * Internet addresses that begin with the same bits. Host names are not resolved here.
+ * Internet addresses with the same leading bits. Host names are not resolved here.
  *
- * @param network an address of the range; its bits behind the prefix do not count
- * @param prefix how many bits are the same: 0 to 32 of an IPv4 address, 0 to 128 of an IPv6 address
+ * @param network an address of the range; the bits behind the prefix are ignored
+ * @param prefix number of equal leading bits: 0 to 32 of an IPv4 address, 0 to 128 of an IPv6
+ *     address
  */
 public record AddressRange(InetAddress network, int prefix) {
 
@@ -31,9 +32,9 @@ public record AddressRange(InetAddress network, int prefix) {
   }
 
   /**
-   * An address, or a range as {@code 10.0.0.0/24} or {@code fd00::/8}.
+   * Parses an address, or a range such as {@code 10.0.0.0/24} or {@code fd00::/8}.
    *
-   * @throws IllegalArgumentException if the text is neither; nothing is looked up
+   * @throws IllegalArgumentException if the text is neither; nothing is resolved
    */
   public static AddressRange of(String text) {
     int slash = text.indexOf('/');
@@ -67,7 +68,7 @@ public record AddressRange(InetAddress network, int prefix) {
         "\"" + text + "\" is no address and no range; write 10.0.0.7, 10.0.0.0/24 or fd00::/8");
   }
 
-  /** Whether an address is in the range; one of the other family never is. */
+  /** Whether an address is in the range; one of the other IP version never is. */
   public boolean contains(InetAddress address) {
     byte[] own = network.getAddress();
     byte[] other = address.getAddress();
@@ -84,7 +85,7 @@ public record AddressRange(InetAddress network, int prefix) {
     return rest == 0 || (own[whole] ^ other[whole]) >> (Byte.SIZE - rest) == 0;
   }
 
-  /** As {@link #of} reads it. */
+  /** In the form that {@link #of} parses. */
   @Override
   public String toString() {
     return network.getHostAddress() + "/" + prefix;

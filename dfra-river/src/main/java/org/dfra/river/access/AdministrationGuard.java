@@ -13,9 +13,9 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Guards an object that is exported without a {@link GuardedDispatcher}, such as by JRMP: to be
- * exported in its place. It refuses an administrative call that comes over the network from
- * somebody who may not administer; calls in this virtual machine are not checked.
+ * Guards an object that is exported without a {@link GuardedDispatcher}, for example by JRMP. The
+ * guard is exported in place of the object. It refuses administrative calls from unauthorised
+ * clients on the network; calls in this virtual machine are not checked.
  */
 public final class AdministrationGuard {
 
@@ -26,8 +26,9 @@ public final class AdministrationGuard {
    *
    * @param impl the object
    * @param host the address that it will be exported at, or a name of it
-   * @return implements all remote interfaces of the object; to be held as long as it is exported
-   * @throws ExportException if the host is not known, or it is not understood who may administer
+   * @return implements all remote interfaces of the object; keep a reference to it as long as it is
+   *     exported
+   * @throws ExportException if the host is unknown, or the configured addresses are invalid
    */
   public static Remote of(Remote impl, String host) throws ExportException {
     AdministrationPolicy policy;

@@ -13,23 +13,27 @@ import org.dfra.module.AdministrationRefusedException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * From where an exported object may be administered: from its own computer, and from what is
- * configured.
+ * The addresses from which an exported object may be administered: its own computer and the
+ * configured ranges.
  *
- * <p>What is configured counts for all objects of a virtual machine: the system property {@value
- * #PROPERTY}, which a robot's processes get from {@code <administration from="…">} of its XML, and
- * what a robot within the virtual machine {@linkplain #admit admits} while it lives.
+ * <p>The configured ranges apply to all objects of a virtual machine. They are the system property
+ * {@value #PROPERTY}, which a robot's processes get from {@code <administration from="…">} of its
+ * XML, and the ranges that a robot within the virtual machine {@linkplain #admit admits} while it
+ * runs.
  *
  * <p>Thread-safe.
  */
 public final class AdministrationPolicy {
 
-  /** System property: addresses and ranges as {@link AddressRange#of} reads them, with commas. */
+  /**
+   * System property: addresses and ranges in the form of {@link AddressRange#of}, separated by
+   * commas.
+   */
   public static final String PROPERTY = "dfra.administration.from";
 
   private static final System.Logger LOG = System.getLogger(AdministrationPolicy.class.getName());
 
-  /** A stranger who calls again and again does not fill the log. */
+  /** Limits the log lines about repeated calls of an unauthorised client. */
   private static final long LOG_AGAIN_NANOS = TimeUnit.SECONDS.toNanos(10);
 
   private static final List<Admission> ADMITTED = new CopyOnWriteArrayList<>();
@@ -47,15 +51,15 @@ public final class AdministrationPolicy {
   }
 
   /**
-   * That of an object which is exported at an address of this computer.
+   * The policy of an object that is exported at an address of this computer.
    *
    * @param host the address, or a name of it; null for all of the computer's addresses
-   * @throws UnknownHostException if the name is not known
-   * @throws IllegalArgumentException if the system property {@value #PROPERTY} makes no sense; the
-   *     message says what would
+   * @throws UnknownHostException if the name is unknown
+   * @throws IllegalArgumentException if the system property {@value #PROPERTY} is invalid; the
+   *     message describes valid values
    */
   public static AdministrationPolicy exportedAt(@Nullable String host) throws UnknownHostException {
-    List<AddressRange> unused = configured(); // a slip shows before anybody calls
+    List<AddressRange> unused = configured(); // reports an invalid value before the first call
     return new AdministrationPolicy(OwnAddresses.exportedAt(host));
   }
 
@@ -71,10 +75,10 @@ public final class AdministrationPolicy {
   }
 
   /**
-   * Reads a list.
+   * Parses a list.
    *
-   * @param list addresses and ranges with commas between; empty for none
-   * @throws IllegalArgumentException if one is neither
+   * @param list addresses and ranges, separated by commas; empty for none
+   * @throws IllegalArgumentException if an element is neither
    */
   static List<AddressRange> parse(String list) {
     return Arrays.stream(list.split(","))
@@ -84,7 +88,7 @@ public final class AdministrationPolicy {
         .toList();
   }
 
-  /** What a robot in this virtual machine admits, until it is closed. */
+  /** The addresses that a robot in this virtual machine admits, until it is closed. */
   public static final class Admission implements AutoCloseable {
 
     private final List<AddressRange> ranges;
@@ -110,7 +114,7 @@ public final class AdministrationPolicy {
     return admission;
   }
 
-  /** Whether a client may administer; one whose address is not known may not. */
+  /** Whether a client may administer; one with an unknown address may not. */
   public boolean allows(RemoteCaller caller) {
     @Nullable InetAddress address = caller.address();
     return address != null

@@ -11,13 +11,13 @@ import org.dfra.module.Administrative;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which methods of a remote object are administrative: those that one of its interfaces marks with
- * {@link Administrative}, and those by which River's own interfaces for administrators change a
- * service. The latter carry no mark; their questions begin with {@code get}.
+ * Finds the administrative methods of a remote object: those that one of its interfaces marks with
+ * {@link Administrative}, and those of River's own administration interfaces that change a service.
+ * The latter have no annotation; their read-only methods begin with {@code get}.
  */
 final class AdministrativeMethods {
 
-  /** By name: a client that downloads this class need not have them. */
+  /** By name: a client that downloads this class may not have them. */
   private static final Set<String> RIVER =
       Set.of(
           "com.sun.jini.admin.DestroyAdmin",
@@ -28,7 +28,7 @@ final class AdministrativeMethods {
   private AdministrativeMethods() {}
 
   /**
-   * Those among some methods.
+   * Selects the administrative ones of some methods.
    *
    * @param methods remote methods of an object
    * @param type the object's class
@@ -64,7 +64,10 @@ final class AdministrativeMethods {
     }
   }
 
-  /** Whichever of several interfaces the dispatcher took the method from. */
+  /**
+   * Compares name and parameters, since the dispatcher may take the method from any of several
+   * interfaces.
+   */
   private static boolean isSame(Method one, Method other) {
     return one.getName().equals(other.getName())
         && Arrays.equals(one.getParameterTypes(), other.getParameterTypes());

@@ -14,11 +14,12 @@ import org.dfra.river.filter.FilteredInvocationDispatcher;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A dispatcher that refuses administrative calls by strangers, before it reads their arguments; see
- * {@link AdministrationPolicy}. What is allowed it filters as every dispatcher here does.
+ * A dispatcher that refuses administrative calls from unauthorised clients, before it reads their
+ * arguments; see {@link AdministrationPolicy}. It filters all other calls like every dispatcher
+ * here.
  *
- * <p>It knows its robot's address by the endpoint that it is exported on. On an endpoint of another
- * kind than TCP every address of this computer is the robot's own.
+ * <p>It takes its robot's address from the endpoint that it is exported on. On an endpoint without
+ * TCP, every address of this computer is the robot's own.
  */
 public class GuardedDispatcher extends FilteredInvocationDispatcher {
 
@@ -26,13 +27,13 @@ public class GuardedDispatcher extends FilteredInvocationDispatcher {
   private final AdministrationPolicy policy;
 
   /**
-   * As {@link FilteredInvocationDispatcher} has it.
+   * As the constructor of {@link FilteredInvocationDispatcher}.
    *
    * @param methods the remote methods
-   * @param type class of the remote object, whose interfaces say which methods are administrative
+   * @param type class of the remote object, whose interfaces mark the administrative methods
    * @param capabilities the endpoint that it is exported on
-   * @throws ExportException if the server's constraints cannot be met, the endpoint's host is not
-   *     known, or it is not understood who may administer
+   * @throws ExportException if the server's constraints cannot be met, the endpoint's host is
+   *     unknown, or the configured addresses are invalid
    */
   public GuardedDispatcher(
       Collection<Method> methods,
@@ -76,7 +77,7 @@ public class GuardedDispatcher extends FilteredInvocationDispatcher {
     }
   }
 
-  /** As refusals show it. */
+  /** The name in refusals. */
   static String name(Method method) {
     return method.getDeclaringClass().getSimpleName() + "." + method.getName();
   }

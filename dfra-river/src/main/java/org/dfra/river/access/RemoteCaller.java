@@ -13,13 +13,13 @@ import org.jspecify.annotations.Nullable;
 /**
  * The client of a remote call.
  *
- * @param address the address it connected from, as this computer sees it; null where the transport
- *     does not say
+ * @param address the address it connected from, as this computer sees it; null if the transport
+ *     does not report it
  */
 public record RemoteCaller(@Nullable InetAddress address) {
 
   /**
-   * The client of a call that has this server context.
+   * The client of a call with this server context.
    *
    * @param context the context's elements
    */
@@ -33,10 +33,10 @@ public record RemoteCaller(@Nullable InetAddress address) {
   }
 
   /**
-   * The client at an address that was written down.
+   * The client at an address given as text.
    *
-   * @param host the address in digits; of null, and of a name, which is not looked up, the address
-   *     is not known
+   * @param host the numeric address; for null, and for a name, which is not resolved, the address
+   *     is unknown
    */
   public static RemoteCaller fromHost(@Nullable String host) {
     if (host == null) {
@@ -49,7 +49,7 @@ public record RemoteCaller(@Nullable InetAddress address) {
     }
   }
 
-  /** The client of the remote call in progress on this thread; empty where there is none. */
+  /** The client of the remote call in progress on this thread; empty if there is none. */
   public static Optional<RemoteCaller> current() {
     try {
       return Optional.of(fromContext(ServerContext.getServerContext()));
@@ -63,12 +63,12 @@ public record RemoteCaller(@Nullable InetAddress address) {
       return Optional.of(new RemoteCaller(InetAddress.getByName(RemoteServer.getClientHost())));
     } catch (ServerNotActiveException e) {
       return Optional.empty();
-    } catch (UnknownHostException e) { // it is called by somebody, but not by an address
+    } catch (UnknownHostException e) { // a remote call, but without an address
       return Optional.of(new RemoteCaller(null));
     }
   }
 
-  /** Its address in digits, or what stands for it. */
+  /** Its numeric address, or a substitute text. */
   @Override
   public String toString() {
     return address == null ? "an unknown address" : address.getHostAddress();

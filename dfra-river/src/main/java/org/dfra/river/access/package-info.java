@@ -1,5 +1,5 @@
 /**
- * Who may administer a robot.
+ * Access control of a robot's administration.
  *
  * <pre>
  *   call --&gt; GuardedDispatcher --- an @Administrative method? ---&gt; AdministrationPolicy
@@ -7,9 +7,8 @@
  *                 '--- every other method: arguments are read, the method runs
  * </pre>
  *
- * <p>Enter at {@link org.dfra.river.access.GuardedDispatcher}, which every object that DFRA exports
- * has in front of it. What a client downloads holds this package too, so it needs the API and River
- * only.
+ * <p>Enter at {@link org.dfra.river.access.GuardedDispatcher}, which precedes every object that
+ * DFRA exports. The download jar contains this package too, so it needs the API and River only.
  */
 @NullMarked
 package org.dfra.river.access;

@@ -10,17 +10,17 @@ import org.dfra.core.config.Parameters;
 import org.dfra.river.server.ModuleActivation;
 import org.jspecify.annotations.Nullable;
 
-/** What differs between two things that a module may be activated with. */
+/** The differences between two activations of a module. */
 final class ActivationChanges {
 
   private ActivationChanges() {}
 
   /**
-   * What a running module must be started anew for, in words such as {@code parameter link}. Where
-   * something is written in a file does not count, and what counts only after a crash neither.
+   * Lists the changes that require a restart of a running module, in words such as {@code parameter
+   * link}. Line numbers in a file are ignored, and so are settings that apply only after a crash.
    *
-   * @param old what it was activated with
-   * @param wanted what it is to be activated with
+   * @param old the current activation
+   * @param wanted the new activation
    */
   static List<String> between(ModuleActivation old, ModuleActivation wanted) {
     List<String> changes = new ArrayList<>();

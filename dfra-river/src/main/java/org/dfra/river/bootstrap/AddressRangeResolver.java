@@ -10,13 +10,13 @@ import org.dfra.core.config.Place;
 import org.dfra.core.config.RegistrarDescription;
 import org.dfra.river.access.AddressRange;
 
-/** The addresses in a robot's XML, its host names resolved. */
+/** Resolves the addresses and host names in a robot's XML. */
 final class AddressRangeResolver {
 
   private AddressRangeResolver() {}
 
   /**
-   * Resolves from where a robot may be administered. A name stands for all addresses that it has
+   * Resolves the addresses that may administer a robot. A name stands for all addresses that it has
    * now: the robot's processes do not look it up again.
    *
    * @throws ConfigurationException if a name has no address
@@ -30,8 +30,8 @@ final class AddressRangeResolver {
   }
 
   /**
-   * Resolves on which further computers modules of the robot run. A name stands for all addresses
-   * that it has now.
+   * Resolves the additional hosts on which modules of the robot run. A name stands for all
+   * addresses that it has now.
    *
    * @throws ConfigurationException if a name has no address
    */
@@ -58,7 +58,10 @@ final class AddressRangeResolver {
     return List.copyOf(ranges);
   }
 
-  /** A name has neither, as the description has checked; and one of digits only is an address. */
+  /**
+   * A name is neither an address nor a range; the description has checked that. A text of digits
+   * only is an address.
+   */
   private static boolean isNumeric(String text) {
     return text.indexOf(':') >= 0 || text.indexOf('/') >= 0 || text.matches("[0-9.]+");
   }

@@ -28,9 +28,10 @@ import org.dfra.river.server.ModuleActivation;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Registers what a robot's description names with the activation system: each group, and in it each
- * service with its marshalled activation data. What is registered under the same names already is
- * described anew instead, so everything here may be done twice, and is where no answer came.
+ * Registers the contents of a robot's description with the activation system: each group, and in it
+ * each service with its marshalled activation data. A service that is already registered under the
+ * same name gets a new description instead. So every call here is idempotent and is retried if no
+ * answer arrives.
  */
 final class BootstrapLoader {
 
@@ -46,7 +47,7 @@ final class BootstrapLoader {
   private @Nullable String administrators; // resolved when first needed, and once
 
   /**
-   * @param administration from where the robot may be administered
+   * @param administration the addresses that may administer the robot
    * @param classes what the robot serves to clients that lack its classes
    */
   BootstrapLoader(
@@ -64,7 +65,7 @@ final class BootstrapLoader {
     this.patience = patience;
   }
 
-  /** What phoenix has registered of the robot now. */
+  /** The groups of the robot that phoenix has registered now. */
   List<RegisteredGroup> registeredGroups() throws ActivationException, IOException {
     return patience.call(() -> RegisteredGroup.of(admin, robot));
   }
@@ -98,7 +99,7 @@ final class BootstrapLoader {
     return known;
   }
 
-  /** What a group's processes are to be started with. */
+  /** The descriptor with which a group's processes are started. */
   ActivationGroupDesc desc(GroupDescription group) {
     Properties properties = new Properties();
     properties.setProperty(Phoenix.GROUP_NAME, robot + "." + group.name());

@@ -28,16 +28,16 @@ import org.dfra.river.server.ModuleIdentity;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One bringing up of a robot: makes what is registered and runs what the description says.
+ * Brings a robot up once: changes the registered and running services to match the description.
  *
- * <p>What has to go, goes first: a module that the description has in another group, or not at all,
- * has ended before anything is started, and so has what is described otherwise than before.
- * Otherwise two drivers could have one motor. Where one end is not proven, only what is described
- * as before is started. All that went wrong with single modules is thrown at the end.
+ * <p>Removals come first: a module that is no longer described, or is described in another group,
+ * ends before anything starts, and so does each module whose description changed. Otherwise two
+ * drivers could control the same motor. If the end of one of them is not confirmed, only services
+ * with an unchanged description are started. Failures of single modules are thrown at the end.
  */
 final class BringUp {
 
-  /** How long the end of one module or process may take; drivers brake first. */
+  /** The time limit for the end of one module or process; drivers brake first. */
   private static final Duration END = Duration.ofSeconds(15);
 
   private final PhoenixAdmin admin;
@@ -54,11 +54,11 @@ final class BringUp {
   private final List<Exception> failures = new ArrayList<>(); // of other modules
   private List<RegisteredGroup> before = List.of();
 
-  /** What a module is activated with, for a robot on a host. */
+  /** The activation settings of a module, for a robot on a host. */
   interface ModuleSettings {
     ModuleActivation activationData(ModuleDescription module, ModuleIdentity identity);
 
-    /** Where the module keeps what outlives its virtual machine. */
+    /** The folder for state that outlives the module's virtual machine. */
     Path stateFolder(ModuleDescription module);
   }
 
@@ -83,18 +83,18 @@ final class BringUp {
   }
 
   /**
-   * Does it.
+   * Runs all bring-up steps.
    *
-   * @return what is up, the registrar first
-   * @throws ActivationException if modules did not start, or their end is not proven: which, and
-   *     why
+   * @return the running services, the registrar first
+   * @throws ActivationException if modules did not start, or their end is not confirmed; the
+   *     message names the modules and the causes
    */
   List<ServiceReference> run() throws ActivationException, IOException {
     before = loader.registeredGroups();
     Map<String, Long> processes = incarnations();
     for (GroupDescription group : robot.groups()) {
       if (before(group.name())
-          .isPresent()) { // a process that is restarted is to start as described
+          .isPresent()) { // a restarted process starts as described
         ActivationGroupID unused = loader.registerGroup(group);
       }
     }
@@ -120,7 +120,7 @@ final class BringUp {
         services.add(registrar(group, group.registrar().get()));
       }
     }
-    // Whatever ends does so before anything starts, which may need its device.
+    // Everything that has to end does so before anything starts that may need its device.
     List<Ready> all = new ArrayList<>();
     for (GroupDescription group : robot.groups()) {
       ActivationGroupID groupId = loader.registerGroup(group);
@@ -128,7 +128,7 @@ final class BringUp {
         if (!notEnded.containsKey(module.name())) {
           try {
             all.add(ready(groupId, group.name(), module));
-          } catch (NotEndedException e) { // it works on as it was described before
+          } catch (NotEndedException e) { // it keeps running with its old description
             notEnded.put(module.name(), e);
           } catch (ActivationException | IOException e) {
             failures.add(e);
@@ -162,7 +162,7 @@ final class BringUp {
     step(service.name(), service.group(), ready.kind(), ready.detail());
   }
 
-  /** Throws what went wrong with single modules, all of it. */
+  /** Throws all failures of single modules. */
   private void throwFailures() throws ActivationException, IOException {
     List<Exception> all = new ArrayList<>(notEnded.values());
     all.addAll(failures);
@@ -175,7 +175,7 @@ final class BringUp {
     }
   }
 
-  /** How often a process was started for each of the robot's groups that has one. */
+  /** The number of process starts of each of the robot's groups that has a process. */
   private Map<String, Long> incarnations() throws ActivationException, IOException {
     return patience.call(admin::groupStatus).stream()
         .filter(each -> each.pid() >= 0)
@@ -186,7 +186,10 @@ final class BringUp {
                 (one, other) -> one));
   }
 
-  /** A process has its options for life, and other modules that work in it. */
+  /**
+   * Reports groups whose description changed but whose process was not restarted: it keeps its
+   * options until it ends, and other modules run in it.
+   */
   private void reportStaleGroups(Map<String, Long> then) throws ActivationException, IOException {
     Map<String, Long> now = incarnations();
     for (GroupDescription group : robot.groups()) {
@@ -203,7 +206,7 @@ final class BringUp {
     return robot.groups().stream().filter(each -> each.name().equals(group)).findFirst();
   }
 
-  /** The name of the group in which the description has a module; null if it has none. */
+  /** The name of the group that the description has a module in; null if there is none. */
   private @Nullable String describedGroup(String module) {
     return robot.groups().stream()
         .filter(group -> group.modules().stream().anyMatch(each -> each.name().equals(module)))
@@ -212,7 +215,7 @@ final class BringUp {
         .orElse(null);
   }
 
-  /** Ends what of a group the description does not have in it. */
+  /** Ends the services of a group that the description does not have in it. */
   private void removeUndescribed(RegisteredGroup group) throws ActivationException, IOException {
     boolean isEmpty = true;
     for (RegisteredGroup.RegisteredModule module : group.modules()) {
@@ -225,7 +228,7 @@ final class BringUp {
     boolean isHome = described.flatMap(GroupDescription::registrar).isPresent();
     if (group.registrar().isPresent() && !isHome) {
       groupEnd.unregister(group.registrar().get().id());
-      if (described.isPresent()) { // reggie cannot be ended without its state
+      if (described.isPresent()) { // reggie cannot end without losing its state
         groupEnd.restart(fullName(group.name()), END);
         reportGroup(Kind.GROUP_RESTARTED, group.name(), "the registrar has left it");
       }
@@ -237,7 +240,7 @@ final class BringUp {
     }
   }
 
-  /** Ends a module for good; false if that is not proven. */
+  /** Ends a module permanently; returns false if its end is not confirmed. */
   private boolean removeUndescribed(RegisteredGroup.RegisteredModule module, @Nullable String home)
       throws ActivationException, IOException {
     try {
@@ -301,7 +304,7 @@ final class BringUp {
     return service;
   }
 
-  /** Forgets a service that did not start, so that nobody takes it for one that is there. */
+  /** Unregisters a service that did not start, so that it is not listed as available. */
   private void withdraw(ServiceReference service, boolean withGroup)
       throws ActivationException, IOException {
     groupEnd.unregister(service.id());
@@ -321,9 +324,9 @@ final class BringUp {
   }
 
   /**
-   * A module that is registered as it is described, and does not run as it was before.
+   * A module that is registered as described and whose former version has ended.
    *
-   * @param isOther whether it was not described so before, in this group
+   * @param isOther whether its former description or group was different
    */
   private record Ready(
       ServiceReference service,
@@ -343,9 +346,9 @@ final class BringUp {
     ActivationID id = loader.registerModule(groupId, group, activation);
     if (here.isPresent() && !changes.isEmpty()) {
       try {
-        moduleEnd.deactivate(here.get()); // whoever started it meanwhile did so as described before
+        moduleEnd.deactivate(here.get()); // a call may have started it with the old description
       } catch (NotEndedException e) {
-        loader.registerModule(groupId, group, here.get().activation()); // as which it works on
+        loader.registerModule(groupId, group, here.get().activation()); // it keeps running as this
         throw e;
       }
     }
@@ -368,7 +371,7 @@ final class BringUp {
     return !wasActive ? Kind.STARTED : changes.isEmpty() ? Kind.UNCHANGED : Kind.RESTARTED;
   }
 
-  /** The one it had, in whichever group, or before the robot was taken down. */
+  /** Keeps the module's identity from any group, or from before the robot was taken down. */
   private ModuleIdentity identity(
       ModuleDescription module, Optional<RegisteredGroup.RegisteredModule> here)
       throws IOException {

@@ -1,43 +1,46 @@
 package org.dfra.river.bootstrap;
 
 /**
- * What the bringing up of a robot has done to one of its services or groups.
+ * One step of a robot's bring-up, for one of its services or groups.
  *
  * @param name {@code robot/module}, {@code robot/registrar}, or {@code robot.group} of a group
  * @param group name of the service group
- * @param kind what was done
- * @param detail more of it in words, such as what was changed; may be empty
+ * @param kind the kind of step
+ * @param detail details in words, such as the changes; may be empty
  */
 public record BringUpStep(String name, String group, Kind kind, String detail) {
 
-  /** What may be done. */
+  /** The kinds of steps. */
   public enum Kind {
-    /** It did not run, and was started. */
+    /** The service did not run and was started. */
     STARTED,
-    /** It ran as it is described, and was left alone. */
+    /** The service ran as described and was not touched. */
     UNCHANGED,
-    /** It ran otherwise than it is described, was ended and started anew. */
+    /** The service ran with another description and was restarted. */
     RESTARTED,
-    /** It ran in another group, was ended there and started here. */
+    /** The service ran in another group; it was ended there and started here. */
     MOVED,
-    /** The description does not name it any more: it was ended and unregistered. */
+    /** The service is no longer described; it was ended and unregistered. */
     ENDED,
-    /** A group whose process works on as it was started, though it is described otherwise. */
+    /**
+     * The group's process keeps running with the settings of its start, though its description
+     * changed.
+     */
     GROUP_STALE,
-    /** A group whose process was ended, so that another one is started as described. */
+    /** The group's process was ended, so that a new one starts as described. */
     GROUP_RESTARTED,
     /**
-     * A process that was ended because it still had services that phoenix had forgotten; the detail
-     * is how many.
+     * A process was ended because it still had services that are no longer registered with phoenix;
+     * the detail is their number.
      */
     PROCESS_ENDED,
-    /** A group that the description does not name any more: it was ended and unregistered. */
+    /** The group is no longer described; it was ended and unregistered. */
     GROUP_ENDED
   }
 
-  /** Where it has got to. */
+  /** Receives the progress of a bring-up. */
   public interface Listener {
-    /** Something was done. */
+    /** A step is complete. */
     void onStep(BringUpStep step);
   }
 }

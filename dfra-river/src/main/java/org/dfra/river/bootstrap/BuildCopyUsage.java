@@ -9,12 +9,13 @@ import org.slf4j.LoggerFactory;
 
 /**
  * The copy of the build's jars that this process was started from. {@code ./dfra build} removes a
- * copy only when no process runs from it and no phoenix will start one, after a reboot say. So
- * whoever has phoenix write the copy's paths into its journal notes that here.
+ * copy only if no process runs from it and no phoenix will start one from it, for example after a
+ * reboot. So each program that has phoenix write the copy's paths into its journal records that
+ * here.
  */
 final class BuildCopyUsage {
 
-  /** A folder beside the jars with a file for each state folder whose journal may name them. */
+  /** A folder beside the jars, with one file for each state folder whose journal may name them. */
   private static final String NOTES = "states";
 
   private static final Logger LOG = LoggerFactory.getLogger(BuildCopyUsage.class);
@@ -22,11 +23,11 @@ final class BuildCopyUsage {
   private BuildCopyUsage() {}
 
   /**
-   * Notes that a phoenix with this state starts processes from these jars. Nothing happens where
-   * DFRA is installed, since nothing removes those jars.
+   * Records that a phoenix with this state starts processes from these jars. Does nothing if DFRA
+   * is installed, because installed jars are not removed.
    *
-   * <p>Where it cannot be noted, as for a user who may not write beside the jars, a warning says
-   * so; they stay all the same while a process runs from them.
+   * <p>If the record cannot be written, for example without write permission beside the jars, a
+   * warning is logged. The jars still stay while a process runs from them.
    *
    * @param state folder of phoenix's journal
    */
@@ -48,7 +49,7 @@ final class BuildCopyUsage {
   }
 
   /**
-   * The same.
+   * As {@link #recordUse(Path)}, with an explicit folder.
    *
    * @param lib the folder of the jars
    */

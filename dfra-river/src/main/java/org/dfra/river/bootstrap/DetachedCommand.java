@@ -9,12 +9,12 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How a command is started so that it outlives the terminal and the script it is started from.
+ * Starts a command so that it outlives the terminal and the script that started it.
  *
- * <p>A terminal sends SIGINT (Ctrl-C) and SIGHUP (its end) to its process group. Java starts
- * children in its own group, and cannot do otherwise; {@code setsid} of util-linux does. Where
- * there is no such program, on macOS say, the command and all that it starts ignore these two
- * signals instead. In both cases the process keeps its number, and SIGTERM ends it.
+ * <p>A terminal sends SIGINT (Ctrl-C) and SIGHUP (on close) to its process group. Java starts
+ * children in its own group; {@code setsid} of util-linux starts a new session. If that program is
+ * missing, for example on macOS, the command and its children ignore these two signals instead. In
+ * both cases the process keeps its ID, and SIGTERM ends it.
  */
 final class DetachedCommand {
 
@@ -24,9 +24,9 @@ final class DetachedCommand {
   private DetachedCommand() {}
 
   /**
-   * What goes before the command.
+   * The words to put before the command.
    *
-   * @param path the folders in which programs are looked for, as in PATH; null for none
+   * @param path the search path for programs, as in PATH; null for none
    */
   static List<String> prefix(@Nullable String path) {
     return Stream.of(path == null ? new String[0] : path.split(Pattern.quote(File.pathSeparator)))

@@ -8,13 +8,13 @@ import javax.net.SocketFactory;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Sockets on which a lookup service answers those that asked for it by multicast, for the entry
- * {@code socketFactory} of {@code com.sun.jini.reggie}. Anybody may send such a request, and name
- * any address in it; so a connection is made within a second and ends 5 s later.
+ * Sockets on which a lookup service answers multicast requests, for the entry {@code socketFactory}
+ * of {@code com.sun.jini.reggie}. Any host may send such a request and name any address in it. So a
+ * connection attempt times out after one second, and a connection closes after 5 s.
  */
 public final class DiscoveryResponseSocketFactory extends SocketFactory {
 
-  /** As a Jini configuration makes it. */
+  /** Called by a Jini configuration. */
   public DiscoveryResponseSocketFactory() {}
 
   @Override

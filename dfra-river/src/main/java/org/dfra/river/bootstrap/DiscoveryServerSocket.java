@@ -11,10 +11,11 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a lookup service is asked for its proxy. Reggie reads each connection on one of its 50
- * threads, which report its events, too; so at most {@value #CONNECTIONS} are open at a time, and
- * {@value #PER_ADDRESS} of one address. Beyond that a new one takes the place of the oldest, since
- * an honest one is over in milliseconds. Each {@link DiscoverySocket} ends by itself.
+ * The server socket for unicast discovery of a lookup service. Reggie reads each connection on one
+ * of its 50 threads, which also deliver its events. So at most {@value #CONNECTIONS} connections
+ * are open at a time, and {@value #PER_ADDRESS} from one address. Beyond that a new connection
+ * replaces the oldest, since a legitimate request completes within milliseconds. Each {@link
+ * DiscoverySocket} closes after a deadline.
  */
 final class DiscoveryServerSocket extends ServerSocket {
 
@@ -24,7 +25,7 @@ final class DiscoveryServerSocket extends ServerSocket {
   /** Guarded by itself; the oldest comes first. */
   private final Set<DiscoverySocket> open = new LinkedHashSet<>();
 
-  /** Listens from now on, as {@link ServerSocket} has it. */
+  /** Starts to listen, as {@link ServerSocket} does. */
   DiscoveryServerSocket(int port, int backlog, @Nullable InetAddress address) throws IOException {
     super(port, backlog, address);
   }
@@ -41,7 +42,7 @@ final class DiscoveryServerSocket extends ServerSocket {
     return socket;
   }
 
-  /** What has to go for it. */
+  /** Adds a connection; returns the one to close for it. */
   private Optional<DiscoverySocket> add(DiscoverySocket socket) {
     synchronized (open) {
       Optional<DiscoverySocket> replaced = Optional.empty();

@@ -9,8 +9,8 @@ import javax.net.ServerSocketFactory;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a robot's registrar listens for unicast discovery: at one address only, and where its port
- * is taken, it says so. Clients that connect and send nothing are bounded, see {@link
+ * Creates the server socket for unicast discovery of a robot's registrar. It listens at one address
+ * only and reports a port conflict. Clients that connect and send nothing are bounded, see {@link
  * DiscoveryServerSocket}. Named in {@code registrar.config}.
  */
 public final class DiscoveryServerSocketFactory extends ServerSocketFactory {
@@ -20,7 +20,7 @@ public final class DiscoveryServerSocketFactory extends ServerSocketFactory {
 
   /**
    * @param host address or name of this machine
-   * @throws IllegalArgumentException if the host is not known
+   * @throws IllegalArgumentException if the host is unknown
    */
   public DiscoveryServerSocketFactory(String host) {
     this.host = host;

@@ -13,31 +13,31 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A connection on which a lookup service answers discovery. It ends by itself: reggie waits a
- * minute for each byte that a client does not send, and as long as the system does for a connection
- * to the address that a datagram names.
+ * A connection on which a lookup service answers discovery. It closes after a deadline. Without
+ * one, reggie waits a minute for each byte that a client does not send, and waits for the system's
+ * timeout when it connects to the address in a datagram.
  *
  * <p>Threads: one daemon for all, {@code dfra-discovery-ends}, while there are connections.
  */
 final class DiscoverySocket extends Socket {
 
-  /** The answer has about 2 kB; a client gives up after 2 s. */
+  /** The response has about 2 kB; a client times out after 2 s. */
   static final Duration MAX_LIFETIME = Duration.ofSeconds(5);
 
-  /** For a connection to a client that has asked by multicast. */
+  /** The timeout of a connection to a client that sent a multicast request. */
   static final Duration CONNECT_TIMEOUT = Duration.ofSeconds(1);
 
   private static final Logger LOG = LoggerFactory.getLogger(DiscoverySocket.class);
   private static final long IDLE_SECONDS = 10;
 
-  /** Not private, so that a test need not wait for what is scheduled here. */
+  /** Not private, so that a test need not wait for the scheduled tasks. */
   static final ScheduledThreadPoolExecutor ENDS = ends();
 
   private final Consumer<DiscoverySocket> closed;
   private volatile @Nullable Future<?> end;
 
   /**
-   * @param closed is given this when it is closed, possibly more than once
+   * @param closed receives this socket when it is closed, possibly more than once
    */
   DiscoverySocket(Consumer<DiscoverySocket> closed) {
     this.closed = closed;
@@ -58,12 +58,12 @@ final class DiscoverySocket extends Socket {
     return ends;
   }
 
-  /** Its time begins. */
+  /** Starts the deadline. */
   void startDeadline() {
     end = ENDS.schedule(this::abort, MAX_LIFETIME.toMillis(), TimeUnit.MILLISECONDS);
   }
 
-  /** Ends it at once; whoever reads or writes it gets an exception. */
+  /** Closes it immediately; blocked readers and writers get an exception. */
   void abort() {
     try {
       close();
@@ -72,7 +72,7 @@ final class DiscoverySocket extends Socket {
     }
   }
 
-  /** Connects within {@link #CONNECT_TIMEOUT}, whatever is asked for. */
+  /** Connects within {@link #CONNECT_TIMEOUT}, whatever timeout is given. */
   @Override
   public void connect(SocketAddress endpoint, int timeout) throws IOException {
     int most = Math.toIntExact(CONNECT_TIMEOUT.toMillis());

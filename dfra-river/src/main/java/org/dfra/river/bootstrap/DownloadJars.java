@@ -21,12 +21,12 @@ final class DownloadJars {
   private DownloadJars() {}
 
   /**
-   * What a robot serves: DFRA's own download jars, where {@code dfra.lib} says they are, and those
+   * The jars that a robot serves: DFRA's own download jars, if {@code dfra.lib} is set, and those
    * of its modules.
    *
    * @param state phoenix's folder
    * @return empty if it runs no class server or there is nothing to serve
-   * @throws IOException if DFRA's own are not where they should be
+   * @throws IOException if DFRA's own jars are missing
    */
   static Optional<RobotCodebase> of(RobotDescription robot, String host, Path state)
       throws IOException {
@@ -43,10 +43,10 @@ final class DownloadJars {
   }
 
   /**
-   * The jars in the folder {@code dl} of DFRA's own, sorted by name; none where DFRA is a part of
-   * another program, which has no such folder.
+   * The jars in DFRA's own folder {@code dl}, sorted by name; none if DFRA is a part of another
+   * program, which has no such folder.
    *
-   * @throws IOException if they are not where they should be
+   * @throws IOException if they are missing
    */
   private static List<Path> ofDfra() throws IOException {
     return listJars(System.getProperty(LIB));

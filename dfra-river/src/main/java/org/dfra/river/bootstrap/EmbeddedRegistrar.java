@@ -32,12 +32,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A lookup service in this virtual machine: stock reggie, which forgets everything when it ends, at
- * one address and without multicast. For robots and tests without an activation system.
+ * A lookup service in this virtual machine: stock reggie without persistent state, at one address
+ * and without multicast. For robots and tests without an activation system.
  *
- * <p>{@link #start} starts it and {@link #close} ends it; both do nothing the second time. What has
- * ended can be started again: then it is another lookup service at the same port, which knows
- * nobody.
+ * <p>{@link #start} starts it and {@link #close} ends it; both do nothing the second time. After
+ * {@link #close} it can be started again: the result is another lookup service at the same port,
+ * without registrations.
  */
 public final class EmbeddedRegistrar implements AutoCloseable {
 
@@ -54,18 +54,19 @@ public final class EmbeddedRegistrar implements AutoCloseable {
   private final String host;
   private final RegistrationPolicy policy;
   private final Map<String, Supplier<?>> entries;
-  private int port; // guarded by this; 0 until it was started where none was named
+  private int port; // guarded by this; 0 before the first start, if none was named
   private @Nullable Running running; // guarded by this
 
   /**
-   * One that belongs to no robot.
+   * Creates a registrar that belongs to no robot.
    *
    * @param host address of this machine, which its proxy carries
    * @param port TCP port of unicast discovery; 0 for a free one
    * @param groups discovery groups that it is a member of
-   * @param maxLease the longest lease that it grants: whoever stops to renew is forgotten after it
+   * @param maxLease the longest lease that it grants: a service that stops renewing is removed
+   *     after it
    * @param extraEntries entries of its Jini configuration, by their names in reggie's component,
-   *     which go before the usual ones
+   *     which override the usual ones
    */
   public EmbeddedRegistrar(
       String host,
@@ -80,10 +81,11 @@ public final class EmbeddedRegistrar implements AutoCloseable {
    * @param host address of this machine, which its proxy carries
    * @param port TCP port of unicast discovery; 0 for a free one
    * @param groups discovery groups that it is a member of
-   * @param maxLease the longest lease that it grants: whoever stops to renew is forgotten after it
-   * @param policy whose it is
+   * @param maxLease the longest lease that it grants: a service that stops renewing is removed
+   *     after it
+   * @param policy the robot that owns it, and its registration rules
    * @param extraEntries entries of its Jini configuration, by their names in reggie's component,
-   *     which go before the usual ones
+   *     which override the usual ones
    */
   public EmbeddedRegistrar(
       String host,
@@ -111,7 +113,7 @@ public final class EmbeddedRegistrar implements AutoCloseable {
                 maxLease::toMillis,
                 COMPONENT + "minMaxEventLease",
                 maxLease::toMillis,
-                COMPONENT + "unexportTimeout", // calls that are still under way when it ends
+                COMPONENT + "unexportTimeout", // for calls that are still running when it ends
                 () -> UNEXPORT_MILLIS,
                 "net.jini.discovery.LookupDiscovery.multicastInterfaces",
                 () -> none));
@@ -126,11 +128,11 @@ public final class EmbeddedRegistrar implements AutoCloseable {
   /**
    * Starts it.
    *
-   * @throws IOException if it cannot be; the message says why
+   * @throws IOException if it cannot start; the message gives the reason
    */
   public synchronized EmbeddedRegistrar start() throws IOException {
     if (running == null) {
-      if (port == 0) { // reggie itself would try for the one that a robot here may need
+      if (port == 0) { // reggie itself would try the default port, which a robot here may need
         port = FreePorts.allocate();
       }
       CountDownLatch end = new CountDownLatch(1);
@@ -152,7 +154,7 @@ public final class EmbeddedRegistrar implements AutoCloseable {
         listeners);
   }
 
-  /** By its name: DFRA is compiled without reggie, which only runs beside it. */
+  /** Instantiates reggie by name: DFRA is compiled without reggie. */
   private Object reggie(CountDownLatch end) throws IOException {
     int wanted = port;
     EventListenerPreparer listeners = new EventListenerPreparer(host);
@@ -191,7 +193,7 @@ public final class EmbeddedRegistrar implements AutoCloseable {
     return running().registrar();
   }
 
-  /** The same; nothing if it does not run. Another thread may end it at any time. */
+  /** The lookup service; empty if it does not run. Another thread may end it at any time. */
   public synchronized Optional<ServiceRegistrar> registrarIfRunning() {
     return Optional.ofNullable(running).map(Running::registrar);
   }
@@ -201,7 +203,7 @@ public final class EmbeddedRegistrar implements AutoCloseable {
     return running().port();
   }
 
-  /** Where modules and clients find it: {@code jini://host:port}. */
+  /** The locator for modules and clients: {@code jini://host:port}. */
   public String locator() {
     return "jini://" + host + ":" + port();
   }
@@ -239,13 +241,13 @@ public final class EmbeddedRegistrar implements AutoCloseable {
                 + " s");
       }
     } catch (InterruptedException e) {
-      Thread.currentThread().interrupt(); // it ends all the same
+      Thread.currentThread().interrupt(); // it ends anyway
     }
   }
 
   /**
-   * Reggie wakes its thread that accepts connections by one to this machine's own name, once. Where
-   * that leads to another address than the one it listens at, nobody else would wake it.
+   * Reggie wakes its accept thread once, by a connection to this machine's own name. If that name
+   * leads to another address than the one reggie listens at, this class must wake the thread.
    */
   private boolean awaitEnd(Running ending) throws InterruptedException {
     long began = System.nanoTime();

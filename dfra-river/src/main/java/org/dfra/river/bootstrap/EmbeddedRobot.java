@@ -18,10 +18,10 @@ import org.dfra.river.server.ModuleIdentity;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A robot whose registrar and modules all live in this virtual machine: the same servers and
- * proxies as in service groups, exported and found through lookup, but no activation system, which
- * could bring back what ends, and no class server, since whoever calls them here has their classes.
- * It is made of the same XML as one in processes. Modules remember nothing from one life to the
+ * A robot whose registrar and modules all run in this virtual machine. It uses the same servers and
+ * proxies as service groups, exported and found through lookup. It has no activation system, which
+ * could restart ended modules, and no class server, because its callers have its classes. It is
+ * created from the same XML as a robot in processes. Modules keep no state from one run to the
  * next. Robots that share a virtual machine share their administrators.
  *
  * <p>{@link #start} starts the registrar and then the modules in the order written; {@link #close}
@@ -29,7 +29,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class EmbeddedRobot implements AutoCloseable {
 
-  /** As a robot's registrar in a process grants it. */
+  /** As the registrar of a robot in processes grants it. */
   private static final Duration LEASE = Duration.ofSeconds(30);
 
   private final RobotDescription robot;
@@ -40,23 +40,23 @@ public final class EmbeddedRobot implements AutoCloseable {
   private @Nullable Admission admission; // guarded by this
 
   /**
-   * A whole robot.
+   * Creates a whole robot.
    *
-   * @throws ConfigurationException if the robot has no registrar of its own, its host is none of
-   *     this machine, or a further computer of it is not known
+   * @throws ConfigurationException if the robot has no registrar of its own, its host is not an
+   *     address of this machine, or one of its additional hosts is unknown
    */
   public EmbeddedRobot(RobotDescription robot) {
     this(robot, null);
   }
 
   /**
-   * A part of a robot whose other modules phoenix has.
+   * Creates a part of a robot whose other modules run under phoenix.
    *
-   * @param phoenixState the folder of phoenix's state. The identities of these modules are kept
-   *     there, without which the others would take them for those of another robot of that name.
-   *     Null where there are no others.
-   * @throws ConfigurationException if the robot has no registrar of its own, its host is none of
-   *     this machine, or a further computer of it is not known
+   * @param phoenixState the folder of phoenix's state. The identities of these modules are stored
+   *     there. Without them the other modules would treat these as modules of another robot with
+   *     the same name. Null if there are no other modules.
+   * @throws ConfigurationException if the robot has no registrar of its own, its host is not an
+   *     address of this machine, or one of its additional hosts is unknown
    */
   public EmbeddedRobot(RobotDescription robot, @Nullable Path phoenixState) {
     this.robot = robot;
@@ -88,11 +88,12 @@ public final class EmbeddedRobot implements AutoCloseable {
   }
 
   /**
-   * Starts all of it. Does nothing the second time.
+   * Starts the registrar and all modules. Does nothing the second time.
    *
-   * @throws ConfigurationException if a module cannot be made or served, or a host of the robot's
-   *     administrators is not known; what was started before it runs until it is closed
-   * @throws IOException if the registrar cannot be started, or an identity cannot be kept
+   * @throws ConfigurationException if a module cannot be instantiated or exported, or a host of the
+   *     robot's administrators is unknown; the modules that were started run until the robot is
+   *     closed
+   * @throws IOException if the registrar cannot be started, or an identity cannot be stored
    */
   public synchronized void start() throws IOException {
     if (started) {
@@ -120,7 +121,7 @@ public final class EmbeddedRobot implements AutoCloseable {
     return robot.name();
   }
 
-  /** What it was made from. */
+  /** The description it was created from. */
   public RobotDescription description() {
     return robot;
   }
@@ -130,7 +131,10 @@ public final class EmbeddedRobot implements AutoCloseable {
     return modules.registrar();
   }
 
-  /** {@inheritDoc} Where one module cannot be closed, the others are, and then that is thrown. */
+  /**
+   * {@inheritDoc} If one module cannot be closed, the others still are; then the exception is
+   * thrown.
+   */
   @Override
   public synchronized void close() throws IOException {
     try {

@@ -14,19 +14,19 @@ import org.dfra.river.callback.CallbackSlot;
 import org.dfra.river.callback.ClientAddress;
 
 /**
- * The event listeners of one lookup service: for the entries {@code listenerPreparer} and {@code
- * recoveredListenerPreparer} of {@code com.sun.jini.reggie}, one object for both.
+ * Prepares the event listeners of one lookup service, for the entries {@code listenerPreparer} and
+ * {@code recoveredListenerPreparer} of {@code com.sun.jini.reggie}; both use one object.
  *
- * <p>Reggie calls each listener as its proxy wants, from 50 threads or fewer that also answer
- * discovery; so a few listeners that never answer would end both. Here each listener is replaced by
- * a {@link RegistrarListener}, which only queues the events and calls the listener in the lane of
- * its process, under a deadline of this computer's.
+ * <p>Reggie calls each listener through its proxy, from at most 50 threads that also answer
+ * discovery. So a few listeners that never answer would block both. Here each listener is replaced
+ * by a {@link RegistrarListener}, which only queues the events and calls the listener from the
+ * executor of its process, under a deadline of this computer.
  *
- * <p>How many listeners a client may have is checked before reggie sees one, by {@link
- * org.dfra.river.registrar.RegistrarILFactory}. Here its processes are counted, see {@link
- * CallbackLimiter}. Reggie does not report when a registration ends, so {@link RegistrarExporter}
- * says each second which ones there are. A lookup service that is exported otherwise keeps no
- * places. Thread-safe.
+ * <p>The number of listeners of a client is checked before reggie sees one, by {@link
+ * org.dfra.river.registrar.RegistrarILFactory}. This class counts the client's processes, see
+ * {@link CallbackLimiter}. Reggie does not report the end of a registration, so {@link
+ * RegistrarExporter} reports the current registrations every second. A lookup service with another
+ * exporter keeps no slots. Thread-safe.
  */
 public final class EventListenerPreparer implements ProxyPreparer {
 
@@ -36,10 +36,10 @@ public final class EventListenerPreparer implements ProxyPreparer {
       new IdentityHashMap<>(); // guarded by this
   private boolean isWatched; // guarded by this
 
-  /** What a listener holds here. */
+  /** The slot that a listener holds. */
   private static final class TrackedListener {
     final CallbackSlot place;
-    boolean isMissed; // guarded by the listeners: reggie did not have it when it was looked for
+    boolean isMissed; // guarded by the listeners: absent from reggie at the last check
 
     TrackedListener(CallbackSlot place) {
       this.place = place;
@@ -47,17 +47,17 @@ public final class EventListenerPreparer implements ProxyPreparer {
   }
 
   /**
-   * @param host address or name that the lookup service's proxy carries: clients there are on this
-   *     computer
+   * @param host address or name that the lookup service's proxy carries: clients at that address
+   *     are on this computer
    */
   public EventListenerPreparer(String host) {
     this(host, CallbackLimiter.shared());
   }
 
   /**
-   * The same, for tests.
+   * For tests.
    *
-   * @param peers count the listeners' processes
+   * @param peers counts the listeners' processes
    */
   EventListenerPreparer(String host, CallbackLimiter peers) {
     this.host = host;
@@ -65,10 +65,10 @@ public final class EventListenerPreparer implements ProxyPreparer {
   }
 
   /**
-   * Replaces a listener that has come from a client, or that reggie has read from its log.
+   * Replaces a listener that a client has sent, or that reggie has read from its log.
    *
-   * @throws SecurityException if it is no listener, or is in another process than its client's
-   *     others, and these are as many as may be
+   * @throws SecurityException if it is no listener, or if it is in a further process of its client
+   *     and that client's processes have reached their limit
    */
   @Override
   public Object prepareProxy(Object proxy) throws RemoteException {
@@ -83,7 +83,7 @@ public final class EventListenerPreparer implements ProxyPreparer {
     return register(listener, client);
   }
 
-  /** Reggie reads its log before it is exported; a client's own claims are not believed. */
+  /** Reggie reads its log before it is exported. A client's own claims are not trusted. */
   private synchronized ClientAddress client(Object proxy) {
     if (!isWatched && proxy instanceof RegistrarListener recovered) {
       return ClientAddress.of(recovered.client(), host);
@@ -117,23 +117,23 @@ public final class EventListenerPreparer implements ProxyPreparer {
     }
   }
 
-  /** From now on places are kept, since {@link #retain} will be called each second. */
+  /** Slots are held from now on, since {@link #retain} will be called every second. */
   synchronized void startTracking() {
     isWatched = true;
   }
 
   /**
-   * Forgets those that are not registered any more: that were not there twice, since one that is
-   * being registered is not there yet.
+   * Releases the slots of listeners that are no longer registered. A listener must be missing
+   * twice, because one that is being registered is not there yet.
    *
-   * @param live all that are; the very objects
+   * @param live all registered listeners, compared by identity
    */
   synchronized void retain(Set<Object> live) {
     for (Iterator<Map.Entry<RegistrarListener, TrackedListener>> all =
             registered.entrySet().iterator();
         all.hasNext(); ) {
       Map.Entry<RegistrarListener, TrackedListener> each = all.next();
-      RegistrarListener listener = each.getKey(); // the entry is gone with its removal
+      RegistrarListener listener = each.getKey(); // the entry disappears with its removal
       TrackedListener its = each.getValue();
       if (live.contains(listener)) {
         its.isMissed = false;

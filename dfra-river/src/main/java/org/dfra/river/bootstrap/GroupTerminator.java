@@ -16,26 +16,29 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Ends service groups: their processes are gone before phoenix forgets them. */
+/** Ends service groups: their processes exit before phoenix unregisters them. */
 final class GroupTerminator {
 
   private static final Logger LOG = LoggerFactory.getLogger(GroupTerminator.class);
 
-  /** The number of a process where there is none. */
+  /** The process ID if there is no process. */
   private static final long NONE = -1;
 
   private final PhoenixClient phoenix;
   private final RetryDeadline patience;
 
   /**
-   * @param patience for phoenix's answers
+   * @param patience limits the retries of calls to phoenix
    */
   GroupTerminator(PhoenixClient phoenix, RetryDeadline patience) {
     this.phoenix = phoenix;
     this.patience = patience;
   }
 
-  /** Phoenix forgets an object; nothing happens where it did before. Its process is not touched. */
+  /**
+   * Unregisters an object from phoenix; does nothing if it is not registered. Its process is not
+   * touched.
+   */
   void unregister(ActivationID object) throws IOException, ActivationException {
     try {
       patience.run(() -> phoenix.system().unregisterObject(object));
@@ -44,7 +47,7 @@ final class GroupTerminator {
     }
   }
 
-  /** Phoenix forgets a group; nothing happens where it did before. */
+  /** Unregisters a group from phoenix; does nothing if it is not registered. */
   void unregister(ActivationGroupID group) throws IOException, ActivationException {
     try {
       patience.run(() -> phoenix.system().unregisterGroup(group));
@@ -54,7 +57,7 @@ final class GroupTerminator {
   }
 
   /**
-   * What phoenix says of a group; empty where it has none of that name.
+   * The status of a group as phoenix reports it; empty if phoenix has no group of that name.
    *
    * @param name {@code robot.group}
    */
@@ -62,26 +65,26 @@ final class GroupTerminator {
     return statuses().stream().filter(each -> plain(each.name()).equals(name)).findFirst();
   }
 
-  /** What phoenix says of all groups. */
+  /** The status of all groups as phoenix reports it. */
   List<GroupStatus> statuses() throws IOException, ActivationException {
     return patience.call(phoenix.admin()::groupStatus);
   }
 
-  /** A group's name as the bootstrap gave it, without phoenix's number. */
+  /** A group's name as the bootstrap set it, without phoenix's number. */
   static String plain(String daemonsName) {
     return daemonsName.replaceFirst("^\\d+-", "");
   }
 
-  /** Has a group's process end in an orderly way; does not wait for it. */
+  /** Requests an orderly end of a group's process; does not wait for it. */
   void requestStop(String name) throws IOException, ActivationException {
     process(status(name)).ifPresent(process -> process.destroy(false));
   }
 
   /**
    * Ends the process of a group in which nothing is registered any more, and waits until phoenix
-   * has seen it dead.
+   * has recorded its exit.
    *
-   * @param time how long it may take before it is killed
+   * @param time the time limit, after which the process is killed
    */
   void terminate(String name, Duration time) throws IOException, ActivationException {
     RetryDeadline polite = RetryDeadline.of(time);
@@ -96,10 +99,10 @@ final class GroupTerminator {
   }
 
   /**
-   * Ends a group's process and waits until it is dead; phoenix starts another one for what is
-   * registered in the group.
+   * Ends a group's process and waits until it has exited; phoenix starts another one for the
+   * services that are registered in the group.
    *
-   * @param time how long it may take before it is killed
+   * @param time the time limit, after which the process is killed
    */
   void restart(String name, Duration time) throws IOException, ActivationException {
     Optional<ProcessIdentity> old = process(status(name));
@@ -110,14 +113,16 @@ final class GroupTerminator {
     }
   }
 
-  /** A group's process; empty where it has none, or that has just died. */
+  /** A group's process; empty if it has none, or if the process has just exited. */
   private static Optional<ProcessIdentity> process(Optional<GroupStatus> status)
       throws IOException {
     long pid = status.map(GroupStatus::pid).orElse(NONE);
     return pid < 0 ? Optional.empty() : ProcessIdentity.find(pid);
   }
 
-  /** Ends it, politely the first time, by force when its time is over; returns which it was. */
+  /**
+   * Ends the process: the first time by SIGTERM, after the timeout by SIGKILL. Returns the process.
+   */
   private static @Nullable ProcessIdentity terminate(
       String name,
       Optional<ProcessIdentity> process,

@@ -9,10 +9,10 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 import org.dfra.core.config.ConfigurationException;
 
-/** Which address this host's proxies carry. */
+/** The address of this host that its proxies carry. */
 public final class HostAddress {
 
-  /** Asks for an interface to be chosen. */
+  /** Has an interface chosen automatically. */
   public static final String AUTO = "auto";
 
   private static final Pattern VERSION_4 =
@@ -24,16 +24,16 @@ public final class HostAddress {
    * The address to put into proxies.
    *
    * @param configured an address or name, or {@link #AUTO}: the first IPv4 address of an interface
-   *     that is up, real and not the loopback; the loopback where there is no other
-   * @throws ConfigurationException if the name is not known, is not an address of this host, or is
-   *     not the loopback's but stands for it here
+   *     that is up, physical and not the loopback; the loopback if there is no other
+   * @throws ConfigurationException if the name is unknown, is not an address of this host, or is
+   *     not the loopback's name but resolves to the loopback here
    */
   public static String resolve(String configured) {
     return configured.equals(AUTO) ? choose() : check(configured);
   }
 
   /**
-   * As {@link #resolve}, without asking any name service, which may take long to answer: a name is
+   * As {@link #resolve}, but without a name service, which may take long to answer: a name is
    * returned unchecked.
    *
    * @throws ConfigurationException if an address is not one of this host
@@ -42,21 +42,23 @@ public final class HostAddress {
     return isName(configured) ? configured : resolve(configured);
   }
 
-  /** Whether a name service has to be asked for it: it is neither an address nor {@link #AUTO}. */
+  /**
+   * Whether resolving the text needs a name service: it is neither an address nor {@link #AUTO}.
+   */
   public static boolean isName(String configured) {
     return !configured.equals(AUTO) && literal(configured).isEmpty();
   }
 
   /**
-   * The address that a text writes out, as {@code 192.0.2.7} or {@code 2001:db8::7}; empty for
-   * everything else. No name service is asked.
+   * Parses a numeric address, such as {@code 192.0.2.7} or {@code 2001:db8::7}; empty for
+   * everything else. No name service is used.
    */
   public static Optional<InetAddress> literal(String text) {
     boolean isVersion6 = text.indexOf(':') >= 0;
     if (!isVersion6 && !VERSION_4.matcher(text).matches()) {
       return Optional.empty();
     }
-    try { // in brackets nothing but an address of version 6 is accepted
+    try { // in brackets only an IPv6 address is accepted
       return Optional.of(InetAddress.getByName(isVersion6 ? "[" + text + "]" : text));
     } catch (UnknownHostException e) {
       return Optional.empty();
@@ -95,7 +97,7 @@ public final class HostAddress {
     try {
       return candidate.isUp() && !candidate.isLoopback() && !candidate.isVirtual();
     } catch (SocketException e) {
-      return false; // it went away
+      return false; // the interface was removed
     }
   }
 
@@ -113,7 +115,7 @@ public final class HostAddress {
                 + "no address of this machine; name one that is, or auto");
       }
       if (address.isLoopbackAddress() && !saysLoopback(wanted)) {
-        // Debian gives every machine's own name to 127.0.1.1 in /etc/hosts.
+        // Debian maps every machine's own name to 127.0.1.1 in /etc/hosts.
         throw new ConfigurationException(
             "host "
                 + wanted
@@ -129,7 +131,7 @@ public final class HostAddress {
     }
   }
 
-  /** Whether it is an address, or the name that means the loopback everywhere. */
+  /** Whether it is an address, or the usual name of the loopback. */
   private static boolean saysLoopback(String wanted) {
     return wanted.equalsIgnoreCase("localhost")
         || wanted.indexOf(':') >= 0

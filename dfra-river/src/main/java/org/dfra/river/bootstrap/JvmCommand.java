@@ -12,12 +12,12 @@ import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
 
 /**
- * How another virtual machine of DFRA is started from this one: the same java, the same boot and
- * class path. A child inherits no options by itself.
+ * Builds the command that starts another virtual machine of DFRA from this one: the same java, the
+ * same boot class path and class path. A child inherits no options by itself.
  */
 public final class JvmCommand {
 
-  /** System property with what {@code -Xbootclasspath/a} was given, where the launcher knows it. */
+  /** System property with the value of {@code -Xbootclasspath/a}, if the launcher knows it. */
   static final String BOOT = "dfra.boot";
 
   private JvmCommand() {}
@@ -27,14 +27,14 @@ public final class JvmCommand {
     return Path.of(System.getProperty("java.home"), "bin", "java").toString();
   }
 
-  /** The options that a virtual machine of DFRA needs: paths, trust, time, quick start. */
+  /** The options that a virtual machine of DFRA needs: paths, trust, time, fast start. */
   public static List<String> options() {
     List<String> options = new ArrayList<>(bootOptions());
     options.addAll(TrustedCode.options());
     options.addAll(SerialFilters.options());
     options.addAll(RobotTime.options());
     options.add("-XX:TieredStopAtLevel=1");
-    options.add("-XX:CompileThresholdScaling=3"); // a third of a start was spent on compiling
+    options.add("-XX:CompileThresholdScaling=3"); // compilation took a third of the start time
     options.add("-XX:+UseSerialGC");
     options.add("-Xshare:auto");
     options.add("-cp");

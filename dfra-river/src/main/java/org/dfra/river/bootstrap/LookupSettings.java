@@ -5,7 +5,7 @@ import java.util.List;
 import org.dfra.core.config.RobotDescription;
 
 /**
- * Where a robot's modules register.
+ * The lookup services at which a robot's modules register.
  *
  * @param locators lookup services that they join by unicast, {@code jini://host:port} each
  * @param groups discovery groups whose lookup services they join by multicast; none if empty
@@ -13,12 +13,12 @@ import org.dfra.core.config.RobotDescription;
 record LookupSettings(List<String> locators, List<String> groups) {
 
   /**
-   * Those of a robot. Its own registrar is joined by unicast too: its modules need no multicast for
-   * it. There is no multicast where the robot is on the loopback: nobody elsewhere could reach what
-   * was announced.
+   * The settings of a robot. Its own registrar is joined by unicast, so its modules need no
+   * multicast for it. A robot on the loopback uses no multicast: other hosts could not reach the
+   * announced address.
    *
    * @param host the robot's, resolved
-   * @param port TCP port of its own registrar; 0 where that is not known or there is none
+   * @param port TCP port of its own registrar; 0 if that is unknown or there is no registrar
    */
   static LookupSettings of(RobotDescription robot, String host, int port) {
     List<String> locators = new ArrayList<>(robot.locators());

@@ -17,9 +17,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Ends modules so that another may have their device: one has ended when it has answered that its
- * driver is closed, or phoenix knows that no process has it. What does not run is not started for
- * it.
+ * Ends modules so that another module may open their device. A module has ended when it has
+ * confirmed that its driver is closed, or when phoenix reports that no process has it. A module
+ * that does not run is not started for this.
  */
 final class ModuleTerminator {
 
@@ -29,7 +29,7 @@ final class ModuleTerminator {
   private final Duration time;
 
   /**
-   * @param time how long the end of one module may take
+   * @param time time limit for the end of one module
    */
   ModuleTerminator(PhoenixAdmin admin, Duration time) {
     this.admin = admin;
@@ -39,16 +39,16 @@ final class ModuleTerminator {
   /**
    * Ends a module until it is activated again.
    *
-   * @throws NotEndedException if that is not proven in time
+   * @throws NotEndedException if the end is not confirmed in time
    */
   void deactivate(RegisteredModule module) throws ActivationException, IOException {
     deactivate(module, RetryDeadline.of(time));
   }
 
   /**
-   * Ends a module for good: phoenix forgets it, and only then when it has ended.
+   * Ends a module permanently: phoenix unregisters it only after it has ended.
    *
-   * @throws NotEndedException if that is not proven in time; it stays registered
+   * @throws NotEndedException if the end is not confirmed in time; the module stays registered
    */
   void forget(RegisteredModule module) throws ActivationException, IOException {
     RetryDeadline patience = RetryDeadline.of(time);
@@ -59,11 +59,11 @@ final class ModuleTerminator {
           return;
         }
       } catch (UnknownObjectException e) {
-        return; // the answer to the first question was lost
+        return; // the answer to the first call was lost
       } catch (ActivationException e) {
         again(module, patience, e);
       }
-      // Somebody called it meanwhile, so that phoenix started it again.
+      // A call arrived meanwhile, so phoenix started the module again.
       if (patience.isExpired()) {
         throw new NotEndedException(module, "it is started again and again by its clients", null);
       }
@@ -89,7 +89,7 @@ final class ModuleTerminator {
       } catch (ClassNotFoundException e) {
         throw new NotEndedException(module, "its classes are not here (" + message(e) + ")", e);
       } catch (RemoteException | ActivationException e) {
-        // The last module of a group takes its virtual machine along, and the answer with it.
+        // The last module of a group ends its virtual machine, so the answer is lost.
         again(module, patience, e);
       }
     }
@@ -104,7 +104,7 @@ final class ModuleTerminator {
     patience.pause();
   }
 
-  /** One line: the causes of remote failures are printed on lines of their own. */
+  /** One line: remote exceptions print their causes on lines of their own. */
   private static String message(Throwable failure) {
     return String.valueOf(failure.getMessage()).lines().findFirst().orElse("").strip();
   }

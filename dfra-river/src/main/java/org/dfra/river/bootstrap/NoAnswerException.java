@@ -4,7 +4,7 @@ import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.Locale;
 
-/** Something was asked again and again, and did not answer in the time that the command had. */
+/** A remote call was repeated without an answer until the command's deadline. */
 public final class NoAnswerException extends RemoteException {
 
   private static final long serialVersionUID = 1L;
@@ -12,9 +12,9 @@ public final class NoAnswerException extends RemoteException {
   private final String sentence;
 
   /**
-   * @param asked what did not answer, for people
-   * @param time how long it was asked
-   * @param last how the last question failed
+   * @param asked the remote object that did not answer, in words
+   * @param time the duration of the attempts
+   * @param last the failure of the last call
    */
   public NoAnswerException(String asked, Duration time, Throwable last) {
     super("", last);
@@ -33,7 +33,7 @@ public final class NoAnswerException extends RemoteException {
         : String.format(Locale.ROOT, "%.1f", time.toMillis() / 1e3);
   }
 
-  /** A clause: remote failures append advice, and their causes on lines of their own. */
+  /** A clause: remote exceptions append advice, and their causes on lines of their own. */
   private static String reason(Throwable failure) {
     String message = failure.getMessage() == null ? failure.toString() : failure.getMessage();
     return message.lines().findFirst().orElse("").replaceFirst(";.*", "").strip();

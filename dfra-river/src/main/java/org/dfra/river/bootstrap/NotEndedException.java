@@ -3,13 +3,13 @@ package org.dfra.river.bootstrap;
 import java.rmi.activation.ActivationException;
 import org.jspecify.annotations.Nullable;
 
-/** A module's end is not proven: it may have its device open. */
+/** The end of a module is not confirmed: it may still have its device open. */
 final class NotEndedException extends ActivationException {
 
   private static final long serialVersionUID = 1L;
 
   /**
-   * @param why it is not proven, as a clause
+   * @param why the reason, as a clause
    */
   NotEndedException(
       RegisteredGroup.RegisteredModule module, String why, @Nullable Throwable cause) {
@@ -23,7 +23,7 @@ final class NotEndedException extends ActivationException {
             + module.activation().module().path()
             + " and try again");
     if (cause != null) {
-      addSuppressed(cause); // as a cause its message would be printed twice
+      addSuppressed(cause); // as a cause, its message would be printed twice
     }
   }
 }

@@ -7,13 +7,13 @@ import org.dfra.river.bootstrap.BringUpStep.Kind;
 import org.dfra.river.phoenix.GroupStatus;
 
 /**
- * Services that phoenix has forgotten while a process has them, such as those that a {@code down}
- * did not get to end. Their drivers may have any device, so their processes end before a driver is
- * started; see {@link GroupStatus#unregistered}.
+ * Ends services that are no longer registered with phoenix but still run in a process, for example
+ * after an incomplete {@code down}. Their drivers may have any device open, so their processes end
+ * before a driver is started; see {@link GroupStatus#unregistered}.
  */
 final class OrphanedServiceCleanup {
 
-  /** How long the end of one process may take; drivers brake first. */
+  /** The time limit for the end of one process; drivers brake first. */
   private static final Duration END = Duration.ofSeconds(15);
 
   private final GroupTerminator groupEnd;
@@ -23,11 +23,11 @@ final class OrphanedServiceCleanup {
   }
 
   /**
-   * Ends the processes that may still have such services, and waits until they are dead. What else
-   * is in them is restarted. Processes of other robots end too where nothing else is in them: such
-   * a robot may have been this one under another name.
+   * Ends the processes that may still have such services, and waits until they have exited. Other
+   * services in them are restarted. Processes of other robots also end if they contain nothing
+   * else: such a robot may be this one under a former name.
    *
-   * @param robot the one of which something is about to be started
+   * @param robot the robot whose services are about to be started
    * @param listener is called for each process that was ended
    */
   void terminateProcesses(String robot, BringUpStep.Listener listener)

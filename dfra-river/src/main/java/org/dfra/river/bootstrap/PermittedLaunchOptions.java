@@ -11,17 +11,17 @@ import java.util.Set;
 import org.dfra.core.host.PrivateFiles;
 
 /**
- * Permits the groups of a phoenix what {@code ./dfra} starts virtual machines with, its class path
- * above all. A phoenix that runs for long was started with older jars than the groups that are
- * registered today, and permits by itself only its own.
+ * Permits the groups of a phoenix to use the options with which {@code ./dfra} starts virtual
+ * machines, above all the class path. A phoenix that has run for long was started with older jars
+ * than the groups that are registered today, and by itself permits only its own.
  *
- * <p>It is permitted by a file in the private state folder, which phoenix reads at each
- * registration. So no call, whoever makes it, can name a class path that phoenix's own user has not
- * written down.
+ * <p>The permission is a file in the private state folder, which phoenix reads at each
+ * registration. So no remote call can set a class path that phoenix's own user has not written into
+ * that file.
  */
 final class PermittedLaunchOptions {
 
-  /** Written by {@code ./dfra}, anew for each phoenix. */
+  /** Written by {@code ./dfra}, once for each phoenix. */
   private static final String LAUNCHED = "launch.options";
 
   /** Written by the user, never by {@code ./dfra}. */
@@ -34,12 +34,12 @@ final class PermittedLaunchOptions {
     return List.of(state.resolve(LAUNCHED), state.resolve(PERMITTED));
   }
 
-  /** Forgets what was permitted for a former phoenix. Called while none runs. */
+  /** Deletes the permissions of a former phoenix. Called while none runs. */
   static void clear(Path state) throws IOException {
     Files.deleteIfExists(state.resolve(LAUNCHED));
   }
 
-  /** Permits a group's options, where they are not permitted yet. */
+  /** Permits a group's options, unless they are already permitted. */
   static void permit(Path state, List<String> options) throws IOException {
     Path file = state.resolve(LAUNCHED);
     PrivateFiles.makeFile(file);

@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** What is registered with the phoenix of a host: every robot's groups and what is in them. */
+/** The registrations with the phoenix of a host: every robot's groups and their contents. */
 public final class PhoenixInventory {
 
   private static final Logger LOG = LoggerFactory.getLogger(PhoenixInventory.class);
@@ -33,11 +33,11 @@ public final class PhoenixInventory {
    *
    * @param robot name of its robot
    * @param name its name on its robot
-   * @param id what the activation system calls it
-   * @param status where its virtual machine stands
+   * @param id its ID in the activation system
+   * @param status state of its virtual machine
    * @param modules names of its modules, in alphabetical order
    * @param hasRegistrar whether it hosts the robot's registrar
-   * @param isRegistrarRunning whether that runs
+   * @param isRegistrarRunning whether the registrar runs
    * @param runningModules names of those of its modules that run
    */
   public record ServiceGroup(
@@ -57,13 +57,13 @@ public final class PhoenixInventory {
   }
 
   /**
-   * A service of a robot as it is registered, whatever any XML says.
+   * A service of a robot as it is registered, independent of any XML.
    *
    * @param group its group, as {@code robot.group}
-   * @param name the module's name; null where what phoenix keeps of it cannot be read here, or it
-   *     is no module
+   * @param name the module's name; null if phoenix's data of it cannot be read here, or it is no
+   *     module
    * @param serverClass the class of its server
-   * @param id what the activation system calls it
+   * @param id its ID in the activation system
    */
   public record RegisteredService(
       String group, @Nullable String name, String serverClass, ActivationID id) {
@@ -75,7 +75,8 @@ public final class PhoenixInventory {
   }
 
   /**
-   * Every service of every robot. Phoenix is asked once; for whoever cannot wait.
+   * Every service of every robot. Each call to phoenix is made once, without retries, for callers
+   * that cannot wait.
    *
    * @throws IOException if phoenix does not answer
    * @throws ActivationException if a group was unregistered meanwhile
@@ -89,7 +90,7 @@ public final class PhoenixInventory {
     for (Map.Entry<ActivationGroupID, ActivationGroupDesc> group : groups.entrySet()) {
       String name = RegisteredGroup.fullName(group.getValue());
       if (name.indexOf('.') <= 0) {
-        continue; // somebody else's
+        continue; // registered by another program
       }
       @SuppressWarnings("unchecked") // as phoenix declares it
       Map<ActivationID, ActivationDesc> objects = admin.getActivatableObjects(group.getKey());
@@ -114,12 +115,11 @@ public final class PhoenixInventory {
   }
 
   /**
-   * Every group of every robot, by robot and name. Groups that somebody else registered are left
-   * out.
+   * Every group of every robot, by robot and name. Groups of other programs are left out.
    *
-   * @param time how long phoenix is asked again where it does not answer
+   * @param time time limit for retries if phoenix does not answer
    * @throws IOException if phoenix does not answer
-   * @throws ActivationException if what it keeps cannot be read
+   * @throws ActivationException if its data cannot be read
    */
   public static List<ServiceGroup> groups(PhoenixProcess phoenix, Duration time)
       throws IOException, ActivationException {

@@ -62,9 +62,9 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   }
 
   /**
-   * The administrator's view of it.
+   * Phoenix's administration interface.
    *
-   * @param deadline how long each answer is awaited
+   * @param deadline timeout of each call
    * @throws ConnectException if no phoenix was ever started with this state
    * @throws AccessException if phoenix, or what listens on its port, is another user's
    */
@@ -73,10 +73,10 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   }
 
   /**
-   * Refuses to go on where phoenix is another user's: only that user and root may ask it.
+   * Throws if phoenix belongs to another user: only that user and root may call it.
    *
-   * @throws AccessException saying whose it is, if its identity cannot be read or its port is
-   *     another user's
+   * @throws AccessException with the owner's name, if its identity cannot be read or its port
+   *     belongs to another user
    */
   public void requireOwnedByUser() throws AccessException {
     try {
@@ -106,9 +106,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
     }
   }
 
-  /**
-   * The user's number whose process phoenix must be: the owner of its identity, or else this one.
-   */
+  /** The UID that phoenix must run under: the owner of its identity file, or else this user. */
   private int expectedOwner() throws AccessException {
     Path identity = journal().resolve(PhoenixIdentities.FILE);
     Path owned = Files.exists(identity) ? identity : Path.of("/proc/self");
@@ -123,7 +121,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
     return state.resolve("journal");
   }
 
-  /** Whether a phoenix answers there. */
+  /** Whether a phoenix answers at the address. */
   public boolean isResponding() {
     try {
       admin().groupStatus();
@@ -134,13 +132,13 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   }
 
   /**
-   * Whether a phoenix answers there. One that may be there and does not answer is asked again: on a
-   * busy computer that is no sign of death.
+   * Whether a phoenix answers at the address. If it may be running but does not answer, the call is
+   * repeated: on a busy computer a timeout does not prove its end.
    *
-   * @param time how long to ask
-   * @return false if nobody listens there, what answers is no phoenix, or the process that owned
+   * @param time time limit for the calls
+   * @return false if no process listens there, another program answers, or the process that owned
    *     the journal has certainly ended
-   * @throws NoAnswerException if nothing of that is known when the time is over
+   * @throws NoAnswerException if none of that is known at the time limit
    */
   public boolean isResponding(Duration time) throws NoAnswerException {
     try {
@@ -154,18 +152,18 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   }
 
   /**
-   * How its groups are; asked as in {@link #isResponding(Duration)}.
+   * The status of its groups; retried as in {@link #isResponding(Duration)}.
    *
-   * @param deadline how long each answer is awaited
-   * @param time how long to ask
-   * @throws NoAnswerException if it may be there and has not answered when the time is over
-   * @throws RemoteException if none is there
+   * @param deadline timeout of each call
+   * @param time time limit for all calls
+   * @throws NoAnswerException if phoenix may be running and has not answered within the time limit
+   * @throws RemoteException if no phoenix runs
    */
   public List<GroupStatus> groupStatus(Duration deadline, Duration time) throws RemoteException {
     return groupStatus(admin(deadline), RetryDeadline.of(time));
   }
 
-  /** The same, with a phoenix and a time that may be a test's. */
+  /** The status of its groups, with a phoenix and a time limit that a test may replace. */
   List<GroupStatus> groupStatus(PhoenixAdmin admin, RetryDeadline asking) throws RemoteException {
     while (true) {
       try {
@@ -176,7 +174,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
         }
         boolean mayHang = e instanceof DeadlineExceededException;
         if ((!mayHang || asking.isExpired()) && hasCertainlyEnded()) {
-          throw e; // the address may not be this computer's any more
+          throw e; // the address may no longer belong to this computer
         }
         if (asking.isExpired()) {
           throw new NoAnswerException("phoenix at " + host + ":" + port, asking.timeout(), e);
@@ -192,7 +190,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
       long owner = owner();
       return ProcessIdentity.find(owner).isEmpty() || !isPhoenix(owner);
     } catch (NoSuchFileException e) {
-      return true; // none has ever had it, or its process ended meanwhile
+      return true; // no process ever owned it, or its process ended meanwhile
     } catch (IOException | NumberFormatException e) {
       return false;
     }
@@ -202,14 +200,14 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
     return Long.parseLong(Files.readString(journal().resolve("phoenix.lock")).strip());
   }
 
-  /** Where processes cannot be looked at, each may be one. */
+  /** If processes cannot be inspected, each may be one. */
   private static boolean isPhoenix(long pid) throws IOException {
-    Path command = Path.of("/proc", Long.toString(pid), "cmdline"); // ProcessHandle cuts it short
+    Path command = Path.of("/proc", Long.toString(pid), "cmdline"); // ProcessHandle truncates it
     return !Files.exists(Path.of("/proc/self")) || Files.readString(command).contains(MAIN);
   }
 
   /**
-   * The administrator's view of it.
+   * Phoenix's administration interface.
    *
    * @throws ConnectException if no phoenix was ever started with this state
    * @throws AccessException if phoenix, or what listens on its port, is another user's
@@ -219,8 +217,8 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   }
 
   /**
-   * The number of the process that owns the journal in the state folder; empty where none does, or
-   * where the folder cannot be read.
+   * The ID of the process that owns the journal in the state folder; empty if no process owns it,
+   * or if the folder cannot be read.
    */
   public OptionalLong pid() {
     try {
@@ -239,12 +237,12 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   }
 
   /**
-   * Starts the process, in a session of its own, and waits until it answers. So neither Ctrl-C in
-   * the terminal of whoever starts it nor the end of that terminal ends the robots.
+   * Starts the process in a session of its own and waits until it answers. So neither Ctrl-C in the
+   * terminal that starts it nor the end of that terminal ends the robots.
    *
    * @param timeout how long to wait
-   * @throws IOException if one answers there already, the state folder is open to other users, or
-   *     it cannot be started, ends or does not answer in time
+   * @throws IOException if a phoenix already answers, the state folder is open to other users, or
+   *     the process cannot be started, ends or does not answer in time
    */
   public Process start(Duration timeout) throws IOException {
     requireOwnedByUser();
@@ -272,7 +270,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
         throw new IOException(
             "phoenix did not answer within " + timeout.toSeconds() + " s; see " + log());
       }
-      // A process that is no part of this one says nothing when it is ready, so this looks again.
+      // A detached process does not signal that it is ready, so this polls.
       LockSupport.parkNanos(this, LOOK_AGAIN_NANOS);
     }
     return process;
@@ -293,8 +291,8 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   }
 
   /**
-   * Ends phoenix and every group, and waits until nobody listens at its address any more: a missed
-   * answer does not count as its end.
+   * Ends phoenix and every group, and waits until no process listens at its address any more: a
+   * timeout does not prove its end.
    *
    * @throws IOException if it refuses or does not end in time
    */
@@ -312,7 +310,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
         } catch (RemoteException e) {
           if (!RetryDeadline.isUnanswered(e)) {
             throw e;
-          } // it is asked again as long as it is there
+          } // the call is repeated while phoenix runs
         }
       }
       LockSupport.parkNanos(this, LOOK_AGAIN_NANOS);

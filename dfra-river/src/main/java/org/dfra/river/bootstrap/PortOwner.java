@@ -12,11 +12,11 @@ import java.util.OptionalInt;
 import java.util.stream.Stream;
 
 /**
- * Which user listens on a TCP port of this computer, as Linux says it in {@code /proc/net/tcp}.
- * Elsewhere it is not known.
+ * Finds the user that listens on a TCP port of this computer, from Linux's {@code /proc/net/tcp}.
+ * On other systems the owner is unknown.
  *
- * <p>A user without rights can listen where phoenix does not run. What is sent there must not be
- * phoenix's secret identity.
+ * <p>An unprivileged user can listen on phoenix's port while phoenix does not run. Phoenix's secret
+ * identity must not be sent there.
  */
 final class PortOwner {
 
@@ -38,13 +38,13 @@ final class PortOwner {
     this.users = users;
   }
 
-  /** That of this computer. */
+  /** The owners of this computer's ports. */
   static PortOwner system() {
     return new PortOwner(Path.of("/proc"), Path.of("/etc/passwd"));
   }
 
   /**
-   * The number of the user whose process listens there; empty where none does, or it is not known.
+   * The UID of the process that listens there; empty if there is none, or if it is unknown.
    *
    * @param host address or name of this computer
    */
@@ -53,7 +53,7 @@ final class PortOwner {
     try {
       wanted = InetAddress.getAllByName(host);
     } catch (UnknownHostException e) {
-      return OptionalInt.empty(); // nobody can be connected to there
+      return OptionalInt.empty(); // no connection to it is possible
     }
     List<InetAddress> addresses = List.of(wanted);
     return Stream.of("net/tcp", "net/tcp6")
@@ -73,7 +73,7 @@ final class PortOwner {
     }
   }
 
-  /** Whether a socket at this local address, as the table writes it, takes such a connection. */
+  /** Whether a socket at this local address, in the table's notation, accepts such a connection. */
   private static boolean isAt(String local, List<InetAddress> addresses, int port) {
     int colon = local.lastIndexOf(':');
     if (Integer.parseInt(local.substring(colon + 1), 16) != port) {

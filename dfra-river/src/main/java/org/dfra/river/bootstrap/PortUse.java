@@ -17,14 +17,17 @@ import org.dfra.core.config.RegistrarDescription;
 import org.dfra.river.loading.RobotCodebase;
 import org.dfra.river.phoenix.PhoenixAdmin;
 
-/** Which TCP ports the other robots of a phoenix have, so that a clash is named by its robot. */
+/**
+ * The TCP ports of the other robots of a phoenix, so that a message about a conflict names the
+ * robot.
+ */
 final class PortUse {
 
   /**
    * One port.
    *
    * @param robot name of the robot that has it
-   * @param purpose what it is for, such as {@code registrar}
+   * @param purpose its purpose, such as {@code registrar}
    */
   record UsedPort(String host, int port, String robot, String purpose) {
 
@@ -40,7 +43,7 @@ final class PortUse {
     this.uses = List.copyOf(uses);
   }
 
-  /** Those of every robot but one. */
+  /** The ports of every robot but one. */
   static PortUse ofOthers(PhoenixAdmin admin, String robot, RetryDeadline patience)
       throws IOException, ActivationException {
     return patience.call(
@@ -76,7 +79,7 @@ final class PortUse {
     }
   }
 
-  /** Who has a port; empty if none of the others has, or it is 0. */
+  /** The robot that uses a port; empty if no other robot uses it, or if it is 0. */
   Optional<UsedPort> of(String host, int port) {
     return uses.stream()
         .filter(each -> port != 0 && each.port() == port && isSame(each.host(), host))

@@ -18,13 +18,13 @@ import org.dfra.river.server.ModuleActivation;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A robot's service group as phoenix has it registered, whatever the robot's description says.
+ * A robot's service group as phoenix has it registered, independent of the robot's description.
  *
  * @param id its ID
  * @param name its name, without the robot's
- * @param desc what its processes are started with
+ * @param desc the descriptor with which its processes are started
  * @param modules the modules in it
- * @param registrar the robot's registrar, where it is in this group
+ * @param registrar the robot's registrar, if it is in this group
  */
 record RegisteredGroup(
     ActivationGroupID id,
@@ -58,7 +58,7 @@ record RegisteredGroup(
     modules = List.copyOf(modules);
   }
 
-  /** A module of that name in it. */
+  /** The module of that name in the group. */
   Optional<RegisteredModule> module(String wanted) {
     return modules.stream().filter(each -> each.name().equals(wanted)).findFirst();
   }
@@ -79,7 +79,7 @@ record RegisteredGroup(
     return found;
   }
 
-  /** {@code robot.group}, as the bootstrap names its groups; empty for somebody else's. */
+  /** {@code robot.group}, as the bootstrap names its groups; empty for groups of other programs. */
   static String fullName(ActivationGroupDesc desc) {
     @Nullable Properties properties = desc.getPropertyOverrides();
     return properties == null ? "" : properties.getProperty(Phoenix.GROUP_NAME, "");
@@ -108,9 +108,9 @@ record RegisteredGroup(
   }
 
   /**
-   * What an object is activated with.
+   * The activation data of an object.
    *
-   * @throws ActivationException if it cannot be read
+   * @throws ActivationException if the data cannot be read
    */
   static @Nullable Object data(ActivationDesc desc) throws ActivationException {
     try {

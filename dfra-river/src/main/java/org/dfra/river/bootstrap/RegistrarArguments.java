@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.dfra.river.registrar.RegistrationPolicy;
 
-/** What differs from one robot's registrar to another's, as arguments of its Jini configuration. */
+/** The arguments of a registrar's Jini configuration, which differ from robot to robot. */
 final class RegistrarArguments {
 
   private static final String HOST = "com.sun.jini.reggie.host=";
@@ -21,11 +21,11 @@ final class RegistrarArguments {
    * The arguments.
    *
    * @param host address or name that its proxy carries
-   * @param port TCP port of unicast discovery; 0 for one of the system's choice
-   * @param folder where it keeps what it knows
+   * @param port TCP port of unicast discovery; 0 for one that the system chooses
+   * @param folder of its persistent state
    * @param groups its discovery groups
    * @param multicast whether it announces itself and listens for others
-   * @param policy whose it is
+   * @param policy the robot that owns it, and its registration rules
    */
   static String[] of(
       String host,
@@ -52,7 +52,7 @@ final class RegistrarArguments {
     return arguments.toArray(String[]::new);
   }
 
-  /** The TCP port in such arguments; 0 for one of the system's choice, or where there is none. */
+  /** The TCP port in such arguments; 0 for one that the system chooses, or if there is none. */
   static int port(List<String> arguments) {
     return value(arguments, PORT).map(Integer::parseInt).orElse(0);
   }
@@ -70,8 +70,9 @@ final class RegistrarArguments {
   }
 
   /**
-   * Those that count only when it is started: the others can be changed while it runs. Where its
-   * configuration lies is none of them, though it differs from build to build: it is the same.
+   * The arguments that apply only at start; the others can be changed while the registrar runs. The
+   * path of its configuration is excluded: it differs from build to build, but the contents are the
+   * same.
    */
   static List<String> startupOnly(List<String> arguments) {
     return arguments.stream()

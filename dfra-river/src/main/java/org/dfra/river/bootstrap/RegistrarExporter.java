@@ -11,8 +11,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Exports a lookup service by another exporter, and while it is exported holds its leases to what
- * it grants, see {@link RegistrarLeaseLimiter}. For the entry {@code
+ * Exports a lookup service by another exporter. While it is exported, limits its leases to the
+ * longest that it grants, see {@link RegistrarLeaseLimiter}. For the entry {@code
  * com.sun.jini.reggie.serverExporter} of a registrar's Jini configuration.
  *
  * <p>Thread: one daemon, {@code registrar-leases}, from export to unexport.
@@ -35,10 +35,10 @@ public final class RegistrarExporter implements Exporter {
   }
 
   /**
-   * The same, for a lookup service whose listeners are bounded.
+   * Exports a lookup service whose listeners are bounded.
    *
-   * @param listeners the lookup service's {@code listenerPreparer}, which is told each second which
-   *     of its listeners are still registered
+   * @param listeners the lookup service's {@code listenerPreparer}, which receives the registered
+   *     listeners every second
    */
   public RegistrarExporter(Exporter exporter, @Nullable EventListenerPreparer listeners) {
     this.exporter = exporter;
@@ -82,8 +82,8 @@ public final class RegistrarExporter implements Exporter {
           hadFailed = false;
         } catch (ConcurrentLockException e) {
           throw e;
-        } catch (RuntimeException e) { // places of listeners would never be given back any more
-          if (!hadFailed) { // not each second
+        } catch (RuntimeException e) { // slots of listeners would no longer be released
+          if (!hadFailed) { // not every second
             LOG.warn("The leases of this lookup service could not be looked at; it goes on.", e);
           }
           hadFailed = true;

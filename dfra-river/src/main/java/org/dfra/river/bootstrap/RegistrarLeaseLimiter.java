@@ -13,23 +13,23 @@ import org.dfra.river.registrar.ReggieFields;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Holds the leases of a lookup service to what it grants.
+ * Limits the leases of a lookup service to the longest that it grants.
  *
- * <p>Reggie writes down at which time of the computer's clock a lease ends. Where that clock is set
- * back by an hour, or reggie reads back what it wrote when the clock was wrong, whoever died is
- * listed for that hour. No lease can have more left than the longest that reggie grants, so one
- * that has is cut to that: its holder renews it, or it ends in time. A clock that is set forward
- * needs nothing: reggie drops what it holds, and each holder learns that from its next renewal and
- * registers anew.
+ * <p>Reggie stores the end of a lease as a time of the computer's clock. If that clock is set back
+ * by an hour, or reggie reads back what it wrote while the clock was wrong, a crashed service stays
+ * listed for that hour. No lease can have more time left than the longest that reggie grants, so a
+ * longer one is cut to that: its holder renews it, or it expires in time. A clock that is set
+ * forward needs no action: reggie drops its registrations, and each holder finds out at its next
+ * renewal and registers again.
  *
- * <p>Reggie 2.2.2 offers no way to do this, so its fields are used, under its own lock.
+ * <p>Reggie 2.2.2 has no interface for this, so its fields are used, under its own lock.
  */
 final class RegistrarLeaseLimiter {
 
   /** Reggie's own registration, which never ends. */
   private static final long NEVER = Long.MAX_VALUE;
 
-  /** What a lease may have left above the longest: nothing, but for a clock that is adjusted. */
+  /** Tolerance above the longest lease, for clock adjustments only. */
   private static final long SLACK_MILLIS = TimeUnit.SECONDS.toMillis(1);
 
   private final ReadersWriter lock;
@@ -39,7 +39,7 @@ final class RegistrarLeaseLimiter {
 
   /**
    * @param reggie the lookup service
-   * @throws ReflectiveOperationException if it is no reggie that is known here
+   * @throws ReflectiveOperationException if it is not a supported version of reggie
    */
   RegistrarLeaseLimiter(Object reggie) throws ReflectiveOperationException {
     Class<?> type = ReggieFields.owner(reggie);
@@ -69,15 +69,15 @@ final class RegistrarLeaseLimiter {
   /**
    * Reggie's registrations of one kind.
    *
-   * @param byTime each registration to itself, in the order in which they end
+   * @param byTime each registration to itself, in the order of expiration
    * @param longest field of reggie, the longest lease that it grants now, in milliseconds
-   * @param notifier what the thread waits for that drops those whose time is over
+   * @param notifier the monitor on which the thread that removes expired registrations waits
    * @param expiration field of a registration, milliseconds of the computer's clock
    */
   private record RegistrationTable(
       Object reggie, TreeMap<?, ?> byTime, Field longest, Object notifier, Field expiration) {
 
-    /** How many were cut; the caller holds reggie's lock. */
+    /** Shortens overlong leases and returns their number; the caller holds reggie's lock. */
     int cut(long now) throws IllegalAccessException {
       long most = longest.getLong(reggie);
       List<Object> tooLong = new ArrayList<>();
@@ -87,7 +87,7 @@ final class RegistrarLeaseLimiter {
           tooLong.add(each);
         }
       }
-      for (Object each : tooLong) { // which are ordered by what changes
+      for (Object each : tooLong) { // the order depends on the field that changes
         byTime.remove(each);
         expiration.setLong(each, now + most);
         put(each);
@@ -101,7 +101,7 @@ final class RegistrarLeaseLimiter {
     }
   }
 
-  /** The listener of each registration for events that there is now; the same objects. */
+  /** The listener of each current registration for events; the same objects. */
   Set<Object> listeners() throws IllegalAccessException {
     Set<Object> all = Collections.newSetFromMap(new IdentityHashMap<>());
     lock.readLock();
@@ -119,9 +119,9 @@ final class RegistrarLeaseLimiter {
   }
 
   /**
-   * Cuts what is too long.
+   * Shortens leases that are too long.
    *
-   * @return how many leases were
+   * @return the number of shortened leases
    */
   int shortenOverlong() throws IllegalAccessException {
     lock.writeLock();

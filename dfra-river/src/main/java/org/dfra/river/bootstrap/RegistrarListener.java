@@ -17,16 +17,18 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What a lookup service holds in place of a client's event listener. It queues events and delivers
- * them in order, one call at a time, in the lane of the listener's process. Past {@value
- * #QUEUE_CAPACITY} waiting events the oldest is dropped: the client sees the gap in their numbers
- * and asks for everything.
+ * The lookup service's replacement for a client's event listener. It queues events and delivers
+ * them in order, one call at a time, from the executor of the listener's process. Beyond {@value
+ * #QUEUE_CAPACITY} waiting events the oldest is dropped: the client detects the gap in the sequence
+ * numbers and reads everything again.
  *
- * <p>Where the listener has answered that it is gone or wants no more, the next event says so to
- * the lookup service, which ends the registration. Otherwise it lasts as long as its lease.
+ * <p>If the listener has answered that it no longer exists or wants no more events, the next event
+ * throws that to the lookup service, which ends the registration. Otherwise the registration lasts
+ * as long as its lease.
  *
- * <p>Reggie writes it to its log with what came from the client. What is read from there delivers
- * nothing until {@link EventListenerPreparer} has replaced it. Thread-safe.
+ * <p>Reggie writes it to its log together with the client's original listener. An instance that is
+ * read from the log delivers nothing until {@link EventListenerPreparer} has replaced it.
+ * Thread-safe.
  */
 final class RegistrarListener implements RemoteEventListener, Serializable {
 
@@ -39,13 +41,13 @@ final class RegistrarListener implements RemoteEventListener, Serializable {
 
   private final RemoteEventListener listener;
   private final String client;
-  private final transient @Nullable Deliveries deliveries; // null where it was read
+  private final transient @Nullable Deliveries deliveries; // null if it was deserialized
 
   /**
-   * @param listener as it came from the client
+   * @param listener the client's original
    * @param client the client's address
    * @param bounded the same listener, called under a deadline
-   * @param lane makes the calls; it drops none
+   * @param lane runs the calls; it drops none
    */
   RegistrarListener(
       RemoteEventListener listener, String client, RemoteEventListener bounded, Executor lane) {
@@ -54,7 +56,7 @@ final class RegistrarListener implements RemoteEventListener, Serializable {
     this.deliveries = new Deliveries(bounded, lane);
   }
 
-  /** As it came from the client. */
+  /** The client's original listener. */
   RemoteEventListener listener() {
     return listener;
   }
@@ -75,14 +77,14 @@ final class RegistrarListener implements RemoteEventListener, Serializable {
     deliveries.offer(event);
   }
 
-  /** Delivers no more. */
+  /** Stops the delivery. */
   void close() {
     if (deliveries != null) {
       deliveries.close();
     }
   }
 
-  /** Reggie keeps events to the same listener in order by this. */
+  /** Reggie uses this to keep the events to one listener in order. */
   @Override
   public boolean equals(@Nullable Object other) {
     return other instanceof RegistrarListener that && that.listener.equals(listener);
@@ -103,12 +105,12 @@ final class RegistrarListener implements RemoteEventListener, Serializable {
     if (listener == null || client == null) {
       throw new InvalidObjectException("a lookup service's listener without proxy or address");
     }
-    if (listener instanceof RegistrarListener) { // itself, say: unwrapping it would have no end
+    if (listener instanceof RegistrarListener) { // possibly itself, which could not be unwrapped
       throw new InvalidObjectException("a lookup service's listener that holds another one");
     }
   }
 
-  /** Events that wait for the listener; at most one is on its way. */
+  /** Events that wait for the listener; at most one is being delivered. */
   private static final class Deliveries {
 
     private final RemoteEventListener bounded;
@@ -117,7 +119,7 @@ final class RegistrarListener implements RemoteEventListener, Serializable {
     private final Queue<RemoteEvent> waiting = new ArrayDeque<>(); // guarded by this
     private boolean isUnderWay; // guarded by this
     private boolean isClosed; // guarded by this
-    private @Nullable Throwable end; // guarded by this; what the listener said last
+    private @Nullable Throwable end; // guarded by this; the listener's final exception
 
     Deliveries(RemoteEventListener bounded, Executor lane) {
       this.bounded = bounded;

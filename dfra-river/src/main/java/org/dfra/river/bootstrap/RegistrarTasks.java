@@ -11,11 +11,11 @@ import java.util.concurrent.atomic.AtomicInteger;
  * The threads of a lookup service, for the entry {@code taskManager} of {@code
  * com.sun.jini.reggie}.
  *
- * <p>Reggie has 50 threads for events, for connections and for requests by multicast. A datagram is
- * such a request. It can name any host, which is looked up and connected to, and anybody can send
- * it from a false address: 50 of them would hold all threads for minutes. So requests have {@value
- * #THREADS} threads of their own here, and {@value #MAX_QUEUED_REQUESTS} may wait; beyond that they
- * are dropped. Who has asked in vain finds the lookup service by its next announcement.
+ * <p>Reggie has 50 threads for events, for connections and for multicast requests. Such a request
+ * is a datagram. It can name any host, which reggie resolves and connects to, and any host can send
+ * it from a forged address: 50 of them would block all threads for minutes. So requests have
+ * {@value #THREADS} threads of their own here, and {@value #MAX_QUEUED_REQUESTS} may wait; more are
+ * dropped. A client without a response finds the lookup service by its next announcement.
  *
  * <p>Threads: daemons, {@code dfra-discovery-request-n}, which end after 10 s without a request.
  */
@@ -24,15 +24,15 @@ public final class RegistrarTasks extends TaskManager {
   static final int THREADS = 4;
   static final int MAX_QUEUED_REQUESTS = 64;
 
-  private static final int MOST = 50; // as reggie has it, and the next
+  private static final int MOST = 50; // as in reggie, like the next
   private static final long IDLE_MILLIS = 15_000;
 
-  /** Names of reggie's own classes for datagrams and for the answers to them. */
+  /** Names of reggie's own classes for datagrams and for the responses to them. */
   private static final Set<String> REQUESTS = Set.of("DecodeRequestTask", "AddressTask");
 
   private final ThreadPoolExecutor requests;
 
-  /** As a Jini configuration makes it; a thread begins with its first task. */
+  /** Called by a Jini configuration; a thread starts with the first task. */
   public RegistrarTasks() {
     super(MOST, IDLE_MILLIS, 1.0f);
     AtomicInteger number = new AtomicInteger();
@@ -68,7 +68,7 @@ public final class RegistrarTasks extends TaskManager {
     }
   }
 
-  /** Adds it, unless an equal one waits. */
+  /** Adds a task, unless an equal one waits. */
   @Override
   public synchronized void addIfNew(Task task) {
     if (!isRequest(task)) {

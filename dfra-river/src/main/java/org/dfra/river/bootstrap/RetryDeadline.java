@@ -16,8 +16,8 @@ import org.dfra.river.call.DeadlineExceededException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The time that a command has. On a busy computer an answer misses its deadline now and then, so a
- * question that may be asked twice is asked again until that time is over.
+ * The time limit of a command. On a busy computer a response sometimes misses its deadline, so an
+ * idempotent call is retried until the limit.
  */
 final class RetryDeadline {
 
@@ -30,9 +30,9 @@ final class RetryDeadline {
   private final long end;
 
   /**
-   * @param time how long the command may take from now on
-   * @param nanos a clock that is never set, in nanoseconds
-   * @param pause waits a moment, so that a refused connection is not tried in a tight loop
+   * @param time time limit of the command, from now
+   * @param nanos a monotonic clock, in nanoseconds
+   * @param pause waits briefly, so that a refused connection is not retried in a tight loop
    */
   RetryDeadline(Duration time, LongSupplier nanos, Runnable pause) {
     this.time = time;
@@ -41,22 +41,24 @@ final class RetryDeadline {
     this.end = nanos.getAsLong() + time.toNanos();
   }
 
-  /** By this machine's clock. */
+  /** Uses this machine's clock. */
   static RetryDeadline of(Duration time) {
     return new RetryDeadline(time, System::nanoTime, () -> LockSupport.parkNanos(PAUSE_NANOS));
   }
 
-  /** Something that may be done twice: a question, or a change that is made only where needed. */
+  /** A call that may be repeated: a query, or a change that is made only if needed. */
   interface IdempotentCall<T> {
     T call() throws IOException, ActivationException;
   }
 
   /**
-   * The answer. Only where none comes is the question asked again; a refusal is an answer.
+   * Makes the call and returns its result. The call is repeated only if no answer arrives; a
+   * refusal is an answer.
    *
-   * @throws NoAnswerException if no answer came when the time is over
-   * @throws IOException as the question does
-   * @throws ActivationException likewise; also if no answer came from what phoenix asked itself
+   * @throws NoAnswerException if no answer arrived within the time limit
+   * @throws IOException as the call does
+   * @throws ActivationException as the call does; also if phoenix received no answer to its own
+   *     call
    */
   <T> T call(IdempotentCall<T> question) throws IOException, ActivationException {
     while (true) {
@@ -77,12 +79,12 @@ final class RetryDeadline {
     }
   }
 
-  /** Something that may be done twice and has no answer but that it was done. */
+  /** A call without a result that may be repeated. */
   interface IdempotentAction {
     void run() throws IOException, ActivationException;
   }
 
-  /** Has something done; as {@link #call}. */
+  /** Runs an action; as {@link #call}. */
   void run(IdempotentAction action) throws IOException, ActivationException {
     Boolean unused =
         call(
@@ -92,22 +94,22 @@ final class RetryDeadline {
             });
   }
 
-  /** How long the command may take. */
+  /** The time limit of the command. */
   Duration timeout() {
     return time;
   }
 
-  /** Whether the command's time is over. */
+  /** Whether the command's time limit has passed. */
   boolean isExpired() {
     return nanos.getAsLong() - end >= 0;
   }
 
-  /** Waits a moment. */
+  /** Waits briefly. */
   void pause() {
     pause.run();
   }
 
-  /** Whether nobody answered, rather than that somebody refused. */
+  /** Whether no answer arrived, as opposed to a refusal. */
   static boolean isUnanswered(Throwable failure) {
     if (isCutOff(failure)) {
       return true;
@@ -122,7 +124,7 @@ final class RetryDeadline {
     return false;
   }
 
-  /** Whether the connection ended while the call itself was under way. */
+  /** Whether the connection ended during the call itself. */
   private static boolean isCutOff(Throwable failure) {
     return (failure instanceof MarshalException || failure instanceof UnmarshalException)
         && (failure.getCause() instanceof EOFException

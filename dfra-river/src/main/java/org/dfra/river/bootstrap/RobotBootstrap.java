@@ -22,19 +22,19 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Brings a robot up under a phoenix that runs: its registrar first, then its modules.
+ * Brings a robot up under a running phoenix: its registrar first, then its modules.
  *
- * <p>Doing it twice does no harm: what is registered already keeps its identity, and is started
- * anew only where its description has changed. What the description does not name any more ends.
+ * <p>Repeating it is safe: registered services keep their identity and are restarted only if their
+ * description has changed. Services that are no longer described end.
  */
 public final class RobotBootstrap {
 
   private static final Logger LOG = LoggerFactory.getLogger(RobotBootstrap.class);
 
-  /** How long a robot may take to come up; until then questions are asked again. */
+  /** The time limit for bringing up a robot; until then, calls are retried. */
   private static final Duration TIME = Duration.ofSeconds(60);
 
-  /** How long one module may take to end; its driver brakes first. */
+  /** The time limit for the end of one module; its driver brakes first. */
   private static final Duration END = Duration.ofSeconds(15);
 
   private final PhoenixProcess phoenix;
@@ -57,29 +57,29 @@ public final class RobotBootstrap {
   }
 
   /**
-   * What was brought up.
+   * A service that was brought up.
    *
-   * @param name what it is, {@code robot/module}, or {@code robot/registrar}
+   * @param name {@code robot/module}, or {@code robot/registrar}
    * @param group name of its service group
    * @param id its activation ID
    */
   public record ServiceReference(String name, String group, ActivationID id) {}
 
-  /** As {@link #up(BringUpStep.Listener)}, for those who do not care what was done. */
+  /** As {@link #up(BringUpStep.Listener)}, without reports of the steps. */
   public List<ServiceReference> up() throws ActivationException, IOException {
     return up(step -> {});
   }
 
   /**
-   * Makes what runs what the description says: everything is registered and activated, what was
-   * described otherwise is started anew, and what is not described any more ends.
+   * Makes the running robot match the description: registers and activates everything, restarts
+   * services whose description changed, and ends services that are no longer described.
    *
-   * @param listener is called as it goes on
-   * @return what is up, the registrar first
+   * @param listener is called after each step
+   * @return the running services, the registrar first
    * @throws ConfigurationException if another robot of this phoenix has the registrar's port, or a
-   *     host of its administrators is not known; nothing was changed
-   * @throws ActivationException if something cannot be registered or activated, or the end of a
-   *     module that has to go is not proven; what was brought up before stays up
+   *     host of its administrators is unknown; nothing was changed
+   * @throws ActivationException if a service cannot be registered or activated, or the end of a
+   *     module that must end is not confirmed; services that were already brought up keep running
    */
   public List<ServiceReference> up(BringUpStep.Listener listener)
       throws ActivationException, IOException {
@@ -93,7 +93,7 @@ public final class RobotBootstrap {
           .requireFree(robot.name(), host, robot.registrar().get());
     }
     BootstrapLoader loader = loader(patience);
-    String unused = loader.administrators(); // what is wrong with them shows before all else
+    String unused = loader.administrators(); // reports errors in them first
     robot.registrar().ifPresent(AddressRangeResolver::resolve);
     RobotDescriptionStore known = new RobotDescriptionStore(phoenix.state());
     boolean wasKnown = known.contains(robot.name());
@@ -110,7 +110,10 @@ public final class RobotBootstrap {
     }
   }
 
-  /** Where nothing of the robot is registered, nobody is to look for it here. */
+  /**
+   * Deletes the robot's description if nothing of the robot is registered, so that it is no longer
+   * looked up here.
+   */
   private void forgetUnlessRegistered(
       RobotDescriptionStore known, BootstrapLoader loader, Exception failure) {
     try {
@@ -118,7 +121,7 @@ public final class RobotBootstrap {
         known.delete(robot.name());
       }
     } catch (ActivationException | IOException e) {
-      failure.addSuppressed(e); // it stays known
+      failure.addSuppressed(e); // it stays stored
     }
   }
 
@@ -160,8 +163,8 @@ public final class RobotBootstrap {
   }
 
   /**
-   * Which other robot of this phoenix has the port of this one's class server, as a clause; empty
-   * if none has.
+   * The other robot of this phoenix that has the port of this one's class server, as a clause;
+   * empty if there is none.
    */
   public Optional<String> classServerPortConflict() throws ActivationException, IOException {
     int port = robot.registrar().map(RegistrarDescription::classes).orElse(0);
@@ -171,16 +174,16 @@ public final class RobotBootstrap {
   }
 
   /**
-   * What the robot serves to clients that lack its classes. Empty if it runs no class server, or
-   * there is nothing to serve.
+   * The jars that the robot serves to clients without its classes. Empty if it runs no class
+   * server, or there is nothing to serve.
    *
-   * @throws IOException if DFRA's own jars are not where they should be
+   * @throws IOException if DFRA's own jars are missing
    */
   public Optional<RobotCodebase> codebase() throws IOException {
     return DownloadJars.of(robot, host, phoenix.state());
   }
 
-  /** Where a module keeps what outlives its virtual machine. */
+  /** The folder for a module's state that outlives its virtual machine. */
   static Path moduleStateFolder(Path state, String robot, String module) {
     return state.toAbsolutePath().resolve("modules").resolve(robot).resolve(module);
   }
@@ -192,7 +195,7 @@ public final class RobotBootstrap {
 
   /**
    * Adds a module to the running robot and activates it. It stays until it is removed, also when
-   * phoenix and the robot start again.
+   * phoenix and the robot restart.
    *
    * @param group name of one of the robot's service groups
    * @throws ConfigurationException if the robot has a module of that name or no such group
@@ -241,7 +244,7 @@ public final class RobotBootstrap {
   }
 
   /**
-   * Starts a module that was stopped or has crashed; nothing happens where it runs.
+   * Starts a module that was stopped or has crashed; does nothing if it runs.
    *
    * @param module name of the module
    * @throws ConfigurationException if the robot has no module of that name
@@ -259,8 +262,8 @@ public final class RobotBootstrap {
   }
 
   /**
-   * Replaces a module of the running robot by what the new description says, such as a newer
-   * driver. It keeps its identity, so whoever has its proxy goes on with the new one.
+   * Replaces a module of the running robot according to the new description, for example with a
+   * newer driver. It keeps its identity, so existing proxies reach the new one.
    *
    * @throws ConfigurationException if the robot has no module of that name
    * @throws ActivationException if it cannot be registered or activated
@@ -283,7 +286,7 @@ public final class RobotBootstrap {
 
   /**
    * Removes a module from the running robot: it leaves the lookup services, its device is closed,
-   * and the activation system forgets it.
+   * and the activation system unregisters it.
    *
    * @param module name of the module
    * @throws ConfigurationException if the robot has no module of that name
@@ -294,7 +297,7 @@ public final class RobotBootstrap {
     LOG.info("{}/{} is removed from group {}.", robot.name(), module, old.group());
   }
 
-  /** The module's identity, by which the robot's others know it as theirs, is where they look. */
+  /** Stores the module's identity where the robot's other modules look it up to recognise it. */
   private ModuleIdentity keep(RegisteredGroup.RegisteredModule module) throws IOException {
     ModuleActivation activation = module.activation();
     ModuleIdentity identity = new ModuleIdentity(activation.id(), activation.created());
@@ -302,7 +305,9 @@ public final class RobotBootstrap {
     return identity;
   }
 
-  /** Before a driver is started: one that phoenix has forgotten may have its device. */
+  /**
+   * Runs before a driver is started: a service that is no longer registered may have its device.
+   */
   private void endForgotten(RetryDeadline patience) throws ActivationException, IOException {
     new OrphanedServiceCleanup(new GroupTerminator(PhoenixClient.to(phoenix), patience))
         .terminateProcesses(

@@ -13,9 +13,8 @@ import org.dfra.core.config.RobotXml;
 import org.dfra.core.host.PrivateFiles;
 
 /**
- * The robots of a host as they were last brought up, each as XML in which every variable is
- * substituted, beside phoenix's journal. So they are known to whoever looks for them there, also
- * when their first XML is gone.
+ * The last descriptions of the robots of a host, each as XML with all variables substituted, beside
+ * phoenix's journal. So other commands find them, even if the original XML no longer exists.
  */
 public final class RobotDescriptionStore {
 
@@ -24,13 +23,13 @@ public final class RobotDescriptionStore {
   private final Path folder;
 
   /**
-   * @param state folder of what phoenix keeps
+   * @param state phoenix's state folder
    */
   public RobotDescriptionStore(Path state) {
     this.folder = state.resolve("robots");
   }
 
-  /** Notes a robot, in place of what was known of one of that name. */
+  /** Stores a robot's description and replaces the one of the same name. */
   public void save(RobotDescription robot) throws IOException {
     PrivateFiles.makeFolder(folder);
     Path draft = Files.createTempFile(folder, robot.name(), ".draft");
@@ -42,18 +41,18 @@ public final class RobotDescriptionStore {
     }
   }
 
-  /** What is known of a robot. */
+  /** The stored description of a robot. */
   public Optional<RobotDescription> find(String robot) {
     Path file = file(robot);
     return Files.exists(file) ? Optional.of(RobotXml.read(file)) : Optional.empty();
   }
 
-  /** Whether a robot is known. */
+  /** Whether a robot's description is stored. */
   public boolean contains(String robot) {
     return Files.exists(file(robot));
   }
 
-  /** Forgets every robot. */
+  /** Deletes every description. */
   public void deleteAll() throws IOException {
     if (Files.isDirectory(folder)) {
       try (Stream<Path> files = Files.list(folder)) {
@@ -78,7 +77,7 @@ public final class RobotDescriptionStore {
     return robots;
   }
 
-  /** Forgets a robot; nothing happens where it is not known. */
+  /** Deletes a robot's description; does nothing if it is not stored. */
   public void delete(String robot) throws IOException {
     Files.deleteIfExists(file(robot));
   }

@@ -18,8 +18,8 @@ import org.dfra.river.entry.PersonaEntry;
 import org.dfra.river.registrar.RegistrationPolicy;
 
 /**
- * A robot's own lookup service under phoenix: stock reggie, which keeps its state, listens where
- * the description says, and shows the robot's persona.
+ * A robot's own lookup service under phoenix: stock reggie, which stores its state, listens at the
+ * described port, and shows the robot's persona.
  */
 final class RobotRegistrar {
 
@@ -31,7 +31,7 @@ final class RobotRegistrar {
   /**
    * @param host address or name that its proxy carries
    * @param multicast whether it announces itself and listens for others
-   * @param state folder of what phoenix keeps
+   * @param state phoenix's state folder
    */
   RobotRegistrar(RobotDescription robot, String host, boolean multicast, Path state) {
     this.robot = robot;
@@ -41,11 +41,11 @@ final class RobotRegistrar {
   }
 
   /**
-   * What it is activated with.
+   * Its activation arguments.
    *
-   * @throws IOException if the folder of what it keeps cannot be made
-   * @throws org.dfra.core.config.ConfigurationException if a further computer of the robot is not
-   *     known
+   * @throws IOException if the folder of its state cannot be created
+   * @throws org.dfra.core.config.ConfigurationException if an additional host of the robot is
+   *     unknown
    */
   String[] arguments(RegistrarDescription description) throws IOException {
     Path folder = state.resolve("registrars");
@@ -60,20 +60,20 @@ final class RobotRegistrar {
   }
 
   /**
-   * Whose it is.
+   * The robot that owns it, and its registration rules.
    *
-   * @throws org.dfra.core.config.ConfigurationException if a further computer of the robot is not
-   *     known
+   * @throws org.dfra.core.config.ConfigurationException if an additional host of the robot is
+   *     unknown
    */
   static RegistrationPolicy policy(RobotDescription robot, RegistrarDescription description) {
     return new RegistrationPolicy(robot.name(), AddressRangeResolver.resolve(description));
   }
 
   /**
-   * Starts it where it does not run, and tells it what the description says now.
+   * Starts it if it does not run, and applies the current description.
    *
    * @throws ActivationException if it cannot be activated
-   * @throws IOException if it cannot be told its port or its groups, such as when the port is taken
+   * @throws IOException if its port or groups cannot be set, for example because the port is taken
    */
   void start(ServiceReference service, RegistrarDescription description, RetryDeadline patience)
       throws ActivationException, IOException {
@@ -88,7 +88,10 @@ final class RobotRegistrar {
     patience.run(() -> showPersona((JoinAdmin) service.id().activate(false)));
   }
 
-  /** Reggie reads its port and groups only once in its life; what changed since is set. */
+  /**
+   * Reggie reads its port and groups only at its first start; later changes are set through its
+   * interface.
+   */
   private void updateDiscovery(DiscoveryAdmin registrar, RegistrarDescription description)
       throws IOException {
     if (description.port() != 0 && registrar.getUnicastPort() != description.port()) {
@@ -101,8 +104,8 @@ final class RobotRegistrar {
   }
 
   /**
-   * Attaches the robot's persona to it, in place of an older one. The registrar keeps it in its own
-   * log, so it is there again after every restart.
+   * Attaches the robot's persona to it and replaces an older one. The registrar stores it in its
+   * own log, so it is restored after every restart.
    */
   private void showPersona(JoinAdmin registrar) throws IOException {
     Entry[] old =
@@ -115,7 +118,7 @@ final class RobotRegistrar {
       return;
     }
     if (old.length > 0) {
-      registrar.modifyLookupAttributes(old, new Entry[old.length]); // null takes it out
+      registrar.modifyLookupAttributes(old, new Entry[old.length]); // null removes an attribute
     }
     if (wanted.length > 0) {
       registrar.addLookupAttributes(wanted);

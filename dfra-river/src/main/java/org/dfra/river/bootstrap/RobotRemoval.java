@@ -16,11 +16,11 @@ import java.util.function.Predicate;
 import org.dfra.river.phoenix.PhoenixAdmin;
 
 /**
- * Takes robots out of the phoenix of their host: their processes end and nothing of them stays
- * registered, while phoenix and other robots go on.
+ * Removes robots from the phoenix of their host: their processes end and all their registrations
+ * are removed, while phoenix and other robots continue.
  *
- * <p>The processes are ended by signal: each closes its modules in an orderly way. So nobody need
- * answer, and what hangs is killed.
+ * <p>The processes are ended by signal: each closes its modules in order. So no remote answer is
+ * needed, and a process that hangs is killed.
  */
 public final class RobotRemoval {
 
@@ -32,8 +32,8 @@ public final class RobotRemoval {
   private record EmptiedGroup(ActivationGroupID id, String name, boolean registrar) {}
 
   /**
-   * @param patience for phoenix's answers
-   * @param time for the end of one process
+   * @param patience limits the retries of calls to phoenix
+   * @param time time limit for the end of one process
    */
   RobotRemoval(PhoenixClient phoenix, RetryDeadline patience, Duration time) {
     this.admin = phoenix.admin();
@@ -45,8 +45,8 @@ public final class RobotRemoval {
   /**
    * Removes one robot.
    *
-   * @param time how long each of its processes may take to end before it is killed, and how long
-   *     phoenix is asked again where it does not answer
+   * @param time time limit for the end of each process, after which it is killed, and for retries
+   *     if phoenix does not answer
    */
   public static void removeRobot(PhoenixProcess phoenix, String robot, Duration time)
       throws IOException, ActivationException {
@@ -90,7 +90,7 @@ public final class RobotRemoval {
     return new RobotRemoval(PhoenixClient.to(phoenix), RetryDeadline.of(time), time);
   }
 
-  /** Has phoenix forget a robot's services and groups, whose processes end. */
+  /** Unregisters a robot's services and groups and ends their processes. */
   void remove(String robot) throws IOException, ActivationException {
     remove(name -> name.startsWith(robot + "."));
   }
@@ -102,12 +102,12 @@ public final class RobotRemoval {
         groups.add(empty(each.getKey(), each.getValue()));
       }
     }
-    // The registrars last: until then modules can leave them.
+    // The registrars end last, so that modules can unregister from them.
     end(groups.stream().filter(each -> !each.registrar()).toList());
     end(groups.stream().filter(EmptiedGroup::registrar).toList());
   }
 
-  /** Forgets what is in a group, so that phoenix starts nothing in it again. */
+  /** Unregisters the services in a group, so that phoenix starts none of them again. */
   private EmptiedGroup empty(ActivationGroupID group, String name)
       throws IOException, ActivationException {
     boolean isRegistrars = false;
@@ -122,7 +122,7 @@ public final class RobotRemoval {
   }
 
   private void end(List<EmptiedGroup> groups) throws IOException, ActivationException {
-    for (EmptiedGroup each : groups) { // all at once; then each is waited for
+    for (EmptiedGroup each : groups) { // all at once, then waits for each
       end.requestStop(each.name());
     }
     for (EmptiedGroup each : groups) {

@@ -14,8 +14,8 @@ import org.dfra.river.server.ModuleActivation;
 import org.dfra.river.server.ModuleServer;
 
 /**
- * Modules that are served in this virtual machine, by the same servers as in service groups, and
- * the lookup service that they join. No activation system brings back what ends.
+ * Modules that run in this virtual machine, with the same servers as in service groups, and the
+ * lookup service that they join. No activation system restarts modules that have ended.
  */
 public final class ServedModules implements AutoCloseable {
 
@@ -24,8 +24,8 @@ public final class ServedModules implements AutoCloseable {
   private final List<ModuleServer<?>> serving = new ArrayList<>(); // guarded by this
 
   /**
-   * @param owner modules they are, for messages, e.g. {@code robot atrv1}
-   * @param registrar is ended with them; whoever gives it starts it
+   * @param owner owner of the modules, for messages, e.g. {@code robot atrv1}
+   * @param registrar ends with the modules; the caller starts it
    */
   public ServedModules(String owner, EmbeddedRegistrar registrar) {
     this.whose = owner;
@@ -38,9 +38,9 @@ public final class ServedModules implements AutoCloseable {
   }
 
   /**
-   * Serves one more.
+   * Adds and exports a module.
    *
-   * @throws ConfigurationException if it cannot be made or served
+   * @throws ConfigurationException if it cannot be instantiated or exported
    * @throws IOException if it cannot be marshalled
    */
   public synchronized void serve(ModuleActivation activation) throws IOException {
@@ -61,9 +61,9 @@ public final class ServedModules implements AutoCloseable {
   }
 
   /**
-   * Ends the modules, and then the lookup service. What moves the robot is halted before any of
-   * them leaves the lookup service; see {@link ShutdownOrder}. Where one cannot be ended, the
-   * others are, and then that is thrown.
+   * Ends the modules, and then the lookup service. Effectors are halted before any module leaves
+   * the lookup service; see {@link ShutdownOrder}. If one module cannot be ended, the others still
+   * are; then the exception is thrown.
    */
   @Override
   public synchronized void close() throws IOException {

@@ -10,29 +10,30 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Starts a service that is registered, and says in the words of the robot's description why one did
- * not start.
+ * Starts a registered service. If it does not start, reports the reason in terms of the robot's
+ * description.
  */
 final class ServiceStart {
 
   private static final Logger LOG = LoggerFactory.getLogger(ServiceStart.class);
 
-  /** How a group begins to tell that a constructor threw something. */
+  /** The start of a group's report that a constructor threw an exception. */
   private static final Pattern THROWN =
       Pattern.compile("[\\w.$]+: its constructor failed: [\\w.$]+(?:Exception|Error): ");
 
-  /** How a group begins to tell that there is no such class. */
+  /** The start of a group's report that a class is missing. */
   private static final Pattern MISSING =
       Pattern.compile("([\\w.$]+): its class is not on the group's class path: ");
 
   private ServiceStart() {}
 
   /**
-   * Activates a service; nothing happens where it runs.
+   * Activates a service; does nothing if it runs.
    *
-   * @param place where it is described
-   * @param patience for phoenix's answer: on a busy computer a process takes long to start
-   * @throws ActivationException if it did not start: where it is described, which it is, and why
+   * @param place the place of its description
+   * @param patience limits the retries: on a busy computer a process takes long to start
+   * @throws ActivationException if it did not start; the message names the service, the place of
+   *     its description and the reason
    */
   static void activate(ServiceReference service, Place place, RetryDeadline patience)
       throws ActivationException, IOException {
@@ -48,8 +49,8 @@ final class ServiceStart {
   }
 
   /**
-   * Why something did not start, without the names of the classes in which that happened; these are
-   * in the group's log.
+   * The reason why a service did not start, without the names of the classes in which the error
+   * occurred; these are in the group's log.
    */
   private static String reason(ActivationException failure) {
     String message = String.valueOf(failure.getMessage());

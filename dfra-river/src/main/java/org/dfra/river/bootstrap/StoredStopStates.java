@@ -9,17 +9,17 @@ import org.dfra.core.state.StateStore;
 import org.dfra.flow.effector.EmergencyStopState;
 
 /**
- * Which effectors of this host are stopped for an emergency, by what their modules have written
- * down: nobody is asked, so it is known too where nothing answers.
+ * The effectors of this host with a latched emergency stop, from the stored states of their
+ * modules. No module is called, so this works even if none answers.
  */
 public final class StoredStopStates {
 
   private StoredStopStates() {}
 
   /**
-   * Of a module; {@link EmergencyStopState#NEVER} where it is no effector.
+   * The state of a module; {@link EmergencyStopState#NEVER} if it is no effector.
    *
-   * @param state folder of what phoenix keeps
+   * @param state phoenix's state folder
    */
   public static EmergencyStopState of(Path state, String robot, String module) {
     return EmergencyStopLatch.loadState(
@@ -27,9 +27,9 @@ public final class StoredStopStates {
   }
 
   /**
-   * Those of a robot's modules that are stopped, by their names.
+   * The latched stops of a robot's modules, by module name.
    *
-   * @param state folder of what phoenix keeps
+   * @param state phoenix's state folder
    */
   public static Map<String, EmergencyStopState> latched(
       Path state, String robot, Collection<String> modules) {

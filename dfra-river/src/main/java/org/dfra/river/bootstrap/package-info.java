@@ -4,12 +4,12 @@
  *
  * <pre>
  *   1 phoenix starts        2 reggie starts         3 reggie is registered
- *   4 the loader is made    5 robot XML             6 module properties
- *   7 MarshalledObject, registered with phoenix     8 and so on for every module
+ *   4 loader is created     5 robot XML             6 module properties
+ *   7 MarshalledObject, registered with phoenix     8 the same for every module
  * </pre>
  *
  * <p>Enter at {@link org.dfra.river.bootstrap.RobotBootstrap}; {@link
- * org.dfra.river.bootstrap.EmbeddedRobot} does without phoenix, in one virtual machine.
+ * org.dfra.river.bootstrap.EmbeddedRobot} runs without phoenix, in one virtual machine.
  */
 @NullMarked
 package org.dfra.river.bootstrap;

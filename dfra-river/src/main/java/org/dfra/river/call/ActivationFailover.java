@@ -12,13 +12,12 @@ import java.util.concurrent.TimeoutException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where one call looks for its object, from one attempt to the next. Confined to the caller's
- * thread.
+ * Selects the proxy for each attempt of one call. Confined to the caller's thread.
  *
  * <pre>
  *   trusted proxy ---fails---&gt; activator ---answers---&gt; its proxy
  *                                  |
- *                     out of reach, or silent for a second
+ *                     unreachable, or no answer for a second
  *                                  v
  *                          the last proxy again
  * </pre>
@@ -26,8 +25,8 @@ import org.jspecify.annotations.Nullable;
 final class ActivationFailover {
 
   /**
-   * How long the activator is waited for while there is another way: a peer that is silent shall be
-   * known within 3 s, of which the call by the other way may take 2.
+   * The timeout of the activator while there is another way: an unresponsive peer must be detected
+   * within 3 s, of which the call by the other way may take 2.
    */
   static final Duration ACTIVATOR_TIMEOUT = Duration.ofSeconds(1);
 
@@ -71,10 +70,10 @@ final class ActivationFailover {
   /**
    * The proxy to try next.
    *
-   * @param failed what was tried
-   * @param failure how it failed: the call has not run, or may be repeated
-   * @throws RemoteException if there is none; it tells of the activator, and in its suppressed
-   *     exceptions of the attempt
+   * @param failed the last proxy
+   * @param failure its failure: the call has not run, or may be repeated
+   * @throws RemoteException if there is none; it describes the activator's failure, and contains
+   *     that of the attempt as a suppressed exception
    */
   Remote next(Remote failed, RemoteException failure) throws RemoteException {
     if (unreachable != null) {
@@ -90,10 +89,10 @@ final class ActivationFailover {
       throw new IllegalStateException("waited for centuries", e);
     } catch (ActivatorUnreachableException e) {
       if (triedAnyway || failure instanceof NoSuchObjectException) {
-        throw e.forCaller(failure); // it was there, and said no
+        throw e.forCaller(failure); // it answered and refused
       }
       unreachable = e;
-      return failed; // the way to it may be back
+      return failed; // the peer may be reachable again
     }
   }
 

@@ -4,7 +4,7 @@ import java.rmi.ConnectException;
 import java.rmi.ConnectIOException;
 import java.rmi.RemoteException;
 
-/** Nothing is known of an object's activation, since the activator did not answer. */
+/** The state of an object's activation is unknown because the activator did not answer. */
 final class ActivatorUnreachableException extends Exception {
 
   private static final long serialVersionUID = 1L;
@@ -14,9 +14,9 @@ final class ActivatorUnreachableException extends Exception {
   }
 
   /**
-   * The same in the terms of a call, which has not run.
+   * Converts it to the failure of a call that has not run.
    *
-   * @param attempt how the object itself could not be reached
+   * @param attempt the failure of the call to the object itself
    */
   RemoteException forCaller(RemoteException attempt) {
     RemoteException reported = forCaller();
@@ -24,7 +24,7 @@ final class ActivatorUnreachableException extends Exception {
     return reported;
   }
 
-  /** The same in the terms of a call, which has not run. */
+  /** Converts it to the failure of a call that has not run. */
   RemoteException forCaller() {
     Exception cause = (Exception) getCause();
     return cause instanceof ConnectException

@@ -7,8 +7,8 @@ import net.jini.jeri.OutboundRequest;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One call on its way, shared between the caller that may give it up and the thread that waits for
- * its answer.
+ * One running call, shared between the caller that may abandon it and the thread that waits for its
+ * response.
  */
 final class CallInFlight {
 
@@ -17,11 +17,11 @@ final class CallInFlight {
 
   private final boolean closesConnection;
   private @Nullable OutboundRequest request; // guarded by this
-  private @Nullable Closeable connection; // guarded by this; until the request has left
+  private @Nullable Closeable connection; // guarded by this; until the request is sent
   private boolean abandoned; // guarded by this
   private boolean ended; // guarded by this
 
-  /** A call that leaves a connection alone which is still being made when the call is given up. */
+  /** A call that, when abandoned, does not close a connection that is still being established. */
   CallInFlight() {
     this(false);
   }
@@ -29,8 +29,9 @@ final class CallInFlight {
   /**
    * A call.
    *
-   * @param closesConnection whether giving it up closes a connection that is still being made for
-   *     it, so that its thread does not wait for a peer that takes connections and says nothing
+   * @param closesConnection whether abandoning it closes a connection that is still being
+   *     established for it, so that its thread does not wait for a peer that accepts connections
+   *     and sends nothing
    */
   CallInFlight(boolean closesConnection) {
     this.closesConnection = closesConnection;
@@ -47,7 +48,7 @@ final class CallInFlight {
   }
 
   /**
-   * Notes by which request the current thread's call leaves, if it has one.
+   * Records the request that sends the current thread's call, if there is one.
    *
    * @return the request
    */
@@ -60,9 +61,9 @@ final class CallInFlight {
   }
 
   /**
-   * Notes that the current thread's call, if it has one, makes this connection.
+   * Records the connection that the current thread's call, if there is one, establishes.
    *
-   * @throws IOException if the call was given up before
+   * @throws IOException if the call was already abandoned
    */
   static void attachConnection(Closeable connection) throws IOException {
     @Nullable CallInFlight call = CURRENT.get();
@@ -91,9 +92,9 @@ final class CallInFlight {
   }
 
   /**
-   * Gives the call up: the request is aborted, its thread comes free.
+   * Abandons the call: its request is aborted and its thread is released.
    *
-   * @return false if the call had ended before
+   * @return false if the call had already ended
    */
   boolean abandon() {
     @Nullable OutboundRequest leaving;
@@ -123,15 +124,15 @@ final class CallInFlight {
     }
   }
 
-  /** Whether it was given up. */
+  /** Whether it was abandoned. */
   synchronized boolean isAbandoned() {
     return abandoned;
   }
 
   /**
-   * Notes that the call's thread is free again.
+   * Records that the call's thread is free again.
    *
-   * @return whether the call had been given up before
+   * @return whether the call had already been abandoned
    */
   synchronized boolean finish() {
     ended = true;
@@ -144,14 +145,14 @@ final class CallInFlight {
   }
 
   /**
-   * Whether bytes of the call may have reached the server. Final once the call was abandoned or has
-   * ended; before that, its first bytes may leave right after the answer.
+   * Whether bytes of the call may have reached the server. The answer is final once the call was
+   * abandoned or has ended; before that, its first bytes may be sent right after the answer.
    */
   synchronized boolean mayHaveRun() {
     return request != null && request.getDeliveryStatus();
   }
 
-  /** What a call does. */
+  /** The work of a call. */
   interface Invocation<T extends @Nullable Object> {
     T run() throws Throwable;
   }

@@ -7,12 +7,12 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
- * The threads on which remote calls wait for their answers.
+ * The threads on which remote calls wait for their responses.
  *
  * <p>JERI can block in places that no caller can interrupt (connecting, the handshake of its
- * multiplexer), so the caller waits beside the call, not in it. The threads are daemons, are made
- * as calls need them and end after half a minute without one. What else calls from a timer has a
- * {@link #pool} of the same make.
+ * multiplexer). So the call runs on its own thread, and the caller waits for that thread. The
+ * threads are daemons, start on demand and end after half a minute without a call. Other calls from
+ * timers use a {@link #pool} of the same kind.
  */
 public final class CallThreads {
 
@@ -21,10 +21,11 @@ public final class CallThreads {
   private CallThreads() {}
 
   /**
-   * Daemons that are made as tasks need them, each task at once, and end after half a minute
-   * without one. A task is refused by an {@link OutOfMemoryError} where no thread can be started.
+   * Creates a pool of daemons that start on demand, run each task immediately, and end after half a
+   * minute without one. If no thread can be started, a task is refused with an {@link
+   * OutOfMemoryError}.
    *
-   * @param name how their names begin; a number follows
+   * @param name prefix of the threads' names; a number follows
    */
   public static ThreadPoolExecutor pool(String name) {
     AtomicInteger count = new AtomicInteger();
@@ -41,7 +42,7 @@ public final class CallThreads {
         });
   }
 
-  /** Runs the task at once, on a thread of its own that sees the caller's context class loader. */
+  /** Runs the task immediately, on its own thread with the caller's context class loader. */
   static void run(FutureTask<?> task) {
     ClassLoader loader = Thread.currentThread().getContextClassLoader();
     POOL.execute(

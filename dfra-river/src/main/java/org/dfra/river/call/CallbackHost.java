@@ -14,15 +14,15 @@ import net.jini.jeri.tcp.TcpEndpoint;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The address of this machine at which a server can call a client back: the one named by the system
- * property {@value #PROPERTY}; else the one from which this machine reaches the server.
+ * The address of this machine at which a server can call a client back: that of the system property
+ * {@value #PROPERTY}, or else the one from which this machine reaches the server.
  */
 public final class CallbackHost {
 
-  /** System property that names an address or name of this machine. */
+  /** System property with an address or name of this machine. */
   public static final String PROPERTY = "dfra.host";
 
-  /** Any will do: nothing is sent. */
+  /** Any port will do: nothing is sent. */
   private static final int PORT = 9;
 
   private CallbackHost() {}
@@ -31,7 +31,7 @@ public final class CallbackHost {
    * The address for callbacks from a server.
    *
    * @param server its remote proxy
-   * @throws IOException if this machine has no way to the server
+   * @throws IOException if this machine has no route to the server
    */
   public static String addressReachableFrom(Remote server) throws IOException {
     String configured = System.getProperty(PROPERTY);

@@ -21,13 +21,12 @@ import org.dfra.river.filter.SerialFilters;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Calls back an object that came from elsewhere, on the thread of the caller and under a deadline
- * of this computer's.
+ * Calls back an object of another process, on the thread of the caller and under a deadline of this
+ * computer.
  *
- * <p>Unlike {@link DeadlineInvocationHandler} it costs no second thread: at the deadline a timer
- * aborts the request, or closes the connection that is still being made for it, and the caller's
- * thread comes free. So as many threads wait for peers as there are callers, and a pool of callers
- * bounds both.
+ * <p>Unlike {@link DeadlineInvocationHandler} it needs no second thread: at the deadline a timer
+ * aborts the request, or closes the connection that is still being established, and the caller's
+ * thread is released. So at most one thread per caller waits, and a pool of callers bounds both.
  */
 final class CallbackInvocationHandler extends BasicInvocationHandler {
 
@@ -36,7 +35,7 @@ final class CallbackInvocationHandler extends BasicInvocationHandler {
   private final long deadlineMillis;
 
   /**
-   * @param deadline how long an answer is awaited, at least a millisecond
+   * @param deadline timeout of a call, at least a millisecond
    */
   CallbackInvocationHandler(
       ObjectEndpoint endpoint, @Nullable MethodConstraints server, Duration deadline) {
@@ -47,7 +46,9 @@ final class CallbackInvocationHandler extends BasicInvocationHandler {
     }
   }
 
-  /** The same handler under other client constraints; JERI's base class asks for this form. */
+  /**
+   * As the other constructor, with other client constraints; JERI's base class requires this form.
+   */
   public CallbackInvocationHandler(
       CallbackInvocationHandler other, @Nullable MethodConstraints client) {
     super(other, client);
@@ -78,7 +79,7 @@ final class CallbackInvocationHandler extends BasicInvocationHandler {
         method.getDeclaringClass().getSimpleName() + "." + method.getName() + " on " + peerName();
     DeadlineExceededException exceeded =
         new DeadlineExceededException(called, Duration.ofMillis(deadlineMillis), call.mayHaveRun());
-    exceeded.detail = cause; // a RemoteException takes no cause by initCause
+    exceeded.detail = cause; // a RemoteException does not accept a cause by initCause
     if (getObjectEndpoint() instanceof BasicObjectEndpoint basic
         && basic.getEndpoint() instanceof TcpEndpoint server) {
       PeerSockets.probe(server);
@@ -100,7 +101,7 @@ final class CallbackInvocationHandler extends BasicInvocationHandler {
         proxy, method, CallInFlight.attachRequest(request), context);
   }
 
-  /** Filters the result before it is built. */
+  /** Filters the result before it is deserialized. */
   @Override
   @SuppressWarnings("rawtypes") // as River declares it
   protected ObjectInputStream createMarshalInputStream(

@@ -13,24 +13,25 @@ import net.jini.jeri.tcp.TcpEndpoint;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Objects of other processes that are called back from here, such as listeners. Their proxies were
- * made elsewhere, so nothing about how they call is taken from them but where the object is.
+ * Proxies of objects in other processes that are called back from here, such as listeners. Their
+ * proxies were created elsewhere, so only the object's address is taken from them, and not the way
+ * they make calls.
  */
 public final class CallbackProxies {
 
-  /** How long the answer of an object that is called back is awaited. */
+  /** The default timeout of a callback. */
   public static final Duration DEADLINE = DeadlineILFactory.DEFAULT_DEADLINE;
 
   private CallbackProxies() {}
 
   /**
-   * A proxy for the same object that calls on the caller's thread and ends within the deadline:
-   * that of any JERI proxy, whatever deadline, socket factory or garbage collection it brought. Any
-   * other object is returned as it is; a call on it may hold its thread for as long as it likes.
+   * Creates a proxy for the same object that calls on the caller's thread and ends within the
+   * deadline. It replaces any JERI proxy, whatever deadline, socket factory or garbage collection
+   * that brought. Any other object is returned unchanged; a call on it has no deadline.
    *
-   * @param callback what came from elsewhere
-   * @param type what it is called as
-   * @param deadline how long an answer is awaited, at least a millisecond
+   * @param callback the proxy as received
+   * @param type the interface to call
+   * @param deadline timeout of a call, at least a millisecond
    */
   public static <T extends Remote> T withDeadline(T callback, Class<T> type, Duration deadline) {
     @Nullable BasicInvocationHandler handler = handler(callback);
@@ -50,9 +51,9 @@ public final class CallbackProxies {
 
   /**
    * Whether an object may be called back on another computer. {@link #withDeadline} bounds a call
-   * by JERI over TCP; one on a copy in this virtual machine goes nowhere; and references of plain
-   * RMI are read only where they are configured. Over another transport, or by a proxy that has its
-   * own way to call, nothing would end a call that is not answered.
+   * by JERI over TCP; a call on a copy in this virtual machine uses no network; and references of
+   * plain RMI are read only if they are configured. Over another transport, or by a proxy with its
+   * own invocation code, an unanswered call would never end.
    */
   public static boolean isAllowedRemotely(Remote callback) {
     if (!Proxy.isProxyClass(callback.getClass())
@@ -66,8 +67,8 @@ public final class CallbackProxies {
   }
 
   /**
-   * The process of such an object, as far as its proxy tells: where it listens. Two objects in the
-   * same process have equal ones.
+   * A key for the process of such an object, as far as its proxy shows: its listening address. Two
+   * objects in the same process have equal keys.
    */
   public static Object processKey(Remote callback) {
     @Nullable BasicInvocationHandler handler = handler(callback);
@@ -88,7 +89,7 @@ public final class CallbackProxies {
     return handler instanceof BasicInvocationHandler basic ? basic : null;
   }
 
-  /** Its own socket factory came with it, and may block or fail as it likes. */
+  /** Replaces its socket factory, which was sent with it and may block or fail. */
   private static ObjectEndpoint withOwnSockets(ObjectEndpoint endpoint) {
     if (endpoint instanceof BasicObjectEndpoint basic
         && basic.getEndpoint() instanceof TcpEndpoint tcp) {

@@ -12,8 +12,8 @@ public final class DeadlineExceededException extends RemoteException implements 
   private final boolean mayHaveRun;
 
   /**
-   * @param call what was called, for people
-   * @param deadline how long the answer was awaited
+   * @param call the called method, in words
+   * @param deadline timeout of the call
    * @param mayHaveRun whether the server may have carried out the call
    */
   public DeadlineExceededException(String call, Duration deadline, boolean mayHaveRun) {
@@ -29,7 +29,7 @@ public final class DeadlineExceededException extends RemoteException implements 
   }
 
   /**
-   * @param message why the call was not even tried
+   * @param message the reason why the call was not tried
    */
   DeadlineExceededException(String message) {
     super(message);

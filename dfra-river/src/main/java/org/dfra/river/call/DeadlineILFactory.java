@@ -17,9 +17,9 @@ import org.dfra.river.filter.SerialLimits;
 import org.jspecify.annotations.Nullable;
 
 /**
- * JERI's invocation layer with a deadline on every call, filtered arguments, and a guard in front
- * of {@linkplain org.dfra.module.Administrative administrative} methods: what DFRA's exporters are
- * configured with.
+ * JERI's invocation layer with a deadline on every call, filtered arguments, and a guard of
+ * {@linkplain org.dfra.module.Administrative administrative} methods. DFRA's exporters are
+ * configured with it.
  *
  * <p>In a Jini configuration file:
  *
@@ -29,18 +29,18 @@ import org.jspecify.annotations.Nullable;
  */
 public class DeadlineILFactory extends BasicILFactory {
 
-  /** How long an answer is awaited where nothing else is configured. */
+  /** The timeout of a call, if nothing else is configured. */
   public static final Duration DEFAULT_DEADLINE = Duration.ofSeconds(2);
 
   private final Duration deadline;
 
-  /** Calls that must be answered within {@link #DEFAULT_DEADLINE}. */
+  /** Calls must be answered within {@link #DEFAULT_DEADLINE}. */
   public DeadlineILFactory() {
     this(DEFAULT_DEADLINE.toMillis());
   }
 
   /**
-   * @param deadlineMillis how long an answer is awaited, in milliseconds, at least 1
+   * @param deadlineMillis timeout of a call, in milliseconds, at least 1
    */
   public DeadlineILFactory(long deadlineMillis) {
     this(null, null, null, Duration.ofMillis(deadlineMillis));
@@ -48,10 +48,10 @@ public class DeadlineILFactory extends BasicILFactory {
 
   /**
    * @param server the server's constraints, or null for none
-   * @param permission null. River checks a permission only under a security manager, which there is
-   *     none any more: a call that nobody was granted would be served
+   * @param permission null. River checks a permission only under a security manager, which no
+   *     longer exists: a call without the permission would be executed
    * @param loader the loader that defines the proxy, or null for the implementation's
-   * @param deadline how long an answer is awaited, at least a millisecond
+   * @param deadline timeout of a call, at least a millisecond
    * @throws IllegalArgumentException if there is a permission class, or the deadline is shorter
    */
   public DeadlineILFactory(
@@ -81,11 +81,11 @@ public class DeadlineILFactory extends BasicILFactory {
   @Override
   protected InvocationHandler createInvocationHandler(
       Class[] interfaces, Remote impl, ObjectEndpoint endpoint) throws ExportException {
-    super.createInvocationHandler(interfaces, impl, endpoint); // refuses what cannot be served
+    super.createInvocationHandler(interfaces, impl, endpoint); // throws if it cannot be exported
     return new DeadlineInvocationHandler(endpoint, getServerConstraints(), deadline);
   }
 
-  /** Refuses what the client may not call, and filters the arguments of all other calls. */
+  /** Refuses calls of unauthorised clients, and filters the arguments of all other calls. */
   @Override
   @SuppressWarnings({"rawtypes", "unchecked"}) // as River declares it
   protected InvocationDispatcher createInvocationDispatcher(
@@ -101,10 +101,10 @@ public class DeadlineILFactory extends BasicILFactory {
   /**
    * A proxy for an object whose endpoint is known beforehand.
    *
-   * @param endpoint where the object is exported, and under which identity
-   * @param deadline how long an answer is awaited
+   * @param endpoint the endpoint and identity of the exported object
+   * @param deadline timeout of a call
    * @param loader the loader that defines the proxy
-   * @param interfaces what the proxy implements
+   * @param interfaces the interfaces of the proxy
    */
   public static Object proxy(
       ObjectEndpoint endpoint, Duration deadline, ClassLoader loader, Class<?>... interfaces) {
@@ -113,13 +113,14 @@ public class DeadlineILFactory extends BasicILFactory {
   }
 
   /**
-   * A proxy for an object whose endpoint is known beforehand, and whose answers anybody may give.
+   * Creates a proxy for an object whose endpoint is known beforehand, if any program may send the
+   * responses.
    *
-   * @param endpoint where the object is exported, and under which identity
-   * @param deadline how long an answer is awaited
-   * @param answerLimits how large an answer may be
+   * @param endpoint the endpoint and identity of the exported object
+   * @param deadline timeout of a call
+   * @param answerLimits maximum size of a response
    * @param loader the loader that defines the proxy
-   * @param interfaces what the proxy implements
+   * @param interfaces the interfaces of the proxy
    */
   public static Object proxy(
       ObjectEndpoint endpoint,

@@ -28,14 +28,14 @@ import org.jspecify.annotations.Nullable;
 /**
  * Gives every remote call a deadline.
  *
- * <p>JERI waits for an answer for ever, and a peer that was stopped or drove out of radio range
- * closes no socket. Here the caller is free again when the deadline has passed, whatever the call
- * is blocked in, and learns whether it may have run. Where the deadline is longer than usual, a
- * peer that cannot be connected to within the usual one is given up then.
+ * <p>JERI waits for a response without limit, and a peer that was suspended or left radio range
+ * does not close its socket. Here the caller continues when the deadline has passed, wherever the
+ * call is blocked, and learns whether the call may have run. If the deadline is longer than usual,
+ * connecting to the peer still has the usual deadline.
  *
- * <p>The deadline travels with the proxy. One that was read awaits no answer for longer than
- * {@value #MAX_DEADLINE_MILLIS} ms, or {@value #MAX_ACTIVATION_DEADLINE_MILLIS} ms from the
- * activation system, whatever deadline it brought.
+ * <p>The deadline is sent with the proxy. A proxy that was received waits for a response at most
+ * {@value #MAX_DEADLINE_MILLIS} ms, or {@value #MAX_ACTIVATION_DEADLINE_MILLIS} ms for the
+ * activation system, whatever its own deadline.
  */
 public final class DeadlineInvocationHandler extends BasicInvocationHandler {
 
@@ -44,31 +44,31 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
   private static final UnresponsivePeers UNRESPONSIVE = new UnresponsivePeers();
 
   /**
-   * Who allows more for the answer, as an activator does that starts a virtual machine, allows no
-   * more for the way there.
+   * The deadline of the connection. A proxy with a longer deadline for the response, such as that
+   * of an activator that starts a virtual machine, has no more time to connect.
    */
   private static final long CONNECTED_MILLIS = DeadlineILFactory.DEFAULT_DEADLINE.toMillis();
 
   /**
-   * The longest deadline, in milliseconds, of a proxy that came from elsewhere: its sender chose
-   * it, but the threads that wait are this computer's.
+   * The longest deadline, in milliseconds, of a received proxy: its sender chose the deadline, but
+   * the waiting threads belong to this computer.
    */
   static final long MAX_DEADLINE_MILLIS = 10_000;
 
-  /** The same for calls of the activation system, which start virtual machines. */
+  /** The longest deadline for calls of the activation system, which start virtual machines. */
   static final long MAX_ACTIVATION_DEADLINE_MILLIS = 30_000;
 
-  /** How long an answer is awaited, in milliseconds. */
+  /** The timeout of a call, in milliseconds. */
   private long deadlineMillis;
 
-  /** How large an answer may be; null for the usual. It does not travel with the proxy. */
+  /** The maximum size of a response; null for the default. It is not sent with the proxy. */
   private final transient @Nullable SerialLimits answerLimits;
 
-  /** Whether it was read from a stream. */
+  /** Whether it was deserialized. */
   private transient boolean isRead;
 
   /**
-   * @param deadline how long an answer is awaited, at least a millisecond
+   * @param deadline timeout of a call, at least a millisecond
    */
   DeadlineInvocationHandler(
       ObjectEndpoint endpoint, @Nullable MethodConstraints server, Duration deadline) {
@@ -76,8 +76,8 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
   }
 
   /**
-   * @param deadline how long an answer is awaited, at least a millisecond
-   * @param answerLimits how large an answer may be; null for the usual
+   * @param deadline timeout of a call, at least a millisecond
+   * @param answerLimits maximum size of a response; null for the default
    */
   DeadlineInvocationHandler(
       ObjectEndpoint endpoint,
@@ -92,7 +92,9 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
     }
   }
 
-  /** The same handler under other client constraints; JERI's base class asks for this form. */
+  /**
+   * As the other constructor, with other client constraints; JERI's base class requires this form.
+   */
   public DeadlineInvocationHandler(
       DeadlineInvocationHandler other, @Nullable MethodConstraints client) {
     super(other, client);
@@ -128,7 +130,7 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
     return await(answer, call, peer, method);
   }
 
-  /** How long an answer to a method is awaited, in milliseconds. */
+  /** The timeout of a call of a method, in milliseconds. */
   long deadlineMillis(Method method) {
     boolean startsProcesses =
         method.getDeclaringClass().getPackageName().equals(Activator.class.getPackageName());
@@ -177,7 +179,10 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
     return answer.get(rest, TimeUnit.MILLISECONDS);
   }
 
-  /** Whether the call may have run; asked when nothing more of it can leave, not before. */
+  /**
+   * Abandons a call. Returns whether it may have run, which is final because nothing more of it can
+   * be sent.
+   */
   private static boolean giveUp(CallInFlight call, Object peer) {
     UNRESPONSIVE.addBlockedThread(peer);
     if (!call.abandon()) {
@@ -209,7 +214,7 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
         proxy, method, CallInFlight.attachRequest(request), context);
   }
 
-  /** Filters the result before it is built. */
+  /** Filters the result before it is deserialized. */
   @Override
   @SuppressWarnings("rawtypes") // as River declares it
   protected ObjectInputStream createMarshalInputStream(
@@ -227,7 +232,7 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
     return endpoint instanceof BasicObjectEndpoint basic ? basic.getEndpoint() : endpoint;
   }
 
-  /** A peer's address, for people. */
+  /** A peer's address, for messages. */
   static String name(Object peer) {
     return peer instanceof TcpEndpoint server
         ? "TcpEndpoint[" + server.getHost() + ":" + server.getPort() + "]"

@@ -14,8 +14,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * TCP endpoints that listen on one address only: the one that their proxies carry.
  *
- * <p>River's own listen on every interface, also on those that a robot's operator did not name.
- * Their clients close connections that lead nowhere any more.
+ * <p>River's own endpoints listen on every interface, including those that a robot's operator did
+ * not configure. The clients of these endpoints close broken connections.
  */
 public final class Endpoints {
 
@@ -25,8 +25,8 @@ public final class Endpoints {
    * An endpoint to export on.
    *
    * @param host address or name of this machine; proxies carry it, and only it is listened on
-   * @param port TCP port, or 0 for one of the system's choice
-   * @throws IllegalArgumentException if the host is not known
+   * @param port TCP port, or 0 for one that the system chooses
+   * @throws IllegalArgumentException if the host is unknown
    */
   public static ServerEndpoint tcp(String host, int port) {
     return TcpServerEndpoint.getInstance(host, port, new PeerSockets(), serverSocketFactory(host));
@@ -35,7 +35,7 @@ public final class Endpoints {
   /**
    * The client's side of such an endpoint.
    *
-   * @param host where it listens
+   * @param host address or name that it listens on
    * @param port its TCP port
    */
   public static Endpoint tcpClient(String host, int port) {
@@ -45,7 +45,7 @@ public final class Endpoints {
   /**
    * A factory of server sockets that listen on one address.
    *
-   * @throws IllegalArgumentException if the host is not known
+   * @throws IllegalArgumentException if the host is unknown
    */
   public static ServerSocketFactory serverSocketFactory(String host) {
     try {

@@ -18,10 +18,10 @@ import net.jini.core.constraint.RemoteMethodControl;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The proxy by which an activatable object was last reached, and how it is replaced.
+ * The proxy that last reached an activatable object, and its replacement.
  *
- * <p>One that failed is doubted, not forgotten: should the activator be out of reach, it is all
- * there is. Callers share one activation: they wait for it together and get the same outcome.
+ * <p>A proxy that failed is suspected but kept: if the activator is unreachable, it is the only
+ * one. Callers share one activation: they wait for it together and get the same outcome.
  */
 final class LiveProxyHolder {
 
@@ -37,48 +37,49 @@ final class LiveProxyHolder {
     this.constraints = constraints;
   }
 
-  /** The last one, doubted or not, or null. */
+  /** The last proxy, suspected or not, or null. */
   synchronized @Nullable Remote last() {
     return last;
   }
 
-  /** The last one, or null if it is doubted. */
+  /** The last proxy, or null if it is suspected. */
   synchronized @Nullable Remote unsuspectedOrNull() {
     return suspected ? null : last;
   }
 
-  /** Notes that the object could not be reached by this proxy, and may be dead. */
+  /** Records that the object could not be reached by this proxy, and may have ended. */
   synchronized void suspect(Remote proxy) {
     if (proxy.equals(last)) {
       suspected = true;
     }
   }
 
-  /** Notes that the object was reached by this proxy. */
+  /** Records that the object was reached by this proxy. */
   synchronized void confirm(Remote proxy) {
     if (suspected && proxy.equals(last)) {
       suspected = false;
     }
   }
 
-  /** An activation that is under way, and whether it was asked for with force. */
+  /** A running activation, and whether it was requested with force. */
   private record Activation(FutureTask<Remote> task, boolean force) {}
 
   /**
-   * A proxy that replaces {@code dead}: one that another caller got, or one that the activator is
-   * asked for. The activation runs on a thread of its own, so that none of those who wait for it
-   * can spoil it for the others by being interrupted.
+   * Obtains a proxy that replaces {@code dead}: from another caller, or from the activator. The
+   * activation runs on its own thread, so that the interruption of one waiting caller does not
+   * affect the others.
    *
-   * @param dead what failed; null where nothing was tried
-   * @param force whether the activator shall ask the object's group even if it knows a proxy
+   * @param dead the failed proxy; null if none was tried
+   * @param force whether the activator must ask the object's group even if it knows a proxy
    * @return fails with an {@link ActivatorUnreachableException}, or with a {@link RemoteException}
-   *     that says why the object cannot be brought back
+   *     that gives the reason why the object cannot be activated
    */
   synchronized Future<Remote> replace(@Nullable Remote dead, boolean force) {
     if (last != null && !suspected && !last.equals(dead)) {
       return CompletableFuture.completedFuture(last);
     }
-    // One without force may bring the same dead proxy again, so it is no help to who needs force.
+    // Without force the activation may return the same dead proxy, which does not help a caller
+    // that needs force.
     if (activation == null || (force && !activation.force())) {
       activation = begin(force);
     }
@@ -93,7 +94,7 @@ final class LiveProxyHolder {
     return begun;
   }
 
-  /** Asks the activator; what it answers counts before the activation is over. */
+  /** Calls the activator; stores its answer before the activation ends. */
   private Remote bringBack(boolean force, AtomicReference<@Nullable Activation> self)
       throws RemoteException, ActivatorUnreachableException {
     @Nullable Remote found = null;
@@ -119,7 +120,7 @@ final class LiveProxyHolder {
     } catch (UnknownObjectException e) {
       NoSuchObjectException gone =
           new NoSuchObjectException("the activation system does not know the object any more");
-      gone.detail = e; // a RemoteException takes no cause by initCause
+      gone.detail = e; // a RemoteException does not accept a cause by initCause
       throw gone;
     } catch (ActivationException e) {
       throw new ActivateFailedException("the object could not be activated", e);
@@ -147,7 +148,7 @@ final class LiveProxyHolder {
     return Objects.requireNonNull(constrain(found, constraints));
   }
 
-  /** The same proxy under these client constraints, if it takes any. */
+  /** The same proxy under these client constraints, if it accepts any. */
   static @Nullable Remote constrain(@Nullable Remote proxy, @Nullable MethodConstraints wanted) {
     return proxy instanceof RemoteMethodControl control
         ? (Remote) control.setConstraints(wanted)

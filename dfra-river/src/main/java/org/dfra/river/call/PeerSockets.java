@@ -17,17 +17,17 @@ import net.jini.jeri.tcp.TcpEndpoint;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A client's sockets to servers, those closed that lead nowhere.
+ * A client's sockets to servers; broken connections are closed.
  *
- * <p>TCP repeats what was not acknowledged at longer and longer intervals, up to minutes. After a
- * robot was out of radio range for a minute, a connection from before may need another one to come
- * back, and JERI sends every call over it as long as it is open. So where a call has met its
- * deadline, its server's host is {@linkplain #probeAsync knocked at} with a new connection. If the
- * host does not take it, all connections to that server are closed, and the next call begins with a
- * new one. A host takes it also for a process that is slow or stopped, so calls that such a process
- * may still answer are left alone.
+ * <p>TCP retransmits unacknowledged data at growing intervals, up to minutes. After a robot was out
+ * of radio range for a minute, an old connection may need another minute to recover, and JERI sends
+ * every call over it as long as it is open. So when a call has exceeded its deadline, its server's
+ * host is {@linkplain #probeAsync probed} with a new connection. If the host does not accept it,
+ * all connections to that server are closed, and the next call opens a new one. A host also accepts
+ * it for a process that is slow or suspended, so calls that such a process may still answer are not
+ * aborted.
  *
- * <p>Connecting itself is given up after the usual deadline of a call.
+ * <p>Connecting itself has the usual deadline of a call.
  */
 final class PeerSockets extends SocketFactory implements Serializable {
 
@@ -39,20 +39,20 @@ final class PeerSockets extends SocketFactory implements Serializable {
       Math.toIntExact(DeadlineILFactory.DEFAULT_DEADLINE.toMillis());
   private static final int PROBE_TIMEOUT_MILLIS = 1000;
 
-  /** What a stopped process does not take off the operating system's hands piles up there. */
+  /** Probes that a suspended process does not accept accumulate in the operating system. */
   private static final long PROBE_INTERVAL_NANOS = TimeUnit.SECONDS.toNanos(5);
 
   private static final Set<Connected> OPEN = ConcurrentHashMap.newKeySet();
   private static final ConcurrentHashMap<TcpEndpoint, Long> LAST_PROBES = new ConcurrentHashMap<>();
 
-  /** Finds out whether a server's host is there, in the background; see the class. */
+  /** Probes a server's host in the background; see the class. */
   static void probeAsync(TcpEndpoint server) {
     if (isDue(server)) {
       CallThreads.run(new FutureTask<>(() -> connectOrCloseAll(server), null));
     }
   }
 
-  /** The same on this thread, which takes {@value #PROBE_TIMEOUT_MILLIS} ms at the longest. */
+  /** Probes on this thread, for at most {@value #PROBE_TIMEOUT_MILLIS} ms. */
   static void probe(TcpEndpoint server) {
     if (isDue(server)) {
       connectOrCloseAll(server);
@@ -132,7 +132,7 @@ final class PeerSockets extends SocketFactory implements Serializable {
     }
   }
 
-  /** All are equal, since endpoints are told apart by their factories. */
+  /** All instances are equal, since endpoints are compared by their factories. */
   @Override
   public boolean equals(@Nullable Object other) {
     return other instanceof PeerSockets;

@@ -14,11 +14,11 @@ import net.jini.security.proxytrust.TrustEquivalence;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Exports an activatable object: its proxy brings the object back when it is dead.
+ * Exports an activatable object: its proxy activates the object again after it has ended.
  *
- * <p>Does what River's {@code ActivationExporter} does, and also for objects whose remote interface
- * is package-private, such as those of River's own services, which on today's JDK get non-public
- * proxy classes that River's refuses.
+ * <p>Works like River's {@code ActivationExporter}, but also for objects with a package-private
+ * remote interface, such as those of River's own services. On current JDKs these get non-public
+ * proxy classes, which River's exporter refuses.
  */
 public final class ResurrectingExporter implements Exporter {
 
@@ -27,7 +27,7 @@ public final class ResurrectingExporter implements Exporter {
 
   /**
    * @param id the identifier under which the activation system knows the object
-   * @param underlying exports the object while it lives
+   * @param underlying exports the active object
    */
   public ResurrectingExporter(ActivationID id, Exporter underlying) {
     this.id = java.util.Objects.requireNonNull(id, "id");
@@ -50,7 +50,7 @@ public final class ResurrectingExporter implements Exporter {
     return underlying.unexport(force);
   }
 
-  /** A proxy for an activatable object whose live proxy is known, or is not known (null). */
+  /** Creates a proxy for an activatable object, with its live proxy, or null if that is unknown. */
   static Remote proxy(ActivationID id, Remote live) {
     Set<Class<?>> interfaces = new LinkedHashSet<>();
     boolean constrainable = live instanceof RemoteMethodControl;

@@ -25,22 +25,21 @@ import org.dfra.module.Idempotent;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Invokes an activatable object and brings it back when it is dead.
+ * Calls an activatable object, and activates it again if it has ended.
  *
- * <p>It calls the live proxy. Where the object is certainly not there (no such object, no
- * connection, unknown host) it asks the activator for a new live proxy and tries again, three times
- * in all, and from the second time on with force. A call that broke off on its way may have run: it
- * is repeated, once, where its method is {@link Idempotent}, and reaches the caller as a failure
- * where it is not (at most once). A call that met its deadline is never repeated: the caller has
- * waited long enough. The next call asks the activator first.
+ * <p>It calls the live proxy. If the object is certainly not there (no such object, no connection,
+ * unknown host), it requests a new live proxy from the activator and tries again, three times in
+ * all, and with force from the second time on. A call that was cut off may have run. It is repeated
+ * once if its method is {@link Idempotent}; otherwise the caller gets the failure (at most once). A
+ * call that exceeded its deadline is never repeated: the caller has waited long enough. The next
+ * call contacts the activator first.
  *
- * <p>Where the activator cannot be reached either, or is silent for a second, the last live proxy
- * is tried once more: a robot works on when its activation daemon is dead, and when a link was cut
- * for a moment. Never is a call sent twice that may have run the first time, unless it is
- * idempotent.
+ * <p>If the activator is unreachable too, or does not answer for a second, the last live proxy is
+ * tried once more. So a robot continues to work when its activation daemon has ended, and after a
+ * short link failure. A call that may have run is never sent twice, unless it is idempotent.
  *
  * <p>Callers that share a proxy share one activation: they wait for it together and get the same
- * outcome, so a silent activator costs each of them one deadline, not one after the other.
+ * outcome. So an unresponsive activator costs each of them one deadline, not one after the other.
  */
 public final class ResurrectingHandler
     implements InvocationHandler, TrustEquivalence, Serializable {
@@ -69,7 +68,7 @@ public final class ResurrectingHandler
     return id;
   }
 
-  /** The proxy that was last known to reach the object, or null. */
+  /** The last proxy that reached the object, or null. */
   public @Nullable Remote live() {
     return proxies.last();
   }
@@ -109,7 +108,7 @@ public final class ResurrectingHandler
       } catch (MarshalException | ServerError | ServerException e) {
         throw e;
       } catch (CallInterruptedException e) {
-        throw e; // neither the object's fault nor to be repeated
+        throw e; // neither a fault of the object nor repeatable
       } catch (DeadlineExceededException e) {
         proxies.suspect(target);
         throw e;
@@ -138,7 +137,7 @@ public final class ResurrectingHandler
       reached = false;
       throw e;
     } finally {
-      if (reached) { // what the object itself throws is an answer too
+      if (reached) { // an exception of the object itself is a response too
         proxies.confirm(target);
       }
     }
@@ -214,7 +213,7 @@ public final class ResurrectingHandler
     throw new InvalidObjectException("a handler of this kind is written as its form");
   }
 
-  /** What crosses the wire: also the last proxy, for a client that the activator is far from. */
+  /** The serial form: it includes the last proxy, for a client that cannot reach the activator. */
   private record Form(
       ActivationID id, @Nullable Remote live, @Nullable MethodConstraints constraints)
       implements Serializable {

@@ -3,30 +3,30 @@ package org.dfra.river.call;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Counts, for each peer, the given-up calls whose threads JERI has not let go of yet.
+ * Counts, for each peer, the abandoned calls whose threads JERI still blocks.
  *
- * <p>A peer that is out of radio range can hold a connecting thread for minutes. Past {@link
- * #MAX_BLOCKED_THREADS} of them a further call is refused at once instead of costing one more
- * thread.
+ * <p>A peer that is out of radio range can block a connecting thread for minutes. Beyond {@link
+ * #MAX_BLOCKED_THREADS} such threads, a further call is refused immediately instead of blocking one
+ * more.
  */
 final class UnresponsivePeers {
 
-  /** Given-up calls to one peer that may hold a thread each. */
+  /** The maximum number of threads that abandoned calls to one peer may block. */
   static final int MAX_BLOCKED_THREADS = 16;
 
   private final ConcurrentHashMap<Object, Integer> held = new ConcurrentHashMap<>();
 
-  /** How many given-up calls to this peer hold a thread. */
+  /** The number of threads that abandoned calls to this peer block. */
   int blockedThreads(Object peer) {
     return held.getOrDefault(peer, 0);
   }
 
-  /** One more given-up call holds a thread. */
+  /** Adds a blocked thread. */
   void addBlockedThread(Object peer) {
     held.merge(peer, 1, Integer::sum);
   }
 
-  /** One of them was let go. */
+  /** Removes a blocked thread. */
   void removeBlockedThread(Object peer) {
     held.computeIfPresent(peer, (key, count) -> count == 1 ? null : count - 1);
   }

@@ -12,15 +12,16 @@ import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The processes that are called back from this one.
+ * Limits the client processes that this process calls back.
  *
- * <p>Their calls run on the {@link DeliveryPool}, in {@link PeerExecutors}: other computers
- * together have {@value #MAX_REMOTE_THREADS} of its threads at most and this computer's own
- * processes as many, so the modules' listeners in this process always have some. An address has
- * {@value #MAX_THREADS_PER_ADDRESS} of them, and one process {@value #MAX_THREADS_PER_PROCESS}.
- * JERI keeps three threads for each process that is connected to, and for a while after it is not
- * called any more, so an address has only so many processes too, and the place of one is given to
- * others {@value #LINGER_SECONDS} s late. Bounds hold for this virtual machine. Thread-safe.
+ * <p>The calls run on the {@link DeliveryPool}, in {@link PeerExecutors}. All other computers
+ * together use at most {@value #MAX_REMOTE_THREADS} of its threads, and this computer's own
+ * processes as many, so the modules' listeners in this process always have some. One address uses
+ * at most {@value #MAX_THREADS_PER_ADDRESS} threads, and one process {@value
+ * #MAX_THREADS_PER_PROCESS}. JERI keeps three threads for each connected process, and for a while
+ * after the last call. So the number of processes of an address is also limited, and the slot of a
+ * process becomes free {@value #LINGER_SECONDS} s after its last object. The limits apply to this
+ * virtual machine. Thread-safe.
  */
 public final class CallbackLimiter {
 
@@ -28,7 +29,7 @@ public final class CallbackLimiter {
   private static final int MAX_THREADS_PER_ADDRESS = 6;
   private static final int MAX_THREADS_PER_PROCESS = 4;
 
-  /** JERI looks every 15 s for connections that have not been used since it looked before. */
+  /** JERI checks every 15 s for connections that were not used since the last check. */
   private static final long LINGER_SECONDS = 35;
 
   private static final long LINGER_NANOS = TimeUnit.SECONDS.toNanos(LINGER_SECONDS);
@@ -47,16 +48,16 @@ public final class CallbackLimiter {
 
   private record Peer(ClientAddress client, Object process) {}
 
-  /** Of the objects of one process. */
+  /** The slots of the objects of one process. */
   private static final class ProcessSlots {
     int count; // guarded by the peers
-    long since; // guarded by the peers: the time when there were none any more
-    boolean isAwaited; // guarded by the peers: whether a task looks after it
+    long since; // guarded by the peers: the time when the count became 0
+    boolean isAwaited; // guarded by the peers: whether a task to release it is scheduled
   }
 
   /**
-   * @param pool makes the calls
-   * @param scheduler the time by which a process is forgotten
+   * @param pool runs the calls
+   * @param scheduler schedules the release of a process
    */
   CallbackLimiter(DeliveryPool pool, Scheduler scheduler) {
     this.others =
@@ -72,19 +73,19 @@ public final class CallbackLimiter {
     this.scheduler = scheduler;
   }
 
-  /** Those of this virtual machine. */
+  /** The limiter of this virtual machine. */
   public static CallbackLimiter shared() {
     return SHARED;
   }
 
   /**
-   * Admits an object to be called back.
+   * Admits an object for callbacks.
    *
-   * @param client who wants it to be
-   * @param callback its proxy, as it came
-   * @throws CallbackRefusedException if it is in another process than the client's others, and
-   *     these are as many as may be; or it is on another computer, and a call on it could hold its
-   *     thread for as long as it likes
+   * @param client the client that registers it
+   * @param callback its proxy, as received
+   * @throws CallbackRefusedException if it is in a further process of its client and that client's
+   *     processes have reached their limit; or if it is on another computer and calls on it have no
+   *     deadline
    */
   public synchronized CallbackSlot admit(ClientAddress client, Remote callback)
       throws CallbackRefusedException {
@@ -133,7 +134,7 @@ public final class CallbackLimiter {
       return;
     }
     long left = held.since + LINGER_NANOS - scheduler.nanos();
-    if (left > 0) { // there was one again meanwhile
+    if (left > 0) { // it had an object again meanwhile
       await(peer, held, left);
     } else {
       places.remove(peer);
@@ -141,7 +142,7 @@ public final class CallbackLimiter {
     }
   }
 
-  /** How many processes are counted, those included that are not called any more but linger. */
+  /** The number of counted processes, including those that are no longer called but linger. */
   public int processCount() {
     return quota.held();
   }

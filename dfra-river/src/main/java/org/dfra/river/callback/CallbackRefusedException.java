@@ -1,6 +1,6 @@
 package org.dfra.river.callback;
 
-/** An object is not called back, since its client has as many as it may. */
+/** An object is not called back because its client has reached its limit. */
 public final class CallbackRefusedException extends Exception {
 
   private static final long serialVersionUID = 1L;

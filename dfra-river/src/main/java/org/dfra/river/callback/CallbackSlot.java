@@ -3,7 +3,7 @@ package org.dfra.river.callback;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicBoolean;
 
-/** What one object that is called back has of this process, until it is closed. */
+/** The resources that this process reserves for one object that it calls back, until closed. */
 public final class CallbackSlot implements AutoCloseable {
 
   private final Executor lane;
@@ -15,12 +15,14 @@ public final class CallbackSlot implements AutoCloseable {
     this.whenClosed = whenClosed;
   }
 
-  /** Runs the calls on the object; it drops none. Who submits bounds how many wait. */
+  /**
+   * Runs the calls on the object; it drops none. The submitter bounds the number of waiting calls.
+   */
   public Executor lane() {
     return lane;
   }
 
-  /** Gives the place to others. Idempotent. */
+  /** Releases the slot. Idempotent. */
   @Override
   public void close() {
     if (closed.compareAndSet(false, true)) {

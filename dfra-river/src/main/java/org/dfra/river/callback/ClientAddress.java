@@ -6,12 +6,12 @@ import org.dfra.river.access.RemoteCaller;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a client is, as the connection that its call came by shows.
+ * The address of a client, from the connection of its call.
  *
- * @param host its address, or what {@link RemoteCaller} says where that is not known; all clients
- *     of unknown address share what one client has
- * @param isLocal whether it is on this computer, as {@link OwnAddresses} has it; this computer is
- *     trusted with larger bounds
+ * @param host its address, or the text of {@link RemoteCaller} if that is unknown; all clients of
+ *     unknown address share the limits of one client
+ * @param isLocal whether it is on this computer, according to {@link OwnAddresses}; this computer
+ *     has higher limits
  */
 public record ClientAddress(String host, boolean isLocal) {
 
@@ -20,7 +20,7 @@ public record ClientAddress(String host, boolean isLocal) {
   private static final ResolvedHosts HOSTS = ResolvedHosts.ofSystem();
 
   /**
-   * Where the call under way on this thread came from. A caller in this virtual machine is on this
+   * The client of the call that runs on this thread. A caller in this virtual machine is on this
    * computer.
    *
    * @param serverHost address or name that this server's proxies carry
@@ -34,7 +34,7 @@ public record ClientAddress(String host, boolean isLocal) {
   /**
    * A client at an address.
    *
-   * @param host its address in digits; that of a name is not known
+   * @param host its numeric address; a name is not resolved
    * @param serverHost address or name that this server's proxies carry
    */
   public static ClientAddress of(String host, String serverHost) {
@@ -46,12 +46,13 @@ public record ClientAddress(String host, boolean isLocal) {
     return new ClientAddress(caller.toString(), address != null && isLocal(address, serverHost));
   }
 
-  /** Looks nothing up: it runs while a call is dispatched, and often under a lock. */
+  /** Does no name look-up: it runs while a call is dispatched, and often under a lock. */
   private static boolean isLocal(InetAddress address, String server) {
     if (OwnAddresses.isAlwaysLocal(address)) {
       return true;
     }
-    return address.isLoopbackAddress() // until the server's is known, the smaller bounds hold
+    // until the server's addresses are known, the lower limits apply
+    return address.isLoopbackAddress()
         && HOSTS.addressesOf(server).map(own -> own.contains(address)).orElse(false);
   }
 }

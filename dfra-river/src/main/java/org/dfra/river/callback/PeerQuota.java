@@ -5,9 +5,9 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Counts what clients hold of one thing, and refuses one more where a client or all of them hold as
- * much as they may. Clients on this computer have a bound of their own, so that others cannot use
- * it up. Thread-safe.
+ * Counts the resources of one kind that clients hold, and refuses one more if a client or all of
+ * them have reached their limit. Clients on this computer have a limit of their own, so that others
+ * cannot exhaust it. Thread-safe.
  */
 public final class PeerQuota {
 
@@ -18,11 +18,11 @@ public final class PeerQuota {
   private int heldByOwn; // guarded by this
 
   /**
-   * How much may be held.
+   * The limits.
    *
-   * @param perAddress by one client address, at least 1
-   * @param remoteTotal by all other computers, at least as much
-   * @param localTotal by this computer, at least 1
+   * @param perAddress for one client address, at least 1
+   * @param remoteTotal for all other computers, at least as much
+   * @param localTotal for this computer, at least 1
    */
   public record QuotaLimits(int perAddress, int remoteTotal, int localTotal) {
     public QuotaLimits {
@@ -35,7 +35,7 @@ public final class PeerQuota {
   }
 
   /**
-   * @param what what is held and of whom, as in "listeners of atrv1/gps"
+   * @param what the resource and its owner, as in "listeners of atrv1/gps"
    */
   public PeerQuota(String what, QuotaLimits limits) {
     this.what = what;
@@ -45,7 +45,7 @@ public final class PeerQuota {
   /**
    * Counts one more for a client.
    *
-   * @return nothing if it was counted; else why not, in a sentence, and it was not counted
+   * @return empty if it was counted; otherwise the reason why it was not, as a sentence
    */
   public synchronized Optional<String> acquire(ClientAddress client) {
     if (client.isLocal()) {
@@ -73,7 +73,7 @@ public final class PeerQuota {
             .formatted(what, who, count, limit));
   }
 
-  /** A client does not hold one any more that was counted for it. */
+  /** Releases one that was counted for a client. */
   public synchronized void release(ClientAddress client) {
     if (client.isLocal()) {
       heldByOwn--;
@@ -83,7 +83,7 @@ public final class PeerQuota {
     }
   }
 
-  /** How much is held now, by all. */
+  /** The number held now, by all clients. */
   public synchronized int held() {
     return heldByOwn + heldByOthers;
   }

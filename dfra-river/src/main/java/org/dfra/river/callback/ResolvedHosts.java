@@ -16,16 +16,16 @@ import org.dfra.river.access.RemoteCaller;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the hosts that servers are exported at stand for, as far as it is known: a name is looked up
- * on a thread of its own and never on the thread that asks, which dispatches a call and may hold a
- * lock. A name server that does not answer would hold up every client there.
+ * Caches the addresses of the hosts that servers are exported at. A name is resolved on a separate
+ * thread and never on the calling thread, which dispatches a call and may hold a lock. A name
+ * server that does not answer would block every client there.
  *
  * <pre>
  *   not known --look-up--&gt; known, looked up again after {@link #REFRESH_INTERVAL}
  *       '------ fails ------&gt; as before, looked up again after {@link #RETRY_INTERVAL}
  * </pre>
  *
- * <p>An address in digits needs no look-up. What was found counts until another answer comes.
+ * <p>A numeric address needs no look-up. A result is valid until the next one arrives.
  *
  * <p>Thread-safe. Threads: one daemon, {@code dfra-own-hosts}, while there is a look-up.
  */
@@ -45,7 +45,7 @@ final class ResolvedHosts {
   private static final long IDLE_SECONDS = 10;
 
   private static final class CachedHost {
-    @Nullable OwnAddresses own; // guarded by the hosts, as the following
+    @Nullable OwnAddresses own; // guarded by the hosts, like the next fields
     long dueAt; // nanoseconds
     boolean isUnderWay;
 
@@ -61,7 +61,7 @@ final class ResolvedHosts {
 
   /**
    * @param nanos monotonic time
-   * @param executor where look-ups wait
+   * @param executor runs the look-ups
    */
   ResolvedHosts(Resolver resolver, LongSupplier nanos, Executor executor) {
     this.resolver = resolver;
@@ -69,7 +69,7 @@ final class ResolvedHosts {
     this.executor = executor;
   }
 
-  /** By this computer's resolver. */
+  /** Uses this computer's resolver. */
   static ResolvedHosts ofSystem() {
     ThreadPoolExecutor thread =
         new ThreadPoolExecutor(
@@ -89,10 +89,10 @@ final class ResolvedHosts {
   }
 
   /**
-   * From where this computer calls a server; returns at once.
+   * The addresses from which this computer calls a server; returns immediately.
    *
    * @param host address or name that the server's proxies carry; one of a few
-   * @return empty while the name is not known
+   * @return empty while the name is not resolved
    */
   Optional<OwnAddresses> addressesOf(String host) {
     if (RemoteCaller.fromHost(host).address() != null) {
@@ -116,7 +116,7 @@ final class ResolvedHosts {
   private static Optional<OwnAddresses> ofDigits(String host) {
     try {
       return Optional.of(OwnAddresses.exportedAt(host));
-    } catch (UnknownHostException e) { // digits that are no address
+    } catch (UnknownHostException e) { // an invalid numeric address
       return Optional.empty();
     }
   }

@@ -1,10 +1,10 @@
 /**
- * Calls back objects of clients, such as listeners, so that no client can hold more of this process
- * than its share.
+ * Callbacks to objects of clients, such as listeners, with limits on the resources that each client
+ * uses of this process.
  *
  * <pre>
- *   registration --admit--&gt; CallbackLimiter --&gt; CallbackSlot: a lane of the delivery pool
- *                              | PeerQuota: processes of each client address
+ *   registration --admit--&gt; CallbackLimiter --&gt; CallbackSlot: executor of the delivery pool
+ *                              | PeerQuota: limits the processes of each client address
  * </pre>
  *
  * <p>Enter at {@link org.dfra.river.callback.CallbackLimiter}. Modules use it for their remote

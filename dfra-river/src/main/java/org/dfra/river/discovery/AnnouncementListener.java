@@ -17,9 +17,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Receives the datagrams in which lookup services announce themselves. Where its socket fails, as
- * when an interface is taken away, it opens another and joins again, paced by {@link
- * ReopenBackoff}; it ends only when it is closed.
+ * Receives the datagrams in which lookup services announce themselves. If its socket fails, for
+ * example because an interface was removed, it opens another and joins again, with the delays of
+ * {@link ReopenBackoff}; it ends only when it is closed.
  *
  * <p>Threads: one daemon, {@code dfra-discovery-announcements}, from {@link #start} to {@link
  * #close}.
@@ -28,7 +28,7 @@ final class AnnouncementListener implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(AnnouncementListener.class);
 
-  /** Opens the socket, which has joined no multicast group yet. */
+  /** Opens the socket, without joining a multicast group. */
   @FunctionalInterface
   interface SocketOpener {
     MulticastSocket open() throws IOException;
@@ -45,7 +45,7 @@ final class AnnouncementListener implements AutoCloseable {
   /**
    * Joins the announcements' multicast group on every interface.
    *
-   * @param handler is given each datagram, on the listener's thread
+   * @param handler receives each datagram, on the listener's thread
    * @throws IOException if the port cannot be listened on
    */
   AnnouncementListener(MulticastSettings settings, Consumer<DatagramPacket> handler)
@@ -54,7 +54,7 @@ final class AnnouncementListener implements AutoCloseable {
   }
 
   /**
-   * The same with sockets of another kind, for tests.
+   * With sockets of another kind, for tests.
    *
    * @throws IOException if the first cannot be opened
    */
@@ -69,7 +69,7 @@ final class AnnouncementListener implements AutoCloseable {
     join();
   }
 
-  /** Joins where it failed before. */
+  /** Joins on the interfaces where joining failed before. */
   synchronized void join() {
     List<@Nullable NetworkInterface> still = new ArrayList<>();
     for (NetworkInterface each : failed) {
@@ -88,7 +88,7 @@ final class AnnouncementListener implements AutoCloseable {
     failed = still;
   }
 
-  /** An interface that was taken away and came back has another number under the same name. */
+  /** Looks up an interface by name: one that was removed and added again has another index. */
   private static @Nullable NetworkInterface current(@Nullable NetworkInterface which)
       throws SocketException {
     if (which == null) {
@@ -98,7 +98,7 @@ final class AnnouncementListener implements AutoCloseable {
     return now == null ? which : now;
   }
 
-  /** An interface that was configured should work; of all the others some never do. */
+  /** Logs a failure. A configured interface should work; of the others, some never do. */
   static void report(MulticastSettings settings, @Nullable NetworkInterface which, IOException e) {
     String name = which == null ? "of the system's choice" : which.getName();
     if (settings.isListed()) {
@@ -128,7 +128,7 @@ final class AnnouncementListener implements AutoCloseable {
           LOG.info("Lookup services' announcements are received again.");
         }
         received.accept(packet);
-      } catch (RuntimeException e) { // a stranger's datagram must not end this thread
+      } catch (RuntimeException e) { // an invalid datagram must not end this thread
         LOG.debug("An announcement could not be handled.", e);
       } catch (IOException e) {
         failed(e);
@@ -153,7 +153,7 @@ final class AnnouncementListener implements AutoCloseable {
     }
   }
 
-  /** Where that fails the old socket, which is closed, makes the next attempt follow. */
+  /** If that fails, the old socket stays closed, which causes the next attempt. */
   private synchronized void reopen() {
     socket.close();
     try {

@@ -8,8 +8,8 @@ import java.net.SocketTimeoutException;
 import java.util.concurrent.TimeUnit;
 
 /**
- * What comes from a socket until a deadline, up to a number of bytes. The deadline is one for all
- * reads together, so a peer that sends a byte now and then wins no time.
+ * The input from a socket, limited by a deadline and a number of bytes. One deadline applies to all
+ * reads together, so a peer that sends single bytes slowly gains no time.
  */
 final class DeadlineInput extends InputStream {
 
@@ -21,7 +21,7 @@ final class DeadlineInput extends InputStream {
 
   /**
    * @param end the deadline, by {@link System#nanoTime}
-   * @param allowed how many bytes may come
+   * @param allowed maximum number of bytes
    */
   DeadlineInput(Socket socket, long end, int allowed) throws IOException {
     this.socket = socket;
@@ -31,7 +31,7 @@ final class DeadlineInput extends InputStream {
   }
 
   /**
-   * The time until a deadline, as socket time-outs have it: at least one millisecond.
+   * The time until a deadline as a socket timeout: at least one millisecond.
    *
    * @throws SocketTimeoutException if it has passed
    */

@@ -14,53 +14,53 @@ import net.jini.core.lookup.ServiceID;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which of the announced lookup services is asked next. Anybody may announce anything, at any rate:
- * so few are remembered, few are asked at once, one that does not answer is asked more and more
- * rarely, and one that once answered goes first.
+ * Selects the next announced lookup service to query. Any host may announce anything, at any rate.
+ * So the number of candidates and of concurrent queries is limited, a candidate that does not
+ * answer is queried at growing intervals, and one that has answered before has priority.
  *
  * <pre>
  *   announced --&gt; waiting --next()--&gt; asked --succeeded()--&gt; held --lost()--&gt; waiting
  *                    ^                  |
- *                    +---- failed() ----+   waits 1, 2, 4 ... 30 s; forgotten after 5 in a row
+ *                    +---- failed() ----+   waits 1, 2, 4 ... 30 s; removed after 5 in a row
  * </pre>
  *
- * <p>A place is held while the search holds what answered there. What is announced elsewhere with
- * the same service ID is asked all the same: the service ID may be a copy.
+ * <p>An address is held while the search holds the registrar that answered there. Another address
+ * announced with the same service ID is queried all the same: the service ID may be a copy.
  *
- * <p>Order: a place that answered before; then one announced from its own address, which costs a
- * liar an address; then the others. Among equals the one that failed least, then the oldest. A host
- * is asked at one of its places at a time. The last of the {@value #PROBES} probes is kept for
- * places that answered before.
+ * <p>Order: an address that answered before; then one announced from its own IP address, which
+ * costs a spoofer an IP address; then the others. Among equals the one with the fewest failures,
+ * then the oldest. At most one address of a host is queried at a time. The last of the {@value
+ * #PROBES} probes is reserved for addresses that answered before.
  *
  * <p>Thread-safe.
  */
 final class DiscoveryCandidates {
 
-  /** Most places that are remembered. */
+  /** Maximum number of addresses that are stored. */
   static final int MAX_CANDIDATES = 64;
 
-  /** Most places of one host. */
+  /** Maximum number of addresses of one host. */
   static final int PER_HOST = 4;
 
-  /** Most probes at once. */
+  /** Maximum number of concurrent probes. */
   static final int PROBES = 4;
 
-  /** An unknown place that failed so often in a row is forgotten. */
+  /** An unknown address is removed after this many failures in a row. */
   static final int FAILURES = 5;
 
-  /** A place that answered before is forgotten if it fails and was not announced for so long. */
+  /** An address that answered before is removed if it fails and was not announced for this long. */
   static final Duration ANNOUNCEMENT_TIMEOUT = Duration.ofMinutes(5);
 
   static final Duration SHORTEST_WAIT = Duration.ofSeconds(1);
   static final Duration LONGEST_WAIT = Duration.ofSeconds(30);
 
-  /** Where a lookup service may be asked: host and TCP port for unicast discovery. */
+  /** The address of a lookup service: host and TCP port for unicast discovery. */
   record LookupAddress(String host, int port) {}
 
   private static final class Candidate {
     final LookupAddress place;
-    ServiceID id; // as announced; once it answered, as it claims
-    @Nullable LocatedRegistrar held; // what answered here, while the search holds it
+    ServiceID id; // as announced; after its response, as it claims
+    @Nullable LocatedRegistrar held; // the registrar that answered, while the search holds it
     boolean isDirect;
     boolean isKnown;
     boolean isAsked;
@@ -82,7 +82,7 @@ final class DiscoveryCandidates {
 
   private final LongSupplier nanos;
   private final Map<LookupAddress, Candidate> candidates = new LinkedHashMap<>(); // guarded by this
-  private final long origin; // times are differences from it, so that they compare
+  private final long origin; // times are relative to it, so that they can be compared
 
   /**
    * @param nanos monotonic time
@@ -97,9 +97,9 @@ final class DiscoveryCandidates {
   }
 
   /**
-   * A lookup service was announced.
+   * Adds an announced lookup service.
    *
-   * @param id what it says that it is
+   * @param id the service ID in the announcement
    * @param isDirect whether the announcement came from the address that it names
    */
   synchronized void announced(LookupAddress place, ServiceID id, boolean isDirect) {
@@ -117,12 +117,14 @@ final class DiscoveryCandidates {
     candidate.isDirect |= isDirect;
     if (!candidate.isKnown) {
       candidate.id = id;
-    } else if (candidate.failures > 0) { // it is back; a forger gains one probe a second
+    } else if (candidate.failures > 0) { // it is back; a spoofer gains one probe a second
       candidate.dueAt = Math.min(candidate.dueAt, now + SHORTEST_WAIT.toNanos());
     }
   }
 
-  /** Forgets another where there are too many; false if the new one is the worst. */
+  /**
+   * Removes another candidate if there are too many; false if the new one has the lowest priority.
+   */
   private boolean makeRoom(Candidate wanted) {
     List<Candidate> ofHost = new ArrayList<>();
     for (Candidate each : candidates.values()) {
@@ -155,9 +157,10 @@ final class DiscoveryCandidates {
   }
 
   /**
-   * The place to ask now, if there is one; then {@link #succeeded} or {@link #failed} follows.
+   * The address to query now, if there is one. The caller then calls {@link #succeeded} or {@link
+   * #failed}.
    *
-   * @param others probes that ask somebody else now, who is unknown too
+   * @param others running probes of other unknown registrars
    */
   synchronized Optional<LookupAddress> next(int others) {
     long now = now();
@@ -188,7 +191,9 @@ final class DiscoveryCandidates {
     return next.map(each -> each.place);
   }
 
-  /** Whether one more probe of somebody unknown leaves one for places that answered before. */
+  /**
+   * Whether one more probe of an unknown registrar leaves one for addresses that answered before.
+   */
   synchronized boolean isRoomForUnknown(int others) {
     long unknown =
         candidates.values().stream().filter(each -> each.isAsked && !each.isKnown).count();
@@ -199,7 +204,7 @@ final class DiscoveryCandidates {
     return !candidate.isAsked && candidate.held == null;
   }
 
-  /** How long until a place that waits is due, in nanoseconds; none where nothing waits. */
+  /** The time until a waiting address is due, in nanoseconds; empty if none waits. */
   synchronized Optional<Long> untilNext() {
     long now = now();
     @Nullable Long least = null;
@@ -212,7 +217,7 @@ final class DiscoveryCandidates {
   }
 
   /**
-   * A place answered: this lookup service is there. The place is not asked again until it is lost.
+   * This lookup service answered at an address. The address is not queried again until it is lost.
    */
   synchronized void succeeded(LookupAddress place, LocatedRegistrar registrar) {
     Candidate candidate = candidates.get(place);
@@ -226,7 +231,7 @@ final class DiscoveryCandidates {
     }
   }
 
-  /** A place did not answer, or not as it should. */
+  /** An address did not answer, or sent an invalid response. */
   synchronized void failed(LookupAddress place) {
     Candidate candidate = candidates.get(place);
     if (candidate == null) {
@@ -246,7 +251,9 @@ final class DiscoveryCandidates {
     candidate.dueAt = now() + Math.min(wait, LONGEST_WAIT.toNanos());
   }
 
-  /** A place could not be asked for lack of a thread. It is asked later; that is no failure. */
+  /**
+   * An address could not be queried for lack of a thread. It is queried later; that is no failure.
+   */
   synchronized void postponed(LookupAddress place) {
     Candidate candidate = candidates.get(place);
     if (candidate != null) {
@@ -256,8 +263,8 @@ final class DiscoveryCandidates {
   }
 
   /**
-   * A lookup service is not held any more: it is asked for again, where it was and where one with
-   * its service ID was announced.
+   * A lookup service is no longer held: its own address, and those announced with its service ID,
+   * are queried again.
    */
   synchronized void lost(LocatedRegistrar registrar) {
     for (Candidate each : candidates.values()) {
@@ -272,13 +279,13 @@ final class DiscoveryCandidates {
     }
   }
 
-  /** Whether the place answered before. */
+  /** Whether the address answered before. */
   synchronized boolean isKnown(LookupAddress place) {
     Candidate candidate = candidates.get(place);
     return candidate != null && candidate.isKnown;
   }
 
-  /** How many places are remembered. */
+  /** The number of stored addresses. */
   synchronized int size() {
     return candidates.size();
   }

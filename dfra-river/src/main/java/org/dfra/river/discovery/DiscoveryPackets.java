@@ -23,13 +23,13 @@ import net.jini.core.constraint.InvocationConstraints;
 import net.jini.core.lookup.ServiceID;
 
 /**
- * The datagrams of multicast discovery: requests written, announcements read. River's parsers do
- * it: what they make is bounded by the datagram that they are given. Of version 2 only the format
- * without keys is spoken.
+ * The datagrams of multicast discovery: encodes requests, decodes announcements. River's parsers do
+ * the work: the size of the datagram bounds the objects that they create. Of version 2 only the
+ * format without keys is supported.
  */
 final class DiscoveryPackets {
 
-  /** A name or an address, and nothing that would do harm in a log. */
+  /** A name or an address, without characters that could corrupt a log. */
   private static final Pattern HOST = Pattern.compile("[0-9A-Za-z.:%_-]{1,255}");
 
   private static final Discovery VERSION_1 = Discovery.getProtocol1();
@@ -49,10 +49,10 @@ final class DiscoveryPackets {
   }
 
   /**
-   * Requests answers from lookup services.
+   * Encodes requests to lookup services.
    *
-   * @param port where they are to connect to
-   * @param groups whose members are to answer; all where empty
+   * @param port TCP port for their responses
+   * @param groups whose members are to answer; all if empty
    * @param known lookup services that need not answer
    * @throws IOException if a group's name is too long for a datagram
    */
@@ -72,7 +72,7 @@ final class DiscoveryPackets {
     return packets;
   }
 
-  /** What a datagram announces; nothing if it is no announcement. */
+  /** Decodes an announcement; empty if the datagram is not one. */
   static Optional<MulticastAnnouncement> decodeAnnouncement(DatagramPacket packet) {
     if (packet.getLength() < Integer.BYTES) {
       return Optional.empty();
@@ -85,7 +85,7 @@ final class DiscoveryPackets {
       return HOST.matcher(announcement.getHost()).matches() && announcement.getPort() > 0
           ? Optional.of(announcement)
           : Optional.empty();
-    } catch (IOException | RuntimeException e) { // a stranger's datagram: there is nobody to tell
+    } catch (IOException | RuntimeException e) { // the sender is unknown and cannot be notified
       return Optional.empty();
     }
   }

@@ -14,21 +14,21 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The probes of a {@link MulticastSearch}, whose lock guards this: each asks a lookup service that
- * was announced, or reads the answer of one to a request. A few are under way at once.
+ * The probes of a {@link MulticastSearch}, whose lock guards this. Each queries an announced lookup
+ * service, or reads a response to a request. A few run at the same time.
  */
 final class DiscoveryProbes {
 
-  /** Takes what answered. */
+  /** Accepts responses. */
   @FunctionalInterface
   interface ResponseConsumer {
 
     /**
-     * Takes what answered, if it is wanted; false if not. On the thread of the probe, without the
+     * Accepts a response if it is wanted; false if not. Called on the probe's thread, without the
      * lock.
      *
      * @param host as it was announced, or the address that answered
-     * @param place where it was asked; null if it answered a request
+     * @param place the address that was queried; null for a response to a request
      */
     boolean accept(DiscoveryResponse answer, String host, @Nullable LookupAddress place)
         throws RemoteException;
@@ -36,13 +36,13 @@ final class DiscoveryProbes {
 
   private static final Logger LOG = LoggerFactory.getLogger(DiscoveryProbes.class);
 
-  /** Of an unknown host: how long its connection may take, and then its answer. */
+  /** For an unknown host: timeout of its connection, and then of its response. */
   private static final Duration UNKNOWN_HOST_TIMEOUT = Duration.ofSeconds(1);
 
-  /** Of a host that answered before. */
+  /** For a host that answered before. */
   private static final Duration KNOWN_HOST_TIMEOUT = Duration.ofSeconds(2);
 
-  /** Most probes at once of those that answer requests. */
+  /** Maximum number of concurrent probes that read responses to requests. */
   private static final int RESPONSES = DiscoveryCandidates.PROBES / 2;
 
   private final Object lock; // the search
@@ -51,14 +51,15 @@ final class DiscoveryProbes {
   private final DiscoveryThreads threads;
   private final ResponseConsumer taker;
   private int probing; // guarded by the lock
-  private int responding; // guarded by the lock: those of probing that answer a request
+  // guarded by the lock: the part of probing that reads responses to requests
+  private int responding;
   private @Nullable Future<?> wakeUp; // guarded by the lock
   private boolean closed; // guarded by the lock
 
   /**
    * @param lock of the search
-   * @param hosts where to ask
-   * @param requests whose answers are read
+   * @param hosts the addresses to query
+   * @param requests whose responses are read
    */
   DiscoveryProbes(
       Object lock,
@@ -73,7 +74,7 @@ final class DiscoveryProbes {
     this.taker = taker;
   }
 
-  /** Begins the probes that may begin. Must not be called from within a lock of the hosts. */
+  /** Starts the probes that may start. Must not be called while holding a lock of the hosts. */
   void dispatch() {
     synchronized (lock) {
       boolean isPossible = true;
@@ -112,7 +113,7 @@ final class DiscoveryProbes {
     }
   }
 
-  /** With the lock. */
+  /** The caller holds the lock. */
   private boolean begin(Runnable probe, int responses) {
     boolean isBegun = threads.probe(probe);
     probing += isBegun ? 1 : 0;
@@ -156,7 +157,7 @@ final class DiscoveryProbes {
     dispatch();
   }
 
-  /** Begins no more. Those that are under way end by their deadlines. */
+  /** Starts no more probes. Running ones end by their deadlines. */
   void close() {
     synchronized (lock) {
       closed = true;

@@ -12,9 +12,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The threads of one search: daemons, which load classes as the thread that began it does.
+ * The threads of one search: daemons with the context class loader of the thread that started it.
  *
- * @param isExhausted whether the last thread that was wanted could not be started
+ * @param isExhausted whether the last attempt to start a thread failed
  */
 record DiscoveryThreads(
     ScheduledThreadPoolExecutor timer,
@@ -25,9 +25,9 @@ record DiscoveryThreads(
   private static final Logger LOG = LoggerFactory.getLogger(DiscoveryThreads.class);
 
   /**
-   * Most checks at once: with one, a lookup service that stalls would keep all others from being
-   * checked. Those that are due at the same time begin in the order in which the lookup services
-   * were found: those known longest first.
+   * Maximum number of concurrent checks: with only one, a lookup service that stalls would block
+   * all other checks. Checks that are due at the same time start in the order in which the lookup
+   * services were found.
    */
   static final int CHECKS = DiscoveryCandidates.PROBES;
 
@@ -37,7 +37,7 @@ record DiscoveryThreads(
     ScheduledThreadPoolExecutor timer =
         new ScheduledThreadPoolExecutor(1, named("dfra-discovery-timer"));
     timer.setRemoveOnCancelPolicy(true);
-    boolean unused = timer.prestartCoreThread(); // it begins again what found no thread
+    boolean unused = timer.prestartCoreThread(); // retries tasks that found no thread
     return new DiscoveryThreads(
         timer,
         pool(DiscoveryCandidates.PROBES, named("dfra-discovery-probe")),
@@ -65,14 +65,14 @@ record DiscoveryThreads(
   }
 
   /**
-   * Runs a probe; false if there is no thread for it now, or the search is over. Then it does not
-   * run at all, and the caller tries again later.
+   * Runs a probe; false if no thread is available now, or the search is closed. Then the probe does
+   * not run, and the caller retries later.
    */
   boolean probe(Runnable probe) {
     return run(probes, probe);
   }
 
-  /** Runs a check likewise. */
+  /** Runs a check; otherwise as {@link #probe}. */
   boolean check(Runnable check) {
     return run(checks, check);
   }
@@ -90,7 +90,7 @@ record DiscoveryThreads(
     }
   }
 
-  /** Begins nothing more, and interrupts what waits. */
+  /** Starts nothing more, and interrupts waiting threads. */
   void end() {
     timer.shutdownNow();
     probes.shutdownNow();

@@ -2,13 +2,15 @@ package org.dfra.river.discovery;
 
 import java.util.Collection;
 
-/** A lookup service that a {@link MulticastSearch} has found, whose lock guards what changes. */
+/**
+ * A lookup service that a {@link MulticastSearch} has found, whose lock guards the mutable fields.
+ */
 final class FoundRegistrar {
 
   final LocatedRegistrar registrar;
   final String host;
-  Collection<String> groups; // guarded by the search, as the following
-  long seenAt; // nanoseconds of the system, as the following
+  Collection<String> groups; // guarded by the search, like the next fields
+  long seenAt; // nanoseconds of the system, like the next field
   long checkedAt;
   boolean isBeingChecked;
 

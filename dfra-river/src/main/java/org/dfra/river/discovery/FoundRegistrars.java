@@ -12,26 +12,26 @@ import net.jini.core.lookup.ServiceID;
  */
 final class FoundRegistrars {
 
-  /** Most lookup services in all. */
+  /** Maximum number of lookup services in all. */
   static final int MAX_REGISTRARS = DiscoveryCandidates.MAX_CANDIDATES;
 
-  /** Most of one address, so that no single computer takes all places. */
+  /** Maximum number for one address, so that no single computer takes all slots. */
   static final int PER_ADDRESS = MAX_REGISTRARS / 2;
 
   private final Map<LocatedRegistrar, FoundRegistrar> found = new LinkedHashMap<>();
 
-  /** The service IDs that they claim, each once. */
+  /** The service IDs that they claim, without duplicates. */
   Collection<ServiceID> serviceIds() {
     return found.keySet().stream().map(LocatedRegistrar::getServiceID).distinct().toList();
   }
 
-  /** All of them, as they are now. */
+  /** A copy of the current list. */
   List<FoundRegistrar> all() {
     return List.copyOf(found.values());
   }
 
   /**
-   * Those that claim a service ID and were found at a host.
+   * The lookup services that claim a service ID and were found at a host.
    *
    * @param host as it was announced, or the address that answered
    */
@@ -45,7 +45,7 @@ final class FoundRegistrars {
     return found.containsKey(registrar);
   }
 
-  /** Whether it is found already, or may be found too. */
+  /** Whether it is found already, or there is room for it. */
   boolean isRoomFor(LocatedRegistrar registrar) {
     if (found.containsKey(registrar)) {
       return true;
@@ -55,17 +55,17 @@ final class FoundRegistrars {
     return there < PER_ADDRESS && found.size() < MAX_REGISTRARS;
   }
 
-  /** Adds one; false where it is found already. */
+  /** Adds one; false if it is already present. */
   boolean add(FoundRegistrar registrar) {
     return found.putIfAbsent(registrar.registrar, registrar) == null;
   }
 
-  /** Removes one; false where it was not there. */
+  /** Removes one; false if it is not present. */
   boolean remove(LocatedRegistrar registrar) {
     return found.remove(registrar) != null;
   }
 
-  /** The same, unless it was found anew meanwhile. */
+  /** As {@link #remove(LocatedRegistrar)}, unless it was found again meanwhile. */
   boolean remove(FoundRegistrar registrar) {
     return found.remove(registrar.registrar, registrar);
   }

@@ -18,16 +18,16 @@ import net.jini.security.ProxyPreparer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A lookup service's proxy and where it was found. The proxy claims a service ID, and anybody may
- * claim that of another lookup service. River's proxies of one service ID are equal, so the first
- * that answers would hide all others.
+ * A lookup service's proxy and the address where it was found. The proxy claims a service ID, and
+ * any host may claim the ID of another lookup service. River's proxies with one service ID are
+ * equal, so the first that answers would hide all others.
  *
- * <p>Two of these are equal only if both proxies arrived as the same bytes. Then it does not matter
- * which of them is called: both call the same object at the same address. So one lookup service
+ * <p>Two instances are equal only if both proxies arrived as the same bytes. Then it does not
+ * matter which one is called: both call the same object at the same address. So a lookup service
  * that is found at two addresses of its computer counts once, and one that copies another's service
- * ID counts beside it.
+ * ID counts separately.
  *
- * <p>Thread-safe. Equality makes no call.
+ * <p>Thread-safe. Equality makes no remote call.
  */
 public final class LocatedRegistrar implements ServiceRegistrar {
 
@@ -40,7 +40,7 @@ public final class LocatedRegistrar implements ServiceRegistrar {
    * @param proxy its proxy, which knows its service ID without a call
    * @param form the bytes of the proxy, as they arrived
    * @param place the other end of the connection over which they arrived; the port is that for
-   *     unicast discovery, or any where the lookup service made the connection
+   *     unicast discovery, or any port if the lookup service opened the connection
    */
   public LocatedRegistrar(
       ServiceRegistrar proxy, MarshalledInstance form, InetSocketAddress place) {
@@ -55,17 +55,17 @@ public final class LocatedRegistrar implements ServiceRegistrar {
     return place.getAddress();
   }
 
-  /** Where it answered, as {@code address:port}. */
+  /** The address where it answered, as {@code address:port}. */
   public String hostAndPort() {
     return place.getAddress().getHostAddress() + ":" + place.getPort();
   }
 
   /**
-   * The same lookup service, called by a prepared proxy.
+   * The same lookup service with a prepared proxy.
    *
    * @throws RemoteException as the preparer does
-   * @throws SecurityException if the preparer does not trust the proxy, or returns something else
-   *     than a lookup service's proxy
+   * @throws SecurityException if the preparer does not trust the proxy, or does not return a lookup
+   *     service's proxy
    */
   public LocatedRegistrar prepared(ProxyPreparer preparer) throws RemoteException {
     if (preparer.prepareProxy(proxy) instanceof ServiceRegistrar registrar) {

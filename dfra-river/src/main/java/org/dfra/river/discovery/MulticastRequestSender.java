@@ -19,10 +19,11 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Asks by multicast for the lookup services of some groups: a round is a few requests, which they
- * answer by connecting to a {@link ResponseListener} that listens until the last round is over.
+ * Requests the lookup services of some groups by multicast. A round is a few requests. Lookup
+ * services answer by connecting to a {@link ResponseListener}, which listens until the last round
+ * ends.
  *
- * <p>Its work is done on the search's timer thread.
+ * <p>It runs on the search's timer thread.
  */
 final class MulticastRequestSender implements AutoCloseable {
 
@@ -34,12 +35,12 @@ final class MulticastRequestSender implements AutoCloseable {
   private final Runnable responded;
   private @Nullable ResponseListener responses; // guarded by this; while there is a round
   private int rounds; // guarded by this
-  private boolean isDelayed; // guarded by this; whether the first round was begun
+  private boolean isDelayed; // guarded by this; whether the first round was started
   private boolean closed; // guarded by this
 
   /**
-   * @param known the lookup services that need not answer; asked without a lock
-   * @param onResponse is run when {@link #next} has a connection, on another thread
+   * @param known supplies the lookup services that need not answer; called without a lock
+   * @param onResponse runs when {@link #next} has a connection, on another thread
    */
   MulticastRequestSender(
       MulticastSettings settings,
@@ -53,10 +54,10 @@ final class MulticastRequestSender implements AutoCloseable {
   }
 
   /**
-   * Begins a round.
+   * Starts a round.
    *
-   * @param groups those whose members are to answer; all where empty
-   * @throws IOException if there is no port for the answers
+   * @param groups those whose members are to answer; all if empty
+   * @throws IOException if there is no port for the responses
    */
   synchronized void begin(List<String> groups) throws IOException {
     if (closed || settings.requests() < 1 || settings.interfaces().isEmpty()) {
@@ -92,7 +93,7 @@ final class MulticastRequestSender implements AutoCloseable {
         left == 1 ? settings.finalRequestInterval() : settings.requestInterval(), groups, left - 1);
   }
 
-  /** Where answers are received; 0 when closed. */
+  /** The port for responses; 0 when closed. */
   private synchronized int port() {
     return responses == null ? 0 : responses.port();
   }
@@ -124,7 +125,7 @@ final class MulticastRequestSender implements AutoCloseable {
     }
   }
 
-  /** A connection of a lookup service that answers; the caller closes it. */
+  /** A connection of a lookup service that responds; the caller closes it. */
   synchronized Optional<Socket> next() {
     return responses == null ? Optional.empty() : responses.next();
   }

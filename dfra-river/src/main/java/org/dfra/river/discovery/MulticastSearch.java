@@ -22,38 +22,40 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Finds the lookup services of some groups by multicast, until it is closed. It stands for River's
- * {@code LookupDiscovery}, whose configuration entries it takes, and which a hundred false
- * announcements a second delay by seconds: whom to ask, and how many at once, is up to {@link
- * DiscoveryCandidates}, and {@link UnicastDiscovery} reads the answers.
+ * Finds the lookup services of some groups by multicast, until it is closed. It replaces River's
+ * {@code LookupDiscovery} and reads the same configuration entries. A hundred forged announcements
+ * a second delay River's class by seconds. Here {@link DiscoveryCandidates} selects the addresses
+ * and limits the concurrent queries, and {@link UnicastDiscovery} reads the responses.
  *
- * <p>A lookup service is known by its proxy and not by its service ID alone, which anybody may
- * copy: those that claim one service ID are all found, see {@link LocatedRegistrar}.
+ * <p>A lookup service is identified by its proxy and not only by its service ID, which any host may
+ * copy: all that claim one service ID are found, see {@link LocatedRegistrar}.
  *
- * <p>Threads, all daemons: {@code dfra-discovery-timer} sends requests and reports what was found;
- * up to {@value DiscoveryCandidates#PROBES} {@code dfra-discovery-probe}; as many {@code
- * dfra-discovery-check}, which ask those that were found for their groups, where these may have
+ * <p>Threads, all daemons: {@code dfra-discovery-timer} sends requests and reports results; up to
+ * {@value DiscoveryCandidates#PROBES} {@code dfra-discovery-probe}; as many {@code
+ * dfra-discovery-check}, which query the found lookup services for their groups, if these may have
  * changed or announcements have stopped; those of {@link AnnouncementListener} and {@link
  * ResponseListener}.
  */
 public final class MulticastSearch implements AutoCloseable {
 
-  /** Receives what is found and lost, one after the other, on the search's timer thread. */
+  /**
+   * Receives the found and lost lookup services, one after the other, on the search's timer thread.
+   */
   public interface Listener {
 
     /** A lookup service was found. */
     void found(LocatedRegistrar registrar);
 
-    /** A lookup service does not answer any more, or left the groups. Not after a discard. */
+    /** A lookup service no longer answers, or left the groups. Not after a discard. */
     void lost(LocatedRegistrar registrar);
   }
 
   private static final Logger LOG = LoggerFactory.getLogger(MulticastSearch.class);
 
-  /** So many announcements may be missed. */
+  /** The number of announcements that may be missed. */
   private static final int MISSED = 3;
 
-  /** A lookup service is asked for its groups once in this time at the most. */
+  /** The minimum time between two queries of a lookup service for its groups. */
   private static final Duration BETWEEN_CHECKS = Duration.ofSeconds(5);
 
   private final MulticastSettings settings;
@@ -68,12 +70,12 @@ public final class MulticastSearch implements AutoCloseable {
   private boolean closed; // guarded by this
 
   /**
-   * Begins to search.
+   * Starts the search.
    *
    * @param groups the groups; null for all
    * @param configuration entries of {@code net.jini.discovery.LookupDiscovery}
    * @throws IOException if multicast cannot be used
-   * @throws ConfigurationException if an entry is wrong
+   * @throws ConfigurationException if an entry is invalid
    */
   public MulticastSearch(String @Nullable [] groups, Configuration configuration, Listener listener)
       throws IOException, ConfigurationException {
@@ -125,13 +127,13 @@ public final class MulticastSearch implements AutoCloseable {
     return found.serviceIds();
   }
 
-  /** The groups, none of them twice; null for all. */
+  /** The groups, without duplicates; null for all. */
   public synchronized String @Nullable [] getGroups() {
     return groups.names();
   }
 
   /**
-   * Searches for members of these too.
+   * Adds groups to the search.
    *
    * @throws UnsupportedOperationException if it searches for all
    * @throws IOException if multicast cannot be used
@@ -144,7 +146,7 @@ public final class MulticastSearch implements AutoCloseable {
   }
 
   /**
-   * Searches for members of these and no others; lookup services that are members of none are lost.
+   * Replaces the groups of the search; lookup services that are in none of them are lost.
    *
    * @param wanted the groups; null for all
    * @throws IOException if multicast cannot be used
@@ -158,8 +160,7 @@ public final class MulticastSearch implements AutoCloseable {
   }
 
   /**
-   * Searches for members of these no more; lookup services that are members of no other group are
-   * lost.
+   * Removes groups from the search; lookup services that are in no other group are lost.
    *
    * @throws UnsupportedOperationException if it searches for all
    */
@@ -178,7 +179,7 @@ public final class MulticastSearch implements AutoCloseable {
 
   // Announcements, on the thread that receives them.
 
-  /** A datagram has come. For tests too. */
+  /** Handles a datagram. Also for tests. */
   void received(DatagramPacket packet) {
     Optional<MulticastAnnouncement> announcement = DiscoveryPackets.decodeAnnouncement(packet);
     announcement.ifPresent(each -> announced(each, packet.getAddress()));
@@ -208,15 +209,15 @@ public final class MulticastSearch implements AutoCloseable {
     dispatch();
   }
 
-  /** Begins the probes that may begin. Must not be called from within a lock of the hosts. */
+  /** Starts the probes that may start. Must not be called while holding a lock of the hosts. */
   private void dispatch() {
     probes.dispatch();
   }
 
   /**
-   * Takes what answered, if it is wanted; false if not.
+   * Accepts a response if it is wanted; false if not.
    *
-   * @param place where it was asked; null if it answered a request
+   * @param place the address that was queried; null for a response to a request
    */
   private boolean hold(DiscoveryResponse answer, String host, @Nullable LookupAddress place)
       throws RemoteException {
@@ -251,7 +252,7 @@ public final class MulticastSearch implements AutoCloseable {
     return found.contains(registrar);
   }
 
-  /** Forgets a lookup service, because it does not answer, and looks for it again. */
+  /** Removes a lookup service that does not answer, and searches for it again. */
   public void discard(LocatedRegistrar registrar) {
     synchronized (this) {
       if (!found.remove(registrar)) {
@@ -269,20 +270,21 @@ public final class MulticastSearch implements AutoCloseable {
     }
   }
 
-  /** Asks those of which nothing was seen for a while. On the timer's thread. */
+  /** Checks the lookup services without a recent announcement. On the timer's thread. */
   private synchronized void checkSilent() {
     long longest = settings.announcementInterval().multipliedBy(MISSED).toNanos();
     long now = System.nanoTime();
     found.all().stream().filter(each -> now - each.seenAt > longest).forEach(this::check);
   }
 
-  /** Has a lookup service asked for its groups, unless it was just now. */
+  /** Starts a query of a lookup service for its groups, unless there was one just now. */
   private synchronized void check(FoundRegistrar which) {
     long now = System.nanoTime();
     boolean isDue = now - which.checkedAt > BETWEEN_CHECKS.toNanos();
     if (!closed && isDue && !which.isBeingChecked) {
       which.checkedAt = now;
-      which.isBeingChecked = threads.check(() -> askForGroups(which)); // if not, the next time
+      // if no thread is available, it is checked the next time
+      which.isBeingChecked = threads.check(() -> askForGroups(which));
     }
   }
 
@@ -313,7 +315,7 @@ public final class MulticastSearch implements AutoCloseable {
     which.isBeingChecked = false;
   }
 
-  /** Ends the search. Probes that are under way end by their deadlines. Idempotent. */
+  /** Ends the search. Running probes end by their deadlines. Idempotent. */
   @Override
   public void close() {
     synchronized (this) {

@@ -21,21 +21,21 @@ import net.jini.security.ProxyPreparer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How lookup services are looked for by multicast: the entries of {@value #COMPONENT} in a Jini
- * configuration, which is the name of River's class for it.
+ * The settings of multicast discovery: the entries of {@value #COMPONENT} in a Jini configuration,
+ * which is the name of River's class for it.
  *
- * @param interfaces those that are sent and listened on; a null element is the system's own choice
- * @param isListed whether the interfaces were configured: then one that fails is reported
- * @param host address at which answers are wanted; only version 2 sends it
- * @param version of the requests that are sent, 1 or 2; announcements of both are understood
- * @param packetBytes most bytes of a datagram
- * @param timeToLive how many routers a request may pass
- * @param requests how many requests are sent when a search begins
- * @param requestInterval between two of these
- * @param finalRequestInterval how long answers to the last are awaited
- * @param requestDelay the first request comes at a random time up to this
- * @param announcementInterval how often announcements are expected
- * @param interfaceRetry how often an interface that failed is tried again
+ * @param interfaces the interfaces for sending and receiving; the system chooses for a null element
+ * @param isListed whether the interfaces were configured: then the failure of one is reported
+ * @param host address for responses; only version 2 sends it
+ * @param version of the requests, 1 or 2; announcements of both are decoded
+ * @param packetBytes maximum size of a datagram, in bytes
+ * @param timeToLive maximum number of routers that a request may pass
+ * @param requests number of requests when a search starts
+ * @param requestInterval time between two of these
+ * @param finalRequestInterval how long the search waits for responses to the last one
+ * @param requestDelay maximum random delay of the first request
+ * @param announcementInterval expected interval of announcements
+ * @param interfaceRetry interval of retries of an interface that failed
  * @param preparer prepares the proxies that are found
  */
 record MulticastSettings(
@@ -61,8 +61,8 @@ record MulticastSettings(
   /**
    * Reads a configuration.
    *
-   * @throws ConfigurationException if an entry is wrong, or names constraints that plain discovery
-   *     cannot fulfil
+   * @throws ConfigurationException if an entry is invalid, or names constraints that plain
+   *     discovery cannot satisfy
    * @throws IOException if this computer's interfaces cannot be listed
    */
   @SuppressWarnings("NullAway") // getEntry takes a null default
@@ -150,19 +150,19 @@ record MulticastSettings(
       return (String) configuration.getEntry(COMPONENT, "multicastRequestHost", String.class);
     } catch (NoSuchEntryException e) {
       return version == 1
-          ? InetAddress.getLoopbackAddress().getHostAddress() // is not sent
+          ? InetAddress.getLoopbackAddress().getHostAddress() // not sent
           : address(interfaces);
     }
   }
 
   /**
-   * An IPv4 address of the interfaces, one that others reach if there is one. No name service is
-   * asked: it may take long to answer, or know another address.
+   * An IPv4 address of the interfaces, if possible one that other hosts can reach. No name service
+   * is used: it may take long to answer, or return another address.
    */
   private static String address(List<@Nullable NetworkInterface> interfaces) throws IOException {
     List<NetworkInterface> sending = new ArrayList<>();
     for (@Nullable NetworkInterface each : interfaces) {
-      if (each == null) { // which of them, the system chooses
+      if (each == null) { // the system chooses the interface
         for (NetworkInterface one : NetworkInterface.networkInterfaces().toList()) {
           if (one.isUp() && !one.isVirtual() && !one.isPointToPoint()) {
             sending.add(one);

@@ -5,9 +5,10 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Paces a listener whose socket fails: before the socket is opened again the listener waits 0.1,
- * 0.2, 0.4 seconds and so on, up to 30 s, until the socket works or the listener is closed. A
- * network that is cut for an hour costs two attempts a minute and one line in the log.
+ * Delays the retries of a listener whose socket fails. Before the socket is opened again, the
+ * listener waits 0.1, 0.2, 0.4 seconds and so on, up to 30 s, until the socket works or the
+ * listener is closed. A network outage of an hour costs two attempts a minute and one line in the
+ * log.
  *
  * <p>Threads: the listener's own, and any for {@link #close} and {@link #isClosed}.
  */
@@ -16,7 +17,7 @@ final class ReopenBackoff implements AutoCloseable {
   static final Duration SHORTEST = Duration.ofMillis(100);
   static final Duration LONGEST = Duration.ofSeconds(30);
 
-  private static final int DOUBLINGS = 9; // 51 s, which is beyond the longest
+  private static final int DOUBLINGS = 9; // 51 s, more than the maximum
 
   private final CountDownLatch closed = new CountDownLatch(1);
   private int failures; // in a row
@@ -42,7 +43,7 @@ final class ReopenBackoff implements AutoCloseable {
     return isBack;
   }
 
-  /** How long the next wait is; zero while nothing has failed. */
+  /** The next delay; zero after no failure. */
   Duration pause() {
     if (failures == 0) {
       return Duration.ZERO;
@@ -52,14 +53,14 @@ final class ReopenBackoff implements AutoCloseable {
   }
 
   /**
-   * Waits for the next attempt.
+   * Waits until the next attempt is due.
    *
-   * @return whether to make it; false, at once, when the listener is closed
+   * @return whether to make the attempt; false immediately when the listener is closed
    */
   boolean await() {
     try {
       return !closed.await(pause().toMillis(), TimeUnit.MILLISECONDS);
-    } catch (InterruptedException e) { // only close ends a listener
+    } catch (InterruptedException e) { // only close() ends a listener
       return !isClosed();
     }
   }

@@ -11,12 +11,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Where lookup services connect to when they answer a multicast request. At most {@value
- * #MAX_PENDING} connections wait to be asked, at most {@value #PER_ADDRESS} of one address; a
- * further one is closed, and its lookup service is found by its next announcement.
+ * Accepts the connections of lookup services that answer a multicast request. At most {@value
+ * #MAX_PENDING} connections wait to be read, at most {@value #PER_ADDRESS} of one address. A
+ * further one is closed; its lookup service is found by its next announcement.
  *
- * <p>Where its socket fails it opens another, paced by {@link ReopenBackoff}: at the same port,
- * since requests have named it, and at another where that is taken. It ends only when it is closed.
+ * <p>If its socket fails, it opens another, with the delays of {@link ReopenBackoff}: at the same
+ * port, since requests contain it, or at another if that is taken. It ends only when it is closed.
  *
  * <p>Threads: one daemon, {@code dfra-discovery-responses}, from construction to {@link #close}.
  */
@@ -27,7 +27,7 @@ final class ResponseListener implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(ResponseListener.class);
 
-  /** Opens a socket that listens at a TCP port, or at one of the system's choice where it is 0. */
+  /** Opens a server socket at a TCP port; for 0 the system chooses the port. */
   @FunctionalInterface
   interface ServerSocketOpener {
     ServerSocket open(int port) throws IOException;
@@ -41,9 +41,9 @@ final class ResponseListener implements AutoCloseable {
   private int port; // guarded by this
 
   /**
-   * Listens from now on.
+   * Starts to listen.
    *
-   * @param onResponse is run when a connection waits, on the listener's thread
+   * @param onResponse runs when a connection waits, on the listener's thread
    * @throws IOException if there is no port
    */
   ResponseListener(Runnable onResponse) throws IOException {
@@ -51,7 +51,7 @@ final class ResponseListener implements AutoCloseable {
   }
 
   /**
-   * The same with sockets of another kind, for tests.
+   * With sockets of another kind, for tests.
    *
    * @throws IOException if the first cannot be opened
    */
@@ -101,12 +101,12 @@ final class ResponseListener implements AutoCloseable {
       } else {
         socket.close();
       }
-    } catch (IOException | RuntimeException e) { // of this connection, not of the port
+    } catch (IOException | RuntimeException e) { // a fault of this connection, not of the port
       LOG.debug("An answer to a multicast request could not be handled.", e);
     }
   }
 
-  /** Closes a connection that is not asked. */
+  /** Closes a connection without reading it. */
   static void drop(Socket socket) {
     try {
       socket.close();
@@ -139,7 +139,7 @@ final class ResponseListener implements AutoCloseable {
     }
   }
 
-  /** Where that fails the old socket, which is closed, makes the next attempt follow. */
+  /** If that fails, the old socket stays closed, which causes the next attempt. */
   private synchronized void reopen() {
     try {
       server.close();

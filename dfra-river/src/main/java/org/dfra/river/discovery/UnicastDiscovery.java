@@ -21,43 +21,44 @@ import org.dfra.river.filter.SerialFilters;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Asks a lookup service for its proxy: the client's part of Jini's unicast discovery, version 1,
- * which every lookup service answers.
+ * Queries a lookup service for its proxy: the client's part of Jini's unicast discovery, version 1,
+ * which every lookup service supports.
  *
  * <pre>
  *   client --- int 1 --------------------------------------------------&gt; lookup service
  *          &lt;-- object stream: MarshalledObject, int groups, UTF each ---
  * </pre>
  *
- * <p>Anybody may answer, so nothing is taken for granted: an answer has {@value #ANSWER_BYTES}
- * bytes, {@value #GROUPS} groups of {@value #GROUP_CHARACTERS} characters and a deadline at the
- * most, and holds a marshalled object and nothing else. What that holds is read within {@code
- * SerialLimits.ANSWER} and the classes that may come from the network; code is loaded for it as for
- * every proxy, from trusted code only. No array is made for a count that the stream merely claims.
+ * <p>Any host may answer, so every part of a response is bounded: it has at most {@value
+ * #ANSWER_BYTES} bytes and {@value #GROUPS} groups of {@value #GROUP_CHARACTERS} characters, must
+ * arrive before a deadline, and contains one marshalled object and nothing else. The contents of
+ * that object are read within {@code SerialLimits.ANSWER} and the classes that may come from the
+ * network. As for every proxy, only trusted code is loaded. No array is allocated for a count that
+ * the stream merely claims.
  */
 public final class UnicastDiscovery {
 
-  /** Most bytes of an answer. That of a robot's registrar has about 2 kB. */
+  /** Maximum size of a response, in bytes. That of a robot's registrar has about 2 kB. */
   static final int ANSWER_BYTES = 64 << 10;
 
-  /** Most groups of a lookup service. */
+  /** Maximum number of groups of a lookup service. */
   static final int GROUPS = 64;
 
-  /** Most characters of a group's name. */
+  /** Maximum length of a group's name, in characters. */
   static final int GROUP_CHARACTERS = 255;
 
   private static final int VERSION = 1;
 
-  /** Most addresses of one host that are tried. */
+  /** Maximum number of addresses of one host to try. */
   private static final int ADDRESSES = 4;
 
-  /** A marshalled object: itself, two arrays, and what describes them. */
+  /** A marshalled object: itself, two arrays, and their descriptors. */
   private static final int REFERENCES = 32;
 
   private static final int DEPTH = 4;
 
   /**
-   * What a lookup service answers.
+   * The response of a lookup service.
    *
    * @param registrar its proxy, and where it answered
    * @param groups the groups that it is a member of
@@ -72,13 +73,13 @@ public final class UnicastDiscovery {
   private UnicastDiscovery() {}
 
   /**
-   * Asks the lookup service at a host; where the host has several addresses, one after the other.
+   * Queries the lookup service at a host; tries the addresses of the host one after the other.
    *
    * @param port its TCP port for unicast discovery
-   * @param timeout how long each connection may take, and how long the whole answer; finding the
-   *     addresses of a host that is named comes on top
-   * @throws IOException if nobody answers in time, or the answer is none of a lookup service; the
-   *     message says where and why
+   * @param timeout time limit for each connection, and for the whole response; the time to resolve
+   *     a host's name is not included
+   * @throws IOException if no response arrives in time, or it is not that of a lookup service; the
+   *     message gives the address and the reason
    * @throws ClassNotFoundException if the proxy's class is not here and may not be loaded
    */
   public static DiscoveryResponse discover(String host, int port, Duration timeout)
@@ -102,9 +103,9 @@ public final class UnicastDiscovery {
   }
 
   /**
-   * Asks the lookup service at the other end of a connection. The caller closes it.
+   * Queries the lookup service at the other end of a connection. The caller closes it.
    *
-   * @param timeout how long the whole answer may take
+   * @param timeout time limit for the whole response
    * @throws IOException as above
    * @throws ClassNotFoundException as above
    */
@@ -118,7 +119,7 @@ public final class UnicastDiscovery {
           () -> answer(socket, end));
     } catch (ClassNotFoundException e) {
       throw e;
-    } catch (Exception | LinkageError | AssertionError e) { // the last: River's, of odd objects
+    } catch (Exception | LinkageError | AssertionError e) { // the last: River's, malformed objects
       throw new IOException(
           "no lookup service answers at "
               + socket.getInetAddress().getHostAddress()
@@ -163,7 +164,7 @@ public final class UnicastDiscovery {
         new LocatedRegistrar(registrar(form.get(false)), form, place), groups);
   }
 
-  /** The stream's own objects; what the marshalled one holds are bytes to it. */
+  /** Checks the stream's own objects; the contents of the marshalled object are bytes here. */
   private static ObjectInputFilter.Status check(FilterInfo info) {
     if (info.depth() > DEPTH
         || info.references() > REFERENCES
@@ -181,8 +182,8 @@ public final class UnicastDiscovery {
   }
 
   /**
-   * A proxy that knows its identity. A dynamic proxy does not: asked for it, it would call whoever
-   * answered, who need never return.
+   * Requires a proxy that stores its identity. A dynamic proxy would ask the remote host for it,
+   * which might never answer.
    */
   private static ServiceRegistrar registrar(@Nullable Object proxy) throws InvalidObjectException {
     if (!(proxy instanceof ServiceRegistrar registrar) || Proxy.isProxyClass(proxy.getClass())) {

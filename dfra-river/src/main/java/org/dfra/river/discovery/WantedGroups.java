@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
-/** The groups of which a {@link MulticastSearch} wants members, whose lock guards this. */
+/** The groups that a {@link MulticastSearch} searches for, whose lock guards this. */
 final class WantedGroups {
 
   private @Nullable Set<String> names; // null for all
@@ -19,19 +19,19 @@ final class WantedGroups {
     this.names = names == null ? null : new HashSet<>(List.of(names));
   }
 
-  /** None of them twice; null for all. */
+  /** The names, without duplicates; null for all. */
   String @Nullable [] names() {
     return names == null ? null : names.toArray(String[]::new);
   }
 
-  /** Whether a member of these is wanted. */
+  /** Whether one of these groups is wanted. */
   boolean matchesAny(Collection<String> groups) {
     Set<String> wanted = names;
     return wanted == null || groups.stream().anyMatch(wanted::contains);
   }
 
   /**
-   * Adds some.
+   * Adds groups.
    *
    * @return those that were not wanted before
    * @throws UnsupportedOperationException if all are wanted
@@ -66,7 +66,7 @@ final class WantedGroups {
   }
 
   /**
-   * Removes some.
+   * Removes groups.
    *
    * @throws UnsupportedOperationException if all are wanted
    */

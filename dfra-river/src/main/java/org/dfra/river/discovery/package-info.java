@@ -1,13 +1,13 @@
 /**
- * Discovery: how lookup services are found on the network, by readers that a stranger's answer
+ * Discovery: finds lookup services on the network, with readers that an unknown host's response
  * cannot exhaust.
  *
  * <pre>
- *   announcements, UDP ---&gt; DiscoveryCandidates ---\
- *                                              +--&gt; UnicastDiscovery, 4 at once --&gt; registrars
- *   answers to requests ---&gt; ResponseListener -/        ^
- *                                                       |
- *   locators (package lookup) --------------------------+
+ *   announcements, UDP --&gt; DiscoveryCandidates -\
+ *                                               +-&gt; UnicastDiscovery, 4 at once -&gt; registrars
+ *   responses to requests --&gt; ResponseListener -/          ^
+ *                                                          |
+ *   locators (package lookup) -----------------------------+
  * </pre>
  *
  * <p>Enter at {@link org.dfra.river.discovery.UnicastDiscovery} for one known host, at {@link

@@ -4,7 +4,7 @@ import org.dfra.persona.BehaviorAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a behaviour is for, see {@link BehaviorAttributes}. Null is unknown, or any value in a
+ * Attributes of a behaviour, see {@link BehaviorAttributes}. Null is unknown, or any value in a
  * template.
  */
 @Mirrors(BehaviorAttributes.class)
@@ -12,19 +12,19 @@ public class BehaviorEntry extends ChainableEntry {
 
   private static final long serialVersionUID = 1L;
 
-  /** Name of what it can reach. */
+  /** Name of its goal type. */
   public @Nullable String goal;
 
-  /** Whether it is made of other behaviours. */
+  /** Whether it consists of other behaviours. */
   public @Nullable Boolean script;
 
-  /** What it is at. */
+  /** Its present phase. */
   public @Nullable String phase;
 
-  /** How often it looks at its percepts, hertz. */
+  /** How often it evaluates its percepts, hertz. */
   public @Nullable Double rate;
 
-  /** When a person, a parking brake or an emergency stop stopped its goal, milliseconds of UTC. */
+  /** When an operator, a parking brake or an emergency stop held its goal, milliseconds of UTC. */
   public @Nullable Long heldSince;
 
   /** With every field null. */

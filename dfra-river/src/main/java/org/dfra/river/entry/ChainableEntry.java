@@ -5,18 +5,18 @@ import org.dfra.persona.ChainAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a module stands in the flow, see {@link ChainAttributes}. Null is unknown, or any value in
- * a template.
+ * A module's inputs and outputs in the chain, see {@link ChainAttributes}. Null is unknown, or any
+ * value in a template.
  */
 @Mirrors(ChainAttributes.class)
 public class ChainableEntry extends ModuleEntry {
 
   private static final long serialVersionUID = 1L;
 
-  /** Names of the types it takes, sorted. */
+  /** Names of its input types, sorted. */
   public @Nullable List<String> inputs;
 
-  /** Names of the types it gives, sorted. */
+  /** Names of its output types, sorted. */
   public @Nullable List<String> outputs;
 
   /** With every field null. */

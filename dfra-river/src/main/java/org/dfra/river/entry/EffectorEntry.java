@@ -5,7 +5,7 @@ import org.dfra.persona.EffectorAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How an effector acts, see {@link EffectorAttributes}. Null is unknown, or any value in a
+ * Attributes of an effector, see {@link EffectorAttributes}. Null is unknown, or any value in a
  * template.
  */
 @Mirrors(EffectorAttributes.class)
@@ -13,13 +13,13 @@ public class EffectorEntry extends ChainableEntry {
 
   private static final long serialVersionUID = 1L;
 
-  /** Names of the commands it obeys, sorted. */
+  /** Names of the commands it executes, sorted. */
   public @Nullable List<String> commands;
 
-  /** Electric power it draws at the most, in watts. */
+  /** Maximum electric power, in watts. */
   public @Nullable Double power;
 
-  /** What its surroundings must be like, sorted. */
+  /** Preconditions of its environment, sorted. */
   public @Nullable List<String> preconditions;
 
   /** With every field null. */

@@ -14,7 +14,7 @@ import net.jini.core.entry.Entry;
 import org.dfra.persona.Attributes;
 import org.jspecify.annotations.Nullable;
 
-/** Turns attribute records into entries and entries into attribute records. */
+/** Converts attribute records to entries and entries to attribute records. */
 public final class Entries {
 
   private static final System.Logger LOG = System.getLogger(Entries.class.getName());
@@ -36,14 +36,14 @@ public final class Entries {
 
   private Entries() {}
 
-  /** Every class of entries that modules here may have, without its superclasses. */
+  /** Every entry class that modules here may use, without its superclasses. */
   public static List<Class<?>> entryClasses() {
     List<Class<?>> kinds = new ArrayList<>(KnownEntryClasses.ALL);
     kinds.add(RecordEntry.class);
     return kinds;
   }
 
-  /** All that entries can be made of; looked for when the first is made. */
+  /** All known entry classes; searched at the first conversion. */
   private static final class KnownEntryClasses {
 
     static final List<Class<? extends Entry>> ALL = all();
@@ -69,11 +69,11 @@ public final class Entries {
   }
 
   /**
-   * The entries that tell what the records tell. Records whose entry classes are super- and
-   * subclass of each other share one entry.
+   * Converts records to entries. Records whose entry classes are super- and subclass of each other
+   * share one entry.
    *
-   * @throws IllegalArgumentException if there are two records of one type, or one holds what no
-   *     entry can
+   * @throws IllegalArgumentException if there are two records of one type, or one has a value that
+   *     no entry can hold
    */
   public static Entry[] toEntries(List<? extends Attributes> attributes) {
     Map<Class<?>, Attributes> left = new LinkedHashMap<>();
@@ -112,8 +112,8 @@ public final class Entries {
   }
 
   /**
-   * The records that the entries tell, as far as this client can understand them: entries of other
-   * kinds, such as River's own, are left out, and so are those that lack what a record must have.
+   * Converts entries to the records that this client knows. It omits entries of other kinds, such
+   * as River's own, and those without a required value.
    */
   public static List<Attributes> toAttributes(@Nullable Entry @Nullable [] entries) {
     List<Attributes> records = new ArrayList<>();
@@ -157,7 +157,7 @@ public final class Entries {
     }
   }
 
-  /** The record, or null where its constructor refuses the values. */
+  /** The record, or null if its constructor refuses the values. */
   static <A extends Attributes> @Nullable A make(Class<A> type, @Nullable Object[] values) {
     Class<?>[] types = new Class<?>[values.length];
     RecordComponent[] components = type.getRecordComponents();
@@ -187,7 +187,7 @@ public final class Entries {
     if (value instanceof Instant instant) {
       return instant.toEpochMilli();
     }
-    // Always this class: a registrar compares bytes, and List.of is written in another way.
+    // Always this class: a registrar compares bytes, and List.of has another serial form.
     return value instanceof List<?> list ? new ArrayList<>(list) : value;
   }
 

@@ -4,18 +4,18 @@ import java.util.List;
 import net.jini.core.entry.Entry;
 
 /**
- * Entry classes that another part of DFRA, or somebody else's, brings along for records of its own.
- * It is found by {@link java.util.ServiceLoader}: a jar names its implementation in {@code
+ * Supplies entry classes of another part of DFRA, or of a third party, for records of its own.
+ * {@link java.util.ServiceLoader} finds it: a jar names its implementation in {@code
  * META-INF/services/org.dfra.river.entry.EntryClassProvider}.
  *
- * <p>They are needed where entries are made, at the module. Who reads one needs its class only,
- * which may be downloaded.
+ * <p>The module that creates the entries needs it. A client that reads an entry needs only the
+ * entry's class, which may be downloaded.
  */
 public interface EntryClassProvider {
 
   /**
-   * Classes with {@link Mirrors}, a subclass before its superclass. They come before those of this
-   * package, which they may extend.
+   * Classes with {@link Mirrors}, a subclass before its superclass. They take precedence over those
+   * of this package, which they may extend.
    */
   List<Class<? extends Entry>> entryClasses();
 }

@@ -7,30 +7,30 @@ import org.dfra.persona.GpsReceiverAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a satellite positioning receiver is, see {@link GpsReceiverAttributes}. Null is unknown, or
- * any value in a template.
+ * Attributes of a satellite positioning receiver, see {@link GpsReceiverAttributes}. Null is
+ * unknown, or any value in a template.
  */
 @Mirrors(GpsReceiverAttributes.class)
 public class GPSEntry extends AbstractEntry implements ServiceControlled {
 
   private static final long serialVersionUID = 1L;
 
-  /** Model, as the receiver names it. */
+  /** Model, as the receiver reports it. */
   public @Nullable String model;
 
   /** Its serial number. */
   public @Nullable String serialNumber;
 
-  /** Part number of its software. */
+  /** Part number of its firmware. */
   public @Nullable String softwarePart;
 
-  /** Version of its software. */
+  /** Version of its firmware. */
   public @Nullable String softwareVersion;
 
-  /** How many satellites it can follow at once. */
+  /** How many satellites it can track at once. */
   public @Nullable Integer channels;
 
-  /** The solutions it can give, sorted. */
+  /** The fix modes it supports, sorted. */
   public @Nullable List<String> fixModes;
 
   /** With every field null. */

@@ -6,8 +6,8 @@ import org.dfra.persona.LocationAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Roughly where a module was not long ago, see {@link LocationAttributes}. Null is unknown, or any
- * value in a template.
+ * The recent approximate location of a module, see {@link LocationAttributes}. Null is unknown, or
+ * any value in a template.
  */
 @Mirrors(LocationAttributes.class)
 public class LocationEntry extends AbstractEntry implements ServiceControlled {
@@ -23,7 +23,7 @@ public class LocationEntry extends AbstractEntry implements ServiceControlled {
   /** Metres above the ellipsoid. */
   public @Nullable Double height;
 
-  /** When it was there, in milliseconds since 1970, UTC. */
+  /** When it was measured, in milliseconds since 1970, UTC. */
   public @Nullable Long measured;
 
   /** With every field null. */

@@ -7,8 +7,8 @@ import java.lang.annotation.Target;
 import org.dfra.persona.Attributes;
 
 /**
- * The record whose components the fields that an entry class itself declares stand for, by name.
- * See {@link EntryClassProvider} for classes outside this package.
+ * The record that an entry class mirrors: each field that the class declares has the name of a
+ * component. See {@link EntryClassProvider} for classes outside this package.
  */
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.TYPE)

@@ -7,8 +7,8 @@ import org.dfra.persona.ModuleAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What every module says of itself, see {@link ModuleAttributes}. Null is unknown, or any value in
- * a template.
+ * Attributes of every module, see {@link ModuleAttributes}. Null is unknown, or any value in a
+ * template.
  */
 @Mirrors(ModuleAttributes.class)
 public class ModuleEntry extends AbstractEntry implements ServiceControlled {
@@ -27,16 +27,16 @@ public class ModuleEntry extends AbstractEntry implements ServiceControlled {
   /** Address or name of the machine it runs on. */
   public @Nullable String host;
 
-  /** Who wrote the driver. */
+  /** Author of the driver. */
   public @Nullable String author;
 
   /** Version of the driver. */
   public @Nullable String version;
 
-  /** How far the module has come. */
+  /** Readiness of the module. */
   public @Nullable Readiness state;
 
-  /** When it was first made known, in milliseconds since 1970, UTC. */
+  /** When it was first registered, in milliseconds since 1970, UTC. */
   public @Nullable Long created;
 
   /** When it was last started, in milliseconds since 1970, UTC. */

@@ -4,18 +4,18 @@ import org.dfra.persona.MotorSchemaAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a motor schema gives advice for, see {@link MotorSchemaAttributes}. Null is unknown, or any
- * value in a template.
+ * The advice of a motor schema, see {@link MotorSchemaAttributes}. Null is unknown, or any value in
+ * a template.
  */
 @Mirrors(MotorSchemaAttributes.class)
 public class MotorSchemaEntry extends ChainableEntry {
 
   private static final long serialVersionUID = 1L;
 
-  /** Name of the command it advises. */
+  /** Name of the command type that it advises on. */
   public @Nullable String command;
 
-  /** How it comes to its advice. */
+  /** The method by which it computes its advice. */
   public @Nullable String method;
 
   /** How many rules it has. */

@@ -4,27 +4,27 @@ import org.dfra.persona.PerceptualSchemaAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How far a perceptual schema's percepts can be trusted, see {@link PerceptualSchemaAttributes}.
- * Null is unknown, or any value in a template.
+ * The reliability of a perceptual schema's percepts, see {@link PerceptualSchemaAttributes}. Null
+ * is unknown, or any value in a template.
  */
 @Mirrors(PerceptualSchemaAttributes.class)
 public class PerceptualSchemaEntry extends ChainableEntry {
 
   private static final long serialVersionUID = 1L;
 
-  /** Name of what it tells. */
+  /** Name of its percept type. */
   public @Nullable String percept;
 
-  /** What its doubt is expressed by. */
+  /** How its uncertainty is expressed. */
   public @Nullable String uncertainty;
 
-  /** How it perceives. */
+  /** Its method of perception. */
   public @Nullable String method;
 
-  /** Share of what is there that it finds, 0 to 1, as measured. */
+  /** Measured share of present objects that it detects, 0 to 1. */
   public @Nullable Double truePositiveRate;
 
-  /** Share of its looks at nothing in which it finds something, 0 to 1. */
+  /** Measured share of checks without an object in which it detects one, 0 to 1. */
   public @Nullable Double falsePositiveRate;
 
   /** With every field null. */

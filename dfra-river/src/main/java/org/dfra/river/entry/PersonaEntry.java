@@ -5,7 +5,10 @@ import net.jini.entry.AbstractEntry;
 import org.dfra.persona.PersonaAttributes;
 import org.jspecify.annotations.Nullable;
 
-/** A robot as such, see {@link PersonaAttributes}. Null is unknown, or any value in a template. */
+/**
+ * Attributes of a robot, see {@link PersonaAttributes}. Null is unknown, or any value in a
+ * template.
+ */
 @Mirrors(PersonaAttributes.class)
 public class PersonaEntry extends AbstractEntry {
 
@@ -17,10 +20,10 @@ public class PersonaEntry extends AbstractEntry {
   /** Its role in the team. */
   public @Nullable String role;
 
-  /** What it tries to achieve, sorted. */
+  /** Its goals, sorted. */
   public @Nullable List<String> goals;
 
-  /** What it cannot do, sorted. */
+  /** Its limitations, sorted. */
   public @Nullable List<String> limitations;
 
   /** With every field null. */

@@ -6,7 +6,7 @@ import org.dfra.persona.PoseAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a module is mounted, see {@link PoseAttributes}. Null is unknown, or any value in a
+ * The mounting pose of a module, see {@link PoseAttributes}. Null is unknown, or any value in a
  * template.
  */
 @Mirrors(PoseAttributes.class)

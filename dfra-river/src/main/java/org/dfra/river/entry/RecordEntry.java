@@ -6,8 +6,8 @@ import net.jini.lookup.entry.ServiceControlled;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Attributes of a record that has no entry class of its own: a device's own. A client that has the
- * record's class gets the record back, any other one does without it.
+ * Attributes of a record without an entry class, such as those of one device type. A client that
+ * has the record's class reads the record; other clients ignore it.
  */
 public class RecordEntry extends AbstractEntry implements ServiceControlled {
 
@@ -16,7 +16,7 @@ public class RecordEntry extends AbstractEntry implements ServiceControlled {
   /** Full name of the record's class. */
   public @Nullable String type;
 
-  /** {@code component=value}, sorted; a list of texts gives one for each text. */
+  /** {@code component=value}, sorted; a list of strings gives one for each string. */
   public @Nullable List<String> values;
 
   /** With every field null. */

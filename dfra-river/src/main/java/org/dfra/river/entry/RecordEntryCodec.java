@@ -9,7 +9,7 @@ import java.util.Optional;
 import org.dfra.persona.Attributes;
 import org.jspecify.annotations.Nullable;
 
-/** A record as texts, and texts as the record they came from. */
+/** Encodes a record as strings, and decodes it. */
 final class RecordEntryCodec {
 
   private RecordEntryCodec() {}
@@ -63,7 +63,7 @@ final class RecordEntryCodec {
             + " texts");
   }
 
-  /** The record; nothing where its class is not known here or does not fit. */
+  /** The record; empty if its class is unknown here or does not fit. */
   static Optional<Attributes> decode(RecordEntry entry) {
     List<String> texts = entry.values;
     Class<? extends Attributes> type = type(entry.type);
@@ -97,7 +97,8 @@ final class RecordEntryCodec {
       Class<?> type =
           Class.forName(
               name, false, context != null ? context : RecordEntryCodec.class.getClassLoader());
-      // A record that has an entry class comes in that: a registrar checks those for who they name.
+      // A record with an entry class must use it: a registrar checks which robot those entries
+      // name.
       return type.isRecord()
               && Attributes.class.isAssignableFrom(type)
               && !Entries.hasEntryClass(type)

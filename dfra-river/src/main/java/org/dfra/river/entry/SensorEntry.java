@@ -5,7 +5,8 @@ import org.dfra.persona.SensorAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How a sensor measures, see {@link SensorAttributes}. Null is unknown, or any value in a template.
+ * Attributes of a sensor, see {@link SensorAttributes}. Null is unknown, or any value in a
+ * template.
  */
 @Mirrors(SensorAttributes.class)
 public class SensorEntry extends ChainableEntry {
@@ -24,10 +25,10 @@ public class SensorEntry extends ChainableEntry {
   /** Fastest update rate, in hertz. */
   public @Nullable Double maxRate;
 
-  /** Electric power it draws, in watts. */
+  /** Electric power, in watts. */
   public @Nullable Double power;
 
-  /** What its surroundings must be like, sorted. */
+  /** Preconditions of its environment, sorted. */
   public @Nullable List<String> preconditions;
 
   /** With every field null. */

@@ -6,15 +6,15 @@
  *                                                      GPSEntry        PersonaEntry   RecordEntry
  * </pre>
  *
- * <p>Enter at {@link org.dfra.river.entry.Entries}, which turns the records of {@link
- * org.dfra.persona} into entries and back. Each entry class {@linkplain
- * org.dfra.river.entry.Mirrors mirrors} one record, field by component; a subclass carries its
- * superclass's record along, so one template finds modules of every kind. Records without an entry
- * class of their own travel as {@link org.dfra.river.entry.RecordEntry}; other jars bring entry
- * classes along by {@link org.dfra.river.entry.EntryClassProvider}.
+ * <p>Enter at {@link org.dfra.river.entry.Entries}, which converts the records of {@link
+ * org.dfra.persona} to entries and back. Each entry class {@linkplain
+ * org.dfra.river.entry.Mirrors mirrors} one record, field by component. A subclass contains its
+ * superclass's record, so one template finds modules of every kind. A record without an entry class
+ * is sent as a {@link org.dfra.river.entry.RecordEntry}; other jars supply entry classes by {@link
+ * org.dfra.river.entry.EntryClassProvider}.
  *
- * <p>A registrar compares marshalled bytes, field by field: fields are texts, boxed numbers, enums
- * or sorted lists of texts, since equal ones of these have equal bytes.
+ * <p>A registrar compares marshalled bytes, field by field. So fields are strings, boxed numbers,
+ * enums or sorted lists of strings: equal values of these have equal bytes.
  */
 @NullMarked
 package org.dfra.river.entry;

@@ -14,13 +14,13 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which classes a stream may name. First the refusals, which nothing overrides; then what is
- * allowed: values of the JDK, River, DFRA, classes that came from trusted code, and what is
- * configured.
+ * The classes that a stream may contain. The refusals come first and cannot be overridden. Then
+ * follow the allowed classes: values of the JDK, River, DFRA, classes of trusted code, and the
+ * configured ones.
  */
 final class AllowedTypes {
 
-  /** Whole packages of the JDK, without those below them. */
+  /** Packages of the JDK, without subpackages. */
   private static final Set<String> JDK_PACKAGES =
       Set.of(
           "java.lang",
@@ -54,8 +54,8 @@ final class AllowedTypes {
           "javax.security.auth.x500.X500Principal");
 
   /**
-   * Collections that hash or compare what they hold, while they are read or later, more often than
-   * a filter can count. What is to be sent in place of them.
+   * Collections that hash or compare their contents, during deserialization or later, more often
+   * than a filter can count. Each maps to the type to send in its place.
    */
   private static final Map<String, String> UNCOUNTED =
       Map.of(
@@ -67,19 +67,19 @@ final class AllowedTypes {
           "java.util.concurrent.CopyOnWriteArraySet", "a HashSet",
           "java.util.concurrent.PriorityBlockingQueue", "an ArrayList");
 
-  /** Handlers of the JDK and of its activation, which call one object exported by JRMP each. */
+  /** Handlers of the JDK and of its activation, each of which calls one object exported by JRMP. */
   private static final Set<String> JRMP_HANDLERS =
       Set.of(
           "java.rmi.server.RemoteObjectInvocationHandler",
           "java.rmi.activation.ActivatableHandler");
 
-  /** Its serial form holds a JRMP reference; phoenix' own identities have another one. */
+  /** Its serial form contains a JRMP reference; phoenix's own identities have another form. */
   private static final String ACTIVATION_ID = "java.rmi.activation.ActivationID";
 
-  /** Packages with all below them. */
+  /** Packages with their subpackages. */
   private static final List<String> OURS = List.of("net.jini.", "com.sun.jini.", "org.dfra.");
 
-  /** Known to do harm when read; packages end in a dot. */
+  /** Known deserialization gadgets; package names end in a dot. */
   private static final List<String> REFUSED =
       List.of(
           "bsh.",
@@ -125,10 +125,10 @@ final class AllowedTypes {
   }
 
   /**
-   * @param patterns what else is allowed: a class, {@code package.*}, or {@code package.**} with
-   *     all packages below it
+   * @param patterns further allowed types: a class, {@code package.*}, or {@code package.**} with
+   *     all subpackages
    * @param jrmp whether references to objects exported by JRMP are allowed
-   * @throws IllegalArgumentException if one would allow everything, or is none of these
+   * @throws IllegalArgumentException if a pattern would allow everything, or is invalid
    */
   AllowedTypes(Collection<String> patterns, boolean jrmp) {
     for (String pattern : patterns) {
@@ -143,7 +143,7 @@ final class AllowedTypes {
     this.jrmp = jrmp;
   }
 
-  /** These and the packages of {@code types}, such as those of a remote method's parameters. */
+  /** Adds the packages of {@code types}, such as those of a remote method's parameters. */
   AllowedTypes with(Collection<Class<?>> types) {
     List<String> more = new ArrayList<>(patterns);
     types.stream()
@@ -192,10 +192,11 @@ final class AllowedTypes {
           + " connection; if this program uses such objects, set dfra.serial.jrmp=true where it is"
           + " read";
     }
-    if (Proxy.isProxyClass(type)) { // its interfaces and its handler are checked by themselves
+    if (Proxy.isProxyClass(type)) { // its interfaces and its handler are checked separately
       return null;
     }
-    if (type.isInterface()) { // nothing is made of it: a proxy names it, or an object its kind
+    // it has no instances: a proxy implements it, or an object contains it as a class
+    if (type.isInterface()) {
       return null;
     }
     if (InvocationHandler.class.isAssignableFrom(type)
@@ -223,7 +224,7 @@ final class AllowedTypes {
         || name.equals(ACTIVATION_ID);
   }
 
-  /** What an array's elements are, or the class itself. */
+  /** The element type of an array, or the class itself. */
   static Class<?> element(Class<?> type) {
     Class<?> element = type;
     while (element.isArray()) {
@@ -264,12 +265,12 @@ final class AllowedTypes {
     return name.equals(pattern) || name.startsWith(pattern + "$");
   }
 
-  /** Splits what a system property lists; without references to objects exported by JRMP. */
+  /** Parses the list of a system property; without references to objects exported by JRMP. */
   static AllowedTypes parse(String list) {
     return parse(list, false);
   }
 
-  /** The same, with such references or without. */
+  /** Parses the list of a system property, with or without such references. */
   static AllowedTypes parse(String list, boolean jrmp) {
     return new AllowedTypes(
         Arrays.stream(list.split(",")).map(String::trim).filter(s -> !s.isEmpty()).toList(), jrmp);

@@ -6,8 +6,8 @@ import java.io.InputStream;
 import java.io.InvalidObjectException;
 
 /**
- * Ends with an exception beyond a number of bytes. The object stream's filter is not asked while a
- * long string comes in; this is.
+ * Throws an exception beyond a number of bytes. The object stream's filter is not called while a
+ * long string arrives; this stream still counts.
  */
 final class BoundedStream extends FilterInputStream {
 

@@ -4,8 +4,8 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The filter of one call's arguments. Until the method of the call is known it allows primitive
- * values and nothing else, and from then on what that method's parameters may hold.
+ * The filter of one call's arguments. Until the method of the call is known it allows only
+ * primitive values, and afterwards the types that the method's parameters may contain.
  */
 final class CallFilter extends ObjectGraphFilter {
 
@@ -18,9 +18,9 @@ final class CallFilter extends ObjectGraphFilter {
   }
 
   /**
-   * Allows what the parameters of the called method may hold.
+   * Allows the types that the parameters of the called method may contain.
    *
-   * @throws IllegalStateException if the method was known before
+   * @throws IllegalStateException if the method was already set
    */
   void narrow(MethodTypes called) {
     if (method != null) {

@@ -8,24 +8,24 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A class as a stream describes it.
+ * The description of a class in a stream.
  *
- * @param name its name; empty for a proxy's
+ * @param name its name; empty for a proxy
  * @param flags how its objects are written, see {@link ObjectStreamConstants}
  * @param primitiveBytes bytes of its primitive fields
- * @param references its fields that are references
- * @param parent the class it extends, or null where that is not serializable
+ * @param references number of its reference fields
+ * @param parent its superclass, or null if that is not serializable
  */
 record ClassDescriptor(
     String name, int flags, long primitiveBytes, int references, @Nullable ClassDescriptor parent) {
 
-  /** Where the entries of a hash table lie in what a class writes. */
+  /** The position of a hash table's entries in the data of a class. */
   enum HashTableKind {
-    /** It is none. */
+    /** Not a hash table. */
     NONE,
     /** Each object is hashed. */
     SET,
-    /** Each second object is hashed, the first of them too. */
+    /** Each second object is hashed, including the first. */
     MAP
   }
 
@@ -33,8 +33,9 @@ record ClassDescriptor(
   static final String PRIMITIVES = "BCDFIJSZ";
 
   /**
-   * Classes of the JDK that read themselves without their fields. So none may be described, and
-   * what they read must be marked as their own: they would go on in what is another object's.
+   * Classes of the JDK that read their own data without their fields. They must not declare fields,
+   * and their data must be marked as their own; otherwise they would read the data of another
+   * object.
    */
   private static final Set<String> WITHOUT_FIELDS =
       Set.of(
@@ -44,11 +45,13 @@ record ClassDescriptor(
           "java.util.concurrent.LinkedTransferQueue",
           "javax.security.auth.x500.X500Principal");
 
-  /** How a record is never written. */
+  /** Flags that a record never has. */
   private static final int NO_RECORD =
       ObjectStreamConstants.SC_WRITE_METHOD | ObjectStreamConstants.SC_EXTERNALIZABLE;
 
-  /** A list, a set or a map of {@code List.of} and its like; its one field says which. */
+  /**
+   * A list, a set or a map of {@code List.of} and similar methods; its one field gives the kind.
+   */
   private static final String IMMUTABLE = "java.util.CollSer";
 
   private static final int IMMUTABLE_SET = 2;
@@ -57,9 +60,9 @@ record ClassDescriptor(
   /**
    * Checks the beginning of a description.
    *
-   * @param fields how many there are
-   * @throws StreamCorruptedException if an object stream would read objects of this class otherwise
-   *     than it says
+   * @param fields number of fields
+   * @throws StreamCorruptedException if an object stream would read objects of this class
+   *     differently from the description
    */
   static void check(String name, int flags, int fields) throws StreamCorruptedException {
     if (!WITHOUT_FIELDS.contains(name)) {
@@ -74,10 +77,10 @@ record ClassDescriptor(
   }
 
   /**
-   * Checks a description as a whole.
+   * Checks a complete description.
    *
    * @throws StreamCorruptedException if its class is a record here, of which an object stream reads
-   *     the fields and nothing else, and the description says more
+   *     only the fields, and the description contains more
    */
   void check(LocalRecordClasses records) throws StreamCorruptedException {
     if ((has(NO_RECORD) || parent != null) && records.contains(name)) {
@@ -88,7 +91,8 @@ record ClassDescriptor(
   /**
    * The type code of an array's elements.
    *
-   * @throws StreamCorruptedException if it is no array: an object stream would read objects of it
+   * @throws StreamCorruptedException if it is not an array: an object stream would read objects of
+   *     it
    */
   char elementTypeCode() throws StreamCorruptedException {
     char code = name.length() > 1 && name.charAt(0) == '[' ? name.charAt(1) : ' ';
@@ -98,12 +102,12 @@ record ClassDescriptor(
     return code;
   }
 
-  /** With any of these bits. */
+  /** Whether any of these bits is set. */
   boolean has(int flag) {
     return (flags & flag) != 0;
   }
 
-  /** This class and those it extends, the outermost first, as a stream has their data. */
+  /** This class and its superclasses, the topmost first, in the order of their data in a stream. */
   Deque<ClassDescriptor> lineage() {
     Deque<ClassDescriptor> lineage = new ArrayDeque<>();
     for (ClassDescriptor form = this; form != null; form = form.parent) {
@@ -113,7 +117,7 @@ record ClassDescriptor(
   }
 
   /**
-   * What kind of hash table the objects of this class are.
+   * The kind of hash table of the objects of this class.
    *
    * @param collectionTag the lowest byte of the last of its primitive fields
    */
@@ -129,7 +133,7 @@ record ClassDescriptor(
 
   private HashTableKind immutable(int number) {
     if (primitiveBytes != Integer.BYTES) {
-      return HashTableKind.SET; // which of the fields says it is unknown: all may be hashed
+      return HashTableKind.SET; // it is unknown which field gives the kind: all may be hashed
     }
     return switch (number) {
       case IMMUTABLE_SET -> HashTableKind.SET;

@@ -10,8 +10,8 @@ import java.nio.ByteBuffer;
 import java.util.Arrays;
 
 /**
- * Keeps the bytes that are read from a stream. Its memory grows with the bytes that have come, not
- * with what they announce.
+ * Stores the bytes that are read from a stream. Its memory grows with the received bytes, not with
+ * the lengths that they declare.
  */
 final class ElementBuffer {
 
@@ -26,7 +26,7 @@ final class ElementBuffer {
     this.in = in;
   }
 
-  /** Forgets what was read so far. */
+  /** Discards all stored bytes. */
   void clear() {
     size = 0;
     if (bytes.length > CHUNK) {
@@ -34,7 +34,7 @@ final class ElementBuffer {
     }
   }
 
-  /** How many bytes are kept. */
+  /** The number of stored bytes. */
   int size() {
     return size;
   }
@@ -44,17 +44,17 @@ final class ElementBuffer {
     return bytes[index] & 0xFF;
   }
 
-  /** Copies kept bytes. */
+  /** Copies stored bytes. */
   void copy(int from, byte[] into, int at, int length) {
     System.arraycopy(bytes, from, into, at, length);
   }
 
-  /** The last bytes that were taken, as long as nothing more is. */
+  /** The last bytes read, valid until the next read. */
   InputStream last(int count) {
     return new ByteArrayInputStream(bytes, size - count, count);
   }
 
-  /** Whether the stream goes on; if so, a byte more is kept. */
+  /** Whether the stream continues; if so, stores one more byte. */
   boolean readIfAvailable() throws IOException {
     int value = in.read();
     if (value < 0) {
@@ -66,7 +66,7 @@ final class ElementBuffer {
   }
 
   /**
-   * Reads on.
+   * Reads and stores bytes.
    *
    * @throws EOFException if the stream ends before
    */
@@ -111,9 +111,9 @@ final class ElementBuffer {
   }
 
   /**
-   * A length that a stream announces.
+   * Checks a length that a stream declares.
    *
-   * @throws StreamCorruptedException if nothing can have it
+   * @throws StreamCorruptedException if the length is impossible
    */
   static int length(long announced) throws StreamCorruptedException {
     if (announced < 0 || announced > Integer.MAX_VALUE) {
@@ -122,7 +122,7 @@ final class ElementBuffer {
     return (int) announced;
   }
 
-  /** A string in modified UTF-8 with its length in two bytes before it. */
+  /** Reads a string in modified UTF-8, preceded by its length in two bytes. */
   String name() throws IOException {
     int from = size;
     read(unsignedShort());

@@ -15,16 +15,16 @@ import net.jini.jeri.ServerCapabilities;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A dispatcher that filters the arguments of every call before they are built: what an invocation
- * layer factory makes in {@code createInvocationDispatcher}. Only what the called method's own
- * parameters may hold is read.
+ * A dispatcher that filters the arguments of every call before they are deserialized. An invocation
+ * layer factory creates it in {@code createInvocationDispatcher}. Only types that the called
+ * method's parameters may contain are read.
  */
 public class FilteredInvocationDispatcher extends BasicInvocationDispatcher {
 
   private final Map<Method, MethodTypes> types = new ConcurrentHashMap<>();
 
   /**
-   * As {@link BasicInvocationDispatcher} has it.
+   * As the constructor of {@link BasicInvocationDispatcher}.
    *
    * @param methods the remote methods; the packages of their parameters are allowed too
    * @throws ExportException if the server's constraints cannot be met
@@ -39,7 +39,9 @@ public class FilteredInvocationDispatcher extends BasicInvocationDispatcher {
     super(methods, capabilities, server, permission, loader);
   }
 
-  /** The stream has its filter from the beginning; the context of the call keeps it. */
+  /**
+   * The stream has its filter from the beginning; the filter is stored in the context of the call.
+   */
   @Override
   @SuppressWarnings({"rawtypes", "unchecked"}) // as River declares it
   protected ObjectInputStream createMarshalInputStream(

@@ -6,7 +6,7 @@ import java.util.HashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** What a stream has had so far and may refer back to, by the numbers that it has there. */
+/** The elements of a stream that it may refer back to, by their handles. */
 final class HandleTable {
 
   private static final long UNFINISHED = 0;
@@ -16,12 +16,12 @@ final class HandleTable {
   private long[] costs = new long[64];
   private int size;
 
-  /** What has begun and not come to its end, the innermost last; some may have been aborted. */
+  /** Elements that have begun and not ended, the innermost last; some may have been aborted. */
   private int[] open = new int[32];
 
   private int opened;
 
-  /** Forgets everything: numbers begin with 0 again. */
+  /** Removes everything: handles start at 0 again. */
   void clear() {
     size = 0;
     opened = 0;
@@ -29,12 +29,12 @@ final class HandleTable {
     references.clear();
   }
 
-  /** How many numbers there are, which is the next. */
+  /** The number of handles, which is the next handle. */
   int size() {
     return size;
   }
 
-  /** Numbers something that begins. */
+  /** Assigns a handle to an element that begins. */
   int assign() {
     if (size == costs.length) {
       costs = Arrays.copyOf(costs, 2 * size);
@@ -48,27 +48,27 @@ final class HandleTable {
   }
 
   private void close(int handle) {
-    while (opened > 0 && open[opened - 1] >= handle) { // those after it were aborted
+    while (opened > 0 && open[opened - 1] >= handle) { // later ones were aborted
       opened--;
     }
   }
 
   /**
-   * Whether something has not come to its end and is not what is being read just now: it need not
-   * contain itself, since nobody may follow the reference in it that leads here.
+   * Whether an element has not ended and is not the one that is being read now. Such an element
+   * need not contain itself, since the reference in it that leads here may never be followed.
    */
   boolean isEnclosing(int handle) {
     return !forms.containsKey(handle) && costs[handle] == UNFINISHED && open[opened - 1] != handle;
   }
 
-  /** Notes what something costs that has come to its end; that cost. */
+  /** Records the traversal cost of an element that has ended; returns that cost. */
   long finish(int handle, long cost) {
     close(handle);
     costs[handle] = cost;
     return cost;
   }
 
-  /** What it costs to refer to something. */
+  /** The traversal cost of a reference to an element. */
   long cost(int handle) {
     if (forms.containsKey(handle)) {
       return TraversalCost.LEAF;
@@ -76,23 +76,23 @@ final class HandleTable {
     return costs[handle] == UNFINISHED ? TraversalCost.CYCLIC : costs[handle];
   }
 
-  /** Notes that a class has been described. */
+  /** Records the description of a class. */
   void describe(int handle, ClassDescriptor form) {
     close(handle);
     forms.put(handle, form);
   }
 
-  /** A class; null where there is something else, or its description has not come to its end. */
+  /** A class; null for other elements, or if its description has not ended. */
   @Nullable ClassDescriptor form(int handle) {
     return forms.get(handle);
   }
 
-  /** Notes that a string may be the type of a field that is a reference. */
+  /** Records that a string may be the type of a reference field. */
   void markReferenceType(int handle) {
     references.set(handle);
   }
 
-  /** Whether something is a string that may be the type of a field that is a reference. */
+  /** Whether an element is a string that may be the type of a reference field. */
   boolean isReferenceType(int handle) {
     return references.get(handle);
   }

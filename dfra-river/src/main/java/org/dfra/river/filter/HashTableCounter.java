@@ -7,18 +7,18 @@ import java.util.Deque;
  * Counts the hash tables of one stream, as far as a filter sees them.
  *
  * <p>Before {@code HashMap}, {@code HashSet}, {@code LinkedHashMap}, {@code LinkedHashSet}, {@code
- * Hashtable} and {@code Properties} make their table, they have the filter check an array of {@code
- * Map.Entry} with its capacity, at the depth of the table itself. Whatever is in the table is read
- * at a greater depth, and whatever follows the table begins with a check at its depth or a smaller
- * one. So a table counts as open until a check at its depth or less: tables beside each other are
- * never nested, and one in another always is.
+ * Hashtable} and {@code Properties} create their table, they have the filter check an array of
+ * {@code Map.Entry} with its capacity, at the depth of the table itself. The contents of the table
+ * are read at a greater depth, and the next object after the table begins with a check at its depth
+ * or a smaller one. So a table counts as open until a check at its depth or less: adjacent tables
+ * are never nested, and a table inside another always is.
  *
- * <p>A reference back to a table that was read before looks like any other reference here. {@link
+ * <p>To a filter, a reference back to an earlier table looks like any other reference. {@link
  * StreamScanner}, which reads the bytes, follows those too.
  */
 final class HashTableCounter {
 
-  /** Tables in one another: a table of tables is allowed, and no more. */
+  /** Nested tables: a table of tables is allowed, and no more. */
   static final int MAX_NESTING = 2;
 
   private final SerialLimits limits;
@@ -29,7 +29,7 @@ final class HashTableCounter {
     this.limits = limits;
   }
 
-  /** Notes that something else is read at this depth. */
+  /** Records that another object is read at this depth. */
   void reached(long depth) {
     while (!open.isEmpty() && depth <= open.element()) {
       open.remove();
@@ -37,11 +37,11 @@ final class HashTableCounter {
   }
 
   /**
-   * Counts a table whose check has come.
+   * Counts a table when its check arrives.
    *
    * @param depth of the table
    * @param buckets its capacity
-   * @throws RefusedDataException if it is in too many others or there are too many entries
+   * @throws RefusedDataException if it is nested too deeply or there are too many entries
    */
   void opened(long depth, long buckets) {
     if (limits.tableEntries() == Long.MAX_VALUE) {
@@ -55,7 +55,7 @@ final class HashTableCounter {
   }
 
   /**
-   * Compares with {@link #MAX_NESTING}.
+   * Checks against {@link #MAX_NESTING}.
    *
    * @throws RefusedDataException if there are more
    */

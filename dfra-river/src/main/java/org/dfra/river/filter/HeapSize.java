@@ -1,16 +1,16 @@
 package org.dfra.river.filter;
 
 /**
- * How many bytes of heap the objects of a stream take, estimated from above: a header of 16 bytes,
- * 8 bytes for a reference, sizes rounded up to multiples of 8. A virtual machine that compresses
- * references takes less.
+ * Estimates the heap size of the objects of a stream, in bytes, as an upper bound: a header of 16
+ * bytes, 8 bytes for a reference, sizes rounded up to multiples of 8. A virtual machine with
+ * compressed references uses less.
  */
 final class HeapSize {
 
   /** One reference. */
   static final long REFERENCE = 8;
 
-  /** An object with one field, which is how an object is counted whose fields are not known. */
+  /** An object with one field; used for objects with unknown fields. */
   static final long SMALL_OBJECT = 24;
 
   /** An entry of a hash table: its node, and its share of the table. */
@@ -21,20 +21,20 @@ final class HeapSize {
   private HeapSize() {}
 
   /**
-   * An object.
+   * The size of an object.
    *
    * @param primitiveBytes bytes of its primitive fields
-   * @param references its fields that are references
+   * @param references number of its reference fields
    */
   static long object(long primitiveBytes, long references) {
     return rounded(HEADER + primitiveBytes + REFERENCE * references);
   }
 
   /**
-   * An array.
+   * The size of an array.
    *
-   * @param element what it holds, by its type code in class names: {@code B}, {@code L}, ...
-   * @param length how many elements
+   * @param element its element type, by its type code in class names: {@code B}, {@code L}, ...
+   * @param length number of elements
    */
   static long array(char element, long length) {
     long width = isPrimitive(element) ? width(element) : REFERENCE;
@@ -42,7 +42,7 @@ final class HeapSize {
   }
 
   /**
-   * A string.
+   * The size of a string.
    *
    * @param bytes its length in a stream
    */
@@ -56,7 +56,7 @@ final class HeapSize {
   }
 
   /**
-   * Bytes of a value in a stream, at least one for a reference.
+   * The size of a value in a stream, at least one for a reference.
    *
    * @param code its type code in class names
    */

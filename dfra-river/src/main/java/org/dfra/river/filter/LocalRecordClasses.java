@@ -5,12 +5,15 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which of the classes that one stream describes are records in this virtual machine, as far as its
- * own class loader and that of the thread's context know them. Classes are found, not initialized.
+ * Determines which of the classes that one stream describes are records in this virtual machine, as
+ * far as its own class loader and that of the thread's context know them. Classes are found, not
+ * initialized.
  */
 final class LocalRecordClasses {
 
-  /** Classes that are looked for in vain, which takes longest; honest streams have a few. */
+  /**
+   * Maximum number of unknown classes, whose look-up takes longest; legitimate streams have a few.
+   */
   static final int UNKNOWN = 64;
 
   private final Map<String, Boolean> known = new HashMap<>();
@@ -19,8 +22,8 @@ final class LocalRecordClasses {
   /**
    * Whether a class is a record here.
    *
-   * @param name its name; empty for a proxy's
-   * @throws RefusedDataException if too many are not known here
+   * @param name its name; empty for a proxy
+   * @throws RefusedDataException if too many are unknown here
    */
   boolean contains(String name) {
     if (name.isEmpty() || name.startsWith("java.")) {
@@ -40,7 +43,7 @@ final class LocalRecordClasses {
   private boolean isRecord(String name, @Nullable ClassLoader loader) {
     try {
       return Class.forName(name, false, loader).isRecord();
-    } catch (ClassNotFoundException | LinkageError e) { // of somebody else's
+    } catch (ClassNotFoundException | LinkageError e) { // an unknown class
       unknown++;
       if (unknown > 2 * UNKNOWN) { // there are two loaders
         throw new RefusedDataException(

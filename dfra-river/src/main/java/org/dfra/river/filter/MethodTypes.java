@@ -16,13 +16,13 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * What the arguments of one remote method may hold.
+ * The types that the arguments of one remote method may contain.
  *
- * <p>Where all that a method's parameters can hold follows from their declarations, nothing else is
- * read: primitive values, values of the JDK, enums, records and final classes with what their
- * fields declare, all kinds of a sealed type, arrays and collections of these. Any other type may
- * have classes that are not known here. A method with such a parameter, or with such a field in
- * one, takes everything in {@link AllowedTypes}.
+ * <p>If the declarations of a method's parameters determine all types that they can contain, only
+ * those are read: primitive values, values of the JDK, enums, records and final classes with the
+ * types of their fields, all permitted subclasses of a sealed type, arrays and collections of
+ * these. Any other type may have subclasses that are unknown here. A method with such a parameter,
+ * or with such a field in one, accepts all types in {@link AllowedTypes}.
  */
 final class MethodTypes {
 
@@ -55,15 +55,15 @@ final class MethodTypes {
   }
 
   /**
-   * Derives it from the method's declaration.
+   * Derives the types from the method's declaration.
    *
-   * @param configured what may be read at all; the packages of the parameters are added
+   * @param configured the types that may be read at all; the packages of the parameters are added
    */
   static MethodTypes of(Method method, AllowedTypes configured) {
     return new MethodTypes(method, configured.with(Arrays.asList(method.getParameterTypes())));
   }
 
-  /** Whether its parameters may hold classes that do not follow from its declaration. */
+  /** Whether its parameters may contain classes that its declaration does not determine. */
   boolean acceptsUndeclaredTypes() {
     return closure.open;
   }
@@ -71,7 +71,7 @@ final class MethodTypes {
   /**
    * Checks one class.
    *
-   * @throws RefusedDataException if no argument of the method may hold it
+   * @throws RefusedDataException if no argument of the method may contain it
    */
   void check(Class<?> type) {
     types.check(type);
@@ -100,13 +100,13 @@ final class MethodTypes {
         || (type.getClassLoader() == null && VALUE_PACKAGES.contains(type.getPackageName()));
   }
 
-  /** The JDK's own collections, with what they write in place of themselves. */
+  /** The JDK's own collections, including their serial proxies. */
   private static boolean isCollection(Class<?> type) {
     return type == Object.class
         || (type.getClassLoader() == null && type.getPackageName().equals("java.util"));
   }
 
-  /** All types that can be reached from declared ones. */
+  /** All types that are reachable from declared ones. */
   private static final class Closure {
 
     private final Set<Class<?>> named = new HashSet<>();
@@ -126,7 +126,7 @@ final class MethodTypes {
         Arrays.stream(generic.getActualTypeArguments()).forEach(this::add);
       } else if (type instanceof WildcardType wildcard) {
         Arrays.stream(wildcard.getUpperBounds()).forEach(this::add);
-      } else { // a type variable, a generic class of another kind
+      } else { // a type variable, another generic class
         open = true;
       }
     }
@@ -148,7 +148,7 @@ final class MethodTypes {
 
     private void addFields(Class<?> type) {
       if (type.getClassLoader() == null || writesItself(type)) {
-        open = true; // what it writes does not follow from its fields
+        open = true; // its serial form does not follow from its fields
         return;
       }
       for (Field field : type.getDeclaredFields()) {

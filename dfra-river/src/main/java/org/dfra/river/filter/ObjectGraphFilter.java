@@ -5,14 +5,17 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Judges one stream: limits first, then every class it names. It counts, so each stream has its
- * own, and it is used by the thread that reads.
+ * Checks one stream: limits first, then every class in it. It has counters, so each stream has its
+ * own filter, which the reading thread uses.
  */
 class ObjectGraphFilter implements ObjectInputFilter {
 
   private static final System.Logger LOG = System.getLogger(ObjectGraphFilter.class.getName());
 
-  /** Of arrays that are compared element by element when they are read; honest ones have few. */
+  /**
+   * Limit for arrays that are compared element by element during deserialization; legitimate
+   * streams have few.
+   */
   private static final int CONSTRAINTS = 64;
 
   private static final String CONSTRAINT_PACKAGE = "net.jini.core.constraint";
@@ -36,7 +39,7 @@ class ObjectGraphFilter implements ObjectInputFilter {
       limits.checkHeap(arrays + HeapSize.SMALL_OBJECT * info.references());
       @Nullable Class<?> type = info.serialClass();
       checkObject(type);
-      if (type == null && info.arrayLength() >= 0) { // read as objects, whatever it is
+      if (type == null && info.arrayLength() >= 0) { // read as objects, whatever the type
         throw new RefusedDataException(
             "refused to read an array of a class that is not known here; put the class on the class"
                 + " path where it is read");
@@ -58,12 +61,12 @@ class ObjectGraphFilter implements ObjectInputFilter {
       return Status.ALLOWED;
     } catch (RefusedDataException e) {
       LOG.log(System.Logger.Level.WARNING, e.getMessage());
-      throw e; // the stream rejects and makes it the cause
+      throw e; // the stream rejects and uses it as the cause
     }
   }
 
   /**
-   * Anything at all that is not primitive.
+   * Checks any object that is not primitive.
    *
    * @param type its class, or null for a reference back
    * @throws RefusedDataException if nothing may be read now
@@ -71,7 +74,7 @@ class ObjectGraphFilter implements ObjectInputFilter {
   void checkObject(@Nullable Class<?> type) {}
 
   /**
-   * A class that the stream names.
+   * Checks a class in the stream.
    *
    * @throws RefusedDataException if it may not be read
    */
@@ -79,7 +82,10 @@ class ObjectGraphFilter implements ObjectInputFilter {
     types.check(type);
   }
 
-  /** An array is made before its elements have come: together they may claim what may come. */
+  /**
+   * Counts an array. It is allocated before its elements arrive, so all arrays together may claim
+   * at most the size limit of the stream.
+   */
   private void claim(Class<?> element, long length) {
     char code = element.descriptorString().charAt(0);
     claimed += length * HeapSize.width(code);

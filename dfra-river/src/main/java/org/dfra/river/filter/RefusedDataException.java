@@ -1,7 +1,7 @@
 package org.dfra.river.filter;
 
 /**
- * A graph was refused before it was built. It is the cause of the {@link
+ * An object graph was refused before it was deserialized. It is the cause of the {@link
  * java.io.InvalidClassException} that the reader gets.
  */
 public final class RefusedDataException extends SecurityException {

@@ -7,7 +7,7 @@ import net.jini.core.constraint.InvocationConstraints;
 import net.jini.io.UnsupportedConstraintException;
 import net.jini.jeri.InboundRequest;
 
-/** A request whose arguments are checked before any of them is built. */
+/** A request whose arguments are checked before any of them is deserialized. */
 final class ScannedInboundRequest implements InboundRequest {
 
   private final InboundRequest request;

@@ -6,7 +6,7 @@ import java.util.Collection;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.jeri.OutboundRequest;
 
-/** A request whose answer is checked before any of it is built. */
+/** A request whose response is checked before any of it is deserialized. */
 final class ScannedOutboundRequest implements OutboundRequest {
 
   private final OutboundRequest request;

@@ -7,8 +7,8 @@ import java.io.InvalidObjectException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An object stream's bytes, element by element, each after {@link StreamScanner} has judged it as a
- * whole.
+ * The bytes of an object stream, element by element. {@link StreamScanner} checks each complete
+ * element first.
  */
 final class ScannedStream extends InputStream {
 
@@ -18,7 +18,7 @@ final class ScannedStream extends InputStream {
   private final InputStream source;
   private final StreamScanner scanner;
   private int position; // in the scanner's element
-  private @Nullable IOException failure; // after which nothing more is read
+  private @Nullable IOException failure; // after it, nothing more is read
 
   private ScannedStream(InputStream source, SerialLimits limits) {
     this.source = source;
@@ -26,10 +26,10 @@ final class ScannedStream extends InputStream {
   }
 
   /**
-   * The same bytes.
+   * Returns the same bytes, checked.
    *
    * @param in an object stream from its first byte
-   * @param limits how much it may hold
+   * @param limits its limits
    */
   static InputStream of(InputStream in, SerialLimits limits) {
     return new ScannedStream(
@@ -76,7 +76,7 @@ final class ScannedStream extends InputStream {
     }
   }
 
-  /** Keeps what was read of an element from the reader. */
+  /** Discards the partial element, so that the reader does not get it. */
   private IOException failed(IOException e) {
     position = scanner.element().size();
     failure = e;

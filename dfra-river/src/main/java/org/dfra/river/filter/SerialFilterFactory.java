@@ -7,20 +7,21 @@ import org.jspecify.annotations.Nullable;
 /**
  * Gives every object stream of the virtual machine a filter (JEP 415).
  *
- * <p>What a stream reads from is not guessed: each has the network's limits, unless the thread that
- * makes it is {@linkplain SerialFilters#readStored reading what this computer stored}.
+ * <p>The source of a stream is not guessed: each has the network's limits, unless the thread that
+ * creates it is {@linkplain SerialFilters#readStored reading data that this computer stored}.
  *
- * <p>{@link SerialFilters#install()} puts it in place; a virtual machine whose main class is not
- * DFRA's gets it by {@code -Djdk.serialFilterFactory=org.dfra.river.filter.SerialFilterFactory}.
+ * <p>{@link SerialFilters#install()} installs it; a virtual machine whose main class is not DFRA's
+ * gets it by {@code -Djdk.serialFilterFactory=org.dfra.river.filter.SerialFilterFactory}.
  */
 public final class SerialFilterFactory implements BinaryOperator<@Nullable ObjectInputFilter> {
 
-  /** The JDK asks for this constructor when it is named by system property. */
+  /** The JDK requires this constructor when a system property names the class. */
   public SerialFilterFactory() {}
 
   /**
-   * @param current what the stream has, null while it is constructed
-   * @param next the virtual machine's filter while it is constructed, else what its owner sets
+   * @param current the stream's filter, null while it is constructed
+   * @param next the virtual machine's filter while it is constructed, else the filter that its
+   *     owner sets
    */
   @Override
   public ObjectInputFilter apply(
@@ -32,13 +33,13 @@ public final class SerialFilterFactory implements BinaryOperator<@Nullable Objec
     if (next == null) {
       return current;
     }
-    if (next instanceof ObjectGraphFilter) { // a call's: stands in for the general one
+    if (next instanceof ObjectGraphFilter) { // the filter of a call: replaces the general one
       return current instanceof Both both ? new Both(both.theirs(), next) : next;
     }
     return new Both(next, current);
   }
 
-  /** Refuses what one of two refuses; the owner's filter is asked first. */
+  /** Refuses what one of two filters refuses; the owner's filter is called first. */
   private record Both(ObjectInputFilter theirs, ObjectInputFilter ours)
       implements ObjectInputFilter {
     @Override

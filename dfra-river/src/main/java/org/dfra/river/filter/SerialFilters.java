@@ -19,15 +19,15 @@ import org.jspecify.annotations.Nullable;
  * <p>System properties: {@code dfra.serial.allow} lists further classes and packages, and {@code
  * dfra.serial.depth}, {@code .references}, {@code .bytes}, {@code .array}, {@code .heap} and {@code
  * .table} replace limits for everything that comes from the network. {@code dfra.serial.jrmp=true}
- * allows references to objects exported by JRMP, for programs that use any. They are read once.
+ * allows references to objects exported by JRMP, for programs that use them. They are read once.
  */
 public final class SerialFilters {
 
   /**
-   * Something that reads object streams.
+   * An action that reads object streams.
    *
-   * @param <T> what was read
-   * @param <E> what it throws if it cannot be read
+   * @param <T> its result
+   * @param <E> its exception if reading fails
    */
   @FunctionalInterface
   public interface ReadAction<T extends @Nullable Object, E extends Exception> {
@@ -36,25 +36,25 @@ public final class SerialFilters {
     T read() throws E;
   }
 
-  /** Makes the object stream that reads a request's answer, as JERI's invocation handlers do. */
+  /** Opens the object stream that reads a request's response, as JERI's invocation handlers do. */
   @FunctionalInterface
   public interface StreamOpener {
 
     /**
-     * Makes it.
+     * Opens the stream.
      *
-     * @param request whose answer is to be read
+     * @param request whose response is to be read
      */
     ObjectInputStream open(OutboundRequest request) throws IOException;
   }
 
-  /** What the current thread's streams read from; empty for the network. */
+  /** The limits of the current thread's streams; empty for the network. */
   private static final ThreadLocal<@Nullable SerialLimits> SCOPE = new ThreadLocal<>();
 
   private SerialFilters() {}
 
   /**
-   * The options with which another virtual machine of DFRA filters alike: a child inherits none.
+   * The options that give another virtual machine of DFRA the same filters: a child inherits none.
    */
   public static List<String> options() {
     return System.getProperties().stringPropertyNames().stream()
@@ -64,7 +64,7 @@ public final class SerialFilters {
         .toList();
   }
 
-  /** What is configured; read when it is first needed, so that a main can set it before. */
+  /** The configuration; read at first use, so that a main can set it before. */
   private static final class ConfiguredFilters {
     static final AllowedTypes TYPES =
         AllowedTypes.parse(System.getProperty("dfra.serial.allow", ""), flag("dfra.serial.jrmp"));
@@ -82,12 +82,12 @@ public final class SerialFilters {
   }
 
   /**
-   * Filters every object stream that this virtual machine reads from now on. The first line of a
-   * main: once a stream was read, the JDK takes no filter factory any more. Doing it again does
-   * nothing.
+   * Filters every object stream that this virtual machine reads from now on. Call it in the first
+   * line of a main: after the first stream, the JDK accepts no filter factory any more. Does
+   * nothing the second time.
    *
-   * @throws IllegalStateException if it is too late or another factory is in place
-   * @throws IllegalArgumentException if a {@code dfra.serial} property makes no sense
+   * @throws IllegalStateException if it is too late or another factory is installed
+   * @throws IllegalArgumentException if a {@code dfra.serial} property is invalid
    */
   public static synchronized void install() {
     checkConfiguration();
@@ -121,13 +121,13 @@ public final class SerialFilters {
   }
 
   /**
-   * Opens the object stream that the result of a call is read from: its bytes are checked before
-   * anything of them is built, and its filter is that of the method.
+   * Opens the object stream of a call's result: its bytes are checked before anything is
+   * deserialized, and it has the filter of the method.
    *
    * @param request the call
    * @param method the method called; the package of its result is allowed too
-   * @param opening makes the stream that reads the answer of the request that it is given
-   * @throws IOException what {@code opening} throws
+   * @param opening opens the stream that reads the response to the request
+   * @throws IOException as {@code opening} does
    */
   public static ObjectInputStream openResult(
       OutboundRequest request, Method method, StreamOpener opening) throws IOException {
@@ -135,9 +135,9 @@ public final class SerialFilters {
   }
 
   /**
-   * The same.
+   * As {@link #openResult(OutboundRequest, Method, StreamOpener)}, with other limits.
    *
-   * @param limits how large the result may be
+   * @param limits maximum size of the result
    */
   public static ObjectInputStream openResult(
       OutboundRequest request, Method method, SerialLimits limits, StreamOpener opening)
@@ -149,14 +149,14 @@ public final class SerialFilters {
     return in;
   }
 
-  /** How large the result of a call may be where nothing else is said. */
+  /** The default limits of a call's result. */
   public static SerialLimits resultLimits() {
     return ConfiguredFilters.STREAM;
   }
 
   /**
-   * The same bytes, checked as those of a call's answer are: each element of the object stream as a
-   * whole, before it is passed on.
+   * Returns the same bytes, checked like those of a call's response: each complete element of the
+   * object stream before it is passed on.
    *
    * @param in an object stream from its first byte
    */
@@ -165,7 +165,7 @@ public final class SerialFilters {
   }
 
   /**
-   * Reads a file: what this computer wrote itself, such as a journal.
+   * Applies the limits of a file that this computer wrote itself, such as a journal.
    *
    * @param in a stream that nothing was read from
    */
@@ -175,13 +175,13 @@ public final class SerialFilters {
   }
 
   /**
-   * Checks what a marshalled object holds before it is unpacked, with the limits of a stream that
-   * the current thread would make now. Those in calls and in their results were checked as they
-   * came.
+   * Checks the contents of a marshalled object before it is unmarshalled, with the limits of a
+   * stream that the current thread would open now. Marshalled objects in calls and in their results
+   * were already checked on arrival.
    *
    * @param marshalled a {@code MarshalledObject} or {@code MarshalledInstance}
-   * @throws RefusedDataException if it may not be unpacked
-   * @throws IOException if it cannot be
+   * @throws RefusedDataException if it may not be unmarshalled
+   * @throws IOException if it cannot be unmarshalled
    */
   public static void check(Serializable marshalled) throws IOException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
@@ -201,12 +201,12 @@ public final class SerialFilters {
     return scope == null ? ConfiguredFilters.STREAM : scope;
   }
 
-  /** How large the arguments of one call may be. */
+  /** The limits of the arguments of one call. */
   static SerialLimits callLimits() {
     return ConfiguredFilters.CALL;
   }
 
-  /** What the arguments of a method may hold. */
+  /** The types that the arguments of a method may contain. */
   static MethodTypes argumentsOf(Method method) {
     return MethodTypes.of(method, ConfiguredFilters.TYPES);
   }
@@ -215,18 +215,21 @@ public final class SerialFilters {
     return new ObjectGraphFilter(ConfiguredFilters.CALL, types);
   }
 
-  /** For a stream that the current thread makes now: the network's, unless its scope is another. */
+  /**
+   * A filter for a stream that the current thread opens now: with the network's limits, unless its
+   * scope has others.
+   */
   static ObjectGraphFilter newStreamFilter() {
     return new ObjectGraphFilter(scope(), ConfiguredFilters.TYPES);
   }
 
   /**
-   * Reads with the limits of what this computer wrote itself: object streams that the current
-   * thread makes meanwhile may be as large as a file. For code that makes its streams itself, such
-   * as a lookup service that recovers from its log.
+   * Reads with the limits of data that this computer wrote itself: object streams that the current
+   * thread opens meanwhile may be as large as a file. For code that opens its own streams, such as
+   * a lookup service that recovers from its log.
    *
-   * @param reading what reads; nothing of it may come from the network
-   * @throws E what {@code reading} throws
+   * @param reading the action; none of its data may come from the network
+   * @throws E as {@code reading} does
    */
   public static <T extends @Nullable Object, E extends Exception> T readStored(
       ReadAction<T, E> reading) throws E {
@@ -234,10 +237,10 @@ public final class SerialFilters {
   }
 
   /**
-   * Reads an answer to unicast discovery: object streams that the current thread makes meanwhile
+   * Reads a response of unicast discovery: object streams that the current thread opens meanwhile
    * have the limits {@link SerialLimits#DISCOVERY_RESPONSE}.
    *
-   * @throws E what {@code reading} throws
+   * @throws E as {@code reading} does
    */
   public static <T extends @Nullable Object, E extends Exception> T readDiscoveryResponse(
       ReadAction<T, E> reading) throws E {

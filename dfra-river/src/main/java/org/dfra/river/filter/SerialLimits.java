@@ -4,20 +4,20 @@ import java.io.ObjectInputFilter.FilterInfo;
 import java.util.Properties;
 
 /**
- * How large a serialized graph may be.
+ * The size limits of a serialized object graph.
  *
- * @param depth nested objects
+ * @param depth depth of nested objects
  * @param references objects and back references in one stream
  * @param bytes bytes of one stream, and bytes that its arrays may claim together
  * @param arrayLength elements of one array
- * @param heap bytes that what one stream builds may take on the heap, as {@link HeapSize} estimates
- * @param tableEntries entries of all hash tables of one stream together. Keys whose hash codes are
- *     equal cost its square
+ * @param heap heap bytes of all objects of one stream, as {@link HeapSize} estimates them
+ * @param tableEntries entries of all hash tables of one stream together. Keys with equal hash codes
+ *     cost its square
  */
 public record SerialLimits(
     long depth, long references, long bytes, long arrayLength, long heap, long tableEntries) {
 
-  /** For the arguments of one call: DFRA's own have no hash tables at all. */
+  /** For the arguments of one call: DFRA's own calls have no hash tables. */
   public static final SerialLimits CALL =
       new SerialLimits(24, 200_000, 8 << 20, 4 << 20, 16 << 20, 4_096);
 
@@ -29,20 +29,20 @@ public record SerialLimits(
       new SerialLimits(24, 4_000_000, 64 << 20, 4 << 20, 160 << 20, 16_384);
 
   /**
-   * For the answer to unicast discovery, which anybody may give. That of a robot's registrar has 2
-   * kB.
+   * For the response of unicast discovery, which any host may send. That of a robot's registrar has
+   * 2 kB.
    */
   public static final SerialLimits DISCOVERY_RESPONSE =
       new SerialLimits(24, 4_096, 64 << 10, 64 << 10, 1 << 20, 256);
 
   /**
-   * For the report of a phoenix that was ordered to stop its effectors, which anybody may give.
-   * That of a thousand effectors has about 150 kB.
+   * For the report of a phoenix that was requested to stop its effectors, which any program may
+   * send. That of a thousand effectors has about 150 kB.
    */
   public static final SerialLimits STOP_REPORT =
       new SerialLimits(24, 65_536, 1 << 20, 4_096, 8 << 20, 64);
 
-  /** For what this host wrote itself, such as phoenix's journal or a registrar's snapshot. */
+  /** For data that this host wrote itself, such as phoenix's journal or a registrar's snapshot. */
   public static final SerialLimits STORED =
       new SerialLimits(
           24, Long.MAX_VALUE, Long.MAX_VALUE, 16 << 20, Long.MAX_VALUE, Long.MAX_VALUE);
@@ -71,11 +71,11 @@ public record SerialLimits(
   }
 
   /**
-   * These limits, those changed that are set.
+   * Replaces the limits that are set.
    *
    * @param properties {@code dfra.serial.depth}, {@code .references}, {@code .bytes}, {@code
    *     .array}, {@code .heap} and {@code .table}
-   * @throws IllegalArgumentException if one is no whole number above 0
+   * @throws IllegalArgumentException if one is not a whole number above 0
    */
   SerialLimits with(Properties properties) {
     return new SerialLimits(
@@ -99,16 +99,16 @@ public record SerialLimits(
         return number;
       }
     } catch (NumberFormatException e) {
-      // told below
+      // reported below
     }
     throw new IllegalArgumentException(
         key + " = \"" + text + "\" is no whole number above 0; mend the system property");
   }
 
   /**
-   * Compares a stream's progress with the limits.
+   * Checks a stream's progress against the limits.
    *
-   * @throws RefusedDataException if it is beyond one of them
+   * @throws RefusedDataException if it exceeds one of them
    */
   void check(FilterInfo info) {
     atMost(info.depth(), depth, "objects nested", "dfra.serial.depth");
@@ -118,17 +118,17 @@ public record SerialLimits(
   }
 
   /**
-   * Compares what a stream builds with the limit.
+   * Checks the heap size of a stream's objects against the limit.
    *
    * @param built bytes on the heap
-   * @throws RefusedDataException if it is more
+   * @throws RefusedDataException if it is larger
    */
   void checkHeap(long built) {
     atMost(built, heap, "bytes on the heap", "dfra.serial.heap");
   }
 
   /**
-   * Compares the hash tables of a stream with the limit.
+   * Checks the hash tables of a stream against the limit.
    *
    * @param entries of all of them together
    * @throws RefusedDataException if there are more

@@ -1,18 +1,21 @@
 package org.dfra.river.filter;
 
-/** Compares what one stream has used up with its limits. */
+/** Counts the resources that one stream uses and checks them against its limits. */
 final class StreamBudget {
 
-  /** An honest key is a string, an identity, or a record of a few. */
+  /** A legitimate key is a string, an identity, or a record of a few. */
   static final int STEPS_PER_ENTRY = 16;
 
-  /** Around a cycle a walk goes until its stack is full; not all that has one is in it. */
+  /**
+   * A walk around a cycle continues until its stack is full; not every object with a cycle is in
+   * it.
+   */
   private static final int ROUNDS = 16;
 
-  /** So often the visits are doubled at the most, which is more than any stream may have. */
+  /** Maximum number of doublings of the visits, which is more than any stream may have. */
   private static final int DOUBLINGS = 16;
 
-  /** Visits beyond one for each byte on the heap; of honest objects few are shared. */
+  /** Visits beyond one for each byte on the heap; legitimate streams share few objects. */
   private static final long MORE_VISITS = 1 << 20;
 
   private final SerialLimits limits;
@@ -28,7 +31,7 @@ final class StreamBudget {
     this.limits = limits;
   }
 
-  /** Compares how deep objects are in one another. */
+  /** Checks the depth of nested objects. */
   void depth(int depth) {
     SerialLimits.atMost(depth, limits.depth(), "objects nested", "dfra.serial.depth");
   }
@@ -39,16 +42,16 @@ final class StreamBudget {
     SerialLimits.atMost(references, limits.references(), "objects", "dfra.serial.references");
   }
 
-  /** Counts what is built, in bytes on the heap. */
+  /** Counts deserialized objects, in bytes on the heap. */
   void countHeap(long bytes) {
     heap += bytes;
     limits.checkHeap(heap);
   }
 
   /**
-   * Counts an array, which may be made before its elements have come.
+   * Counts an array, which may be allocated before its elements arrive.
    *
-   * @param element the type code of what it holds
+   * @param element the type code of its elements
    */
   void array(char element, int length) {
     SerialLimits.atMost(length, limits.arrayLength(), "elements in one array", "dfra.serial.array");
@@ -58,14 +61,14 @@ final class StreamBudget {
   }
 
   /**
-   * Counts a reference to an object around the one that is being read. What that costs is not known
-   * yet, and may be as much as all that has come by then.
+   * Counts a reference to an object around the one that is being read. Its cost is not yet known,
+   * and may be as much as everything read by then.
    */
   void countEnclosingReference() {
     around = Math.min(around + 1, DOUBLINGS);
   }
 
-  /** Counts what a walk through an object visits that has this {@link TraversalCost}. */
+  /** Counts the visits of a walk through an object with this {@link TraversalCost}. */
   void countTraversal(long cost) {
     walked += (TraversalCost.visits(cost) * (TraversalCost.isCyclic(cost) ? ROUNDS : 1)) << around;
     long most = heap + MORE_VISITS;

@@ -9,29 +9,33 @@ import org.dfra.river.filter.ClassDescriptor.HashTableKind;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads the bytes of an object stream one element at a time and judges them before an object stream
- * builds anything: depth, objects, bytes on the heap, and hash tables.
+ * Reads the bytes of an object stream one element at a time and checks them before an object stream
+ * deserializes anything: depth, objects, bytes on the heap, and hash tables.
  *
- * <p>A filter of the JDK cannot bound what hash tables cost. It sees neither strings, nor which
- * objects are keys, nor where a reference back leads, and an object that refers twice to one that
- * refers twice to another, and so on, has a hash code that takes two to the power of their number
- * to compute. Here all of that is known. {@link TraversalCost} follows references back; keys may
- * cost as many steps together as there may be entries, times {@link StreamBudget#STEPS_PER_ENTRY}.
- * What is no key may be compared or shown later, so a walk through the whole stream is bounded too.
+ * <p>A filter of the JDK cannot bound the cost of hash tables. It sees neither strings, nor which
+ * objects are keys, nor the target of a back reference. The hash code of an object that refers
+ * twice to an object that refers twice to another, and so on, takes two to the power of their
+ * number of steps. Here all of that is known. {@link TraversalCost} follows back references. All
+ * keys together may cost as many steps as there may be entries, times {@link
+ * StreamBudget#STEPS_PER_ENTRY}. An object that is not a key may be compared or printed later, so a
+ * walk through the whole stream is bounded too.
  *
- * <p>An element is a block of primitive data or an object with all that it refers to. It is kept
- * until it has come as a whole: a call that stalls costs the bytes that it has sent, not what its
- * arrays announce. Source: Java Object Serialization Specification, chapter 6.
+ * <p>An element is a block of primitive data or an object with everything that it refers to. It is
+ * stored until it has arrived completely: a call that stalls costs the bytes that it has sent, not
+ * the lengths that its arrays declare. Source: Java Object Serialization Specification, chapter 6.
  */
 final class StreamScanner implements ObjectStreamConstants {
 
-  /** Characters that are compared in one step, about. */
+  /** Characters that are compared in one step, approximately. */
   private static final int CHARACTERS_PER_STEP = 16;
 
   private static final int HEADER = 4;
   private static final String ENDPOINT = "net.jini.jeri.BasicObjectEndpoint";
 
-  /** A marshalled object holds a stream, which is judged as it comes, not when it is unpacked. */
+  /**
+   * A marshalled object contains a stream, which is checked on arrival, not when it is
+   * unmarshalled.
+   */
   private static final int STREAMS_IN_ONE_ANOTHER = 8;
 
   private final ElementBuffer in;
@@ -67,8 +71,8 @@ final class StreamScanner implements ObjectStreamConstants {
    * Reads the next element.
    *
    * @return whether there was one
-   * @throws RefusedDataException if it is beyond a limit
-   * @throws StreamCorruptedException if it is no element of an object stream
+   * @throws RefusedDataException if it exceeds a limit
+   * @throws StreamCorruptedException if it is not an element of an object stream
    */
   boolean next() throws IOException {
     in.clear();
@@ -87,13 +91,13 @@ final class StreamScanner implements ObjectStreamConstants {
       } else if (!isBlock(tag)) {
         budget.countTraversal(content(tag));
       }
-    } catch (AbortedException e) { // the element ends with what went wrong at the writer
-      depth = 0; // whose numbers go on, as they do for an object stream
+    } catch (AbortedException e) { // the element ends with the exception that the writer got
+      depth = 0; // its handles continue, as they do for an object stream
     }
     return true;
   }
 
-  /** What the writer could not write; its exception has come instead. */
+  /** An object that the writer could not write; its exception was sent instead. */
   private static final class AbortedException extends IOException {
     private static final long serialVersionUID = 1L;
   }
@@ -116,7 +120,7 @@ final class StreamScanner implements ObjectStreamConstants {
     return false;
   }
 
-  /** Reads an object of any kind; what it costs. */
+  /** Reads an object of any kind; returns its traversal cost. */
   private long content() throws IOException {
     return content(in.unsignedByte());
   }
@@ -146,7 +150,7 @@ final class StreamScanner implements ObjectStreamConstants {
   }
 
   private AbortedException aborted() throws IOException {
-    if (aborting) { // no writer does that, and it could go on beyond this thread's stack
+    if (aborting) { // no writer does that, and it could overflow this thread's stack
       throw new StreamCorruptedException("an exception of the writer in another one");
     }
     aborting = true;
@@ -156,7 +160,7 @@ final class StreamScanner implements ObjectStreamConstants {
     return new AbortedException();
   }
 
-  /** Reads the number of something that has been before. */
+  /** Reads the handle of an earlier element. */
   private int reference() throws IOException {
     int handle = in.integer() - baseWireHandle;
     if (handle < 0 || handle >= handles.size()) {
@@ -220,7 +224,7 @@ final class StreamScanner implements ObjectStreamConstants {
     return handles.finish(handle, cost);
   }
 
-  /** Judges the last bytes, if they begin as an object stream does. */
+  /** Checks the last bytes, if they begin like an object stream. */
   private void marshalled(int length) throws IOException {
     DataInputStream bytes = new DataInputStream(in.last(length));
     if (length < HEADER
@@ -267,7 +271,7 @@ final class StreamScanner implements ObjectStreamConstants {
     return handles.finish(handle, cost);
   }
 
-  /** What an object has written that writes all of itself. */
+  /** Reads the data of an externalizable object; returns its traversal cost. */
   private long external(ClassDescriptor form) throws IOException {
     if (!form.has(SC_BLOCK_DATA)) {
       throw new StreamCorruptedException(
@@ -277,7 +281,7 @@ final class StreamScanner implements ObjectStreamConstants {
     return annotation(HashTableKind.NONE);
   }
 
-  /** What one class of an object's lineage has written. */
+  /** Reads the data of one class of an object's lineage; returns its traversal cost. */
   private long data(ClassDescriptor form) throws IOException {
     budget.countHeap(HeapSize.object(form.primitiveBytes(), form.references()));
     in.read(form.primitiveBytes());
@@ -296,7 +300,10 @@ final class StreamScanner implements ObjectStreamConstants {
     return form.has(SC_WRITE_METHOD) ? TraversalCost.sum(cost, annotation(table)) : cost;
   }
 
-  /** What a class has written by itself, to its end: blocks and objects. */
+  /**
+   * Reads the data that a class has written by itself, to its end: blocks and objects. Returns its
+   * traversal cost.
+   */
   private long annotation(HashTableKind table) throws IOException {
     long sum = TraversalCost.LEAF;
     int count = 0;
@@ -353,7 +360,7 @@ final class StreamScanner implements ObjectStreamConstants {
     in.read(Long.BYTES);
     int flags = in.unsignedByte();
     int fields = (short) in.unsignedShort();
-    if (fields < 0) { // which an object stream takes for none
+    if (fields < 0) { // an object stream treats that as none
       throw new StreamCorruptedException(name + " with " + fields + " fields");
     }
     ClassDescriptor.check(name, flags, fields);
@@ -374,7 +381,7 @@ final class StreamScanner implements ObjectStreamConstants {
     return described(handle, name, flags, primitives, others);
   }
 
-  /** Reads the type of a field that is a reference: that of a value would be believed. */
+  /** Reads the type of a reference field: a back reference to another value would be accepted. */
   private void type() throws IOException {
     int tag = in.unsignedByte();
     int handle = handles.size();

@@ -1,23 +1,24 @@
 /**
- * Deserialization filters: what a stranger may make this virtual machine build.
+ * Deserialization filters: they limit the objects that data from unknown clients may create in this
+ * virtual machine.
  *
  * <pre>
- *   call arguments --&gt; FilteredInvocationDispatcher --&gt; StreamScanner --&gt; CallFilter: MethodTypes
- *   call results ----&gt; DeadlineInvocationHandler -----&gt; StreamScanner --&gt; ObjectGraphFilter
- *   MarshalledInstance, events, lookup results,               | bytes: limits, hash tables,
- *   anything else ---&gt; SerialFilterFactory -------------------+-------&gt; ObjectGraphFilter
- *                      (SerialFilters.install())              |            | classes: AllowedTypes
- *                                                             v            v
- *                                                RefusedDataException, nothing is built
+ *   arguments -&gt; FilteredInvocationDispatcher -&gt; StreamScanner -&gt; CallFilter: MethodTypes
+ *   results ---&gt; DeadlineInvocationHandler ----&gt; StreamScanner -&gt; ObjectGraphFilter
+ *   MarshalledInstance, events, lookup,               | bytes: limits, hash tables
+ *   anything else -&gt; SerialFilterFactory -------------+---------&gt; ObjectGraphFilter
+ *                    (SerialFilters.install())        |              | classes: AllowedTypes
+ *                                                     v              v
+ *                                        RefusedDataException, nothing is deserialized
  * </pre>
  *
- * <p>What marshalled objects in a call or in its result hold is checked with them, since River
- * unpacks those by itself later; what else brings any has {@link
- * org.dfra.river.filter.SerialFilters#check} look first.
+ * <p>The contents of marshalled objects in a call or in its result are checked together with it,
+ * since River unmarshals them later without a check. Other code that receives marshalled objects
+ * first calls {@link org.dfra.river.filter.SerialFilters#check}.
  *
- * <p>Every stream has the network's limits. What reads a file says so: {@link
+ * <p>Every stream has the network's limits. Code that reads a file must declare it: {@link
  * org.dfra.river.filter.SerialFilters#guardStored} for a stream, {@link
- * org.dfra.river.filter.SerialFilters#readStored} around code that makes its streams itself.
+ * org.dfra.river.filter.SerialFilters#readStored} around code that opens its own streams.
  *
  * <p>Enter at {@link org.dfra.river.filter.SerialFilters}. The package is part of the {@code -dl}
  * jar, since a downloaded proxy filters its results too: it needs the JDK and River only.

@@ -31,8 +31,8 @@ import org.dfra.river.remote.LeaseRevokedException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Lets the leases of a module's {@link LeaseRegistry} be held over the network: River's landlord,
- * whose memory the book is.
+ * Grants the leases of a module's {@link LeaseRegistry} to remote clients: a River landlord that
+ * stores its leases in that registry.
  *
  * <p>Entries of component {@value #COMPONENT} in the module's Jini configuration: {@code
  * longestLease} and {@code defaultLease}, in milliseconds.
@@ -41,10 +41,10 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
 
   private static final String COMPONENT = "org.dfra.river.lease";
 
-  /** Above what listeners may have, each of which holds one. */
+  /** Above the limit of listeners, each of which holds one. */
   private static final PeerQuota.QuotaLimits LIMITS = new PeerQuota.QuotaLimits(256, 1024, 4096);
 
-  /** Leases that are renewed or cancelled in one call. */
+  /** Maximum number of leases that are renewed or cancelled in one call. */
   private static final int MAX_LEASES_PER_CALL = 1024;
 
   private final String module;
@@ -56,9 +56,10 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
 
   /**
    * @param module the module's path, {@code robot/name}
-   * @param book where its leases are written down
+   * @param book the registry of its leases
    * @param exporter exports the landlord while it is started
-   * @param host address or name that the module's proxies carry: clients there are on this computer
+   * @param host address or name that the module's proxies carry: clients at that address are on
+   *     this computer
    */
   public ModuleLandlord(String module, LeaseRegistry book, Exporter exporter, String host) {
     this.module = module;
@@ -69,9 +70,9 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
   }
 
   /**
-   * What leases a module's Jini configuration wants to be granted.
+   * Reads the lease terms of a module's Jini configuration.
    *
-   * @throws ConfigurationException if a lease is set to less than a millisecond, or the usual one
+   * @throws ConfigurationException if a lease is set to less than a millisecond, or the default one
    *     is longer than the longest
    */
   public static LeaseTerms terms(Configuration configuration) throws ConfigurationException {
@@ -94,14 +95,14 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
     return millis;
   }
 
-  /** Exports the landlord. Before this it grants nothing. */
+  /** Exports the landlord. Before that it grants nothing. */
   public void start() throws RemoteException {
     if (factory == null) {
       factory = new LeaseFactory((Landlord) exporter.export(this), UuidFactory.generate());
     }
   }
 
-  /** Grants and renews nothing any more. The book stays as it is, and is its owner's to close. */
+  /** Stops granting and renewing leases. The registry is unchanged; its owner closes it. */
   @Override
   public void close() {
     if (factory != null) {
@@ -111,13 +112,13 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
   }
 
   /**
-   * Grants a lease, to the client whose remote call is under way on this thread.
+   * Grants a lease to the client of the remote call that runs on this thread.
    *
-   * @param duration how long, in milliseconds; {@link Lease#ANY} for the module's choice
-   * @param onExpired run once when it has expired or was revoked
+   * @param duration in milliseconds; {@link Lease#ANY} for the module's default
+   * @param onExpired runs once when it has expired or was revoked
    * @throws LeaseRefusedException if it is longer than allowed, not above zero, the landlord is not
-   *     started, or the client holds as many as it may. A commander's lease is not counted: there
-   *     is one at most
+   *     started, or the client has reached its limit. A commander's lease is not counted: there is
+   *     one at most
    */
   public Lease grant(long duration, LeaseRole holder, Runnable onExpired)
       throws LeaseRefusedException {
@@ -125,9 +126,9 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
   }
 
   /**
-   * The same.
+   * As {@link #grant(long, LeaseRole, Runnable)}, with a callback for cancellation.
    *
-   * @param onCancelled run once when its holder gives it back
+   * @param onCancelled runs once when its holder cancels it
    */
   public Lease grant(long duration, LeaseRole holder, Runnable onExpired, Runnable onCancelled)
       throws LeaseRefusedException {
@@ -183,7 +184,10 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
     second.run();
   }
 
-  /** Where the call under way on this thread came from; null where its transport does not tell. */
+  /**
+   * The address of the client of the call that runs on this thread; null if its transport does not
+   * report it.
+   */
   public static @Nullable String clientHost() {
     return RemoteCaller.current()
         .map(RemoteCaller::address)
@@ -224,7 +228,7 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
     return new UUID(cookie.getMostSignificantBits(), cookie.getLeastSignificantBits());
   }
 
-  /** What a lease is named by in the module's {@link LeaseRegistry}: a secret of its holder. */
+  /** The ID of a lease in the module's {@link LeaseRegistry}: a secret of its holder. */
   public static UUID id(Lease lease) {
     return id(((net.jini.id.ReferentUuid) lease).getReferentUuid());
   }
@@ -252,7 +256,7 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
     return LandlordUtil.cancelAll(this, cookies);
   }
 
-  /** Each that is not known costs an exception with its stack trace, also in the answer. */
+  /** Each unknown lease costs an exception with its stack trace, also in the response. */
   private void checkCount(Uuid[] cookies) {
     if (cookies.length > MAX_LEASES_PER_CALL) {
       throw new IllegalArgumentException(

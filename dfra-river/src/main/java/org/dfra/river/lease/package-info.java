@@ -1,4 +1,4 @@
-/** Leases: for how long a client counts as one. Built on River's landlord. */
+/** Leases: how long a module counts a client. Built on River's landlord. */
 @NullMarked
 package org.dfra.river.lease;
 

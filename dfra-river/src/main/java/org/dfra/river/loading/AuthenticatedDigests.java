@@ -7,20 +7,20 @@ import org.jspecify.annotations.Nullable;
 /**
  * The digests that an authenticated peer vouches for while one of its messages is read.
  *
- * <p>A secure endpoint opens a scope around the reading of a call's arguments or result, once it
- * knows who the peer is, that this peer may bring code, and that nobody can alter the connection;
- * it passes on the codebase annotations of that stream alone, not those of marshalled objects in
- * it, which are a third party's words:
+ * <p>A secure endpoint opens a scope around the reading of a call's arguments or result. First it
+ * must know the peer's identity, that this peer may supply code, and that the connection is
+ * protected against changes. It passes on only the codebase annotations of that stream, not those
+ * of marshalled objects in it, which are third-party data:
  *
  * <pre>
  *   try (var scope = AuthenticatedDigests.open(principal)) {
  *     scope.vouch(annotation); // in readAnnotation() of the stream
- *     ...                      // resolveClass() asks the class provider in this thread
+ *     ...                      // resolveClass() calls the class provider in this thread
  *   }
  * </pre>
  *
- * <p>Plain TCP authenticates nobody and must never open one. A scope belongs to the thread that
- * opened it; an inner scope hides the outer one until it is closed.
+ * <p>Plain TCP does not authenticate the peer and must never open a scope. A scope belongs to the
+ * thread that opened it; an inner scope hides the outer one until it is closed.
  */
 public final class AuthenticatedDigests {
 
@@ -29,9 +29,9 @@ public final class AuthenticatedDigests {
   private AuthenticatedDigests() {}
 
   /**
-   * Opens a scope in this thread, in which nothing is vouched for yet.
+   * Opens a scope in this thread, without any digests yet.
    *
-   * @param peer who it is, for the log
+   * @param peer its identity, for the log
    */
   public static Scope open(String peer) {
     Scope scope = new Scope(peer, CURRENT.get());
@@ -39,13 +39,13 @@ public final class AuthenticatedDigests {
     return scope;
   }
 
-  /** Who vouches for a digest in this thread now, or null if nobody does. */
+  /** The peer that vouches for a digest in this thread now, or null if there is none. */
   static @Nullable String voucher(String digest) {
     Scope scope = CURRENT.get();
     return scope != null && scope.digests.contains(digest) ? scope.peer : null;
   }
 
-  /** What one peer vouches for, until it is closed. */
+  /** The digests that one peer vouches for, until the scope is closed. */
   public static final class Scope implements AutoCloseable {
 
     private final String peer;
@@ -59,7 +59,7 @@ public final class AuthenticatedDigests {
     }
 
     /**
-     * The peer vouches for every digest of a codebase annotation.
+     * Adds every digest of a codebase annotation.
      *
      * @throws CodeRefusedException if it is not of the form {@code httpmd:…;sha-256=…}
      * @throws IllegalStateException in another thread, or when the scope is closed or hidden
@@ -69,7 +69,7 @@ public final class AuthenticatedDigests {
       CodebaseUrl.parse(codebase).forEach(url -> digests.add(url.digest()));
     }
 
-    /** The peer vouches for nothing any more. What was loaded meanwhile stays. */
+    /** Withdraws the digests. Code that was loaded meanwhile stays loaded. */
     @Override
     public void close() {
       checkCurrent();

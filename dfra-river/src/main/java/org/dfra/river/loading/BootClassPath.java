@@ -1,8 +1,8 @@
 package org.dfra.river.loading;
 
 /**
- * Whether this virtual machine has {@code java.rmi.activation}, which the JDK dropped in version 17
- * and which proxies of robots need. Only the boot class loader may define it.
+ * Checks that this virtual machine has {@code java.rmi.activation}, which the JDK dropped in
+ * version 17 and which proxies of robots need. Only the boot class loader may define it.
  */
 public final class BootClassPath {
 
@@ -14,7 +14,7 @@ public final class BootClassPath {
   private BootClassPath() {}
 
   /**
-   * Does nothing where it is there.
+   * Does nothing if it is present.
    *
    * @throws IllegalStateException in one sentence, with the option that is missing
    */

@@ -9,7 +9,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Flow.Subscription;
 import org.jspecify.annotations.Nullable;
 
-/** A body of bounded length; one that is longer is cut off as soon as that shows. */
+/** A body of bounded length; a longer one is aborted as soon as it exceeds the limit. */
 final class BoundedBody implements BodySubscriber<byte[]> {
 
   private final CodebaseUrl url;

@@ -16,12 +16,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Serves the robot's {@code -dl} jars over HTTP, and says with which annotation.
+ * Serves the robot's {@code -dl} jars over HTTP, and provides their codebase annotation.
  *
  * <p>The jars are read when it starts: their digests are those of the bytes it serves, also if a
- * jar is rebuilt meanwhile. Nothing but these jars can be asked for, and where there are {@link
- * JarStore}, what they were before. Slow clients are limited ({@link HttpListener}). Its threads,
- * {@code class server n}, live from {@link #start} to {@link #close}.
+ * jar is rebuilt meanwhile. It serves only these jars and, with a {@link JarStore}, their former
+ * versions. Slow clients are limited ({@link HttpListener}). Its threads, {@code class server n},
+ * run from {@link #start} to {@link #close}.
  */
 public final class ClassServer implements AutoCloseable {
 
@@ -36,16 +36,16 @@ public final class ClassServer implements AutoCloseable {
 
   private record ServedJar(byte[] bytes, String digest) {}
 
-  /** What URLs and River's own clients write behind a jar's name, before its digest. */
+  /** What URLs and River's own clients append to a jar's name, before its digest. */
   static final String DIGEST = ";sha-256=";
 
   /**
    * @param host address or name of this machine; only it is listened on, and annotations carry it
-   * @param port TCP port, the same after every restart; 0 for one of the system's choice, which
-   *     breaks annotations that others keep
-   * @param folder where the jars are
+   * @param port TCP port, the same after every restart; 0 for one that the system chooses, which
+   *     breaks annotations that others have stored
+   * @param folder of the jars
    * @param jars their names, such as {@code dfra-river-dl.jar}
-   * @throws IllegalArgumentException if a name is none of a jar in that folder
+   * @throws IllegalArgumentException if a name is not that of a jar in that folder
    */
   public ClassServer(String host, int port, Path folder, List<String> jars) {
     this(host, port, inFolder(folder, jars), null);
@@ -53,7 +53,7 @@ public final class ClassServer implements AutoCloseable {
 
   /**
    * @param files the jars by the names they are served under
-   * @param kept where jars are that these replaced; null for nowhere
+   * @param kept store of the jars' former versions; null for none
    */
   ClassServer(String host, int port, Map<String, Path> files, @Nullable JarStore kept) {
     this.host = host;
@@ -75,7 +75,7 @@ public final class ClassServer implements AutoCloseable {
   /**
    * Reads the jars and serves them. Does nothing if it is started.
    *
-   * @throws IOException if a jar cannot be read or the port cannot be had
+   * @throws IOException if a jar cannot be read or the port is not available
    */
   public synchronized void start() throws IOException {
     if (server != null) {
@@ -104,7 +104,7 @@ public final class ClassServer implements AutoCloseable {
     LOG.info("Serving {} at {}:{}.", files.keySet(), host, server.port());
   }
 
-  /** Serves nothing any more. Does nothing if it is not started. */
+  /** Stops serving. Does nothing if it is not started. */
   @Override
   public synchronized void close() {
     if (server != null) {
@@ -134,8 +134,8 @@ public final class ClassServer implements AutoCloseable {
   }
 
   /**
-   * The annotation with which another virtual machine of this robot serves these jars: digests come
-   * from the files as they are now.
+   * The annotation with which another virtual machine of this robot serves these jars: the digests
+   * are computed from the current files.
    *
    * @throws IOException if a jar cannot be read
    */
@@ -198,14 +198,15 @@ public final class ClassServer implements AutoCloseable {
             jar.bytes());
   }
 
-  /** How a jar's digest stands in the header of an answer. */
+  /** The form of a jar's digest in a response header. */
   static String etag(String digest) {
     return '"' + digest + '"';
   }
 
   /**
-   * The path is a key, never a file's name. Who asks for a digest that is not to be had gets the
-   * jar of that name as it is, and so can say what differs.
+   * Looks up the jar of a path. The path is a key, never a file's name. A request for an
+   * unavailable digest gets the current jar of that name, so that the client can report the
+   * difference.
    */
   private @Nullable ServedJar asked(String path) throws IOException {
     if (!path.startsWith("/")) {

@@ -6,19 +6,19 @@ import java.security.cert.X509Certificate;
 import java.util.Set;
 
 /**
- * Whose code this virtual machine loads.
+ * The code that this virtual machine may load.
  *
  * @param signers certificates of the keys that may sign jars; each stands for its own key only, not
- *     for those it signed
- * @param pinned SHA-256 digests of jars that are loaded whoever signed them
- * @param limits what a download may cost
+ *     for keys that it has certified
+ * @param pinned SHA-256 digests of jars that are loaded regardless of their signatures
+ * @param limits limits of a download
  */
 public record CodeTrust(Set<X509Certificate> signers, Set<String> pinned, DownloadLimits limits) {
 
-  /** System property with the path of the trust file. Where it is not set, nobody is trusted. */
+  /** System property with the path of the trust file. If it is not set, no code is trusted. */
   public static final String PROPERTY = "dfra.trust";
 
-  /** Nobody is trusted: no code is loaded from elsewhere. */
+  /** Trusts nothing: no code is loaded from elsewhere. */
   public static final CodeTrust NONE = new CodeTrust(Set.of(), Set.of(), DownloadLimits.DEFAULT);
 
   public CodeTrust {
@@ -35,14 +35,14 @@ public record CodeTrust(Set<X509Certificate> signers, Set<String> pinned, Downlo
   /**
    * Reads a trust file; its keys are in docs/reference/trusted-code.md.
    *
-   * @throws IOException naming the file and the key if it cannot be read or makes no sense
+   * @throws IOException naming the file and the key if it cannot be read or is invalid
    */
   public static CodeTrust read(Path file) throws IOException {
     return new TrustFile(file).read();
   }
 
   /**
-   * What system property {@value #PROPERTY} names, or {@link #NONE}.
+   * The trust from the file in system property {@value #PROPERTY}, or {@link #NONE}.
    *
    * @throws IOException as {@link #read} does
    */

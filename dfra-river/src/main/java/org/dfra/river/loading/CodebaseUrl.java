@@ -11,10 +11,10 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * One URL of a codebase: {@code httpmd://host:port/path.jar;sha-256=digest}, as in River's {@code
- * net.jini.url.httpmd}, and only that.
+ * net.jini.url.httpmd}, no other form.
  *
  * @param text the URL as it was written
- * @param location where the jar is fetched, by HTTP
+ * @param location HTTP address of the jar
  * @param digest the SHA-256 of the jar, 64 hexadecimal digits in lower case
  */
 record CodebaseUrl(String text, URI location, String digest) {
@@ -25,7 +25,7 @@ record CodebaseUrl(String text, URI location, String digest) {
               + "(?<digest>[0-9a-fA-F]+)(,[^\\s/?#]*)?");
 
   /**
-   * The URLs of a codebase annotation, which blanks separate.
+   * Parses the URLs of a codebase annotation, which are separated by spaces.
    *
    * @throws CodeRefusedException if there is none, or one of another form
    */

@@ -23,7 +23,7 @@ final class CodebaseVerifier {
   /**
    * Whether a jar is trusted by its digest alone, in this thread now.
    *
-   * @return why, in words; null if only its signature can help
+   * @return the reason, in words; null if the jar needs a trusted signature
    */
   @Nullable String digestTrustReason(CodebaseUrl url) {
     if (trust.pinned().contains(url.digest())) {
@@ -36,7 +36,7 @@ final class CodebaseVerifier {
   /**
    * Fetches the jars of a codebase and verifies them.
    *
-   * @param byDigest for each URL what {@link #digestTrustReason} said
+   * @param byDigest for each URL the result of {@link #digestTrustReason}
    * @throws CodeRefusedException if one of them is not trusted
    * @throws IOException if one cannot be fetched
    */

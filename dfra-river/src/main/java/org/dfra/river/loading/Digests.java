@@ -9,7 +9,7 @@ final class Digests {
 
   private Digests() {}
 
-  /** Whether a text looks like what {@link #sha256} says. */
+  /** Whether a text has the form of a result of {@link #sha256}. */
   static boolean isSha256(String text) {
     return text.matches("[0-9a-f]{64}");
   }

@@ -3,12 +3,12 @@ package org.dfra.river.loading;
 import java.time.Duration;
 
 /**
- * How much a download may cost.
+ * The limits of a download.
  *
  * @param jarBytes size of a jar
- * @param unpackedBytes size of all that is in it, unpacked
- * @param entries how many files it may hold
- * @param timeout how long its download may take in all
+ * @param unpackedBytes size of all its contents, unpacked
+ * @param entries number of files in it
+ * @param timeout time limit of the whole download
  */
 public record DownloadLimits(long jarBytes, long unpackedBytes, int entries, Duration timeout) {
 

@@ -15,12 +15,11 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What a group's virtual machine does for clients that lack its classes: it annotates them with the
- * digests that the robot's jars have when the group starts, and in the registrar's group it serves
- * the jars.
+ * Publishes a group's classes for clients that lack them. It annotates classes with the digests of
+ * the robot's jars at the group's start, and in the registrar's group it serves the jars.
  *
- * <p>Nothing here keeps a group from starting, since a robot works without clients too: what cannot
- * be done is in the group's log, and a port that is taken is tried again until it is free.
+ * <p>An error here does not keep a group from starting, since a robot also works without clients.
+ * Errors are in the group's log, and a taken port is retried until it is free.
  */
 public final class GroupCodebasePublisher {
 
@@ -37,7 +36,7 @@ public final class GroupCodebasePublisher {
     this.kept = new JarStore(classes.storeFolder());
   }
 
-  /** Does what this virtual machine was told to do; nothing if its robot serves no classes. */
+  /** Applies this virtual machine's settings; does nothing if its robot serves no classes. */
   public static void begin() {
     RobotCodebase.fromProperties(System.getProperties())
         .map(GroupCodebasePublisher::new)
@@ -115,7 +114,7 @@ public final class GroupCodebasePublisher {
         TimeUnit.SECONDS);
   }
 
-  /** Starts the class server, whose threads keep it; what is wrong, or null. */
+  /** Starts the class server, whose threads keep it reachable; returns the error, or null. */
   private static @Nullable String start(ClassServer server) {
     try {
       server.start();

@@ -16,7 +16,7 @@ import org.dfra.river.loading.HttpResponder.HttpReply;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** One connection to an {@link HttpListener}: one request, one answer, end. */
+/** One connection to an {@link HttpListener}: one request and one response, then it closes. */
 final class HttpConnection implements Runnable {
 
   /** River's and the JDK's clients send less than 300 bytes. */
@@ -40,7 +40,7 @@ final class HttpConnection implements Runnable {
   private volatile List<Future<?>> deadlines = List.of();
 
   /**
-   * @param ended is given this connection when its thread is done with it
+   * @param ended receives this connection when its thread has finished it
    */
   HttpConnection(Socket socket, HttpResponder answers, Consumer<HttpConnection> ended) {
     this.socket = socket;
@@ -49,29 +49,32 @@ final class HttpConnection implements Runnable {
     this.ended = ended;
   }
 
-  /** These end it, unless it ended before. Called before {@link #run}. */
+  /**
+   * Sets the tasks that end this connection, unless it has already ended. Called before {@link
+   * #run}.
+   */
   void setDeadlines(Future<?>... deadlines) {
     this.deadlines = List.of(deadlines);
   }
 
-  /** Of the client. */
+  /** The client's address. */
   InetAddress address() {
     return address;
   }
 
-  /** Whether the whole request has come. */
+  /** Whether the whole request has arrived. */
   boolean isComplete() {
     return complete;
   }
 
-  /** Ends a connection whose request is still incomplete. */
+  /** Closes a connection whose request is still incomplete. */
   void abortIfIncomplete() {
     if (!complete) {
       abort();
     }
   }
 
-  /** Ends it at once; whoever reads or writes it gets an exception. */
+  /** Closes it immediately; blocked readers and writers get an exception. */
   void abort() {
     try {
       socket.close();
@@ -89,7 +92,7 @@ final class HttpConnection implements Runnable {
       answer(header, out);
       out.flush();
       socket.shutdownOutput();
-    } catch (IOException e) { // the client's affair: it went away or was too slow
+    } catch (IOException e) { // caused by the client: it disconnected or was too slow
       LOG.debug("A client at {} was not answered.", address, e);
     } finally {
       deadlines.forEach(deadline -> deadline.cancel(false));
@@ -97,7 +100,7 @@ final class HttpConnection implements Runnable {
     }
   }
 
-  /** Reads up to the empty line; what comes behind it is not read. */
+  /** Reads up to the empty line; ignores the rest. */
   private static String header(InputStream in) throws IOException {
     ByteArrayOutputStream header = new ByteArrayOutputStream(512);
     int newlines = 0;

@@ -30,20 +30,20 @@ import org.slf4j.LoggerFactory;
 /**
  * Accepts the connections of a {@link ClassServer} and answers one HTTP request on each.
  *
- * <p>No client can take what others need: an address has at most {@value #PER_ADDRESS} connections
- * at a time, all together {@value #CONNECTIONS}, each with one thread. A request must have arrived
- * whole within 2 s of its connection, however slowly its bytes come, and the answer must have been
- * taken within 60 s. Where all places are taken, a new client gets the place of the oldest request
- * that is still incomplete. Where none is, clients that take their answers slowly hold the places:
- * then the new one gets a place of the address that holds most, if it holds fewer itself. The JDK's
- * own server can limit none of this per address.
+ * <p>No client can block others. An address has at most {@value #PER_ADDRESS} connections at a time
+ * and all addresses together at most {@value #CONNECTIONS}, each with one thread. A request must
+ * arrive completely within 2 s of its connection, and the client must read the response within 60
+ * s. If all slots are in use, a new client replaces the oldest request that is still incomplete. If
+ * there is none, the slots are held by clients that read their responses slowly: then the new
+ * client replaces a connection of the address that holds most slots, if it holds fewer itself. The
+ * JDK's own server has no limits per address.
  */
 final class HttpListener implements AutoCloseable {
 
   static final int PER_ADDRESS = 8;
   static final int CONNECTIONS = 64;
 
-  /** One accepts; a replaced connection's thread may take a moment to end. */
+  /** One thread accepts; the thread of a replaced connection may take a moment to end. */
   private static final int THREADS = CONNECTIONS + 16;
 
   private static final Duration STOP_TIMEOUT = Duration.ofSeconds(5);
@@ -61,7 +61,7 @@ final class HttpListener implements AutoCloseable {
   private final Map<InetAddress, Integer> byAddress = new HashMap<>(); // guarded by open
 
   /**
-   * Listens from now on.
+   * Starts to listen.
    *
    * @throws IOException if the address cannot be listened on
    */
@@ -98,7 +98,7 @@ final class HttpListener implements AutoCloseable {
     return listening.getLocalPort();
   }
 
-  /** Listens no more and ends what is under way. Does nothing if it was closed. */
+  /** Stops listening and closes the open connections. Does nothing if it was closed. */
   @Override
   public void close() {
     try {
@@ -116,7 +116,7 @@ final class HttpListener implements AutoCloseable {
     awaitEnd();
   }
 
-  /** Until the accepting thread has left the port, nobody else can have it. */
+  /** The port is not free until the accepting thread has ended. */
   private void awaitEnd() {
     try {
       if (!accepting.await(STOP_TIMEOUT.toMillis(), TimeUnit.MILLISECONDS)) {
@@ -154,7 +154,7 @@ final class HttpListener implements AutoCloseable {
     }
   }
 
-  /** So that a lack of descriptors does not become a lack of processor time too. */
+  /** So that a lack of descriptors does not cause a busy loop. */
   private void pause() {
     try {
       if (deadlines.awaitTermination(50, TimeUnit.MILLISECONDS)) {
@@ -178,18 +178,18 @@ final class HttpListener implements AutoCloseable {
           deadlines.schedule(
               connection::abort, RESPONSE_TIMEOUT.toMillis(), TimeUnit.MILLISECONDS));
       threads.execute(connection);
-    } catch (RejectedExecutionException e) { // it is being closed
+    } catch (RejectedExecutionException e) { // the listener is closing
       connection.abort();
       left(connection);
       throw e;
-    } catch (OutOfMemoryError e) { // no thread can be had
+    } catch (OutOfMemoryError e) { // no thread is available
       connection.abort();
       left(connection);
       throw new IOException("no thread can be had for " + connection.address(), e);
     }
   }
 
-  /** Whether it may stay; the oldest incomplete request may have to go for it. */
+  /** Whether a connection may stay; the oldest incomplete request may be closed for it. */
   private boolean admit(HttpConnection connection) {
     @Nullable HttpConnection replaced = null;
     synchronized (open) {
@@ -225,7 +225,10 @@ final class HttpListener implements AutoCloseable {
     return null;
   }
 
-  /** Of the address with most connections, if these are more than {@code few}. Holds the lock. */
+  /**
+   * The oldest connection of the address with most connections, if these are more than {@code few}.
+   * The caller holds the lock.
+   */
   private @Nullable HttpConnection oldestOfBusiest(int few) {
     @Nullable HttpConnection oldest = null;
     int most = few;

@@ -3,7 +3,7 @@ package org.dfra.river.loading;
 import java.io.IOException;
 import java.util.Map;
 
-/** What an HTTP server answers to {@code GET} and {@code HEAD}. */
+/** Computes the response of an HTTP server to {@code GET} and {@code HEAD}. */
 @FunctionalInterface
 interface HttpResponder {
 
@@ -16,7 +16,7 @@ interface HttpResponder {
   /**
    * @param status such as 200
    * @param headers besides {@code Content-Length}
-   * @param body sent after the headers, unless only they were asked for
+   * @param body sent after the headers, except for {@code HEAD}
    */
   record HttpReply(int status, Map<String, String> headers, byte[] body) {
 

@@ -13,7 +13,7 @@ import java.util.concurrent.TimeoutException;
 /** Fetches a jar by HTTP into memory, within limits; follows no redirect and uses no proxy. */
 final class JarDownload {
 
-  /** Shared: it has a thread of its own, which ends when the client is not reachable any more. */
+  /** Shared: it has a thread of its own, which ends when the client becomes unreachable. */
   private static final class Shared {
     static final HttpClient CLIENT =
         HttpClient.newBuilder()
@@ -30,10 +30,10 @@ final class JarDownload {
   }
 
   /**
-   * Fetches the bytes that the URL's digest promises.
+   * Fetches the bytes that match the URL's digest.
    *
-   * @throws CodeRefusedException if the server answers other than with a jar within the limits, or
-   *     with other bytes than promised
+   * @throws CodeRefusedException if the response is not a jar within the limits, or its bytes do
+   *     not match the digest
    * @throws IOException if it does not answer, or not in time
    */
   byte[] fetch(CodebaseUrl url) throws IOException {
@@ -51,7 +51,7 @@ final class JarDownload {
   }
 
   private byte[] get(CodebaseUrl url) throws IOException {
-    // With the digest, as River's own clients ask: the server may have this jar and a newer one.
+    // With the digest, like River's own clients: the server may have this jar and a newer one.
     URI asked = URI.create(url.location() + ClassServer.DIGEST + url.digest());
     HttpRequest request = HttpRequest.newBuilder(asked).timeout(limits.timeout()).build();
     CompletableFuture<HttpResponse<byte[]>> answer =

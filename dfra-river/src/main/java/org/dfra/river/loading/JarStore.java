@@ -14,13 +14,13 @@ import org.dfra.core.host.PrivateFiles;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The jars that a robot's groups annotate with, each under its digest in a folder that outlives
- * them: so whoever is restarted first after a jar was rebuilt, what the others named can still be
- * fetched. Several processes use it at once.
+ * Stores the jars of a robot's codebase annotations, each under its digest, in a folder that
+ * outlives the groups. So clients can still fetch the jars of older annotations after a rebuild, in
+ * whichever order the groups restart. Several processes use it at the same time.
  */
 final class JarStore {
 
-  /** Enough for every group of a robot and some rebuilds; the oldest go first. */
+  /** Enough for every group of a robot and some rebuilds; the oldest are deleted first. */
   static final int MAX_JARS = 64;
 
   private final Path folder;
@@ -30,7 +30,7 @@ final class JarStore {
   }
 
   /**
-   * Keeps a jar, as the newest.
+   * Stores a jar as the newest.
    *
    * @throws IOException if the folder cannot be written
    */
@@ -52,7 +52,7 @@ final class JarStore {
   }
 
   /**
-   * A jar by its digest; null if it is not kept, or the file is damaged.
+   * A jar by its digest; null if it is not stored, or the file is damaged.
    *
    * @throws IOException if it cannot be read
    */

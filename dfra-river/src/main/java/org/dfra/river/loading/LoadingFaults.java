@@ -4,8 +4,8 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Why classes were not loaded, for those who read objects through River, which only says that it
- * could not read them. Faults are kept for the thread on which they arise.
+ * Reports why classes were not loaded, for code that reads objects through River. River itself only
+ * reports that it could not read them. Faults are recorded for the thread in which they occur.
  */
 public final class LoadingFaults {
 
@@ -20,10 +20,10 @@ public final class LoadingFaults {
   }
 
   /**
-   * The sentence that says why a class was refused or could not be fetched meanwhile, and what to
-   * do.
+   * The message with the reason why a class was refused or could not be fetched meanwhile, and the
+   * remedy.
    *
-   * @return empty where every class was loaded
+   * @return empty if every class was loaded
    */
   public static <E extends Exception> Optional<String> during(UnmarshalAction<E> read) throws E {
     LAST.remove();

@@ -6,8 +6,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 
 /**
- * Remembers for a while what was refused, so that a stranger who offers the same code again and
- * again costs neither downloads nor lines in the log. Thread-safe.
+ * Remembers refusals for a while, so that a client that offers the same code repeatedly causes
+ * neither downloads nor log lines. Thread-safe.
  */
 final class RefusalCache {
 
@@ -32,7 +32,7 @@ final class RefusalCache {
   private record Refusal(String message, long end) {}
 
   /**
-   * @return whether it is news
+   * @return whether the refusal is new
    */
   boolean add(String codebase, CodeRefusedException reason) {
     String message = String.valueOf(reason.getMessage());
@@ -45,7 +45,7 @@ final class RefusalCache {
   }
 
   /**
-   * @throws CodeRefusedException if the codebase was refused a short while ago
+   * @throws CodeRefusedException if the codebase was refused recently
    */
   void check(String codebase) {
     synchronized (refused) {

@@ -23,16 +23,15 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * The jars that a robot serves to clients which lack its classes, and where. A robot's groups are
- * told by their virtual machines' options, and {@link GroupCodebasePublisher} does in each what is
- * to be done.
+ * The jars that a robot serves to clients without its classes, and their server. The settings are
+ * passed to a robot's groups by their virtual machines' options; {@link GroupCodebasePublisher}
+ * applies them in each group.
  *
  * @param host address or name at which the robot's class server listens
  * @param port its TCP port
- * @param storeFolder folder of the jars that were ever named to somebody, newest first out of 64
- * @param moduleCodebases for each kind of module that brings its own, the jars that hold its
- *     classes
- * @param commonJars the jars that hold all other classes of the class path, DFRA's own
+ * @param storeFolder folder of the jars that were ever part of an annotation, at most the newest 64
+ * @param moduleCodebases for each kind of module with jars of its own, the jars with its classes
+ * @param commonJars the jars with all other classes of the class path, DFRA's own
  */
 public record RobotCodebase(
     String host,
@@ -58,7 +57,7 @@ public record RobotCodebase(
     commonJars = List.copyOf(commonJars);
   }
 
-  /** One jar as it is now. */
+  /** One jar with its current contents. */
   record Jar(String name, byte[] bytes, String digest, Set<String> classes) {}
 
   /** Whether there is nothing to serve. */
@@ -67,9 +66,9 @@ public record RobotCodebase(
   }
 
   /**
-   * The options with which a group of this robot is told.
+   * The options that pass these settings to a group of this robot.
    *
-   * @param serves whether it is the group that runs the class server
+   * @param serves whether the group runs the class server
    */
   public List<String> options(boolean serves) {
     List<String> options = new ArrayList<>();
@@ -96,7 +95,7 @@ public record RobotCodebase(
         : Optional.empty();
   }
 
-  /** What this virtual machine was told; empty if its robot serves nothing. */
+  /** The settings from this virtual machine's options; empty if its robot serves nothing. */
   static Optional<RobotCodebase> fromProperties(Properties properties) {
     String place = properties.getProperty(PLACE);
     if (place == null) {
@@ -116,7 +115,7 @@ public record RobotCodebase(
             paths(properties.getProperty(GENERAL, ""))));
   }
 
-  /** Whether this virtual machine was told to run the class server. */
+  /** Whether this virtual machine's options have it run the class server. */
   static boolean serves(Properties properties) {
     return Boolean.parseBoolean(properties.getProperty(SERVE));
   }
@@ -132,7 +131,7 @@ public record RobotCodebase(
         .toList();
   }
 
-  /** Each codebase, those of kinds first. */
+  /** Each codebase, those of single kinds first. */
   Stream<List<Path>> codebases() {
     return Stream.concat(moduleCodebases.stream(), Stream.of(commonJars))
         .filter(jars -> !jars.isEmpty());
@@ -153,9 +152,9 @@ public record RobotCodebase(
   }
 
   /**
-   * Reads every jar, so that what is wrong is known before a group is started.
+   * Reads every jar, so that errors are found before a group is started.
    *
-   * @throws IOException naming a jar that cannot be read, is none, or has another's name
+   * @throws IOException naming a jar that cannot be read, is invalid, or has the name of another
    */
   public void check() throws IOException {
     Map<String, Path> names = new HashMap<>();
@@ -172,9 +171,9 @@ public record RobotCodebase(
   }
 
   /**
-   * Asks the class server for every jar as it is now.
+   * Checks that the class server has the current version of every jar.
    *
-   * @return what cannot be had there and why, a sentence; empty if all is served
+   * @return the missing jars and the reason, as a sentence; empty if all are served
    * @throws IOException if a jar cannot be read
    */
   public Optional<String> findUnserved() throws IOException {
@@ -225,9 +224,9 @@ public record RobotCodebase(
   }
 
   /**
-   * A jar as it is now, with the names of its classes.
+   * Reads a jar and the names of its classes.
    *
-   * @throws IOException if it cannot be read or holds nothing
+   * @throws IOException if it cannot be read or is empty
    */
   static Jar read(Path file) throws IOException {
     String name = file.getFileName().toString();

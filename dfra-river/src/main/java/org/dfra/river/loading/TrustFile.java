@@ -20,7 +20,7 @@ import java.util.Locale;
 import java.util.Properties;
 import java.util.Set;
 
-/** Reads whose code is trusted from a properties file; paths in it are relative to it. */
+/** Reads a {@link CodeTrust} from a properties file; paths in it are relative to the file. */
 final class TrustFile {
 
   private static final String STORE = "trust.store";
@@ -157,7 +157,7 @@ final class TrustFile {
         return number;
       }
     } catch (NumberFormatException e) {
-      // told below
+      // reported below
     }
     throw fault(key, "= \"" + text + "\" is no whole number from 1 to " + most + "; mend it");
   }
@@ -172,7 +172,7 @@ final class TrustFile {
     return fault;
   }
 
-  /** Told in full already. */
+  /** The message is complete. */
   private static final class TrustFault extends IOException {
     private static final long serialVersionUID = 1L;
 

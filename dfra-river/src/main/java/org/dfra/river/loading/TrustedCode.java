@@ -15,11 +15,11 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Switches downloaded code on in this virtual machine, for code that is trusted.
+ * Enables downloaded code in this virtual machine, if the code is trusted.
  *
- * <p>A main calls {@link #install()} before it uses RMI or River, and gives {@link #options()} to
- * the virtual machines it starts. {@link #annotate} says where those that lack its classes find
- * them.
+ * <p>A main calls {@link #install()} before it uses RMI or River, and passes {@link #options()} to
+ * the virtual machines it starts. {@link #annotate} sets the codebase at which other virtual
+ * machines find this one's classes.
  */
 public final class TrustedCode {
 
@@ -42,10 +42,10 @@ public final class TrustedCode {
   private TrustedCode() {}
 
   /**
-   * Makes {@link VerifiedClassProvider} RMI's class provider, with what {@link
-   * CodeTrust#configured()} says. Doing it again does nothing.
+   * Makes {@link VerifiedClassProvider} RMI's class provider, with the trust of {@link
+   * CodeTrust#configured()}. Does nothing the second time.
    *
-   * @throws IOException if the trust file makes no sense
+   * @throws IOException if the trust file is invalid
    * @throws IllegalStateException if RMI has a class provider already
    */
   public static void install() throws IOException {
@@ -53,7 +53,7 @@ public final class TrustedCode {
   }
 
   /**
-   * The same with a trust of the caller's own.
+   * As {@link #install()}, with the caller's own trust.
    *
    * @throws IllegalStateException if RMI has a class provider already
    */
@@ -64,10 +64,10 @@ public final class TrustedCode {
   }
 
   /**
-   * Does what {@link #install()} does for a program that did not, as a directory does before it
-   * reads its first proxy. Where RMI has another class provider it says so in the log.
+   * As {@link #install()}, for a program that did not call it; a directory does this before it
+   * reads its first proxy. If RMI has another class provider, logs that.
    *
-   * @throws IOException if the trust file makes no sense
+   * @throws IOException if the trust file is invalid
    */
   public static void installIfAbsent() throws IOException {
     if (!inPlace && !installIfAbsent(CodeTrust.configured())) {
@@ -75,23 +75,24 @@ public final class TrustedCode {
     }
   }
 
-  /** Whether our provider is RMI's now. */
+  /** Whether RMI's provider is now ours. */
   private static synchronized boolean installIfAbsent(CodeTrust trust) {
     if (inPlace && loaders != null) {
       return true;
     }
     System.setProperty(PROVIDER, VerifiedClassProvider.class.getName());
-    // Codebases in streams count: it is the provider that decides which.
+    // Use the codebases in streams: the provider decides which are loaded.
     System.setProperty(CODEBASE_ONLY, "false");
     loaders = new VerifiedLoaderCache(new CodebaseVerifier(trust), System::nanoTime);
-    RMIClassLoader.getClassAnnotation(TrustedCode.class); // has the JDK make the provider now
+    RMIClassLoader.getClassAnnotation(TrustedCode.class); // makes the JDK create the provider now
     return inPlace;
   }
 
   /**
-   * From now on classes of the class path leave this virtual machine annotated with this codebase.
+   * From now on, classes of the class path are annotated with this codebase when they leave this
+   * virtual machine.
    *
-   * @param codebase what {@link ClassServer#codebase} says
+   * @param codebase from {@link ClassServer#codebase}
    */
   public static void annotate(String codebase) {
     CodebaseUrl.parse(codebase);
@@ -99,7 +100,7 @@ public final class TrustedCode {
   }
 
   /**
-   * The same, where some classes have codebases of their own.
+   * As {@link #annotate(String)}, with separate codebases for some classes.
    *
    * @param codebase of all other classes of the class path; null for none
    * @param byClass codebases by the full names of classes
@@ -111,9 +112,9 @@ public final class TrustedCode {
     }
   }
 
-  /** With which codebase a class of the class path leaves this virtual machine; null for none. */
+  /** The codebase annotation of a class of the class path; null for none. */
   static @Nullable String annotation(Class<?> type) {
-    // A stub's class is made at run time; what its reader may lack are its interfaces.
+    // The class of a stub is created at run time; its reader may lack only its interfaces.
     Stream<Class<?>> named =
         Proxy.isProxyClass(type) ? Arrays.stream(type.getInterfaces()) : Stream.of(type);
     String codebase =
@@ -126,8 +127,8 @@ public final class TrustedCode {
   }
 
   /**
-   * The options with which another virtual machine of DFRA gets the same: a child inherits none.
-   * Its codebase is not among them, since that is the affair of who serves.
+   * The options that give another virtual machine of DFRA the same settings: a child inherits none.
+   * The codebase is not included; the class server sets it.
    */
   public static List<String> options() {
     List<String> options = new ArrayList<>();
@@ -140,12 +141,12 @@ public final class TrustedCode {
     return options;
   }
 
-  /** The provider that the JDK made says so. */
+  /** Called by the provider when the JDK has created it. */
   static void markInstalled() {
     inPlace = true;
   }
 
-  /** What is trusted, read from the configuration where no main has installed it. */
+  /** The loaders; reads the trust from the configuration if no main has installed one. */
   static synchronized VerifiedLoaderCache loaders() throws IOException {
     if (loaders == null) {
       loaders =

@@ -11,12 +11,13 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where RMI, and with it River, gets classes from: the local class path first, then the codebase
- * that came with the object, if that is trusted.
+ * The class provider of RMI, and so of River: classes come from the local class path first, then
+ * from the codebase of the object, if that is trusted.
  *
- * <p>It is put in place by {@link TrustedCode#install()} or {@code
+ * <p>It is installed by {@link TrustedCode#install()} or {@code
  * -Djava.rmi.server.RMIClassLoaderSpi=org.dfra.river.loading.VerifiedClassProvider}. It needs no
- * security manager. River's own provider loads from a codebase only under one, and any.
+ * security manager. River's own provider loads from a codebase only under a security manager, and
+ * then from any codebase.
  */
 public final class VerifiedClassProvider extends RMIClassLoaderSpi {
 
@@ -25,13 +26,13 @@ public final class VerifiedClassProvider extends RMIClassLoaderSpi {
 
   private final @Nullable VerifiedLoaderCache given;
 
-  /** As the JDK makes it: trusts what {@link TrustedCode} says. */
+  /** Called by the JDK: uses the trust of {@link TrustedCode}. */
   public VerifiedClassProvider() {
     given = null;
     TrustedCode.markInstalled();
   }
 
-  /** Trusts what is said here. */
+  /** Uses the given trust. */
   public VerifiedClassProvider(CodeTrust trust) {
     given = new VerifiedLoaderCache(new CodebaseVerifier(trust), System::nanoTime);
   }
@@ -40,7 +41,7 @@ public final class VerifiedClassProvider extends RMIClassLoaderSpi {
    * {@inheritDoc}
    *
    * @throws ClassNotFoundException if it is not on the class path and its codebase is refused (the
-   *     cause is a {@link CodeRefusedException}), cannot be fetched, or does not have it
+   *     cause is a {@link CodeRefusedException}), cannot be fetched, or does not contain it
    */
   @Override
   public Class<?> loadClass(
@@ -53,7 +54,7 @@ public final class VerifiedClassProvider extends RMIClassLoaderSpi {
       try {
         return Class.forName(name, false, local);
       } catch (ClassNotFoundException e) {
-        // another may have it
+        // another codebase may have it
       }
     }
     return Class.forName(name, false, downloaded(codebase, name));
@@ -72,7 +73,7 @@ public final class VerifiedClassProvider extends RMIClassLoaderSpi {
       try {
         return proxyClass(interfaces, local);
       } catch (ClassNotFoundException e) {
-        // another may have them
+        // another codebase may have them
       }
     }
     return proxyClass(interfaces, downloaded(codebase, "a proxy of " + Arrays.asList(interfaces)));
@@ -102,9 +103,9 @@ public final class VerifiedClassProvider extends RMIClassLoaderSpi {
   /**
    * {@inheritDoc}
    *
-   * <p>A downloaded class keeps the codebase it came from; one of the class path has that of its
-   * kind of module, or else what system property {@code java.rmi.server.codebase} says now; one of
-   * the JDK has none.
+   * <p>A downloaded class keeps the codebase it came from; a class of the class path has that of
+   * its kind of module, or else the current value of system property {@code
+   * java.rmi.server.codebase}; a class of the JDK has none.
    */
   @Override
   public @Nullable String getClassAnnotation(Class<?> type) {
@@ -163,7 +164,8 @@ public final class VerifiedClassProvider extends RMIClassLoaderSpi {
     for (int i = 0; i < names.length; i++) {
       interfaces[i] = Class.forName(names[i], false, loader);
       if (!Modifier.isPublic(interfaces[i].getModifiers())) {
-        definer = interfaces[i].getClassLoader(); // only it may define a proxy of such a one
+        // only this loader may define a proxy of such an interface
+        definer = interfaces[i].getClassLoader();
       }
     }
     try {
@@ -178,7 +180,7 @@ public final class VerifiedClassProvider extends RMIClassLoaderSpi {
     }
   }
 
-  @SuppressWarnings("deprecation") // the stream wants the class, the instance is not ours to make
+  @SuppressWarnings("deprecation") // the stream needs the class; the instance is created elsewhere
   private static Class<?> proxyClass(@Nullable ClassLoader definer, Class<?>[] interfaces) {
     return Proxy.getProxyClass(definer, interfaces);
   }

@@ -14,8 +14,8 @@ import java.util.jar.JarInputStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a jar holds, read once, in memory: the bytes whose signatures are checked are the bytes that
- * classes are defined from.
+ * The contents of a jar, read once, in memory: classes are defined from the same bytes whose
+ * signatures are checked.
  */
 final class VerifiedJar {
 
@@ -28,16 +28,16 @@ final class VerifiedJar {
   /** One file of a jar. */
   record Content(byte[] bytes, CodeSigner @Nullable [] signers) {}
 
-  /** What the jar holds under a name such as {@code org/example/A.class}, or null. */
+  /** The contents of the jar under a name such as {@code org/example/A.class}, or null. */
   @Nullable Content content(String name) {
     return contents.get(name);
   }
 
   /**
-   * Reads a jar, and verifies the signatures it has.
+   * Reads a jar, and verifies its signatures.
    *
-   * @param url where it came from, for messages
-   * @throws CodeRefusedException if an entry does not fit its signature, or it exceeds the limits
+   * @param url its source, for messages
+   * @throws CodeRefusedException if an entry does not match its signature, or it exceeds the limits
    */
   static VerifiedJar read(CodebaseUrl url, byte[] bytes, DownloadLimits limits) {
     Map<String, Content> contents = new HashMap<>();
@@ -56,7 +56,7 @@ final class VerifiedJar {
                   + " entries; raise download.unpacked.bytes or download.entries if it has to be");
         }
         if (entry.isDirectory() || isSignature(entry.getName())) {
-          continue; // nothing can be loaded from them, so nobody needs to have signed them
+          continue; // nothing can be loaded from them, so they need no signature
         }
         Content read = new Content(content, entry.getCodeSigners());
         if (contents.put(entry.getName(), read) != null) {
@@ -78,7 +78,7 @@ final class VerifiedJar {
   }
 
   /**
-   * Demands that every entry is signed by one of these keys.
+   * Requires that every entry is signed by one of these keys.
    *
    * @throws CodeRefusedException naming an entry that is not
    */
@@ -128,7 +128,7 @@ final class VerifiedJar {
     throw refused(url, fault);
   }
 
-  /** The manifest and the signatures themselves. */
+  /** Whether it is the manifest or a signature file. */
   private static boolean isSignature(String name) {
     return name.toUpperCase(Locale.ROOT)
         .matches("META-INF/(MANIFEST\\.MF|SIG-[^/]*|[^/]*\\.(SF|RSA|DSA|EC))");

@@ -18,8 +18,8 @@ import org.dfra.river.loading.VerifiedJar.Content;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Loads classes from jars that were admitted. What the parent has comes from the parent: the JDK,
- * River, the interfaces of dfra-api, so that both sides mean the same types.
+ * Loads classes from verified jars. Classes of the parent come from the parent: the JDK, River and
+ * the interfaces of dfra-api, so that both sides use the same types.
  */
 final class VerifiedLoader extends SecureClassLoader implements TrustedLoader {
 
@@ -32,7 +32,7 @@ final class VerifiedLoader extends SecureClassLoader implements TrustedLoader {
   private final List<VerifiedJar> jars;
 
   /**
-   * @param codebase the annotation that its classes travel on with
+   * @param codebase the annotation of its classes when they are sent on
    * @param digests of the jars, in their order
    */
   VerifiedLoader(
@@ -43,7 +43,7 @@ final class VerifiedLoader extends SecureClassLoader implements TrustedLoader {
     this.jars = List.copyOf(jars);
   }
 
-  /** The annotation that its classes travel on with. */
+  /** The annotation of its classes when they are sent on. */
   String codebase() {
     return codebase;
   }
@@ -74,7 +74,7 @@ final class VerifiedLoader extends SecureClassLoader implements TrustedLoader {
         try {
           definePackage(packageName, null, null, null, null, null, null, null);
         } catch (IllegalArgumentException e) {
-          // another thread was quicker
+          // another thread was first
         }
       }
     }

@@ -16,9 +16,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The loaders of the codebases that were admitted: one for each list of digests and parent, so that
- * equal code is the same code, whoever names it. Once admitted, the same bytes stay admitted in
- * this virtual machine.
+ * The loaders of the verified codebases: one for each list of digests and parent, so that equal
+ * code has one loader, from whichever peer it comes. Verified bytes stay accepted in this virtual
+ * machine.
  */
 final class VerifiedLoaderCache {
 
@@ -31,14 +31,14 @@ final class VerifiedLoaderCache {
   private final Map<DownloadKey, FutureTask<VerifiedLoader>> underWay = new ConcurrentHashMap<>();
 
   /**
-   * @param nanoTime a clock in nanoseconds, for how long a refusal is remembered
+   * @param nanoTime a clock in nanoseconds, for the age of refusals
    */
   VerifiedLoaderCache(CodebaseVerifier admission, LongSupplier nanoTime) {
     this.admission = admission;
     this.refusals = new RefusalCache(nanoTime);
   }
 
-  /** What makes two requests one download. */
+  /** The key by which equal requests share one download. */
   private record DownloadKey(
       List<CodebaseUrl> urls, List<@Nullable String> byDigest, ClassLoader parent) {}
 

@@ -1,20 +1,20 @@
 /**
- * Trusted code: how classes that a virtual machine lacks come to it, and which it takes.
+ * Trusted code: how a virtual machine obtains classes that it lacks, and which it accepts.
  *
  * <pre>
- *   robot's -dl jars --&gt; ClassServer --httpmd://host:port/x.jar;sha-256=...--&gt; annotation in streams
- *                                                                                 |
- *      local class path first &lt;-- VerifiedClassProvider (RMIClassLoaderSpi) &lt;----/
+ *   -dl jars --&gt; ClassServer --httpmd://host:port/x.jar;sha-256=...--&gt; annotation in streams
+ *                                                                              |
+ *      local class path first &lt;-- VerifiedClassProvider (RMIClassLoaderSpi) &lt;-/
  *                                     | CodeTrust: digest pinned, vouched for, or jar signed?
  *                                     v
  *               JarDownload --bytes--&gt; VerifiedJar --the same bytes--&gt; VerifiedLoader
  * </pre>
  *
- * <p>There is no sandbox: code that is loaded may do what this virtual machine may do. Hence
- * nothing is loaded that is not trusted, and a digest in a URL is no trust, since it comes from
- * whom the URL comes from.
+ * <p>There is no sandbox: loaded code may do everything that this virtual machine may do. So only
+ * trusted code is loaded. A digest in a URL does not establish trust, since it comes from the same
+ * peer as the URL.
  *
- * <p>Enter at {@link org.dfra.river.loading.TrustedCode} as a main, at {@link
+ * <p>Enter at {@link org.dfra.river.loading.TrustedCode} in a main, at {@link
  * org.dfra.river.loading.ClassServer} to serve jars.
  */
 @NullMarked

@@ -9,13 +9,12 @@ import java.util.List;
  * @param callbackHost address or name of this machine at which lookup services can call back
  * @param groups discovery groups, found by multicast; none if empty
  * @param locators lookup services found by unicast, {@code jini://host:port} each
- * @param locatorRetry how long to wait before a locator where nobody answered is tried again
- * @param heartbeatInterval distance of the signs of life that are asked of each lookup service;
- *     each costs one call
- * @param registrarTimeout how long a lookup service may take to answer before what it holds is
+ * @param locatorRetry the delay before the next attempt at a locator that did not answer
+ * @param heartbeatInterval interval of the heartbeats to each lookup service; each costs one call
+ * @param registrarTimeout how long a lookup service may take to answer before its registrations are
  *     stale
- * @param reconcileInterval distance at which everything is asked for, in case an event was lost
- * @param eventLease lease on the events; a lookup service forgets a dead client after it
+ * @param reconcileInterval interval of complete queries, in case an event was lost
+ * @param eventLease lease on the events; after it a lookup service removes a dead client
  */
 public record DirectorySettings(
     String callbackHost,
@@ -40,7 +39,7 @@ public record DirectorySettings(
     }
   }
 
-  /** Robot timings: heartbeats of 1 s, silence after 3 s, everything every 30 s. */
+  /** Robot timings: heartbeats of 1 s, a timeout of 3 s, a complete query every 30 s. */
   public static DirectorySettings of(String host, List<String> groups, List<String> locators) {
     return new DirectorySettings(
         host,

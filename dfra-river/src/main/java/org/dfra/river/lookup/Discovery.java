@@ -27,13 +27,13 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Finds lookup services: by group over multicast, and at locators by unicast. One that is found
- * both ways is one. Two that claim the same service ID are two: each is a {@link LocatedRegistrar}.
- * No multicast socket is opened while there are no groups.
+ * both ways counts once. Two that claim the same service ID count as two: each is a {@link
+ * LocatedRegistrar}. Without groups, it opens no multicast socket.
  */
 public final class Discovery
     implements DiscoveryManagement, DiscoveryGroupManagement, DiscoveryLocatorManagement {
 
-  /** How long to wait before a locator where nobody answered is tried again. */
+  /** The delay before the next attempt at a locator that did not answer. */
   public static final Duration LOCATOR_RETRY = Duration.ofSeconds(1);
 
   private final Configuration configuration;
@@ -50,11 +50,11 @@ public final class Discovery
   }
 
   /**
-   * Begins to look for lookup services.
+   * Starts the discovery of lookup services.
    *
    * @param groups discovery groups, found by multicast; none if empty
    * @param locators {@code jini://host:port} each, found by unicast
-   * @param retry how long to wait before a locator where nobody answered is tried again
+   * @param retry the delay before the next attempt at a locator that did not answer
    * @throws IOException if multicast cannot be used or a locator is malformed
    */
   static Discovery start(
@@ -102,7 +102,7 @@ public final class Discovery
             });
   }
 
-  /** What was found at each locator. */
+  /** The lookup service found at each locator. */
   synchronized Map<String, Optional<LocatedRegistrar>> registrarsByLocator() {
     Map<String, Optional<LocatedRegistrar>> all = new LinkedHashMap<>();
     for (LocatorSearch search : searches) {
@@ -158,7 +158,7 @@ public final class Discovery
   }
 
   /**
-   * {@inheritDoc} Then looks for it again.
+   * {@inheritDoc} Then searches for it again.
    *
    * @param registrar one that was found here; others are ignored
    */
@@ -201,7 +201,7 @@ public final class Discovery
   }
 
   @Override
-  @SuppressWarnings("NullAway") // Jini's way to say all groups
+  @SuppressWarnings("NullAway") // null means all groups in Jini
   public synchronized String[] getGroups() {
     String @Nullable [] groups = multicast == null ? NO_GROUPS : multicast.getGroups();
     return groups != null && groups.length == 0 ? NO_GROUPS : groups;

@@ -20,28 +20,28 @@ import org.dfra.river.loading.TrustedCode;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Looks once for the effectors that lookup services list, for an emergency: each is reported as
- * soon as it is read, whatever else is still to be read.
+ * Searches once for the effectors that lookup services list, for an emergency. It reports each
+ * effector as soon as it is read, without waiting for the others.
  *
  * <pre>
  *   discovery --&gt; RegistrarEffectorReader, one for each lookup service, in parallel
  *                   wanted and known robots first, then the other robots it lists
  * </pre>
  *
- * <p>A {@link JiniModuleDirectory} reads everything before it answers, so that thousands of modules
- * in one lookup service delay those of all robots. Nothing is followed here: what is registered
- * later is not found. Lookup services that claim one service ID are all read.
+ * <p>A {@link JiniModuleDirectory} reads everything before it answers, so thousands of modules in
+ * one lookup service would delay those of all robots. This search receives no events: it does not
+ * find later registrations. It reads all lookup services, even if several claim one service ID.
  */
 public final class EffectorSearch implements AutoCloseable {
 
-  /** What is reported, by any thread, also several times. Must not block. */
+  /** Receives the results, on any thread, possibly several times. Must not block. */
   public interface Listener {
 
     /**
      * A lookup service was found.
      *
      * @param registrar as in {@link ListedEffector#registrar}
-     * @param host the computer where it says that it runs: a name or an address, not verified
+     * @param host the computer that it claims to run on: a name or an address, not verified
      */
     void registrarFound(UUID registrar, String host);
 
@@ -49,7 +49,7 @@ public final class EffectorSearch implements AutoCloseable {
     void found(ListedEffector effector);
   }
 
-  /** How much longer than the patience lookup services that were found may take to be read. */
+  /** How much longer than the timeout the reading of found lookup services may take. */
   private static final Duration READING = Duration.ofSeconds(3);
 
   private final List<String> groups;
@@ -64,19 +64,19 @@ public final class EffectorSearch implements AutoCloseable {
 
   private boolean closed; // guarded by readings
 
-  /** Until then lookup services that do not answer are asked again, by {@link System#nanoTime}. */
-  private volatile @Nullable Long findEnd; // once somebody waits
+  /** Until then, unanswered queries are repeated; {@link System#nanoTime}. */
+  private volatile @Nullable Long findEnd; // set by awaitRead
 
   /**
-   * Begins to look.
+   * Starts the search.
    *
    * @param groups discovery groups, found by multicast; none if empty
    * @param locators {@code jini://host:port} each, found by unicast
    * @param wanted robots whose effectors are wanted, by name; all robots if empty
-   * @param known robots that are read first where all are wanted
+   * @param known robots that are read first if all are wanted
    * @throws IOException if multicast cannot be used or a locator is malformed
    * @throws IllegalStateException if this virtual machine was started without the boot class path
-   *     that proxies need; the message says with which option to start it
+   *     that proxies need; the message has the option that it needs
    */
   public EffectorSearch(
       List<String> groups,
@@ -112,7 +112,7 @@ public final class EffectorSearch implements AutoCloseable {
 
           @Override
           public void discarded(DiscoveryEvent event) {
-            // What it listed is called all the same.
+            // The effectors that it listed are still valid.
           }
         });
   }
@@ -141,13 +141,13 @@ public final class EffectorSearch implements AutoCloseable {
   }
 
   /**
-   * Waits until everything at hand was read: at every locator a lookup service was found, and each
-   * that was found was read to its end. With groups this takes all the patience, since multicast
-   * never says that everybody has answered; and 3 s longer where a lookup service is not read to
-   * its end by then. What a lookup service does not answer in time it is asked again, twice in all
-   * and while the patience lasts.
+   * Waits until all reachable lookup services are read: a lookup service was found at every
+   * locator, and each found one was read completely. With groups this always takes the whole
+   * timeout, since multicast does not report when all have answered. It takes 3 s longer if a
+   * lookup service is not read completely by then. An unanswered query is sent at least twice, and
+   * again until the timeout.
    *
-   * @param timeout how long lookup services may take to be found
+   * @param timeout how long the discovery of lookup services may take
    * @return the locators at which no lookup service was found
    */
   public List<String> awaitRead(Duration timeout) throws InterruptedException {
@@ -168,7 +168,7 @@ public final class EffectorSearch implements AutoCloseable {
     }
   }
 
-  /** Holds the readings' lock. */
+  /** The caller holds the lock of {@code readings}. */
   private List<String> missing() {
     List<String> missing = new ArrayList<>();
     discovery
@@ -183,14 +183,14 @@ public final class EffectorSearch implements AutoCloseable {
     return missing;
   }
 
-  /** What was not read of lookup services that were found, and why; a sentence each. */
+  /** What was not read from found lookup services, and why; a sentence each. */
   public List<String> unread() {
     synchronized (readings) {
       return readings.values().stream().flatMap(each -> each.unread().stream()).toList();
     }
   }
 
-  /** Ends it, without waiting for calls that are under way. */
+  /** Closes the search without waiting for running calls. */
   @Override
   public void close() {
     List<RegistrarEffectorReader> ending;

@@ -35,23 +35,23 @@ import org.dfra.river.proxy.LocalModuleRegistry;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The directory of what all lookup services hold that can be discovered.
+ * The directory of the modules in all discoverable lookup services.
  *
- * <p>It answers from a cache, which events and a periodic look at everything keep up to date. When
- * lookup services vanish it keeps what they held, marked stale; when a module's lease runs out at
- * one that is within reach, the module is gone. A lookup service that comes back is found again
- * within {@link DirectorySettings#locatorRetry}, or at its next announcement.
+ * <p>It answers from a cache. Events and periodic complete queries keep the cache up to date. If
+ * lookup services become unreachable, their modules stay in the cache, marked stale. If a module's
+ * lease expires at a reachable lookup service, the module is removed. A lookup service that returns
+ * is found again within {@link DirectorySettings#locatorRetry}, or at its next announcement.
  *
  * <p>Threads: one for each locator and each lookup service, and {@code dfra-directory-watchdog},
- * which notices those that do not answer; {@link #close} ends them all.
+ * which detects those that do not answer; {@link #close} stops them all.
  */
 public final class JiniModuleDirectory extends CachedModuleDirectory {
 
-  /** An address in figures, of either version. */
+  /** A numeric address, IPv4 or IPv6. */
   private static final Pattern ADDRESS =
       Pattern.compile("[0-9.]{7,15}|[0-9a-fA-F:.]*:[0-9a-fA-F:.]*");
 
-  /** For how many hosts it is kept whether they are this computer. */
+  /** The limit of hosts in the cache of {@link #isHere}. */
   private static final int MOST_HOSTS = 1024;
 
   private final DirectorySettings settings;
@@ -67,14 +67,14 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
   private boolean closed; // guarded by watches
 
   /**
-   * Begins to discover lookup services, with robot timings.
+   * Starts the discovery of lookup services, with robot timings.
    *
    * @param host address or name of this machine at which lookup services can call back
    * @param groups discovery groups, found by multicast; none if empty
    * @param locators {@code jini://host:port} each, found by unicast
    * @throws IOException if multicast cannot be used or a locator is malformed
    * @throws IllegalStateException if this virtual machine was started without the boot class path
-   *     that proxies need; the message says with which option to start it
+   *     that proxies need; the message has the option that it needs
    */
   public JiniModuleDirectory(String host, List<String> groups, List<String> locators)
       throws IOException {
@@ -82,12 +82,12 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
   }
 
   /**
-   * Begins to discover lookup services.
+   * Starts the discovery of lookup services.
    *
-   * @param clock the time that staleness is reckoned by
+   * @param clock the time from which staleness is computed
    * @throws IOException if multicast cannot be used or a locator is malformed
    * @throws IllegalStateException if this virtual machine was started without the boot class path
-   *     that proxies need; the message says with which option to start it
+   *     that proxies need; the message has the option that it needs
    */
   public JiniModuleDirectory(DirectorySettings settings, InstantSource clock) throws IOException {
     super(clock);
@@ -119,29 +119,29 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
   }
 
   /**
-   * The modules that lookup services within reach hold, and whose proxies cannot be read here. No
-   * query finds them.
+   * The modules of reachable lookup services whose proxies cannot be read here. No query finds
+   * them.
    */
   public List<UnreadableModule> unreadableModules() {
     return sightings.unreadable();
   }
 
   /**
-   * What lookup services within reach list differently under one service ID. A query finds the one
-   * that was listed first.
+   * The different services that reachable lookup services list under one service ID. A query finds
+   * the one that was listed first.
    */
   public List<ModuleConflict> conflicts() {
     return sightings.conflicts();
   }
 
-  /** How many lookup services are within reach now. */
+  /** How many lookup services are reachable now. */
   public int registrarCount() {
     synchronized (watches) {
       return watches.size();
     }
   }
 
-  /** The lookup services that are within reach now. Several may claim one service ID. */
+  /** The lookup services that are reachable now. Several may claim one service ID. */
   public List<ServiceRegistrar> lookupServices() {
     synchronized (watches) {
       return watches.values().stream().<ServiceRegistrar>map(RegistrarMonitor::registrar).toList();
@@ -149,12 +149,12 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
   }
 
   /**
-   * Waits until everything at hand has been looked at once: at every locator a lookup service was
-   * found and what it holds was read. One that was found in time is read to the end, unless it
-   * falls silent for {@link DirectorySettings#registrarTimeout}. Multicast never says that
-   * everybody has answered, so with groups this always takes as long as it may.
+   * Waits until all reachable lookup services have been read once: a lookup service was found and
+   * read at every locator. One that was found in time is read completely, unless it does not answer
+   * for {@link DirectorySettings#registrarTimeout}. Multicast does not report when all have
+   * answered, so with groups this always takes the whole timeout.
    *
-   * @param timeout how long lookup services may take to be found
+   * @param timeout how long the discovery of lookup services may take
    * @return the locators at which no lookup service was read meanwhile
    */
   public List<String> awaitFirstRead(Duration timeout) throws InterruptedException {
@@ -173,12 +173,14 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     }
   }
 
-  /** Holds the watches' lock. */
+  /** The caller holds the lock of {@code watches}. */
   private boolean isAnyBeingRead() {
     return watches.values().stream().anyMatch(watch -> !watch.isRead());
   }
 
-  /** The locators at which no lookup service was read. Holds the watches' lock. */
+  /**
+   * The locators at which no lookup service was read. The caller holds the lock of {@code watches}.
+   */
   private List<String> unread() {
     List<String> missing = new ArrayList<>();
     discovery
@@ -209,7 +211,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
 
     @Override
     public void discarded(DiscoveryEvent event) {
-      // Its watch knows better whether it answers.
+      // Its monitor checks by itself whether it answers.
     }
   }
 
@@ -240,7 +242,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
       watches.remove(watch.registrar(), watch);
       watches.notifyAll();
     }
-    discovery.discard(watch.registrar()); // and look for it again
+    discovery.discard(watch.registrar()); // then search for it again
   }
 
   private void check() {
@@ -258,7 +260,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     }
     for (Attributes each : attributes) {
       if (each instanceof ModuleAttributes module) {
-        if (hosts.size() > MOST_HOSTS) { // strangers may name any number
+        if (hosts.size() > MOST_HOSTS) { // unknown clients may name any number
           hosts.clear();
         }
         return hosts.computeIfAbsent(module.host(), this::isHere)
@@ -270,7 +272,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
   }
 
   /**
-   * Whether a host that a module's entry names is this computer. Names are not looked up: anybody
+   * Whether the host in a module's entry is this computer. It does not resolve names: any client
    * may write them, and a look-up may take seconds.
    */
   private boolean isHere(String host) {

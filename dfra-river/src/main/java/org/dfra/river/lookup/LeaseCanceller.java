@@ -14,7 +14,7 @@ import org.slf4j.LoggerFactory;
  * Cancels leases, all at the same time.
  *
  * <p>Threads: a daemon for each lease, {@code dfra-lookup-cancel-n}, which ends when the lookup
- * service has answered or its call has failed. A lookup service of another make may have no
+ * service has answered or its call has failed. Another implementation's lookup service may have no
  * deadline on its calls; then the thread lasts until the connection breaks.
  */
 final class LeaseCanceller {
@@ -24,7 +24,7 @@ final class LeaseCanceller {
 
   private final Set<Thread> underWay = ConcurrentHashMap.newKeySet();
 
-  /** Begins to cancel a lease and returns at once. */
+  /** Starts the cancellation of a lease and returns immediately. */
   void cancelAsync(Lease lease) {
     Thread thread =
         new Thread(
@@ -51,16 +51,16 @@ final class LeaseCanceller {
       lease.cancel();
     } catch (UnknownLeaseException | RemoteException e) {
       LOG.debug("A registration could not be cancelled; it ends with its lease.", e);
-    } catch (RuntimeException e) { // of a lookup service's own proxy
+    } catch (RuntimeException e) { // thrown by the lookup service's own proxy
       LOG.warn(
           "A registration could not be cancelled ({}); it ends with its lease.", e.toString(), e);
     }
   }
 
   /**
-   * Waits until all that have begun have ended.
+   * Waits for all started cancellations.
    *
-   * @param timeout how long at the longest, for all of them together
+   * @param timeout the longest wait for all of them together
    * @throws InterruptedException if the waiting thread is interrupted
    */
   void await(Duration timeout) throws InterruptedException {

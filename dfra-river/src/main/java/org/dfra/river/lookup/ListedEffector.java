@@ -8,7 +8,7 @@ import org.dfra.text.PrintableText;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An effector as a lookup service lists it. All of it is the word of whoever registered it.
+ * An effector in a lookup service. All of it is unverified data of the registrant.
  *
  * @param id its service ID
  * @param registrar which lookup service lists it: a key of this search, since the service ID that a

@@ -18,14 +18,14 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * What one lookup service lists under one service ID: a module, a module that cannot be read here,
- * or a robot as such.
+ * or a robot's own entry.
  *
  * @param path {@code robot/name} of a module, or the robot's name
  * @param module the module; null if it is none, or cannot be read
  * @param attributes all of them
  * @param unreadable the module that cannot be read; else null
  * @param robot the robot; null if it is a module
- * @param callTarget what a call of it reaches, to be compared without a call
+ * @param callTarget the object that its calls reach, for comparison without a call
  */
 record ListedService(
     String path,
@@ -43,8 +43,8 @@ record ListedService(
   /**
    * Reads an item.
    *
-   * @param fault why its proxy could not be read, where it is missing
-   * @return nothing if it is neither a module nor stands for a robot
+   * @param fault why its proxy could not be read, if it is missing
+   * @return empty if it represents neither a module nor a robot
    */
   static Optional<ListedService> of(ServiceItem item, String fault) {
     List<Attributes> attributes = Entries.toAttributes(item.attributeSets);
@@ -80,7 +80,7 @@ record ListedService(
     return null;
   }
 
-  /** Proxies of one service ID are equal; what they call may differ. */
+  /** Proxies of one service ID are equal; their call targets may differ. */
   private static List<Object> callTarget(Module module) {
     List<Object> callee = new ArrayList<>();
     if (module instanceof ModuleProxy<?> proxy) {
@@ -88,7 +88,7 @@ record ListedService(
       if (Proxy.isProxyClass(server.getClass())
           && Proxy.getInvocationHandler(server) instanceof ResurrectingHandler handler) {
         callee.add(handler.activationID());
-        @Nullable Remote live = handler.live(); // as it was registered: nobody has called it yet
+        @Nullable Remote live = handler.live(); // the registered one: no call has replaced it
         if (live != null) {
           callee.add(live);
         }
@@ -111,11 +111,11 @@ record ListedService(
     return (robot == null) == (other.robot() == null);
   }
 
-  /** Whether the other calls the same and has the same name. Makes no call. */
+  /** Whether the other has the same call target and the same name. Makes no call. */
   boolean isSameAs(ListedService other) {
     try {
       return callTarget.equals(other.callTarget());
-    } catch (RuntimeException e) { // a stranger's proxy may throw what it likes
+    } catch (RuntimeException e) { // an unknown registrant's proxy may throw anything
       return false;
     }
   }

@@ -14,8 +14,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Looks for the lookup service at one locator, at a steady rate, until it is found, and again when
- * it is discarded. River's own waits longer after each failure, up to minutes.
+ * Searches for the lookup service at one locator, at a fixed rate, until it is found, and again
+ * when it is discarded. River's own search increases its delay after each failure, up to minutes.
  *
  * <p>Threads: one daemon, {@code dfra-locator-host:port}, from construction to {@link #close}.
  */
@@ -32,10 +32,10 @@ final class LocatorSearch implements AutoCloseable {
   private @Nullable LocatedRegistrar found; // guarded by lock
   private boolean closed; // guarded by lock
   private long foundAt; // guarded by lock
-  private boolean complained; // by the thread
+  private boolean complained; // used by the thread only
 
   /**
-   * @param retry how long to wait before it is tried again
+   * @param retry the delay before the next attempt
    * @param finder receives the lookup service, on the search's thread
    */
   LocatorSearch(LookupLocator locator, Duration retry, Consumer<LocatedRegistrar> finder) {
@@ -56,7 +56,7 @@ final class LocatorSearch implements AutoCloseable {
     return locator;
   }
 
-  /** Which lookup service is there, as far as is known. */
+  /** The lookup service at the locator, as far as is known. */
   @Nullable LocatedRegistrar found() {
     lock.lock();
     try {
@@ -66,7 +66,7 @@ final class LocatorSearch implements AutoCloseable {
     }
   }
 
-  /** Looks again, if it is this one that was found. */
+  /** Searches again, if the lost lookup service is the found one. */
   void discard(LocatedRegistrar lost) {
     lock.lock();
     try {
@@ -103,7 +103,7 @@ final class LocatorSearch implements AutoCloseable {
     }
   }
 
-  /** Waits until there is something to look for; false when closed. */
+  /** Waits until a search is needed; false when closed. */
   private boolean awaitNeed() throws InterruptedException {
     lock.lock();
     try {
@@ -111,7 +111,7 @@ final class LocatorSearch implements AutoCloseable {
       while (found != null && !closed) {
         changed.await();
       }
-      // One that is found but fails at once must not be asked in an endless rush.
+      // Limits the rate of calls to a lookup service that is found but fails immediately.
       long wait = foundAt + retry.toNanos() - System.nanoTime();
       while (again && wait > 0 && !closed) {
         wait = changed.awaitNanos(wait);

@@ -17,8 +17,8 @@ import org.dfra.time.Scheduler;
 public final class LookupJoin implements AutoCloseable {
 
   /**
-   * How long all lookup services together may take to forget the module. The rest of a second is
-   * for all else that the end of a module takes.
+   * How long all lookup services together may take to remove the module. The rest of a second is
+   * for all other parts of the module's shutdown.
    */
   static final Duration CLOSE_TIMEOUT = Duration.ofMillis(800);
 
@@ -39,11 +39,12 @@ public final class LookupJoin implements AutoCloseable {
   }
 
   /**
-   * Begins to register a module. Returns at once; lookup services are joined as they are found.
+   * Starts the registration of a module and returns immediately. It registers with each lookup
+   * service that it finds.
    *
-   * @param proxy what clients get
+   * @param proxy the proxy that clients receive
    * @param id the module's identity, the same after every restart
-   * @param attributes what it is registered with
+   * @param attributes the module's entries
    * @param groups discovery groups; none if empty
    * @param locators {@code jini://host:port} each
    * @param configuration entries of River's own components, such as {@code
@@ -82,26 +83,26 @@ public final class LookupJoin implements AutoCloseable {
     }
   }
 
-  /** How lookup services are found; what is changed there counts at once. */
+  /** The discovery of lookup services; changes take effect immediately. */
   public Discovery discovery() {
     return discovery;
   }
 
-  /** What the module is registered with. */
+  /** The module's present entries. */
   public Entry[] attributes() {
     return manager.getAttributes();
   }
 
-  /** Registers the module with other attributes from now on. Returns at once. */
+  /** Replaces the module's entries. Returns immediately. */
   public void setAttributes(Entry[] attributes) {
     manager.setAttributes(attributes);
   }
 
   /**
-   * Takes the module out of every lookup service it joined, or was about to join. All of them are
-   * asked at the same time, and awaited for 0.8 s in all. A lookup service that does not answer by
-   * then forgets the module when its lease expires. A registration that is under way is cancelled
-   * as soon as it is granted.
+   * Cancels the module's registrations with all lookup services. All are called at the same time,
+   * and awaited for 0.8 s in total. A lookup service that does not answer by then removes the
+   * module when its lease expires. A registration in progress is cancelled as soon as it is
+   * granted.
    */
   @Override
   public void close() {
@@ -113,7 +114,7 @@ public final class LookupJoin implements AutoCloseable {
       threads.awaitEnd(left(began));
       renewals.awaitCancelled(left(began));
     } catch (InterruptedException e) {
-      Thread.currentThread().interrupt(); // the caller is in a hurry; what is granted is cancelled
+      Thread.currentThread().interrupt(); // no further wait; a later grant is cancelled
     }
   }
 

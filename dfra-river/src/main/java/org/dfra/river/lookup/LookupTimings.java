@@ -10,26 +10,26 @@ import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The pace at which lookup services are looked for and registrations are renewed.
+ * The timing of the discovery of lookup services and of the renewal of registrations.
  *
- * <p>River's own is an office's: it waits longer and longer between tries, up to a quarter of an
- * hour, and for a peer that falls silent in the middle of one a minute. A robot that comes back
- * into radio range is to be found within seconds.
+ * <p>River's default retry delays suit an office network: they increase up to a quarter of an hour,
+ * and an attempt waits a minute for a peer that stops answering. A robot that returns into radio
+ * range must be found within seconds.
  */
 final class LookupTimings {
 
-  /** The longest lease that a module asks of a lookup service, which may grant a shorter one. */
+  /** The longest lease that a module requests; a lookup service may grant a shorter one. */
   static final Duration MAX_LEASE = Duration.ofSeconds(30);
 
-  /** The longest wait between two tries. */
+  /** The longest delay between two attempts. */
   static final Duration MAX_RETRY_DELAY = Duration.ofSeconds(2);
 
-  /** How long one try waits for its connection, and the same again for the whole answer. */
+  /** The timeout of one attempt for its connection, and again for the whole answer. */
   static final Duration ATTEMPT_TIMEOUT = Duration.ofSeconds(2);
 
   private LookupTimings() {}
 
-  /** What {@code own} says, and where it says nothing of the pace, this one. */
+  /** Returns the entries of {@code own}, and these timings as defaults. */
   static Configuration configuration(Configuration own) {
     return new SuppliedConfiguration(
         own,
@@ -41,9 +41,8 @@ final class LookupTimings {
   }
 
   /**
-   * Wakes nobody later than in {@link #MAX_RETRY_DELAY}. Its callers reckon by the computer's
-   * clock, but the wait itself is monotonic: where that clock is set back nobody waits longer for
-   * it.
+   * Wakes every task within {@link #MAX_RETRY_DELAY}. Its callers use the wall clock, but the wait
+   * itself is monotonic: if the clock is set back, no task waits longer.
    */
   static final class BoundedWakeupManager extends WakeupManager {
 
@@ -62,7 +61,7 @@ final class LookupTimings {
     }
 
     /**
-     * {@inheritDoc} River's tasks for it only hand on work, so they need no thread of their own.
+     * {@inheritDoc} River's tasks for it only delegate work, so they need no thread of their own.
      */
     @Override
     public Ticket schedule(long when, Runnable task, @Nullable ThreadDesc thread) {

@@ -4,13 +4,14 @@ import java.util.List;
 import org.dfra.text.PrintableText;
 
 /**
- * Lookup services list different things under one service ID. One of them may be a stranger's; a
- * module that was just restarted looks the same for a moment.
+ * Lookup services list different services under one service ID. One of them may come from an
+ * unknown registrant. A module that was just restarted causes the same for a moment.
  *
- * @param path {@code robot/name} of the module, or the robot's name, as the one that counts says
+ * @param path {@code robot/name} of the module, or the robot's name, in the listing that takes
+ *     precedence
  * @param id the service ID
- * @param preferred where the lookup service is that counts, as {@code address:port}
- * @param others where those are that list something else
+ * @param preferred the lookup service that takes precedence, as {@code address:port}
+ * @param others the lookup services that list something else
  */
 public record ModuleConflict(String path, String id, String preferred, List<String> others) {
 
@@ -19,7 +20,7 @@ public record ModuleConflict(String path, String id, String preferred, List<Stri
     others = List.copyOf(others);
   }
 
-  /** A sentence without a full stop: what, where, and what to do. */
+  /** A sentence without a full stop: the conflict, its place, and the remedy. */
   public String describe() {
     return path
         + " is listed differently by the lookup services at "

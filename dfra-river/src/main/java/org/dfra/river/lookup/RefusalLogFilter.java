@@ -12,8 +12,8 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.LoggerFactory;
 
 /**
- * Reports once that a lookup service refuses a registration. River's join manager discards such a
- * lookup service, finds it again a second later, tries again, and would log each failure.
+ * Logs once that a lookup service refuses a registration. River's join manager discards such a
+ * lookup service, finds it again a second later, retries, and would log each failure.
  *
  * <p>Thread-safe.
  */
@@ -21,7 +21,7 @@ final class RefusalLogFilter implements Filter {
 
   private static final org.slf4j.Logger LOG = LoggerFactory.getLogger(RefusalLogFilter.class);
 
-  /** The logger of River's join manager; it would forget its filter if nobody held it. */
+  /** The logger of River's join manager; without a strong reference it would lose its filter. */
   private static final Logger JOIN_MANAGER = Logger.getLogger("net.jini.lookup.JoinManager");
 
   private static final int REMEMBERED = 64;
@@ -29,7 +29,7 @@ final class RefusalLogFilter implements Filter {
 
   private final @Nullable Filter next;
 
-  /** Sentences that were reported; of many the newest. */
+  /** Messages that were logged; limited to the newest. */
   private final Set<String> reported =
       Collections.synchronizedSet(
           Collections.newSetFromMap(
@@ -43,13 +43,13 @@ final class RefusalLogFilter implements Filter {
               }));
 
   /**
-   * @param next decides on everything else; null if everything else is logged
+   * @param next filters all other records; null if all are logged
    */
   RefusalLogFilter(@Nullable Filter next) {
     this.next = next;
   }
 
-  /** Has the join managers of this virtual machine report refusals once. Idempotent. */
+  /** Installs the filter for all join managers of this virtual machine. Idempotent. */
   static synchronized void install() {
     @Nullable Filter before = JOIN_MANAGER.getFilter();
     if (!(before instanceof RefusalLogFilter)) {

@@ -29,27 +29,27 @@ import org.dfra.river.entry.ModuleEntry;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads the effectors that one lookup service lists, robot by robot, so that no answer is large.
+ * Reads the effectors of one lookup service, robot by robot, so that no answer is large.
  *
- * <p>What is not answered in time is asked again after all else, twice in all, and while there is
- * time.
+ * <p>A query that is not answered in time is repeated after all others: twice in all, and further
+ * while there is time.
  *
  * <p>Threads: {@code dfra-search-id}, {@value #THREADS} for each lookup service until it is closed.
- * Each answer holds {@value #LIMIT} effectors at the most; where a robot has more of them, they are
- * read by their names.
+ * Each answer has at most {@value #LIMIT} effectors. If a robot has more of them, they are read by
+ * their names.
  */
 final class RegistrarEffectorReader implements AutoCloseable {
 
   private static final int THREADS = 4;
   private static final int LIMIT = 64;
 
-  /** How often each question is asked at least, if it is not answered. */
+  /** The least number of attempts for a query that is not answered. */
   private static final int TRIES = 2;
 
-  /** Where many calls of a peer hang, the next ones fail at once as if they were not answered. */
+  /** If many calls to a peer hang, the next ones fail immediately as if they were not answered. */
   private static final long PAUSE_MILLIS = 250;
 
-  /** Effectors of one name on one robot that are read; an honest robot has one. */
+  /** Limit of effectors with one name on one robot; a legitimate robot has one. */
   private static final int LIMIT_OF_ONE_NAME = 8;
 
   private final ServiceRegistrar registrar;
@@ -60,17 +60,17 @@ final class RegistrarEffectorReader implements AutoCloseable {
   private final Runnable changed;
   private final BooleanSupplier isTimeLeft;
   private final ExecutorService threads;
-  private final Executor later; // on these threads
+  private final Executor later; // delayed, on these threads
   private final Set<String> begun = new LinkedHashSet<>(); // robots; guarded by this
   private final Set<String> faults = new LinkedHashSet<>(); // guarded by this
-  private int pending; // questions that are not answered yet; guarded by this
+  private int pending; // queries without an answer; guarded by this
 
   /**
    * @param wanted robots that are read; all if empty
    * @param known robots that are read first
    * @param loader context class loader of the reading threads
-   * @param onChange is called when it was read to its end
-   * @param isTimeLeft whether a question that was not answered twice is asked again
+   * @param onChange is called when the reading is complete
+   * @param isTimeLeft whether a query that failed twice is repeated
    */
   RegistrarEffectorReader(
       ServiceRegistrar registrar,
@@ -103,7 +103,7 @@ final class RegistrarEffectorReader implements AutoCloseable {
     void ask() throws RemoteException;
   }
 
-  /** Begins to read. */
+  /** Starts reading. */
   void start() {
     submit(this::locate);
     if (wanted.isEmpty()) {
@@ -137,10 +137,10 @@ final class RegistrarEffectorReader implements AutoCloseable {
   }
 
   /**
-   * Asks once. What was not answered is asked again behind all other questions, since an overloaded
-   * computer, this one or the other, may need more time than a call has.
+   * Sends one query. An unanswered one is repeated behind all others, since an overloaded computer,
+   * this one or the other, may need more time than a call has.
    *
-   * @return whether it is not to be asked again
+   * @return whether it must not be repeated
    */
   private boolean isAnswered(RemoteQuery question, int tries) {
     try {
@@ -151,7 +151,7 @@ final class RegistrarEffectorReader implements AutoCloseable {
         return false;
       }
       fault(e);
-    } catch (RemoteException | RuntimeException | Error e) { // the others are asked still
+    } catch (RemoteException | RuntimeException | Error e) { // the others are still sent
       fault(e);
     }
     return true;
@@ -179,7 +179,7 @@ final class RegistrarEffectorReader implements AutoCloseable {
     }
   }
 
-  /** Each robot once. */
+  /** Starts reading a robot, once. */
   private void begin(String robot) {
     synchronized (this) {
       if (!begun.add(robot)) {
@@ -237,12 +237,12 @@ final class RegistrarEffectorReader implements AutoCloseable {
     return new ServiceTemplate(null, new Class<?>[] {Effector.class}, new Entry[] {of});
   }
 
-  /** Whether these were all that match. */
+  /** Whether these were all matches. */
   private boolean publish(ServiceMatches matches) {
     for (ServiceItem item : matches.items) {
       try {
         publish(item);
-      } catch (RuntimeException e) { // a stranger's item must not hide those after it
+      } catch (RuntimeException e) { // an unknown registrant's item must not hide later ones
         fault("an effector cannot be read (" + e.getClass().getSimpleName() + ")");
       }
     }
@@ -267,7 +267,7 @@ final class RegistrarEffectorReader implements AutoCloseable {
     }
   }
 
-  /** Whether everything was asked and answered. */
+  /** Whether every query was sent and answered. */
   synchronized boolean isOver() {
     return pending == 0;
   }
@@ -288,7 +288,7 @@ final class RegistrarEffectorReader implements AutoCloseable {
     return "not every effector of lookup service " + registrar + " was called: " + fault;
   }
 
-  /** Ends it, without waiting for calls that are under way. */
+  /** Closes the reader without waiting for running calls. */
   @Override
   public void close() {
     threads.shutdownNow();

@@ -37,11 +37,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Follows what one lookup service holds: by its events, by a sign of life at every heartbeat, and
- * by asking for everything now and then, in case an event was lost.
+ * Tracks the contents of one lookup service: by its events, by a heartbeat, and by periodic
+ * complete queries, in case an event was lost.
  *
- * <p>Threads: one daemon, {@code dfra-registrar-id}, makes every call to the lookup service. Where
- * such a call hangs, only this thread does; {@link #check}, on the directory's own thread, notices.
+ * <p>Threads: one daemon, {@code dfra-registrar-id}, makes every call to the lookup service. If
+ * such a call hangs, it blocks only this thread; {@link #check}, on the directory's own thread,
+ * detects it.
  */
 final class RegistrarMonitor implements AutoCloseable {
 
@@ -52,7 +53,7 @@ final class RegistrarMonitor implements AutoCloseable {
           | ServiceRegistrar.TRANSITION_MATCH_NOMATCH
           | ServiceRegistrar.TRANSITION_NOMATCH_MATCH;
 
-  /** So many events may wait; past them everything is asked for instead. */
+  /** The limit of waiting events; beyond it a complete query replaces them. */
   private static final int LONGEST_QUEUE = 10_000;
 
   private final LocatedRegistrar identity;
@@ -66,26 +67,26 @@ final class RegistrarMonitor implements AutoCloseable {
   private final BlockingQueue<ServiceEvent> events = new LinkedBlockingQueue<>(LONGEST_QUEUE);
   private final Thread thread;
 
-  /** Kept here, since JERI does not keep what it exported. */
+  /** A strong reference, since JERI holds what it exports weakly. */
   private final ServiceEventListener listener = new ServiceEventListener();
 
   private volatile boolean closed;
-  private volatile boolean read; // everything, once at least
-  private volatile boolean incomplete = true; // something was missed
+  private volatile boolean read; // complete, at least once
+  private volatile boolean incomplete = true; // an event or item was missed
   private volatile Instant vouched;
-  private volatile long busySince; // System.nanoTime of a call under way; 0 for none
+  private volatile long busySince; // System.nanoTime of the running call; 0 for none
   private volatile boolean silent;
   private final Map<ServiceID, String> faults = new HashMap<>(); // of proxies; by the thread
   private @Nullable EventRegistration registration; // by the thread
   private long sequence; // by the thread
-  private long complete; // System.nanoTime when all was asked for; by the thread
-  private boolean located; // whether its computer was asked for; by the thread
+  private long complete; // System.nanoTime of the last complete query; by the thread
+  private boolean located; // whether its host was read; by the thread
   private long beaten = System.nanoTime(); // when the last heartbeat was sent; by the thread
 
   /**
-   * @param exporter exports the listener while the watch goes on
-   * @param reader is told when everything was read, on the watch's thread
-   * @param end is told when the lookup service has failed and the watch is over
+   * @param exporter exports the listener while the monitor runs
+   * @param reader is notified when everything was read, on the monitor's thread
+   * @param end is notified when the lookup service has failed and the monitor has ended
    */
   RegistrarMonitor(
       LocatedRegistrar identity,
@@ -117,12 +118,12 @@ final class RegistrarMonitor implements AutoCloseable {
     return identity;
   }
 
-  /** Whether everything that it holds was read once. */
+  /** Whether its contents were read completely once. */
   boolean isRead() {
     return read;
   }
 
-  /** Notices a lookup service that does not answer. */
+  /** Detects a lookup service that does not answer. */
   void check(long nanos) {
     long since = busySince;
     if (since != 0 && nanos - since > settings.registrarTimeout().toNanos() && !silent) {
@@ -148,8 +149,7 @@ final class RegistrarMonitor implements AutoCloseable {
         if (event != null) {
           take(event);
         }
-        // By time: where events come faster than it beats, the lease on them must live all the
-        // same.
+        // By time: if events come faster than heartbeats, the event lease must still be renewed.
         if (age(beaten).compareTo(settings.heartbeatInterval()) >= 0) {
           beaten = System.nanoTime();
           beat();
@@ -193,8 +193,8 @@ final class RegistrarMonitor implements AutoCloseable {
   }
 
   /**
-   * Asks for everything, robot by robot: so no answer is so large that it misses its deadline. What
-   * changes meanwhile comes as an event afterwards.
+   * Reads everything, robot by robot, so that no answer is too large for its deadline. Later
+   * changes come as events.
    */
   private void reconcile() throws RemoteException {
     incomplete = false;
@@ -218,7 +218,7 @@ final class RegistrarMonitor implements AutoCloseable {
     silent = false;
     locate();
     faults.keySet().retainAll(items.keySet());
-    // What can be used does not wait for what cannot.
+    // Publish usable services before the search for faults of the others.
     sightings.replaceAll(identity, items.values(), faults);
     findFaults(items.values());
     complete = System.nanoTime();
@@ -226,7 +226,7 @@ final class RegistrarMonitor implements AutoCloseable {
     reader.run();
   }
 
-  /** Asks once which computer it runs on. */
+  /** Reads once which computer it runs on. */
   private void locate() throws RemoteException {
     if (!located) {
       @Nullable LookupLocator locator = call(() -> registrar.getLocator());
@@ -237,7 +237,7 @@ final class RegistrarMonitor implements AutoCloseable {
     }
   }
 
-  /** Finds why proxies could not be read, where that is not known yet. */
+  /** Determines why proxies could not be read, unless this is known. */
   private void findFaults(Collection<ServiceItem> items) throws RemoteException {
     for (ServiceItem item : items) {
       if (item.service != null) {
@@ -260,7 +260,7 @@ final class RegistrarMonitor implements AutoCloseable {
     }
   }
 
-  /** Why the proxy of one cannot be read; it is read again for that, by itself. */
+  /** Why a service's proxy cannot be read; this reads the service again, by itself. */
   private Optional<String> fault(ServiceID service) throws RemoteException {
     ServiceTemplate one = new ServiceTemplate(service, null, null);
     return LoadingFaults.during(
@@ -272,7 +272,7 @@ final class RegistrarMonitor implements AutoCloseable {
   private void take(ServiceEvent event) throws RemoteException {
     EventRegistration known = registration;
     if (known == null || event.getID() != known.getID()) {
-      return; // of a registration before this one
+      return; // of an earlier registration
     }
     long next = event.getSequenceNumber();
     if (next != sequence + 1) {
@@ -297,7 +297,7 @@ final class RegistrarMonitor implements AutoCloseable {
     }
   }
 
-  /** A sign of life that also keeps the events coming. */
+  /** Sends a heartbeat, which renews the event lease. */
   private void beat() throws RemoteException {
     EventRegistration known = registration;
     if (known == null) {
@@ -314,7 +314,7 @@ final class RegistrarMonitor implements AutoCloseable {
             }
           });
     } catch (UnknownLeaseException e) {
-      registration = null; // it came back without its memory
+      registration = null; // it was restarted without its event registrations
     }
   }
 
@@ -328,7 +328,7 @@ final class RegistrarMonitor implements AutoCloseable {
       T answer = asked.ask();
       vouched = clock.instant();
       if (silent) {
-        incomplete = true; // it is back: everything is asked for anew
+        incomplete = true; // it answers again: read everything
       }
       return answer;
     } finally {
@@ -347,14 +347,14 @@ final class RegistrarMonitor implements AutoCloseable {
     }
   }
 
-  /** Ends it, without waiting for a call that is under way. */
+  /** Closes the monitor without waiting for a running call. */
   @Override
   public void close() {
     closed = true;
     thread.interrupt();
   }
 
-  /** Takes events from the lookup service; never blocks it. */
+  /** Queues the lookup service's events; never blocks it. */
   private final class ServiceEventListener implements RemoteEventListener {
     @Override
     public void notify(RemoteEvent event) {
@@ -364,7 +364,7 @@ final class RegistrarMonitor implements AutoCloseable {
     }
   }
 
-  /** What it follows, for people. */
+  /** The lookup service, for people. */
   @Override
   public String toString() {
     return List.of(identity, silent ? "silent" : "answers").toString();

@@ -7,9 +7,9 @@ import org.dfra.river.discovery.LocatedRegistrar;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A configuration whose preparer of lookup services' proxies gets the proxies themselves, and not
- * what {@link LocatedRegistrar} makes of them. What it prepares stays distinct from other lookup
- * services that claim the same service ID: River's join manager compares by equality.
+ * A configuration whose preparer receives the lookup services' proxies themselves, not their {@link
+ * LocatedRegistrar} wrappers. The prepared proxies stay distinct from other lookup services that
+ * claim the same service ID: River's join manager compares by equality.
  */
 final class RegistrarPreparerConfiguration implements Configuration {
 
@@ -19,7 +19,7 @@ final class RegistrarPreparerConfiguration implements Configuration {
   private final Configuration own;
 
   /**
-   * @param own has all entries
+   * @param own supplies all entries
    */
   RegistrarPreparerConfiguration(Configuration own) {
     this.own = own;

@@ -6,24 +6,24 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The threads that register a module. Ended, they finish what they are at.
+ * The threads that register a module. After termination, running tasks complete.
  *
- * <p>River's own are interrupted. A call that is interrupted on its way leaves behind a
- * registration that nobody knows of: the lookup service goes on and makes it.
+ * <p>River's own threads are interrupted. An interrupted call leaves behind an unknown
+ * registration: the lookup service still makes it.
  *
- * <p>The threads are daemons, are started by tasks and end after a quarter of a minute without one.
+ * <p>The threads are daemons. Tasks start them, and they end after 15 s without a task.
  */
 final class RegistrationExecutor extends TaskManager {
 
   private static final int MOST = 15;
   private static final long IDLE_MILLIS = 15_000;
 
-  /** One thread for each task, so that a lookup service that is silent holds up no other. */
+  /** One thread for each task, so that a lookup service that does not answer blocks no other. */
   RegistrationExecutor() {
     super(MOST, IDLE_MILLIS, 1.0f);
   }
 
-  /** Begins no other task. */
+  /** Starts no further task. */
   @Override
   public synchronized void terminate() {
     terminated = true;
@@ -31,9 +31,9 @@ final class RegistrationExecutor extends TaskManager {
   }
 
   /**
-   * Waits until the last task has ended.
+   * Waits for the last task.
    *
-   * @param timeout how long at the longest; not at all where it is negative
+   * @param timeout the longest wait; none if negative
    * @throws InterruptedException if the waiting thread is interrupted
    */
   void awaitEnd(Duration timeout) throws InterruptedException {

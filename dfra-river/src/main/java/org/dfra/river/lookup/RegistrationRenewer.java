@@ -23,20 +23,19 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Renews the leases of registrations until it is closed; one that is granted later is cancelled.
+ * Renews the leases of registrations until it is closed; cancels leases that are granted later.
  *
- * <p>River's join manager has a registration renewed whether or not it was terminated while the
- * lookup service answered. The module would be found, and not be there, for as long as its virtual
- * machine runs.
+ * <p>River's join manager starts the renewal of a registration even if it was terminated before the
+ * lookup service answered. Clients would find the stopped module as long as its virtual machine
+ * runs.
  *
- * <p>River's own manager renews when the computer's clock says so. Set back by an hour, it renews
- * an hour late, and the lookup service has dropped the module long before. Here a lease is a span
- * of monotonic time that begins when it is granted: it is renewed when a third of it is over. A
- * lookup service that does not know it any more gets a new registration at once, by the join
- * manager.
+ * <p>River's own manager uses the wall clock. Set back by an hour, it renews an hour late, long
+ * after the lookup service has removed the module. Here a lease is a span of monotonic time that
+ * begins with its grant. It is renewed after a third of the span. If a lookup service does not know
+ * the lease any more, the join manager registers again immediately.
  *
- * <p>Threads: calls are made by daemons, {@code dfra-registration-n}, that exist while a call is
- * under way, so a silent lookup service delays no renewal at another one.
+ * <p>Threads: daemons, {@code dfra-registration-n}, exist during calls, so a lookup service that
+ * does not answer delays no renewal at another one.
  */
 final class RegistrationRenewer extends LeaseRenewalManager implements AutoCloseable {
 
@@ -44,7 +43,7 @@ final class RegistrationRenewer extends LeaseRenewalManager implements AutoClose
 
   private final LeaseCanceller cancellations = new LeaseCanceller();
 
-  /** How long to wait at most before a renewal that failed is tried again. */
+  /** The longest delay before a failed renewal is repeated. */
   private static final long LONGEST_WAIT = LookupTimings.MAX_RETRY_DELAY.toNanos();
 
   private static final long SHORTEST_WAIT = TimeUnit.MILLISECONDS.toNanos(50);
@@ -84,7 +83,7 @@ final class RegistrationRenewer extends LeaseRenewalManager implements AutoClose
   /**
    * {@inheritDoc}
    *
-   * @param expiration not taken into account: registrations are renewed until they are cancelled
+   * @param expiration ignored: registrations are renewed until they are cancelled
    */
   @Override
   public void renewUntil(
@@ -100,10 +99,10 @@ final class RegistrationRenewer extends LeaseRenewalManager implements AutoClose
     cancelLate(lease);
   }
 
-  /** A lease was granted or renewed, no earlier than {@code begun}. */
+  /** Records that a lease was granted or renewed, no earlier than {@code begun}. */
   private void extend(RenewedLease renewal, long begun) {
     long granted = renewal.lease.getExpiration() - System.currentTimeMillis();
-    // A clock that is set in this very moment makes it look longer, or over: no matter.
+    // A simultaneous change of the clock makes it look longer or expired. Both are harmless.
     long nanos = TimeUnit.MILLISECONDS.toNanos(Math.min(granted, renewal.duration));
     renewal.end = begun + nanos;
     after(nanos / 3, renewal);
@@ -180,8 +179,8 @@ final class RegistrationRenewer extends LeaseRenewalManager implements AutoClose
   }
 
   /**
-   * {@inheritDoc} Returns at once: each lookup service is asked on a thread of its own, so one that
-   * does not answer holds up neither the others nor the module's end.
+   * {@inheritDoc} Returns immediately: each lookup service is called on its own thread. One that
+   * does not answer delays neither the others nor the module's shutdown.
    */
   @Override
   public void cancel(Lease lease) throws UnknownLeaseException {
@@ -190,9 +189,9 @@ final class RegistrationRenewer extends LeaseRenewalManager implements AutoClose
   }
 
   /**
-   * Waits until the lookup services have answered all cancellations that have begun.
+   * Waits for the answers to all started cancellations.
    *
-   * @param timeout how long at the longest; not at all where it is negative
+   * @param timeout the longest wait; none if negative
    * @throws InterruptedException if the waiting thread is interrupted
    */
   void awaitCancelled(Duration timeout) throws InterruptedException {
@@ -222,7 +221,7 @@ final class RegistrationRenewer extends LeaseRenewalManager implements AutoClose
     }
   }
 
-  /** Begins no renewal from now on. Those under way go on until they are cancelled. */
+  /** Starts no further renewal. Running ones continue until they are cancelled. */
   @Override
   public void close() {
     synchronized (lock) {

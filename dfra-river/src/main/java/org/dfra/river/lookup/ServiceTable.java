@@ -24,19 +24,20 @@ import org.dfra.river.discovery.LocatedRegistrar;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which lookup service lists what, put together into one table.
+ * Merges the contents of all lookup services into one table.
  *
- * <p>What several list under one service ID is one module. That of one lookup service counts:
+ * <p>Listings under one service ID are one module. One lookup service takes precedence:
  *
  * <ul>
- *   <li>the first within reach that lists it readably, for as long as it is within reach and lists
- *       it. Another one changes nothing, whatever it lists and when it goes;
- *   <li>then the next one, by the order in which they listed it first;
- *   <li>if none is within reach any more, the last that counted, and the module is stale.
+ *   <li>the first reachable one that lists it readably, as long as it is reachable and lists it.
+ *       Another one changes nothing, whatever it lists or removes;
+ *   <li>then the next one, in the order in which they listed it first;
+ *   <li>if none is reachable any more, the last that took precedence, and the module is stale.
  * </ul>
  *
- * <p>The module is gone when one within reach has removed it and no other such one lists it. What
- * one out of reach lists is gone with it if it is the same; if it is something else, it is stale.
+ * <p>The module is removed when a reachable lookup service has removed it and no other reachable
+ * one lists it. An identical listing of an unreachable one is removed with it; a different one is
+ * shown as stale.
  */
 final class ServiceTable {
 
@@ -45,9 +46,9 @@ final class ServiceTable {
 
   /** What lookup services list under one service ID. */
   private static final class ServiceListings {
-    final Map<LocatedRegistrar, ListedService> all = new LinkedHashMap<>(); // in order of sighting
+    final Map<LocatedRegistrar, ListedService> all = new LinkedHashMap<>(); // in listing order
     @Nullable LocatedRegistrar counted; // what the table shows
-    @Nullable ListedService shown; // of it
+    @Nullable ListedService shown; // in the listing of counted
   }
 
   private final ModuleTable table;
@@ -56,7 +57,7 @@ final class ServiceTable {
   private final Map<LocatedRegistrar, String> hosts = new HashMap<>(); // guarded by this
   private final Set<LocatedRegistrar> withinReach = new HashSet<>(); // guarded by this
 
-  /** Those out of reach that list something, and when they last answered; guarded by this. */
+  /** Unreachable ones that list something, and the time of their last answers; guarded by this. */
   private final Map<LocatedRegistrar, Instant> outOfReach = new HashMap<>();
 
   /**
@@ -68,7 +69,8 @@ final class ServiceTable {
   }
 
   /**
-   * A lookup service runs on this computer, and so does the robot whose lookup service it is.
+   * Records that a lookup service runs on a computer, and so does the robot whose lookup service it
+   * is.
    *
    * @param host address or name of the computer
    */
@@ -81,7 +83,7 @@ final class ServiceTable {
     }
   }
 
-  /** Where the lookup service of this service ID runs, as far as is known; its own word first. */
+  /** The host of the lookup service with this service ID, if known; its own claim first. */
   private String host(UUID id, LocatedRegistrar listing) {
     if (uuid(listing.getServiceID()).equals(id)) {
       return hosts.getOrDefault(listing, "");
@@ -93,13 +95,13 @@ final class ServiceTable {
         .orElse("");
   }
 
-  /** A lookup service lists these and no others. */
+  /** Replaces all listings of a lookup service. */
   synchronized void replaceAll(LocatedRegistrar registrar, Collection<ServiceItem> items) {
     replaceAll(registrar, items, Map.of());
   }
 
   /**
-   * The same.
+   * Replaces all listings of a lookup service.
    *
    * @param faults why proxies that are missing could not be read
    */
@@ -122,7 +124,7 @@ final class ServiceTable {
         .forEach(this::forget);
   }
 
-  /** Whether a lookup service was restarted as the other, which has a new proxy since. */
+  /** Whether one lookup service was restarted as the other, which then has a new proxy. */
   private static boolean isFormer(LocatedRegistrar former, LocatedRegistrar now) {
     return former.getServiceID().equals(now.getServiceID())
         && former.address().equals(now.address());
@@ -134,15 +136,15 @@ final class ServiceTable {
     List.copyOf(services.keySet()).forEach(id -> remove(former, id));
   }
 
-  /** A lookup service within reach lists this. */
+  /** Adds or replaces a listing of a reachable lookup service. */
   synchronized void update(LocatedRegistrar registrar, ServiceItem item) {
     update(registrar, item, UNKNOWN);
   }
 
   /**
-   * The same.
+   * Adds or replaces a listing of a reachable lookup service.
    *
-   * @param fault why its proxy could not be read, where it is missing
+   * @param fault why its proxy could not be read, if it is missing
    */
   synchronized void update(LocatedRegistrar registrar, ServiceItem item, String fault) {
     Optional<ListedService> service = ListedService.of(item, fault);
@@ -154,7 +156,7 @@ final class ServiceTable {
     }
   }
 
-  /** The lookup service that counts; nothing where none is within reach. */
+  /** The lookup service that takes precedence; empty if none is reachable. */
   private Optional<LocatedRegistrar> counted(ServiceListings of) {
     @Nullable LocatedRegistrar last = of.counted;
     if (last != null && isReadable(of, last)) {
@@ -172,7 +174,7 @@ final class ServiceTable {
     return service != null && service.isReadable() && withinReach.contains(registrar);
   }
 
-  /** Shows what counts; false where no lookup service is within reach. */
+  /** Shows the listing that takes precedence; false if no lookup service is reachable. */
   private boolean show(UUID id, ServiceListings listings) {
     Optional<LocatedRegistrar> counted = counted(listings);
     counted.ifPresent(each -> show(id, listings, each));
@@ -188,9 +190,9 @@ final class ServiceTable {
     }
     if (shown != null && last != null && !counted.equals(last)) {
       if (!service.isReadable() && listings.all.containsKey(last)) {
-        return; // what was seen before is worth more, though it is stale
+        return; // a former readable listing is preferred, though it is stale
       } else if (!service.isReadable() || !service.isSameKind(shown)) {
-        table.remove(id); // or the table would have both
+        table.remove(id); // else the table would have both
       }
     }
     @Nullable Module module = service.module();
@@ -204,7 +206,7 @@ final class ServiceTable {
     listings.shown = service;
   }
 
-  /** A lookup service lists this no longer: it left, or its lease ran out. */
+  /** Removes a listing: the service unregistered, or its lease expired. */
   synchronized void remove(LocatedRegistrar registrar, UUID id) {
     ServiceListings listings = services.get(id);
     @Nullable ListedService removed = listings == null ? null : listings.all.remove(registrar);
@@ -223,9 +225,9 @@ final class ServiceTable {
   }
 
   /**
-   * A lookup service is out of reach.
+   * Records that a lookup service is unreachable.
    *
-   * @param lastAnswered when it last answered
+   * @param lastAnswered the time of its last answer
    */
   synchronized void markOutOfReach(LocatedRegistrar registrar, Instant lastAnswered) {
     if (!withinReach.remove(registrar)) {
@@ -248,7 +250,7 @@ final class ServiceTable {
     }
   }
 
-  /** The modules that count and whose proxies cannot be read here, by path. */
+  /** The modules in the table whose proxies cannot be read here, by path. */
   synchronized List<UnreadableModule> unreadable() {
     List<UnreadableModule> unreadable = new ArrayList<>();
     for (ServiceListings each : services.values()) {
@@ -258,7 +260,7 @@ final class ServiceTable {
     return unreadable;
   }
 
-  /** What lookup services within reach list differently under one service ID, by path. */
+  /** Different listings of reachable lookup services under one service ID, by path. */
   synchronized List<ModuleConflict> conflicts() {
     List<ModuleConflict> conflicts = new ArrayList<>();
     services.forEach(

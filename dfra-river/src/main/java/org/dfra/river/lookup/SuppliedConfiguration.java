@@ -9,7 +9,7 @@ import net.jini.config.EmptyConfiguration;
 import net.jini.config.NoSuchEntryException;
 import org.jspecify.annotations.Nullable;
 
-/** A Jini configuration made in code: each entry is supplied anew whenever it is asked for. */
+/** A Jini configuration from code: each query of an entry calls the entry's supplier. */
 public final class SuppliedConfiguration extends AbstractConfiguration {
 
   private final Configuration first;
@@ -23,7 +23,7 @@ public final class SuppliedConfiguration extends AbstractConfiguration {
   }
 
   /**
-   * @param first what it says goes before the entries
+   * @param first its entries take precedence
    * @param entries suppliers by {@code component.entry}
    */
   public SuppliedConfiguration(Configuration first, Map<String, Supplier<?>> entries) {
@@ -39,7 +39,7 @@ public final class SuppliedConfiguration extends AbstractConfiguration {
     return getEntry(component, name, type, fallback, NO_DATA);
   }
 
-  /** What is not supplied here is asked of {@code first}, with the asker's own default. */
+  /** Forwards an entry that has no supplier here to {@code first}, with the caller's default. */
   @Override
   @SuppressWarnings("rawtypes") // as River declares it
   public @Nullable Object getEntry(
@@ -65,6 +65,6 @@ public final class SuppliedConfiguration extends AbstractConfiguration {
       }
       value = supplier.get();
     }
-    return type.isPrimitive() ? new Primitive(value) : value; // so River tells long from Long
+    return type.isPrimitive() ? new Primitive(value) : value; // distinct for River
   }
 }

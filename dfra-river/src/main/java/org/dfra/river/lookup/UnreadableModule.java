@@ -3,14 +3,14 @@ package org.dfra.river.lookup;
 import org.dfra.text.PrintableText;
 
 /**
- * A module whose proxy cannot be read here, most often because its classes are not trusted. What a
- * lookup service says of it is known all the same.
+ * A module whose proxy cannot be read here, most often because its classes are not trusted. The
+ * other data come from its lookup service.
  *
  * @param robot name of its robot
  * @param name its name
  * @param host address of the computer it runs on
  * @param id its service ID
- * @param reason why, and what to do
+ * @param reason the reason and the remedy
  */
 public record UnreadableModule(String robot, String name, String host, String id, String reason) {
 

@@ -1,9 +1,10 @@
 /**
- * Lookup: how modules enter the lookup services and how clients find them there.
+ * Lookup: how modules register with lookup services and how clients find them there.
  *
  * <pre>
- *   Join --registers--&gt; lookup services --events--&gt; RegistrarMonitor --&gt; Sightings --&gt; directory
- *     \______________________ Discovery ______________________/
+ *   LookupJoin --&gt; lookup services --events--&gt; RegistrarMonitor --&gt; ServiceTable
+ *        \___________________ Discovery ___________________/                 |
+ *                                                                 JiniModuleDirectory
  * </pre>
  *
  * <p>Enter at {@link org.dfra.river.lookup.JiniModuleDirectory} as a client, at {@link

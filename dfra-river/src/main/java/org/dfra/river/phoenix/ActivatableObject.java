@@ -19,17 +19,19 @@ import org.dfra.river.phoenix.ManagedGroup.ActiveInstantiator;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One registered object as the daemon sees it. However many callers want it activated, one of them
- * has it made and the others get the same proxy.
+ * One registered object of the daemon. If several callers activate it at once, one call
+ * instantiates the object, and all receive the same proxy.
  */
 final class ActivatableObject {
 
   private static final int ATTEMPTS = 2;
 
-  /** Where a group's process turned out to be unusable: the one that replaces it is asked too. */
+  /**
+   * Attempts if a group's process proves unusable: the last one calls the process that replaces it.
+   */
   private static final int WITH_REPLACEMENT = ATTEMPTS + 1;
 
-  /** Shorter than the deadline of the calls that wait for it. */
+  /** Shorter than the deadline of the calls that wait for the instantiation. */
   private static final Duration MAKING_AWAITED = Duration.ofSeconds(8);
 
   private static final long NEVER = -1;
@@ -39,12 +41,12 @@ final class ActivatableObject {
   private final ReentrantLock lock = new ReentrantLock();
   private volatile ActivationDesc desc;
   private volatile @Nullable KnownProxy known;
-  private volatile long inactiveIn = NEVER; // the incarnation that said so last
-  private volatile long madeIn = NEVER; // the incarnation that was asked for it last, and may
+  private volatile long inactiveIn = NEVER; // the incarnation that reported it last
+  private volatile long madeIn = NEVER; // the last incarnation that was asked to instantiate it
   private volatile long workedIn = NEVER;
   private volatile boolean retired;
 
-  /** The object's marshalled proxy, good as long as the incarnation that gave it works. */
+  /** The object's marshalled proxy. It is valid while the incarnation that supplied it runs. */
   private record KnownProxy(MarshalledObject<? extends Remote> proxy, long incarnation) {}
 
   ActivatableObject(UID uid, ManagedGroup group, ActivationDesc desc) {
@@ -62,10 +64,10 @@ final class ActivatableObject {
   }
 
   /**
-   * The object's marshalled proxy.
+   * Returns the object's marshalled proxy; activates the object first if necessary.
    *
    * @param id the object's activation ID
-   * @param force whether to ask the group even if a proxy is known
+   * @param force whether to call the group even if a proxy is known
    */
   MarshalledObject<? extends Remote> activate(ActivationID id, boolean force)
       throws ActivationException {
@@ -92,7 +94,7 @@ final class ActivatableObject {
       ActiveInstantiator maker = group.awaitInstantiator();
       madeIn = maker.incarnation();
       try {
-        requireRegistered(); // else whoever unregisters it now finds that it is being made
+        requireRegistered(); // else an unregistration might miss this instantiation
         MarshalledObject<? extends Remote> proxy = maker.instantiator().newInstance(id, desc);
         known = new KnownProxy(proxy, maker.incarnation());
         return proxy;
@@ -104,12 +106,12 @@ final class ActivatableObject {
       } catch (ConnectException | ConnectIOException e) {
         madeIn = NEVER;
         if (ConnectionRefusal.isProvenBy(
-            e)) { // else it may work, and this process have too many open files
+            e)) { // else it may be running, and this process has too many open files
           group.unusable(maker, true);
           attempts = WITH_REPLACEMENT;
         }
         last = e;
-      } catch (RemoteException e) { // it may have been made
+      } catch (RemoteException e) { // the object may have been instantiated
         last = e;
       } catch (ActivationException e) {
         madeIn = NEVER;
@@ -139,37 +141,37 @@ final class ActivatableObject {
     return now != null && group.isActive(now.incarnation()) ? now.proxy() : null;
   }
 
-  /** The object's group tells its proxy. */
+  /** Stores the proxy that the object's group reports. */
   void active(MarshalledObject<? extends Remote> proxy) {
     known = new KnownProxy(proxy, group.incarnation());
   }
 
-  /** The object's group says that it is not active any more. */
+  /** Records that the object's group reported it inactive. */
   void inactive() {
     inactiveIn = group.incarnation();
     madeIn = NEVER;
     known = null;
   }
 
-  /** It has been ready in an incarnation of its group for as long as the restart policy wants. */
+  /** Records that it was ready for {@code minReadyTime} in an incarnation of its group. */
   void setStable(long incarnation) {
     workedIn = incarnation;
   }
 
-  /** Whether it has {@link #setStable worked} in an incarnation of its group. */
+  /** Whether {@link #setStable} was called for an incarnation of its group. */
   boolean wasStable(long incarnation) {
     return workedIn == incarnation;
   }
 
-  /** Whether it was active in an incarnation of its group, at last. */
+  /** Whether its latest known proxy belongs to an incarnation of its group. */
   boolean wasActive(long incarnation) {
     @Nullable KnownProxy now = known;
     return now != null && now.incarnation() == incarnation;
   }
 
   /**
-   * Whether its proxy is known and its group works, or nobody knows: its group works since before
-   * this phoenix did, or was asked for the object and has not answered.
+   * Whether the object is active or may be. It is if its proxy is known and its group runs. It may
+   * be if its group was adopted from an earlier phoenix, or has not yet answered an activation.
    */
   boolean mayBeActive() {
     return knownProxy() != null || isUnknown();
@@ -180,9 +182,9 @@ final class ActivatableObject {
   }
 
   /**
-   * The object's proxy where it is active; null where it is not.
+   * Returns the object's proxy if it is active, else null.
    *
-   * @throws ActivationException if it takes too long to be made
+   * @throws ActivationException if the instantiation takes too long
    */
   @Nullable MarshalledObject<? extends Remote> activeProxy(ActivationID id)
       throws ActivationException {
@@ -196,10 +198,10 @@ final class ActivatableObject {
   }
 
   /**
-   * Has nobody make it any more, unless it is active.
+   * Prevents further instantiations, unless the object is active.
    *
    * @return whether it is retired now
-   * @throws ActivationException if it takes too long to be made
+   * @throws ActivationException if the instantiation takes too long
    */
   boolean retireUnlessActive() throws ActivationException {
     awaitMade();
@@ -211,12 +213,12 @@ final class ActivatableObject {
     }
   }
 
-  /** It was unregistered: whoever waits to have it made does not get it. */
+  /** Records that it was unregistered: threads that wait for its instantiation fail. */
   void retire() {
     retired = true;
   }
 
-  /** Its registration stays after all. */
+  /** Undoes {@link #retire}: the object remains registered. */
   void unretire() {
     retired = false;
   }

@@ -36,11 +36,10 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The group inside its virtual machine: makes objects when the daemon asks, forgets them when they
- * become inactive, and ends the machine when none is left.
+ * The group inside its virtual machine. It instantiates objects at the daemon's request, removes
+ * them when they become inactive, and exits the machine when none is left.
  *
- * <p>Each object has a lock of its own, so that a slow constructor delays only those who want that
- * object.
+ * <p>Each object has its own lock. A slow constructor delays only the callers of that object.
  */
 public final class ActivationGroupImpl extends ActivationGroup implements Closeable, GroupStop {
 
@@ -52,7 +51,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
 
   private static final String RIVERS_SERVICES = "com.sun.jini.";
 
-  /** The daemon waits for the constructor of an object, which may load classes and open ports. */
+  /** The daemon waits for an object's constructor, which may load classes and open ports. */
   private static final long INSTANTIATION_DEADLINE_MILLIS = 20_000;
 
   private final transient ActivationGroupID id;
@@ -64,13 +63,13 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
   private final transient ReadinessReporter readiness = new ReadinessReporter();
   private final transient StopTargetRegistry targets = new StopTargetRegistry();
 
-  /** Held only for a moment, never while an object is made or anybody is called. */
+  /** Held only briefly, never during an instantiation or a call to another object. */
   private final transient Object gate = new Object();
 
-  private transient int making; // calls that may give the group an object; guarded by gate
+  private transient int making; // calls that may add an object; guarded by gate
   private transient boolean left; // guarded by gate
 
-  /** Where an object is made, once; the strong reference keeps JERI serving it. */
+  /** Holds one object, instantiated once. The strong reference keeps JERI serving it. */
   private static final class Slot {
     volatile @Nullable Remote object; // written under this
     @Nullable MarshalledObject<? extends Remote> proxy; // guarded by this
@@ -85,7 +84,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
       throws RemoteException, ActivationException {
     super(id);
     this.id = id;
-    UnicastRemoteObject.unexportObject(this, true); // JERI serves this group, not JRMP
+    UnicastRemoteObject.unexportObject(this, true); // JERI exports this group, not JRMP
     try {
       Configuration c =
           ConfigurationProvider.getInstance(data == null ? new String[0] : data.get());
@@ -124,7 +123,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
         if (slot.proxy == null) {
           long orders = targets.requestCount();
           Remote made = make(slot, object, desc);
-          targets.made(object, made, orders); // before its proxy is known to phoenix
+          targets.made(object, made, orders); // before phoenix knows its proxy
           readiness.made(object, made);
         }
         return Objects.requireNonNull(slot.proxy);
@@ -180,7 +179,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
     }
   }
 
-  /** River's own services read their logs while they are constructed, on the same thread. */
+  /** River's own services read their logs during construction, on the same thread. */
   private static Object construct(
       Constructor<?> constructor, ActivationID object, ActivationDesc desc)
       throws ReflectiveOperationException {
@@ -201,8 +200,8 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
   }
 
   /**
-   * The failure as it may travel: a caller need not have the classes of what went wrong here, so
-   * the cause goes as text, and whole into this group's output.
+   * The failure in a serializable form. A caller may lack the classes of the cause, so the
+   * exception carries it as text; this group's log has it complete.
    */
   private static ActivationException failure(ActivationDesc desc, String what, Throwable cause) {
     LOG.error("{}: {}.", desc.getClassName(), what, cause);
@@ -212,7 +211,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
   /**
    * {@inheritDoc}
    *
-   * <p>For objects exported by JRMP, which {@code java.rmi.activation} unexports itself.
+   * <p>For objects exported by JRMP, which {@code java.rmi.activation} unexports.
    */
   @Override
   public boolean inactiveObject(ActivationID object) throws ActivationException, RemoteException {
@@ -244,7 +243,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
       if (!unexported) {
         return false;
       }
-      // Until the daemon knows, nobody may make the object again: the lock is held meanwhile.
+      // Until the daemon knows, no call may instantiate the object again. So the lock is held.
       try {
         super.inactiveObject(object);
       } catch (UnknownObjectException e) {
@@ -252,7 +251,8 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
       } catch (ActivationException | RemoteException e) {
         failed = e;
       }
-      // Whoever knows of it: nobody can call it any more, so its proxy must not be given out.
+      // Even if the daemon does not know: the object is unexported, so its proxy must not be
+      // returned.
       slot.object = null;
       slot.proxy = null;
       readiness.inactive(object);
@@ -281,7 +281,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
       Slot slot = slots.computeIfAbsent(object, key -> new Slot());
       synchronized (slot) {
         if (slot.object != null) {
-          return; // known: activating twice is no fault
+          return; // known: a second activation is no error
         }
         slot.object = itself;
         slot.proxy = marshalled;
@@ -293,13 +293,13 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
     super.activeObject(object, marshalled);
   }
 
-  /** {@inheritDoc} Takes no lock: an object that is being made, or ended, delays no stop. */
+  /** {@inheritDoc} Takes no lock: instantiations and shutdowns of objects do not delay a stop. */
   @Override
   public GroupStopResult emergencyStop(String by) {
     return targets.emergencyStop(by);
   }
 
-  /** While an object is being made the group stays, whatever becomes of that object. */
+  /** The group stays active during an instantiation, whatever its result. */
   private void leaveIfEmpty() throws ActivationException, RemoteException {
     synchronized (gate) {
       if (left || making > 0) {
@@ -314,21 +314,21 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
     try {
       inactiveGroup();
     } finally {
-      // Even if nobody hears of it: this machine makes no more objects.
+      // Even if the daemon received no report: this machine instantiates no more objects.
       new Thread(this::end, "group-end").start();
     }
   }
 
   /**
-   * Ends its export; the virtual machine goes on. Called by {@code createGroup} where the group is
-   * refused, so that a program whose group is refused can end.
+   * Unexports the group; the virtual machine continues to run. {@code createGroup} calls this if
+   * the group is refused, so that its program can exit.
    */
   @Override
   public void close() {
     exporter.unexport(true);
   }
 
-  /** Lets calls that are under way finish, then ends the virtual machine. */
+  /** Waits for running calls, then exits the virtual machine. */
   private void end() {
     long end = System.nanoTime() + unexportTimeout.toNanos();
     while (!exporter.unexport(false) && System.nanoTime() - end < 0) {
@@ -339,7 +339,7 @@ public final class ActivationGroupImpl extends ActivationGroup implements Closea
     Runtime.getRuntime().exit(0);
   }
 
-  /** What the daemon gets when this group reports to it. */
+  /** Returns the proxy that the daemon receives when this group reports to it. */
   private Object writeReplace() {
     return proxy;
   }

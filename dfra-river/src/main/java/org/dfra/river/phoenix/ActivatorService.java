@@ -9,7 +9,7 @@ import java.rmi.activation.Activator;
 import java.rmi.activation.UnknownObjectException;
 import java.rmi.server.UID;
 
-/** What proxies of dead objects call, from anywhere. */
+/** Serves proxies of inactive objects, from any computer. */
 final class ActivatorService implements Activator {
 
   private final PhoenixDaemon daemon;
@@ -24,13 +24,13 @@ final class ActivatorService implements Activator {
     return object(daemon, id).activate(id, force);
   }
 
-  /** The object of an ID, where the ID is one of this daemon's. */
+  /** Returns the object of an ID that this daemon created. */
   static ActivatableObject object(PhoenixDaemon daemon, ActivationID id)
       throws UnknownObjectException {
     return daemon.groupRegistry().object(uid(id));
   }
 
-  /** The identity within this daemon that an ID stands for. */
+  /** Returns the object's UID within this daemon. */
   static UID uid(ActivationID id) throws UnknownObjectException {
     if (!(id instanceof JeriActivationID known)) {
       throw new UnknownObjectException("the ID " + id + " is not one of phoenix's");

@@ -7,13 +7,12 @@ import java.io.IOException;
 import java.io.OutputStream;
 
 /**
- * What a JRMP server sends, with another address of the caller in the acknowledgement at its
- * beginning.
+ * Replaces the caller's address in the acknowledgement at the beginning of a JRMP server's output.
  *
  * <p>The acknowledgement of the stream protocol is a byte 4E (hexadecimal), then the caller's
  * address as the server sees it, in modified UTF-8 with its length, then its port. A client that
- * does not know its own address exports its objects at that one. Everything else passes as it is.
- * Source: Java RMI specification, 10.2, "RMI Transport Protocol".
+ * does not know its own address exports its objects at that address. All other bytes pass
+ * unchanged. Source: Java RMI specification, 10.2, "RMI Transport Protocol".
  */
 final class AddressRewritingStream extends FilterOutputStream {
 
@@ -21,13 +20,13 @@ final class AddressRewritingStream extends FilterOutputStream {
 
   private final byte[] expected;
   private final byte[] replacement;
-  private int matched; // of the expected bytes, which are held back
+  private int matched; // of the expected bytes, which are buffered
   private boolean passes;
 
   /**
-   * @param out where it goes
+   * @param out the underlying stream
    * @param seen the address that the server writes
-   * @param sent the address that is sent instead
+   * @param sent the address that replaces it
    */
   AddressRewritingStream(OutputStream out, String seen, String sent) throws IOException {
     super(out);

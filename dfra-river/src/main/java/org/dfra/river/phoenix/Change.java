@@ -8,48 +8,48 @@ import java.rmi.activation.ActivationGroupID;
 import java.rmi.activation.ActivationInstantiator;
 import java.rmi.server.UID;
 
-/** One entry of the journal: what was changed in the registrations. */
+/** One record of the journal: a change of the registrations. */
 sealed interface Change extends Serializable {
 
-  /** A group was registered under a name of the daemon's making. */
+  /** A group was registered under a name that the daemon chose. */
   record GroupRegistered(ActivationGroupID group, String name, ActivationGroupDesc desc)
       implements Change {}
 
-  /** A group got another descriptor. */
+  /** A group's descriptor was replaced. */
   record GroupDescribed(ActivationGroupID group, ActivationGroupDesc desc) implements Change {}
 
-  /** A group, with its objects, got another identity: phoenix came back at another address. */
+  /** A group and its objects received a new identity: phoenix restarted at another address. */
   record GroupMoved(ActivationGroupID group, ActivationGroupID to) implements Change {}
 
-  /** A group and its objects were forgotten. */
+  /** A group and its objects were unregistered. */
   record GroupUnregistered(ActivationGroupID group) implements Change {}
 
-  /** A process is about to be started for the group. Written before it is. */
+  /** A process will be started for the group. Written before the start. */
   record Launching(ActivationGroupID group, long incarnation) implements Change {}
 
-  /** The process was started. Written before it is told which group it is. */
+  /** The process was started. Written before the process receives its group. */
   record Launched(ActivationGroupID group, ProcessIdentity process) implements Change {}
 
-  /** The process reported that it makes objects. Written before its report is answered. */
+  /** The process reported its instantiator. Written before the answer to its report. */
   record Reported(ActivationGroupID group, MarshalledObject<ActivationInstantiator> instantiator)
       implements Change {}
 
-  /** The group said that it makes no more objects. */
+  /** The group reported that it instantiates no more objects. */
   record Left(ActivationGroupID group) implements Change {}
 
   /** An object was registered. */
   record ObjectRegistered(UID object, ActivationDesc desc) implements Change {}
 
-  /** An object got another descriptor, in the same group. */
+  /** An object's descriptor was replaced, in the same group. */
   record ObjectDescribed(UID object, ActivationDesc desc) implements Change {}
 
   /**
-   * An object was forgotten.
+   * An object was unregistered.
    *
-   * @param incarnation of its group's process, where that may still have the object; else 0
+   * @param incarnation of its group's process, if that may still have the object; else 0
    */
   record ObjectUnregistered(UID object, long incarnation) implements Change {}
 
-  /** An object that was forgotten while a process had it has become inactive there. */
+  /** An unregistered object became inactive in the process that still had it. */
   record UnregisteredEnded(ActivationGroupID group, UID object) implements Change {}
 }

@@ -7,10 +7,12 @@ import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The crashes of one group, and what the policy makes of them. Confined to the group's lock.
+ * The crashes of one group, and the delays that the policy derives from them. Confined to the
+ * group's lock.
  *
- * <p>Time is monotonic: a computer's clock that is set, as a receiver does a minute after a cold
- * start, neither holds a group off nor lets it go. Nothing of this outlives the daemon.
+ * <p>Time is monotonic. A change of the system clock, such as a GPS receiver causes a minute after
+ * a cold start, neither starts nor ends a hold-off. The history is not stored: it ends with the
+ * daemon.
  */
 final class CrashHistory {
 
@@ -20,14 +22,15 @@ final class CrashHistory {
   private int total;
   private @Nullable String last;
   private boolean isHeldOff;
-  private long heldOffUntil; // nanos; means nothing unless isHeldOff
+  private long heldOffUntil; // nanos; meaningful only if isHeldOff
   private boolean lastWorked;
 
   /**
-   * An end.
+   * One exit.
    *
-   * @param lengthensDelay whether it makes the delay of the next start longer
-   * @param isRequested whether it is no crash: then it does not count towards the limit
+   * @param lengthensDelay whether it lengthens the delay of the next start
+   * @param isRequested whether it was requested: then it is no crash and does not count towards the
+   *     limit
    */
   private record RecordedExit(long nanos, boolean lengthensDelay, boolean isRequested) {
     boolean isCrash() {
@@ -44,10 +47,11 @@ final class CrashHistory {
   }
 
   /**
-   * Notes a crash.
+   * Records a crash.
    *
-   * @param description the group ended, as the rest of a sentence
-   * @param wasStable whether the group's modules had been ready for as long as the policy wants
+   * @param description how the group ended, the rest of a sentence after its name
+   * @param wasStable whether the group's modules were ready for {@code minReadyTime} without
+   *     interruption
    */
   void recordCrash(String description, boolean wasStable) {
     long now = nanos.getAsLong();
@@ -67,7 +71,7 @@ final class CrashHistory {
     }
   }
 
-  /** Notes an end that somebody asked for. */
+  /** Records an exit that was requested. */
   void recordRequestedExit(boolean worked) {
     long now = nanos.getAsLong();
     forgetOld(now);
@@ -79,9 +83,7 @@ final class CrashHistory {
     return (int) recent.stream().filter(RecordedExit::lengthensDelay).count();
   }
 
-  /**
-   * The delay before the next start by the daemon itself; empty where it leaves the group alone.
-   */
+  /** The delay before the daemon restarts the group; empty if the daemon does not restart it. */
   Optional<Duration> restartDelay() {
     if (remainingHoldOff().isPresent()) {
       return Optional.empty();
@@ -90,14 +92,14 @@ final class CrashHistory {
     return Optional.of(lastWorked ? Duration.ZERO : policy.delay(counted()));
   }
 
-  /** How long from now nobody can start the group, where it is held off. */
+  /** The time for which no start is permitted; empty if the group is not held off. */
   Optional<Duration> remainingHoldOff() {
     long left = isHeldOff ? heldOffUntil - nanos.getAsLong() : 0;
     isHeldOff = left > 0;
     return isHeldOff ? Optional.of(Duration.ofNanos(left)) : Optional.empty();
   }
 
-  /** Crashes within the window, whether they count towards the limit or not. */
+  /** Crashes within the window, including those that do not count towards the limit. */
   int recentCount() {
     forgetOld(nanos.getAsLong());
     return (int) recent.stream().filter(RecordedExit::isCrash).count();
@@ -108,7 +110,7 @@ final class CrashHistory {
     return total;
   }
 
-  /** How the group ended the last time it crashed. */
+  /** How the group's last crash happened. */
   Optional<String> lastCrash() {
     return Optional.ofNullable(last);
   }

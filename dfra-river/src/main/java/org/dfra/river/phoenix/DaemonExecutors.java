@@ -7,9 +7,8 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 
 /**
- * The daemon's own threads: {@code phoenix-timer} (one) starts what is due later, {@code
- * phoenix-work} restart objects and wait for the end of processes. They are there as long as the
- * daemon is.
+ * The daemon's own threads. {@code phoenix-timer} (one) starts delayed tasks. {@code phoenix-work}
+ * restart objects and wait for the exit of processes. They run as long as the daemon.
  */
 final class DaemonExecutors {
 
@@ -19,7 +18,7 @@ final class DaemonExecutors {
       Executors.newCachedThreadPool(task -> thread(task, "phoenix-work"));
   private volatile boolean ending;
 
-  /** Runs a task after a delay, on the timer's thread; never where the daemon ends. */
+  /** Runs a task after a delay, on the timer's thread. Discards it if the daemon shuts down. */
   void after(Duration delay, Runnable task) {
     if (!ending) {
       timer.schedule(task, delay.toNanos(), TimeUnit.NANOSECONDS);
@@ -31,12 +30,12 @@ final class DaemonExecutors {
     work.execute(task);
   }
 
-  /** Nothing more is planned: the daemon ends. */
+  /** Discards all later tasks: the daemon is shutting down. */
   void stopScheduling() {
     ending = true;
   }
 
-  /** Ends the threads. */
+  /** Stops the threads. */
   void stop() {
     timer.shutdownNow();
     work.shutdownNow();

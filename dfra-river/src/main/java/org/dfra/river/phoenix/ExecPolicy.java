@@ -18,12 +18,12 @@ import org.dfra.core.host.PrivateFiles;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a group descriptor may make the daemon execute. In the texts of the first three lists {@code
- * *} stands for any run of characters; the others are compared as they are.
+ * What a group descriptor may make the daemon execute. In the first three lists {@code *} matches
+ * any characters; the other lists are compared literally.
  *
- * <p>An option is permitted if a list has it, if phoenix's own virtual machine was started with the
- * same one, or if a line of a file says it. An option {@code -Dname=value} is also permitted where
- * {@code name=value} is. A class path and its option are one: {@code -cp PATH}.
+ * <p>An option is permitted if a list contains it, if phoenix's own virtual machine was started
+ * with it, or if a file contains it as a line. An option {@code -Dname=value} is also permitted if
+ * {@code name=value} is. A class path and its option are one entry: {@code -cp PATH}.
  *
  * @param customGroups whether a descriptor may name its own group class, location or data
  * @param commands permitted command paths
@@ -56,15 +56,15 @@ record ExecPolicy(
 
   private static final String PROPERTY = "-D";
 
-  /** The java command of this virtual machine, which also stands in for none. */
+  /** The java command of this virtual machine; also used if a descriptor names none. */
   static String ownJava() {
     return Path.of(System.getProperty("java.home"), "bin", "java").toString();
   }
 
   /**
-   * Refuses a descriptor that asks for more than is permitted.
+   * Refuses a descriptor that requests more than is permitted.
    *
-   * @throws ActivationException naming what is refused, the group, and where to permit it
+   * @throws ActivationException naming the refused part, the group, and where to permit it
    */
   void check(ActivationGroupDesc desc) throws ActivationException {
     String group = name(desc);
@@ -121,12 +121,12 @@ record ExecPolicy(
     }
   }
 
-  /** How a file permits a class path. */
+  /** The line with which a file permits a class path. */
   static String classPathLine(String path) {
     return "-cp " + path;
   }
 
-  /** Options that are permitted as they are: those of phoenix's own machine, and the files'. */
+  /** Literally permitted options: those of phoenix's own machine and of the files. */
   private List<String> verbatim() throws ActivationException {
     List<String> all = new ArrayList<>(ManagementFactory.getRuntimeMXBean().getInputArguments());
     for (Path file : files) {
@@ -135,7 +135,7 @@ record ExecPolicy(
           PrivateFiles.requireFile(file);
           Files.readAllLines(file, StandardCharsets.UTF_8).stream()
               .map(String::strip)
-              .filter(line -> line.startsWith("-")) // the others are blank, or remarks
+              .filter(line -> line.startsWith("-")) // the others are blank, or comments
               .forEach(all::add);
         } catch (IOException e) {
           throw new ActivationException(

@@ -12,7 +12,7 @@ import java.util.concurrent.locks.ReentrantReadWriteLock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Starts the processes of groups, so many at once as configured. */
+/** Starts the processes of groups; the configuration limits how many start at once. */
 final class GroupLauncher {
 
   private static final Logger LOG = LoggerFactory.getLogger(GroupLauncher.class);
@@ -21,10 +21,10 @@ final class GroupLauncher {
   private final PhoenixConfiguration configuration;
   private final Journal journal;
 
-  /** One permit for each group that is starting, until it has reported or ended. */
+  /** One permit for each group that is starting, until it has reported or exited. */
   private final Semaphore launches;
 
-  /** Read: start a process. Write: know that none is being started. */
+  /** Read lock: starts a process. Write lock: ensures that no process is being started. */
   private final ReentrantReadWriteLock starting = new ReentrantReadWriteLock();
 
   GroupLauncher(PhoenixDaemon daemon, PhoenixConfiguration configuration, Journal journal) {
@@ -35,8 +35,8 @@ final class GroupLauncher {
   }
 
   /**
-   * Starts a process for an incarnation of a group, when it is its turn: at most so many groups
-   * start at once as configured. The turn ends with {@link #releasePermit}.
+   * Acquires a launch permit and starts a process for an incarnation of a group. The configuration
+   * limits the permits. {@link #releasePermit} releases it.
    *
    * @throws IOException if the process cannot be started
    * @throws ActivationException if it must not be, or cannot be recorded
@@ -75,7 +75,7 @@ final class GroupLauncher {
     }
   }
 
-  /** A group that was launched starts no more: it has reported, or ended. */
+  /** Releases the launch permit of a group that has reported or exited. */
   void releasePermit() {
     launches.release();
   }
@@ -92,7 +92,9 @@ final class GroupLauncher {
         desc.getCommandEnvironment());
   }
 
-  /** A launch that has begun is completed, so that its process is known; no other begins. */
+  /**
+   * Waits for the launches in progress, so that their processes are known, and blocks further ones.
+   */
   void awaitLaunches(Duration timeout) {
     try {
       if (starting.writeLock().tryLock(timeout.toNanos(), TimeUnit.NANOSECONDS)) {

@@ -19,17 +19,17 @@ import org.dfra.core.host.PrivateFiles;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Starts the processes of groups and finds them again.
+ * Starts the processes of groups, and finds running ones.
  *
- * <p>A process is started in two steps. It does nothing until it has read from its standard input
- * which group it is, and the daemon writes that only when the process's number is safe in the
- * journal. So a daemon that dies between the two leaves a process that ends by itself, and never
- * one that works and is not known. The group's ID has phoenix's secret identity in it; it goes by
- * that way too, since every user of the computer may read command lines.
+ * <p>A process starts in two steps. It waits until it has read its group from its standard input.
+ * The daemon writes the group only after the journal has stored the process's number. If the daemon
+ * dies in between, the process exits by itself: no process runs that the journal does not know. The
+ * group's ID contains phoenix's secret identity. It is sent on standard input too, since every user
+ * of the computer may read command lines.
  */
 final class GroupProcess {
 
-  /** System property by which a group's process is known, {@code daemon/group}. */
+  /** System property that identifies a group's process, {@code daemon/group}. */
   static final String GROUP_PROPERTY = "org.dfra.phoenix.group";
 
   /** System property with the file that the process locks. */
@@ -41,7 +41,7 @@ final class GroupProcess {
   private GroupProcess() {}
 
   /**
-   * Starts a process that waits to be told its group.
+   * Starts a process that waits for its group on standard input.
    *
    * @throws IOException if the command does not exist or cannot be executed
    */
@@ -83,7 +83,7 @@ final class GroupProcess {
     return command;
   }
 
-  /** Tells a started process which group it is, and lets it go to work. */
+  /** Sends a started process its group; the process then continues. */
   static void sendGroup(
       Process process, ActivationGroupID id, ActivationGroupDesc desc, long incarnation)
       throws IOException {
@@ -94,7 +94,7 @@ final class GroupProcess {
     }
   }
 
-  /** The processes of a daemon's groups that run now, with the group's name. */
+  /** The running processes of a daemon's groups, with the groups' names. */
   static Stream<RunningProcess> findRunning(UUID daemon) {
     String mark = mark(daemon);
     return ProcessHandle.allProcesses()
@@ -114,8 +114,8 @@ final class GroupProcess {
   record RunningProcess(String group, ProcessIdentity process) {
 
     /**
-     * Whether it is this process or was started by it: a command may be a script that runs the
-     * virtual machine, and a driver may run programs of its own.
+     * Whether this process is the other one or its descendant. A command may be a script that runs
+     * the virtual machine, and a driver may run programs of its own.
      */
     boolean isSameOrDescendantOf(ProcessIdentity other) {
       return process.equals(other)
@@ -142,9 +142,9 @@ final class GroupProcess {
       try {
         return Stream.of(Files.readString(file, StandardCharsets.ISO_8859_1).split("\0"));
       } catch (AccessDeniedException e) {
-        return Stream.empty(); // another user's, and none of this daemon's
+        return Stream.empty(); // it belongs to another user, so not to this daemon
       } catch (IOException e) {
-        if (Files.exists(file)) { // else it ended meanwhile
+        if (Files.exists(file)) { // else it has exited meanwhile
           throw new UncheckedIOException(
               "the arguments of process " + handle.pid() + " cannot be read: " + e.getMessage(), e);
         }

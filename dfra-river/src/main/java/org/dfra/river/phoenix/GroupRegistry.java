@@ -21,8 +21,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The groups and objects that are registered with the daemon. Every change of what is registered is
- * made here: in the journal first, then in memory, one at a time.
+ * The groups and objects that are registered with the daemon. It makes every change of the
+ * registrations, one at a time: first in the journal, then in memory.
  */
 final class GroupRegistry {
 
@@ -39,12 +39,12 @@ final class GroupRegistry {
     this.journal = journal;
   }
 
-  /** Takes up what the journal says. */
+  /** Restores the registrations from the journal. */
   void recover() {
     recovery().recover();
   }
 
-  /** Gives the groups that know phoenix at a former address an identity that names this one. */
+  /** Gives groups with a former address of phoenix an identity with the present one. */
   synchronized void readdress(ActivationSystem system) {
     recovery().readdress(system);
   }
@@ -53,7 +53,7 @@ final class GroupRegistry {
     return new JournalRecovery(daemon, journal, groups, objects);
   }
 
-  /** The activator that activation IDs carry from now on. */
+  /** Sets the activator that activation IDs carry from now on. */
   void exported(Activator itsActivator) {
     activator = itsActivator;
   }
@@ -121,11 +121,11 @@ final class GroupRegistry {
     return old;
   }
 
-  /** Unregisters an object. Where a process may still have it, its group notes that. */
+  /** Unregisters an object. If a process may still have it, its group records that. */
   synchronized void unregisterObject(UID uid) throws ActivationException {
     daemon.requireRunning();
     ActivatableObject object = object(uid);
-    object.retire(); // before it is asked where it may run: then nobody begins to make it
+    object.retire(); // before reading where it may run: then no new instantiation begins
     long incarnation = object.mayBeActive() ? object.group.incarnation() : 0;
     try {
       journal.commit(new Change.ObjectUnregistered(uid, incarnation));
@@ -137,7 +137,7 @@ final class GroupRegistry {
     object.group.addUnregistered(uid, incarnation);
   }
 
-  /** Unregisters an object that is not active; false, with nothing changed, if it is. */
+  /** Unregisters an inactive object. Returns false, with nothing changed, if it is active. */
   boolean unregisterInactive(ActivatableObject object) throws ActivationException {
     daemon.requireRunning();
     if (!object.retireUnlessActive()) {
@@ -148,7 +148,7 @@ final class GroupRegistry {
   }
 
   /**
-   * A group's process says that an object is not active any more.
+   * Records that a group's process reported an object inactive.
    *
    * @throws UnknownObjectException if it is not registered, or not any more
    */
@@ -162,7 +162,7 @@ final class GroupRegistry {
       if (group.removeUnregistered(uid)) {
         try {
           journal.commit(new Change.UnregisteredEnded(group.id, uid));
-        } catch (ActivationException e) { // the next daemon ends a process too many
+        } catch (ActivationException e) { // the next daemon kills the surplus process
           LOG.warn("The end of an object of {} is not recorded: {}", group.name, e.getMessage());
         }
       }
@@ -170,7 +170,7 @@ final class GroupRegistry {
     throw new UnknownObjectException("phoenix has no such object registered");
   }
 
-  // Questions
+  // Queries
 
   /** The groups that are registered now. */
   Collection<ManagedGroup> groups() {
@@ -208,7 +208,7 @@ final class GroupRegistry {
     return object;
   }
 
-  /** Whether this object is still the one that is registered under its number. */
+  /** Whether this object is still the one registered under its UID. */
   boolean isRegistered(ActivatableObject object) {
     return objects.get(object.uid) == object;
   }
@@ -241,7 +241,7 @@ final class GroupRegistry {
     return new JeriActivationID(Objects.requireNonNull(activator, "not exported yet"), uid);
   }
 
-  /** What an administrator sees. */
+  /** The state of every group, for the administrator. */
   List<GroupStatus> status() {
     List<ActivationGroupID> order = journal.read(r -> List.copyOf(r.groups.keySet()));
     return order.stream()

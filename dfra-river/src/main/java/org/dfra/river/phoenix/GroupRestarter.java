@@ -6,7 +6,9 @@ import java.util.List;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Activates what is marked to be restarted, and knows which groups had worked when they ended. */
+/**
+ * Activates the objects marked for restart; determines which groups were stable when they ended.
+ */
 final class GroupRestarter {
 
   private static final Logger LOG = LoggerFactory.getLogger(GroupRestarter.class);
@@ -19,7 +21,7 @@ final class GroupRestarter {
     this.registered = registered;
   }
 
-  /** Activates the objects of a group that are marked to be restarted, after a delay. */
+  /** Activates those objects of a group that are marked for restart, after a delay. */
   void schedule(ManagedGroup group, Duration delay) {
     List<ActivatableObject> marked = marked(registered.objects(group));
     if (marked.isEmpty()) {
@@ -47,7 +49,7 @@ final class GroupRestarter {
       boolean groupLives = object.group.process().isPresent();
       LOG.warn("Group {}: {}", object.group.name, e.getMessage());
       RestartPolicy policy = daemon.configuration().restartPolicy();
-      // Where the group itself failed, its own history decides about the next start.
+      // If the group itself failed, its own crash history decides on the next start.
       if (groupLives && attempt < policy.crashLimit()) {
         daemon
             .threads()
@@ -59,8 +61,8 @@ final class GroupRestarter {
   }
 
   /**
-   * Whether the modules of a group had worked in an incarnation. Those that are marked to be
-   * restarted count, each of them; where none is, those that were activated.
+   * Whether the modules of a group were stable in an incarnation. All modules marked for restart
+   * must have been. If none is marked, all that were activated must have been.
    */
   boolean wasStable(ManagedGroup group, long incarnation) {
     List<ActivatableObject> all = registered.objects(group);

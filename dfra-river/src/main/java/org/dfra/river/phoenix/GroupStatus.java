@@ -5,20 +5,20 @@ import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What phoenix knows of one of its groups.
+ * The state of one of phoenix's groups.
  *
  * @param name the daemon's name for the group, unique in its journal
- * @param state where its virtual machine stands
- * @param incarnation how often a virtual machine was started for it
- * @param pid process number of its virtual machine, or −1 where there is none
+ * @param state the state of its virtual machine
+ * @param incarnation how many virtual machines were started for it
+ * @param pid process number of its virtual machine; −1 if there is none
  * @param adopted whether this daemon found the machine running when it started
  * @param objects registered objects
- * @param unregistered objects that were unregistered, but that its virtual machine may still have
- * @param recentCrashes crashes within the window, those of modules that had worked included
+ * @param unregistered unregistered objects that its virtual machine may still have
+ * @param recentCrashes crashes within the window, including those of stable modules
  * @param totalCrashes crashes since this daemon started
- * @param lastCrash how it ended the last time, or null
+ * @param lastCrash how it crashed the last time, or null
  * @param heldOffUntil until when it is not started because it crashed too often, or null
- * @param output the file with what its virtual machine prints
+ * @param output the file with the output of its virtual machine
  */
 public record GroupStatus(
     String name,
@@ -36,23 +36,23 @@ public record GroupStatus(
     implements Serializable {
 
   /**
-   * Where a group's virtual machine stands.
+   * The state of a group's virtual machine.
    *
    * <pre>
    *           launch              activeGroup             inactiveGroup
    *   IDLE -----------&gt; STARTING -------------&gt; ACTIVE -----------------&gt; LEAVING
    *    ^                   |                       |                         |
-   *    +---- its process is proven dead -----------+-------------------------+
+   *    +---- its process has exited ---------------+-------------------------+
    * </pre>
    */
   public enum State {
     /** No process. */
     IDLE,
-    /** A process was started; awaits its first report. */
+    /** A process was started and has not reported yet. */
     STARTING,
-    /** Makes objects. */
+    /** Instantiates objects. */
     ACTIVE,
-    /** Has no object left and said so; awaits the end of its process. */
+    /** Has reported that it has no object left; its process is exiting. */
     LEAVING
   }
 }

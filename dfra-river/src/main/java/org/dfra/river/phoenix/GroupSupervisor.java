@@ -10,9 +10,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What the end of a group's process leads to: nothing where it was to end, else a start after a
- * delay, or none for a while where it crashed too often. It also explains to waiting threads why
- * there is no process for them. Confined to the group's lock.
+ * Decides what follows the exit of a group's process: nothing if the exit was announced, else a
+ * restart after a delay, or a hold-off after too many crashes. It also supplies the exceptions for
+ * threads that wait for the process. Confined to the group's lock.
  */
 final class GroupSupervisor {
 
@@ -30,17 +30,17 @@ final class GroupSupervisor {
     this.crashes = new CrashHistory(daemon.configuration().restartPolicy(), daemon.time()::nanos);
   }
 
-  /** The group was unregistered: no end of its process is a crash from now on. */
+  /** Records that the group was unregistered: later exits of its process are no crashes. */
   void ignoreExits() {
     forgotten = true;
   }
 
   /**
-   * The group's process has announced its end: it is recorded, and forced later if necessary. Where
-   * it cannot be recorded, nothing is lost: a daemon that is started later takes the process for an
-   * active one, asks it for an object, and gets the same announcement.
+   * Records that the group's process has announced its exit; kills it later if necessary. If the
+   * record cannot be written, nothing is lost. A later daemon takes the process for an active one,
+   * calls it for an object, and receives the same announcement.
    *
-   * @param process null where it is not launched yet
+   * @param process null if it is not launched yet
    */
   void leaves(@Nullable ProcessIdentity process) {
     LOG.info("Group {} has nothing left to do; its process ends.", group.name);
@@ -55,11 +55,11 @@ final class GroupSupervisor {
   }
 
   /**
-   * The group's process has ended, or was never launched. That is a crash, but where it was
-   * announced, the group is forgotten or the daemon itself ends.
+   * Records that the group's process exited, or was never launched. This is a crash, unless the
+   * exit was announced, the group is unregistered or the daemon is shutting down.
    *
-   * @param wasAnnounced whether the process had said that it would
-   * @param wasStable whether its modules had worked in it
+   * @param wasAnnounced whether the process had announced its exit
+   * @param wasStable whether its modules were stable in it
    */
   void ended(ProcessExit end, boolean wasAnnounced, boolean wasStable) {
     String how = end.description();
@@ -89,7 +89,7 @@ final class GroupSupervisor {
     }
   }
 
-  /** That the group's process was not ready in time, for whoever waited for it. */
+  /** The exception for waiting threads if the group's process was not ready in time. */
   ActivationException timeoutFailure() {
     return new ActivationException(
         "group "
@@ -100,7 +100,7 @@ final class GroupSupervisor {
             + daemon.output(group.name));
   }
 
-  /** How the group's process ended the last time, for whoever waited for it. */
+  /** The exception for waiting threads: how the group's process ended the last time. */
   ActivationException failure() {
     return new ActivationException("group " + group.name + " " + lastFailure);
   }
@@ -108,7 +108,7 @@ final class GroupSupervisor {
   /**
    * Refuses a start while the group is held off.
    *
-   * @throws ActivationException if it is; the message says why and until when
+   * @throws ActivationException if it is; the message has the reason and the end of the hold-off
    */
   void requireNotHeldOff() throws ActivationException {
     Optional<Instant> until = heldOffUntil();
@@ -127,7 +127,7 @@ final class GroupSupervisor {
     }
   }
 
-  /** For people, by the clock as it is set now; what decides is monotonic. */
+  /** By the present wall clock, for people; decisions use monotonic time. */
   private Optional<Instant> heldOffUntil() {
     return crashes
         .remainingHoldOff()
@@ -135,7 +135,7 @@ final class GroupSupervisor {
   }
 
   /**
-   * What an administrator sees.
+   * The state for the administrator.
    *
    * @param objects how many are registered in the group
    */

@@ -19,18 +19,18 @@ import org.slf4j.LoggerFactory;
 import org.slf4j.bridge.SLF4JBridgeHandler;
 
 /**
- * The virtual machine of one group. Phoenix starts it, tells it its group on standard input, and
- * never hears of it again if it dies: then the daemon sees its process end.
+ * The virtual machine of one group. Phoenix starts it and sends it its group on standard input. It
+ * receives no message if it dies: the daemon detects the exit of its process.
  */
 public final class GroupVm {
 
-  /** Exit code when the daemon went away before it told the group. */
+  /** Exit code if the daemon died before it sent the group. */
   static final int EXIT_NO_GROUP = 10;
 
-  /** Exit code when another virtual machine still owns the group. */
+  /** Exit code if another virtual machine still owns the group. */
   static final int EXIT_LOCKED = 11;
 
-  /** Exit code when the group could not be created or was refused. */
+  /** Exit code if the group could not be created or was refused. */
   static final int EXIT_REFUSED = 12;
 
   private static final long OUTPUT_LIMIT = 4 << 20;
@@ -40,12 +40,12 @@ public final class GroupVm {
 
   private GroupVm() {}
 
-  /** The number given to this process when it was started; 0 where it is no group's. */
+  /** The number given to this process at its start; 0 if it belongs to no group. */
   static long incarnation() {
     return incarnation;
   }
 
-  /** Waits to be told the group, takes its lock, creates it. */
+  /** Waits for its group on standard input, acquires its lock, and creates the group. */
   public static void main(String[] args) {
     SerialFilters.install();
     try {
@@ -73,13 +73,15 @@ public final class GroupVm {
     }
   }
 
-  /** The lock is held by the process, so nothing refers to it any more. */
+  /** Acquires the lock for the life of the process; there is no method to release it. */
   @SuppressWarnings("CheckReturnValue")
   private static void own(Path lockFile) throws IOException {
     Ownership.lock = ProcessLock.acquire(lockFile, "this group");
   }
 
-  /** Keeps the lock's channel reachable: a collected channel is closed, and the lock with it. */
+  /**
+   * Keeps the lock's channel reachable: a garbage-collected channel is closed and loses the lock.
+   */
   private static final class Ownership {
     @SuppressWarnings("unused")
     private static @Nullable ProcessLock lock;

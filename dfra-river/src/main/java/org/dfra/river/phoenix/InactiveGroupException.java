@@ -2,7 +2,7 @@ package org.dfra.river.phoenix;
 
 import java.rmi.activation.ActivationException;
 
-/** The group has no object left and makes no new one; the daemon starts the next incarnation. */
+/** The group has no object left and instantiates none; the daemon starts the next incarnation. */
 final class InactiveGroupException extends ActivationException {
 
   private static final long serialVersionUID = 1L;

@@ -9,18 +9,18 @@ import org.dfra.river.phoenix.GroupStatus.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One life of a group's process: what is known of it, along the arrows that are drawn at {@link
- * State}. It leaves the states of a process only when that process is proven dead, and does not
- * come back: what is launched next is another incarnation. Confined to the group's lock.
+ * One run of a group's process. Its state follows the arrows of {@link State}. It leaves the states
+ * of a process only after that process has certainly exited. It does not return to them: the next
+ * launch is another incarnation. Confined to the group's lock.
  */
 final class Incarnation {
 
   private final long number;
   private State state;
   private @Nullable ProcessIdentity process;
-  private @Nullable ActivationInstantiator instantiator; // there is one while it is ACTIVE
+  private @Nullable ActivationInstantiator instantiator; // not null while it is ACTIVE
   private boolean adopted;
-  private boolean hasLaunchPermit; // holds one of the daemon's turns to start
+  private boolean hasLaunchPermit; // whether it holds a launch permit
   private final Set<UID> unregistered = new HashSet<>(); // while its process may have had them
 
   private Incarnation(long number, State state) {
@@ -28,27 +28,27 @@ final class Incarnation {
     this.state = state;
   }
 
-  /** One that has ended, or 0 where there was none yet. */
+  /** An incarnation that has ended, or 0 if there was none yet. */
   static Incarnation past(long number) {
     return new Incarnation(number, State.IDLE);
   }
 
-  /** The one after this: its process is about to be launched. */
+  /** The next incarnation: its process will be launched next. */
   Incarnation next() {
     return new Incarnation(number + 1, State.STARTING);
   }
 
-  /** Its process was launched, by one of the daemon's turns. */
+  /** Records that its process was launched, with a launch permit. */
   void launched(ProcessIdentity started) {
     process = started;
     hasLaunchPermit = true;
   }
 
   /**
-   * A former daemon launched it, and its process lives.
+   * Adopts a running process that a former daemon launched.
    *
    * @param known the instantiator that it reported, if it did
-   * @param leaving whether it said that it ends
+   * @param leaving whether it announced its exit
    */
   void adopt(ProcessIdentity found, @Nullable ActivationInstantiator known, boolean leaving) {
     process = found;
@@ -58,7 +58,7 @@ final class Incarnation {
   }
 
   /**
-   * Whether this very report was made before; false where it may be made now.
+   * Whether this reporter made the same report before; false if it may report now.
    *
    * @param group the group's name, for messages
    * @throws ActivationException if the reporter is of another incarnation or too late, or another
@@ -83,19 +83,19 @@ final class Incarnation {
     return state == State.ACTIVE;
   }
 
-  /** Its process makes objects. */
+  /** Records that its process instantiates objects. */
   void reported(ActivationInstantiator reporter) {
     instantiator = reporter;
     state = State.ACTIVE;
   }
 
-  /** Its process makes no more objects, and will end. */
+  /** Records that its process instantiates no more objects, and is exiting. */
   void setLeaving() {
     instantiator = null;
     state = State.LEAVING;
   }
 
-  /** Its process is dead, or was never launched. */
+  /** Records that its process has exited, or was never launched. */
   void ended() {
     state = State.IDLE;
     process = null;
@@ -104,51 +104,51 @@ final class Incarnation {
     unregistered.clear();
   }
 
-  /** An object was unregistered that its process may have. */
+  /** Records that an object was unregistered that its process may have. */
   void addUnregistered(UID object) {
     if (state != State.IDLE) {
       unregistered.add(object);
     }
   }
 
-  /** Its process has such an object no longer; false where it had none of that name. */
+  /** Records that its process has dropped an unregistered object; false if it had no such one. */
   boolean removeUnregistered(UID object) {
     return unregistered.remove(object);
   }
 
-  /** How many objects its process may have that are not registered any more. */
+  /** How many unregistered objects its process may have. */
   int unregistered() {
     return unregistered.size();
   }
 
-  /** Whether it held a turn to start, which it gives back now. */
+  /** Whether it held a launch permit, which the caller must now release. */
   boolean takeLaunchPermit() {
     boolean had = hasLaunchPermit;
     hasLaunchPermit = false;
     return had;
   }
 
-  /** How often a process was started for the group by then, this one counted. */
+  /** How many processes had been started for the group, this one included. */
   long number() {
     return number;
   }
 
-  /** Where it stands. */
+  /** Its state. */
   State state() {
     return state;
   }
 
-  /** Whether it is the one of that number, and makes objects. */
+  /** Whether it has that number and instantiates objects. */
   boolean isActive(long itsNumber) {
     return state == State.ACTIVE && itsNumber == number;
   }
 
-  /** Its process; null before its launch and after its end. */
+  /** Its process; null before its launch and after its exit. */
   @Nullable ProcessIdentity process() {
     return process;
   }
 
-  /** What makes its objects; null unless it is {@link State#ACTIVE}. */
+  /** Its instantiator; null unless it is {@link State#ACTIVE}. */
   @Nullable ActivationInstantiator instantiator() {
     return instantiator;
   }

@@ -15,9 +15,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * The activation ID of an object under this daemon.
  *
- * <p>The standard serial form of {@link ActivationID} can only carry a JRMP activator, so this one
- * writes itself as a record of its two parts. The class must come from one loader everywhere (the
- * class path), or two equal IDs would not be equal.
+ * <p>The standard serial form of {@link ActivationID} supports only a JRMP activator, so this class
+ * serializes itself as a record of its two parts. The class must come from one loader everywhere
+ * (the class path), or two equal IDs would not be equal.
  */
 public final class JeriActivationID extends ActivationID implements TrustEquivalence {
 
@@ -32,7 +32,7 @@ public final class JeriActivationID extends ActivationID implements TrustEquival
     this.uid = uid;
   }
 
-  /** The daemon's name for the object. */
+  /** The daemon's identifier of the object. */
   UID uid() {
     return uid;
   }
@@ -82,7 +82,7 @@ public final class JeriActivationID extends ActivationID implements TrustEquival
     throw new InvalidObjectException("an activation ID of this kind is written as its parts");
   }
 
-  /** What crosses the wire. */
+  /** The serial form. */
   private record Parts(Activator activator, UID uid) implements Serializable {
     Parts {
       java.util.Objects.requireNonNull(activator, "activator");

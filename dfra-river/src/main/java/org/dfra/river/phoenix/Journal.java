@@ -11,11 +11,11 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Keeps the registrations on disk: a snapshot and the changes since, each one synced before it
- * counts. Thread-safe; its lock is taken last.
+ * Keeps the registrations on disk: a snapshot and the changes since. It syncs each change before
+ * the change takes effect. Thread-safe; its lock is acquired last.
  *
- * <p>When a change cannot be written (a full disk) it has not happened: the journal is then opened
- * anew, from a snapshot of what counts, before the next change is taken.
+ * <p>A change that cannot be written (a full disk) does not take effect. Before the next change,
+ * the journal is reopened from a snapshot of the effective registrations.
  */
 final class Journal implements AutoCloseable {
 
@@ -27,7 +27,7 @@ final class Journal implements AutoCloseable {
   private final ProcessLock lock;
   private final int snapshotThreshold;
   private final Registrations registrations;
-  private @Nullable ReliableLog log; // null: to be opened anew before the next change
+  private @Nullable ReliableLog log; // null: reopened before the next change
   private int pending;
   private boolean closed;
 
@@ -45,7 +45,7 @@ final class Journal implements AutoCloseable {
   }
 
   /**
-   * Reads the journal of a folder, or begins one there.
+   * Reads the journal of a folder, or creates one there.
    *
    * @param snapshotThreshold changes after which a new snapshot is written
    * @throws IOException if it is damaged, the folder cannot be written or another daemon uses it
@@ -89,10 +89,10 @@ final class Journal implements AutoCloseable {
   }
 
   /**
-   * Makes a change: on disk first, then in memory.
+   * Makes a change: first on disk, then in memory.
    *
-   * @throws ActivationException if it could not be written, or is of a group that is not registered
-   *     any more; then it has not happened
+   * @throws ActivationException if it could not be written, or its group is not registered any
+   *     more; then the change did not take effect
    */
   synchronized void commit(Change change) throws ActivationException {
     registrations.check(change);
@@ -116,7 +116,7 @@ final class Journal implements AutoCloseable {
     }
   }
 
-  /** Asks something of the registrations. */
+  /** Runs a query on the registrations. */
   synchronized <T extends @Nullable Object> T read(Function<Registrations, T> query) {
     return query.apply(registrations);
   }

@@ -14,8 +14,8 @@ import java.util.zip.CRC32C;
 import org.dfra.river.filter.SerialFilters;
 
 /**
- * How the journal's snapshot and records are written: serialized objects behind their length and a
- * CRC-32C, so that a torn record is told from a good one.
+ * The format of the journal's snapshot and records: serialized objects behind their length and a
+ * CRC-32C. So a torn record (written incompletely) is detected.
  */
 final class JournalHandler extends LogHandler {
 
@@ -25,17 +25,17 @@ final class JournalHandler extends LogHandler {
   private Registrations registrations;
   private int records;
 
-  /** For reading a journal. */
+  /** Creates a handler that reads a journal. */
   JournalHandler() {
     this(new Registrations());
   }
 
-  /** For writing these registrations. */
+  /** Creates a handler that writes these registrations. */
   JournalHandler(Registrations registrations) {
     this.registrations = registrations;
   }
 
-  /** What was read. */
+  /** The registrations that were read. */
   Registrations registrations() {
     return registrations;
   }
@@ -58,9 +58,9 @@ final class JournalHandler extends LogHandler {
   @Override
   public void readUpdate(InputStream in) throws IOException, ClassNotFoundException {
     records++;
-    // River's stream refuses to be read beyond the record, and says how long that is.
+    // River's stream refuses reads beyond the record, and reports the record's length.
     byte[] whole = in.readNBytes(in.available());
-    if (isWhole(whole, 0, whole.length)) { // else it is the torn last one: JournalScan has looked
+    if (isWhole(whole, 0, whole.length)) { // else it is the torn last one; JournalScan checked that
       registrations.apply((Change) deserialize(checked(whole, "record " + records)));
     }
   }
@@ -91,7 +91,7 @@ final class JournalHandler extends LogHandler {
     throw new IOException(what + " is damaged");
   }
 
-  /** Whether these bytes are what this class once wrote. */
+  /** Whether these bytes are a complete record of this class. */
   static boolean isWhole(byte[] bytes, int from, int length) {
     if (length < HEAD || from + length > bytes.length) {
       return false;

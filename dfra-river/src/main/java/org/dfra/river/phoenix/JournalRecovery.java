@@ -16,9 +16,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/**
- * The beginning of a daemon: from the journal of a former one, and the processes that outlived it.
- */
+/** Starts a daemon from the journal of its predecessor and the processes that outlived it. */
 final class JournalRecovery {
 
   private static final Logger LOG = LoggerFactory.getLogger(JournalRecovery.class);
@@ -29,8 +27,8 @@ final class JournalRecovery {
   private final Map<UID, ActivatableObject> objects;
 
   /**
-   * @param groups where the daemon's groups go
-   * @param objects where their objects go
+   * @param groups receives the daemon's groups
+   * @param objects receives their objects
    */
   JournalRecovery(
       PhoenixDaemon daemon,
@@ -44,8 +42,8 @@ final class JournalRecovery {
   }
 
   /**
-   * Takes up what the journal says: registers everything again, takes back the processes that still
-   * live, and ends those of registered groups that no journal entry knows.
+   * Restores the registrations from the journal, adopts the processes that still run, and kills
+   * unrecorded processes of registered groups.
    */
   void recover() {
     List<Runnable> adoptions = new ArrayList<>();
@@ -114,9 +112,9 @@ final class JournalRecovery {
   }
 
   /**
-   * Gives the groups that know phoenix at a former address an identity that names this one.
+   * Gives groups with a former address of phoenix an identity with the present one.
    *
-   * <p>A group whose process lives keeps its identity: the process knows no other, and works on.
+   * <p>A group whose process runs keeps its identity: the process knows no other, and continues.
    */
   void readdress(ActivationSystem system) {
     for (ManagedGroup group : List.copyOf(groups.values())) {

@@ -7,12 +7,12 @@ import java.nio.file.Path;
 import java.util.stream.Stream;
 
 /**
- * Looks at a journal before River's reliable log reads it.
+ * Checks a journal before River's reliable log reads it.
  *
- * <p>That log takes a record whose length is damaged for the end, cuts the file off there, and
- * takes a missing version file for a new journal: acknowledged registrations would be gone without
- * a word. This check changes nothing, and tells a torn last record from a damaged one that others
- * follow.
+ * <p>That log takes a record with a damaged length for the end and truncates the file there. It
+ * takes a missing version file for a new journal. Either would silently lose acknowledged
+ * registrations. This check changes nothing. It distinguishes a torn last record from a damaged one
+ * that others follow.
  */
 final class JournalScan {
 
@@ -42,7 +42,7 @@ final class JournalScan {
     int version = ByteBuffer.wrap(Files.readAllBytes(versionFile)).getInt();
     Path log = folder.resolve("Logfile." + version);
     if (version == 0) {
-      return false; // it was begun and nothing was acknowledged
+      return false; // created, but nothing was acknowledged
     }
     if (!Files.exists(log)) {
       throw new IOException("its file " + log.getFileName() + " is missing");

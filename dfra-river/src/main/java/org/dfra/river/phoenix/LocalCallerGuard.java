@@ -8,13 +8,13 @@ import org.dfra.river.access.OwnAddresses;
 import org.dfra.river.access.RemoteCaller;
 import org.jspecify.annotations.Nullable;
 
-/** Lets only callers on this machine register and monitor. */
+/** Permits registration and monitoring only to callers on this machine. */
 final class LocalCallerGuard {
 
   private final OwnAddresses own = OwnAddresses.ofThisComputer();
 
   /**
-   * Refuses the remote call under way unless it came from an address of this machine. A caller in
+   * Refuses the current remote call unless it came from an address of this machine. A caller in
    * this virtual machine is local.
    *
    * @param method the call, for the message

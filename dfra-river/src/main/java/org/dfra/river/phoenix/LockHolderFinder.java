@@ -9,8 +9,8 @@ import java.util.Optional;
 import java.util.OptionalLong;
 
 /**
- * Who holds the lock of a file. Linux says it in {@code /proc/locks}; elsewhere the process does
- * that wrote its number into the file, if it lives.
+ * Finds the process that holds the lock of a file. Linux lists it in {@code /proc/locks}. Elsewhere
+ * it is the process whose number is in the file, if that process runs.
  */
 final class LockHolderFinder {
 
@@ -31,7 +31,7 @@ final class LockHolderFinder {
   }
 
   /**
-   * The holder in words, such as {@code process 4711 of user nobody}.
+   * Describes the holder, such as {@code process 4711 of user nobody}.
    *
    * @param file whose lock is held; it is read, so this process must hold no lock of it
    */
@@ -45,7 +45,7 @@ final class LockHolderFinder {
     }
   }
 
-  /** A process and its user in words. */
+  /** Describes a process and its user. */
   String inWords(long pid) {
     Path process = proc.resolve(Long.toString(pid));
     try {
@@ -55,7 +55,7 @@ final class LockHolderFinder {
     }
   }
 
-  /** The process of a lock of this file. Locks of open files, which have no process, are -1. */
+  /** The process that locks this file. Locks of open files, which have no process, are -1. */
   private OptionalLong locking(Path file) throws IOException {
     Path table = proc.resolve("locks");
     if (!Files.isReadable(table)) {
@@ -75,13 +75,13 @@ final class LockHolderFinder {
     return ofInode.stream()
         .filter(fields -> fields[FILE].equals(exact))
         .findFirst()
-        // Where file systems lie above each other, the table has another device than the file.
+        // On stacked file systems, the table has another device than the file.
         .or(() -> ofInode.size() == 1 ? ofInode.stream().findFirst() : Optional.empty())
         .map(fields -> OptionalLong.of(Long.parseLong(fields[PROCESS])))
         .orElse(OptionalLong.empty());
   }
 
-  /** Of a device number as the C library makes it, makedev(3). */
+  /** The major number of a device number in the C library's format, makedev(3). */
   private static long major(long device) {
     return ((device >> 8) & 0xfffL) | ((device >> 32) & ~0xfffL);
   }

@@ -19,11 +19,11 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One group as the daemon sees it: who starts its process, who waits for it, and what its end leads
- * to. What is known of that process is its {@link Incarnation}.
+ * One group of the daemon: the start of its process, the threads that wait for it, and the reaction
+ * to its exit. Its {@link Incarnation} has the state of that process.
  *
- * <p>A start is made by the thread that needs it; others wait for its outcome. The group leaves a
- * process's states only when that process is proven dead.
+ * <p>The first thread that needs the process starts it; others wait for the result. The group
+ * leaves a process's states only after that process has certainly exited.
  */
 final class ManagedGroup {
 
@@ -52,10 +52,10 @@ final class ManagedGroup {
   record ActiveInstantiator(ActivationInstantiator instantiator, long incarnation) {}
 
   /**
-   * The instantiator of the group's process, which is started where there is none.
+   * Returns the instantiator of the group's process; starts the process if there is none.
    *
-   * @throws ActivationException if it cannot be started, ends while it starts, takes too long or is
-   *     held off because it crashed too often
+   * @throws ActivationException if it cannot be started, exits during its start, takes too long or
+   *     is held off because it crashed too often
    */
   ActiveInstantiator awaitInstantiator() throws ActivationException {
     lock.lock();
@@ -78,7 +78,7 @@ final class ManagedGroup {
           continue;
         }
         if (current.state() == State.STARTING) {
-          // One that a former daemon started may end because that one could not tell it all.
+          // An adopted one may exit because the former daemon did not send it everything.
           awaited = current.adopted() ? -1 : current.number();
         }
         if (nanos <= 0) {
@@ -103,7 +103,7 @@ final class ManagedGroup {
     }
   }
 
-  /** The instantiator of the group's process; empty where there is none. Starts nothing. */
+  /** The instantiator of the group's process; empty if there is none. Starts nothing. */
   Optional<ActiveInstantiator> active() {
     lock.lock();
     try {
@@ -128,7 +128,7 @@ final class ManagedGroup {
     return dot < 0 ? "" : plain.substring(0, dot);
   }
 
-  /** Starts a process. Gives up the lock while it waits for its turn and forks. */
+  /** Starts a process. Releases the lock while it waits for a launch permit and forks. */
   private void launch() throws ActivationException {
     current = current.next();
     long mine = current.number();
@@ -158,7 +158,7 @@ final class ManagedGroup {
     }
   }
 
-  /** Notes the process that was started for an incarnation, before it is told its group. */
+  /** Records the process that was started for an incarnation, before it receives its group. */
   void launched(ProcessIdentity started) {
     lock.lock();
     try {
@@ -168,7 +168,7 @@ final class ManagedGroup {
     }
   }
 
-  /** Takes back a process that a former daemon started. */
+  /** Adopts a process that a former daemon started. */
   void adopt(
       ProcessIdentity found,
       @Nullable ActivationInstantiator known,
@@ -185,7 +185,7 @@ final class ManagedGroup {
   }
 
   /**
-   * The group's process reports that it makes objects.
+   * Records that the group's process instantiates objects.
    *
    * @throws ActivationException if it is not the process that was started last, or another one has
    *     reported before it
@@ -214,7 +214,7 @@ final class ManagedGroup {
   }
 
   /**
-   * The group's process makes no more objects and will end.
+   * Records that the group's process instantiates no more objects and is exiting.
    *
    * @throws UnknownGroupException if it is not the process that was started last
    */
@@ -247,9 +247,10 @@ final class ManagedGroup {
   }
 
   /**
-   * An instantiator cannot be used: it makes no objects any more, or it cannot be reached.
+   * Records that an instantiator cannot be used: it instantiates no more objects, or it cannot be
+   * reached.
    *
-   * @param unreachable whether its process is to be ended, since nobody can talk to it
+   * @param unreachable whether to kill its process, since no call reaches it
    */
   void unusable(ActiveInstantiator maker, boolean unreachable) {
     @Nullable ProcessIdentity condemned = null;
@@ -275,7 +276,7 @@ final class ManagedGroup {
     }
   }
 
-  /** Whoever watches the process knows better how it ended, and is about to tell. */
+  /** Waits for the thread that watches the process: it reports how the process exited. */
   private void awaitNotice(ProcessIdentity dead) {
     lock.lock();
     try {
@@ -291,8 +292,8 @@ final class ManagedGroup {
   }
 
   /**
-   * A process of this group has ended. Where it was the current one, and it had not said that it
-   * would, that is a crash.
+   * Records that a process of this group exited. If it was the current one and had not announced
+   * its exit, this is a crash.
    */
   void onProcessExit(ProcessIdentity who, ProcessExit exit) {
     lock.lock();
@@ -314,12 +315,12 @@ final class ManagedGroup {
     supervision.ended(how, announced, worked);
   }
 
-  /** Whether this incarnation is the one that works now. */
+  /** Whether this incarnation is active now. */
   boolean isActive(long itsIncarnation) {
     return locked(() -> current.isActive(itsIncarnation));
   }
 
-  /** Whether a former daemon started the process that works now. */
+  /** Whether a former daemon started the present process. */
   boolean isAdopted() {
     return locked(() -> current.adopted() && current.state() == State.ACTIVE);
   }
@@ -329,7 +330,7 @@ final class ManagedGroup {
     return locked(() -> current.number());
   }
 
-  /** An object of the group was unregistered, which the process of an incarnation may have. */
+  /** Records that an object was unregistered that an incarnation's process may have. */
   void addUnregistered(UID unregistered, long itsIncarnation) {
     lock.lock();
     try {
@@ -341,12 +342,14 @@ final class ManagedGroup {
     }
   }
 
-  /** Its process has an unregistered object no longer; false where it had none of that name. */
+  /** Records that its process dropped an unregistered object; false if it had no such one. */
   boolean removeUnregistered(UID unregistered) {
     return locked(() -> current.removeUnregistered(unregistered));
   }
 
-  /** The group was unregistered: its process may live on, but is nobody's business here. */
+  /**
+   * Records that the group was unregistered: its process may run on, but is ignored from now on.
+   */
   void setUnregistered() {
     lock.lock();
     try {
@@ -356,12 +359,12 @@ final class ManagedGroup {
     }
   }
 
-  /** The group's process, where there is one. */
+  /** The group's process, if there is one. */
   Optional<ProcessIdentity> process() {
     return locked(() -> Optional.ofNullable(current.process()));
   }
 
-  /** Ends a process that has still not reported. */
+  /** Kills a process that has still not reported. */
   void killUnlessReported(ProcessIdentity who) {
     lock.lock();
     try {
@@ -374,12 +377,12 @@ final class ManagedGroup {
     }
   }
 
-  /** What an administrator sees. */
+  /** The state for the administrator. */
   GroupStatus status(int objects) {
     return locked(() -> supervision.status(current, objects));
   }
 
-  /** Makes waiters look again, for the end of the daemon. */
+  /** Wakes the waiting threads when the daemon shuts down. */
   void wake() {
     lock.lock();
     try {

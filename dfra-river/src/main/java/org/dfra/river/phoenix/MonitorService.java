@@ -9,7 +9,7 @@ import java.rmi.activation.ActivationMonitor;
 import java.rmi.activation.UnknownGroupException;
 import java.rmi.activation.UnknownObjectException;
 
-/** What groups report of themselves. Only callers on this machine are heard. */
+/** Receives the groups' reports. Calls from other computers are refused. */
 final class MonitorService implements ActivationMonitor {
 
   private final PhoenixDaemon daemon;

@@ -30,18 +30,18 @@ import org.slf4j.LoggerFactory;
 import org.slf4j.bridge.SLF4JBridgeHandler;
 
 /**
- * The activation daemon's process: one per host. {@link #main} starts it; it ends by {@link
- * ActivationSystem#shutdown} or a signal, and ends the groups with it. Killed, it leaves them
- * running, and the next one takes them back.
+ * The activation daemon's process: one per host. {@link #main} starts it. {@link
+ * ActivationSystem#shutdown} or a signal ends it and its groups. If it is killed, its groups keep
+ * running, and the next daemon adopts them.
  */
 public final class Phoenix implements AutoCloseable {
 
-  /** System property of a group that its name in phoenix's files and messages is made of. */
+  /** System property of a group from which phoenix forms its name in files and messages. */
   public static final String GROUP_NAME = "org.dfra.group";
 
   private static final Logger LOG = LoggerFactory.getLogger(Phoenix.class);
 
-  /** What phoenix's log says before the reason why it did not start. */
+  /** Prefix of the log message with the reason why phoenix did not start. */
   public static final String CANNOT_START = "Phoenix cannot start: ";
 
   private static final String SYSTEM_NAME = "java.rmi.activation.ActivationSystem";
@@ -105,7 +105,8 @@ public final class Phoenix implements AutoCloseable {
    */
   public static Phoenix start(Configuration c)
       throws ConfigurationException, IOException, LoginException {
-    // First, since a configuration may ask for the identities too, and hides why there are none.
+    // First, since a configuration may need the identities too, and would hide why they are
+    // missing.
     SecretIdentities identities = SecretIdentities.in(PhoenixConfiguration.folder(c));
     PhoenixConfiguration configuration = PhoenixConfiguration.read(c, identities);
     if (configuration.loginContext() == null) {
@@ -119,7 +120,7 @@ public final class Phoenix implements AutoCloseable {
     }
   }
 
-  @SuppressWarnings("removal") // its successor came with 18; the daemon runs on 17 too
+  @SuppressWarnings("removal") // its successor came with Java 18; the daemon supports 17 too
   private static <T> T asSubject(Subject subject, PrivilegedExceptionAction<T> action)
       throws PrivilegedActionException {
     return Subject.doAs(subject, action);
@@ -138,7 +139,7 @@ public final class Phoenix implements AutoCloseable {
 
   private void serve() throws IOException {
     daemon.recover();
-    // The registry's port before all, so that a daemon that answers is one that has started.
+    // The registry's port first, so that a daemon that answers has started completely.
     @Nullable Registry open =
         configuration.registryPort() < 0 ? null : readOnlyRegistry(configuration.registryPort());
     registry = open;
@@ -146,11 +147,11 @@ public final class Phoenix implements AutoCloseable {
         (ActivationMonitor) export(configuration.monitorExporter(), monitorService);
     ActivationSystem system =
         (ActivationSystem) export(configuration.systemExporter(), systemService);
-    // Before the activator: a group that is about to be started must be told the right address.
+    // Before the activator: a group that is started must receive the right address.
     daemon.readdress(system);
     daemon.exported((Activator) export(configuration.activatorExporter(), activatorService));
     Remote unused = export(configuration.stopExporter(), stopOrders); // its identity is known
-    // Last, since callers of the system wait for it: they shall find groups and activator settled.
+    // Last, since callers of the system wait for it: groups and activator must be ready by then.
     systemService.exported(system, monitor);
     if (open != null) {
       open.rebind(SYSTEM_NAME, system);
@@ -159,7 +160,7 @@ public final class Phoenix implements AutoCloseable {
     LOG.info("Phoenix is ready: {} groups.", daemon.groupRegistry().status().size());
   }
 
-  /** Undoes a start that failed; groups that were found alive stay so. */
+  /** Undoes a failed start; the groups that were found running continue to run. */
   private void abandon() {
     unexport(configuration.activatorExporter());
     unexport(configuration.stopExporter());
@@ -183,13 +184,13 @@ public final class Phoenix implements AutoCloseable {
   }
 
   /**
-   * The RMI registry where programs that know only {@code java.rmi.activation} find the system: of
-   * any user, since it gives the system's secret identity away. So there is one only where it is
+   * Creates the RMI registry in which programs that know only {@code java.rmi.activation} find the
+   * system. Any user can read it, and it reveals the system's secret identity. So it exists only if
    * configured.
    *
-   * <p>Its filter refuses every class: a lookup sends a string, which is none, and a bind does not
-   * pass. Its sockets see to the rest. Binding here, in the registry's own virtual machine, meets
-   * neither.
+   * <p>Its filter refuses every class: a lookup sends a string, which is none, and a bind is
+   * refused. Its sockets refuse all other changes. The binding here, in the registry's own virtual
+   * machine, passes neither.
    */
   private static Registry readOnlyRegistry(int port) throws IOException {
     System.setProperty("sun.rmi.registry.registryFilter", "!*");
@@ -218,9 +219,9 @@ public final class Phoenix implements AutoCloseable {
     try {
       daemon.requireRunning();
     } catch (java.rmi.activation.ActivationException e) {
-      return; // asked twice
+      return; // already requested
     }
-    // On a thread of its own, so that the caller's answer still leaves.
+    // On its own thread, so that the caller still receives the answer.
     Thread end = new Thread(this::close, "phoenix-shutdown");
     end.start();
   }
@@ -238,7 +239,7 @@ public final class Phoenix implements AutoCloseable {
     LOG.info("Phoenix ends, and its groups with it.");
     unexport(configuration.activatorExporter());
     daemon.stop(configuration.unexportTimeout());
-    unexport(configuration.stopExporter()); // what ends slowly can be stopped meanwhile
+    unexport(configuration.stopExporter()); // slow shutdowns can be stopped meanwhile
     unexport(configuration.systemExporter());
     unexport(configuration.monitorExporter());
     closeRegistry();
@@ -263,7 +264,7 @@ public final class Phoenix implements AutoCloseable {
     }
   }
 
-  /** Politely as long as calls are under way and patience lasts, then by force. */
+  /** Waits for running calls up to the timeout, then forces. */
   private void unexport(Exporter exporter) {
     Duration patience = Duration.ofSeconds(1);
     long end = System.nanoTime() + patience.toNanos();

@@ -11,17 +11,17 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What an administrator can ask of phoenix, beyond what the original offers. The daemon's system
- * proxy implements it.
+ * Phoenix's administration beyond River's original interface. The daemon's system proxy implements
+ * it.
  */
 public interface PhoenixAdmin extends ActivationAdmin {
 
-  /** Every registered group, in the order of registration. */
+  /** Returns the status of every registered group, in the order of registration. */
   List<GroupStatus> groupStatus() throws RemoteException;
 
   /**
-   * Those objects of a group that are active. In a group that a restarted phoenix took back, an
-   * object counts as active until the group was asked for it.
+   * Returns the active objects of a group. In an adopted group, an object counts as active until
+   * phoenix has called the group for it.
    *
    * @throws ActivationException if there is no such group
    */
@@ -29,21 +29,20 @@ public interface PhoenixAdmin extends ActivationAdmin {
       throws ActivationException, RemoteException;
 
   /**
-   * The proxy of an object that is active; null where it is not. Nothing is started, except in a
-   * group that a restarted phoenix took back and that was not asked for the object yet. An object
-   * that is being made is awaited.
+   * Returns the proxy of an active object, else null. Starts nothing, except in an adopted group
+   * that has not been called for the object yet. Waits for a running instantiation.
    *
-   * @throws ActivationException if there is no such object, or it takes too long to be made
+   * @throws ActivationException if there is no such object, or its instantiation takes too long
    */
   @Nullable MarshalledObject<? extends Remote> activeProxy(ActivationID object)
       throws ActivationException, RemoteException;
 
   /**
-   * Unregisters an object, unless it is active: so nobody has it made between the end of the old
-   * one and its being forgotten. An object that is being made is awaited.
+   * Unregisters an object, unless it is active. No call can instantiate it between the end of the
+   * old one and its removal. Waits for a running instantiation.
    *
    * @return false, with nothing changed, if the object is active
-   * @throws ActivationException if there is no such object, or it takes too long to be made
+   * @throws ActivationException if there is no such object, or its instantiation takes too long
    */
   boolean unregisterInactive(ActivationID object) throws ActivationException, RemoteException;
 }

@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Phoenix's Jini configuration: the entries of component {@value #COMPONENT}.
  *
- * <p>Names are those of the original phoenix where it has them. {@code docs/reference/phoenix.md}
+ * <p>Names are those of the original phoenix if it has them. {@code docs/reference/phoenix.md}
  * lists every entry.
  */
 record PhoenixConfiguration(
@@ -46,7 +46,7 @@ record PhoenixConfiguration(
   /** Component of every entry. */
   static final String COMPONENT = "org.dfra.river.phoenix";
 
-  /** TCP port of the activation system where nothing else is configured. */
+  /** Default TCP port of the activation system. */
   static final int DEFAULT_PORT = StopLocator.DEFAULT_PORT;
 
   /** Activation includes the start of a virtual machine, so it may take longer than other calls. */

@@ -16,14 +16,14 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The daemon's logic: its beginning and end, and what its parts need of each other. It knows no
- * network; the services in front of it do.
+ * The daemon's logic: its start and shutdown, and the links between its parts. It contains no
+ * network code; the services call it.
  *
  * <pre>
- *   GroupRegistry   what is registered           --&gt; Journal
- *   Group              one group's process          --&gt; Launcher
- *   Restarts           what is started again
- *   DaemonExecutors      what is due later, and what takes long
+ *   GroupRegistry     what is registered           --&gt; Journal
+ *   ManagedGroup      one group's process          --&gt; GroupLauncher
+ *   GroupRestarter    what is restarted
+ *   DaemonExecutors   delayed and long tasks
  * </pre>
  */
 final class PhoenixDaemon {
@@ -41,8 +41,8 @@ final class PhoenixDaemon {
   private volatile boolean running = true;
 
   /**
-   * @param clock the computer's, for people
-   * @param time what decides
+   * @param clock the system clock, for people
+   * @param time monotonic, for decisions
    */
   PhoenixDaemon(
       PhoenixConfiguration configuration, InstantSource clock, Scheduler time, Journal journal) {
@@ -55,52 +55,52 @@ final class PhoenixDaemon {
     this.launcher = new GroupLauncher(this, configuration, journal);
   }
 
-  // The beginning
+  // Start
 
   /**
-   * Takes up what the journal says: registers everything again, takes back the processes that still
-   * live, and ends those of registered groups that no journal entry knows.
+   * Restores the registrations from the journal, adopts the processes that still run, and kills
+   * unrecorded processes of registered groups.
    */
   void recover() {
     registered.recover();
   }
 
   /**
-   * Gives the groups that know phoenix at a former address an identity that names this one. Called
-   * before anybody can ask for a group.
+   * Gives groups with a former address of phoenix an identity with the present one. Called before
+   * any request for a group.
    */
   void readdress(ActivationSystem system) {
     registered.readdress(system);
   }
 
-  /** Tells the daemon the activator that its IDs carry. */
+  /** Sets the activator that the daemon's IDs carry. */
   void exported(Activator activator) {
     registered.exported(activator);
   }
 
-  /** Restarts what is marked so and is not active. Called when the services are exported. */
+  /** Activates the inactive objects marked for restart. Called when the services are exported. */
   void scheduleRestarts() {
     registered.groups().forEach(group -> restarts.schedule(group, Duration.ZERO));
   }
 
-  // Its parts
+  // Parts
 
   /** What is registered. */
   GroupRegistry groupRegistry() {
     return registered;
   }
 
-  /** Starts again what is marked so. */
+  /** Restarts what is marked for it. */
   GroupRestarter groupRestarter() {
     return restarts;
   }
 
-  /** Starts and counts the processes of groups. */
+  /** Starts the processes of groups and limits how many start at once. */
   GroupLauncher launcher() {
     return launcher;
   }
 
-  /** What runs later, or takes long. */
+  /** Runs delayed and long tasks. */
   DaemonExecutors threads() {
     return threads;
   }
@@ -124,7 +124,7 @@ final class PhoenixDaemon {
 
   // Processes
 
-  /** Has the group told when its process ends; {@code child} where this phoenix started it. */
+  /** Reports the exit of a process to its group; {@code child} if this phoenix started it. */
   void reportExitTo(ManagedGroup group, ProcessIdentity identity, @Nullable Process child) {
     if (child != null) {
       child
@@ -143,22 +143,22 @@ final class PhoenixDaemon {
     }
   }
 
-  /** Ends a process that said it would end, if it has not done so in a while. */
+  /** Kills a process that announced its exit, if it has not exited after a while. */
   void killIfLingering(ProcessIdentity process) {
     threads.after(configuration.unexportTimeout().plusSeconds(2), () -> process.destroy(true));
   }
 
-  /** An instantiator prepared as configured. */
+  /** Prepares an instantiator as configured. */
   ActivationInstantiator prepareInstantiator(ActivationInstantiator raw) throws RemoteException {
     return (ActivationInstantiator) configuration.instantiatorPreparer().prepareProxy(raw);
   }
 
-  /** The file with what a group's process prints. */
+  /** The file with the output of a group's process. */
   Path output(String group) {
     return configuration.outputDirectory().resolve(group + ".log");
   }
 
-  // The end
+  // Shutdown
 
   boolean isRunning() {
     return running;
@@ -170,19 +170,19 @@ final class PhoenixDaemon {
     }
   }
 
-  /** Ends every process and the daemon's own threads, then closes the journal. */
+  /** Ends every process, stops the daemon's own threads, then closes the journal. */
   void stop(Duration timeout) {
     running = false;
     threads.stopScheduling();
     registered.groups().forEach(ManagedGroup::wake);
-    // What runs may be moving; it does not wait for a process that is only being started.
+    // Running effectors may be moving: stop them before waiting for processes that still start.
     processes().forEach(process -> process.destroy(false));
     long end = System.nanoTime() + timeout.toNanos();
     launcher.awaitLaunches(timeout);
     List<ProcessIdentity> processes = processes();
     processes.forEach(process -> process.destroy(false));
     for (ProcessIdentity process : processes) {
-      // The patience is for all together: ten that do not answer cost no more than one.
+      // One timeout for all together: ten processes that do not answer take no longer than one.
       process.awaitExit(Duration.ofNanos(Math.max(0, end - System.nanoTime())));
     }
     processes.forEach(process -> process.destroy(true));
@@ -194,7 +194,9 @@ final class PhoenixDaemon {
     return registered.groups().stream().flatMap(group -> group.process().stream()).toList();
   }
 
-  /** Ends the daemon's own threads and closes the journal; the groups' processes live on. */
+  /**
+   * Stops the daemon's own threads and closes the journal; the groups' processes continue to run.
+   */
   void stopKeepingProcesses() {
     running = false;
     threads.stopScheduling();

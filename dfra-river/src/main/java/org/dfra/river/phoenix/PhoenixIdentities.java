@@ -7,16 +7,16 @@ import net.jini.id.Uuid;
 import net.jini.id.UuidFactory;
 
 /**
- * The identities under which phoenix exports its services. They stay the same when phoenix is
- * restarted, so that a proxy of a former phoenix reaches the next one on the same host and port.
+ * The identities under which phoenix exports its services. They survive restarts of phoenix. So a
+ * proxy of a former phoenix reaches the next one on the same host and port.
  *
- * <p>The activator's is well known. Those of the activation system and the monitor are secrets of
- * the user that phoenix runs as: only a process that may read the {@linkplain #FILE file} beside
- * the journal can call them, and the groups, which phoenix gives them to.
+ * <p>The activator's identity is well known. Those of the activation system and the monitor are
+ * secrets of phoenix's user. Only a process that may read the {@linkplain #FILE file} beside the
+ * journal can call them, and the groups, to which phoenix sends them.
  */
 public final class PhoenixIdentities {
 
-  /** The activator, which anybody may call. */
+  /** The activator, which any client may call. */
   public static final Uuid ACTIVATOR = uuid("6f0bd0a8-27c5-4d0e-9d3a-5e6d1c0c4a11");
 
   /**
@@ -29,8 +29,8 @@ public final class PhoenixIdentities {
   /**
    * The identity of the activation system, for {@code systemExporter} in a configuration.
    *
-   * @param persistenceDirectory folder of the journal; it is made where it is missing
-   * @throws IOException if the folder is not private, or the file cannot be made or read
+   * @param persistenceDirectory folder of the journal; created if missing
+   * @throws IOException if the folder is not private, or the file cannot be created or read
    */
   public static Uuid system(String persistenceDirectory) throws IOException {
     return SecretIdentities.in(Path.of(persistenceDirectory)).system();
@@ -42,9 +42,9 @@ public final class PhoenixIdentities {
   }
 
   /**
-   * An identity from its text.
+   * Parses an identity.
    *
-   * @throws IllegalArgumentException if it is none
+   * @throws IllegalArgumentException if the text is none
    */
   static Uuid uuid(String text) {
     return uuid(UUID.fromString(text));

@@ -17,20 +17,20 @@ import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 
 /**
- * Finds the phoenix of a host without a registry: its port is known, and its identity is read from
- * the folder of its journal. So only the user that phoenix runs as, and root, find it.
+ * Finds the phoenix of a host without a registry: its port is known, and its identity is in the
+ * folder of its journal. So only phoenix's user and root can find it.
  */
 public final class PhoenixLocator {
 
   private PhoenixLocator() {}
 
   /**
-   * A proxy for the activation system of a host. Nothing is sent before its first call.
+   * Returns a proxy of a host's activation system. Sends nothing before its first call.
    *
    * @param host where phoenix runs; it answers registrations only to callers on that host
    * @param port its TCP port
    * @param journal folder of its journal
-   * @param deadline how long each answer is awaited
+   * @param deadline the longest wait for each answer
    * @return the proxy; it also implements {@link PhoenixAdmin}
    * @throws ConnectException if no phoenix was ever started with that folder
    * @throws AccessException if this user may not read its identity
@@ -50,7 +50,9 @@ public final class PhoenixLocator {
             TrustEquivalence.class);
   }
 
-  /** Remote exceptions take no cause here: with one, their message has several lines. */
+  /**
+   * The exceptions get no cause: a remote exception with a cause has a message of several lines.
+   */
   private static SecretIdentities identities(int port, Path journal) throws RemoteException {
     Path file = journal.resolve(PhoenixIdentities.FILE);
     try {

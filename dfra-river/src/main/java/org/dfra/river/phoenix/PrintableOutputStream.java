@@ -7,15 +7,15 @@ import java.util.Arrays;
 import org.dfra.text.PrintableText;
 
 /**
- * Writes UTF-8 text with all that is not {@linkplain PrintableText#output printable} escaped, so
- * that a file of it can be shown on a terminal.
+ * Writes UTF-8 text and escapes everything that is not {@linkplain PrintableText#output printable},
+ * so that a terminal can show the file safely.
  */
 final class PrintableOutputStream extends OutputStream {
 
   private static final int LONGEST_CHARACTER = 4;
 
   private final OutputStream out;
-  private byte[] begun = {}; // of a character whose other bytes are to come; guarded by this
+  private byte[] begun = {}; // the first bytes of an incomplete character; guarded by this
 
   PrintableOutputStream(OutputStream out) {
     this.out = out;
@@ -38,7 +38,7 @@ final class PrintableOutputStream extends OutputStream {
     }
   }
 
-  /** Where the last character begins if it is not complete, or else the length. */
+  /** The start of the last character if it is incomplete, else the length. */
   private static int endOfCharacters(byte[] bytes) {
     for (int i = bytes.length - 1; i >= 0 && i > bytes.length - LONGEST_CHARACTER; i--) {
       int first = bytes[i] & 0xff;

@@ -1,15 +1,15 @@
 package org.dfra.river.phoenix;
 
 /**
- * How a process ended.
+ * How a process exited.
  *
  * @param description the rest of a sentence that begins with the group's name
- * @param isRequested whether somebody asked for an orderly end; the daemon itself does not do so by
- *     a signal
+ * @param isRequested whether an orderly exit was requested; the daemon itself does not request it
+ *     by a signal
  */
 record ProcessExit(String description, boolean isRequested) {
 
-  /** Of a virtual machine whose shutdown was begun by SIGTERM: 128 and the signal's number. */
+  /** Exit code of a virtual machine that SIGTERM shut down: 128 and the signal's number. */
   private static final int TERMINATED = 143;
 
   static ProcessExit unrequested(String how) {

@@ -15,27 +15,27 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A process, told apart from any later one that got the same number.
+ * A process, distinct from any later one with the same number.
  *
- * <p>On Linux the start is counted in clock ticks since the boot, and the boot has a name: neither
- * moves when the wall clock is set, as it is on a robot whose receiver has just told it the time.
- * Elsewhere the start instant that the operating system reports has to do.
+ * <p>On Linux the start is counted in clock ticks since the boot, and the boot has an ID. Neither
+ * changes when the wall clock is set, as a GPS receiver does on a robot. Elsewhere, the start is
+ * the instant that the operating system reports.
  *
- * <p>A process is dead when there is none of its number any more, or one that started at another
- * time. Where that cannot be found out, as in a shortage of file descriptors, it counts as alive: a
- * second process beside a living one would fight with it for a device.
+ * <p>A process has exited if no process has its number any more, or one with another start time
+ * has. If this cannot be determined, as in a shortage of file descriptors, the process counts as
+ * running: a second process beside it would compete for its device.
  *
  * @param pid the process number
- * @param start when it started, in a form that only equality is asked of
+ * @param start when it started, compared for equality only
  */
 public record ProcessIdentity(long pid, String start) implements Serializable {
 
   private static final Logger LOG = LoggerFactory.getLogger(ProcessIdentity.class);
 
   /**
-   * The identity of a process that lives.
+   * The identity of a running process.
    *
-   * @throws UncheckedIOException if it cannot be found out; nobody can keep track of it then
+   * @throws UncheckedIOException if it cannot be determined; then the process cannot be tracked
    */
   static ProcessIdentity of(ProcessHandle handle) {
     Liveness sign = sign(handle.pid());
@@ -52,9 +52,9 @@ public record ProcessIdentity(long pid, String start) implements Serializable {
   }
 
   /**
-   * The process that has a number now; empty where none has it.
+   * The process that has a number now; empty if there is none.
    *
-   * @throws IOException if that cannot be found out, as in a shortage of file descriptors
+   * @throws IOException if this cannot be determined, as in a shortage of file descriptors
    */
   public static Optional<ProcessIdentity> find(long pid) throws IOException {
     Liveness sign = sign(pid);
@@ -73,8 +73,8 @@ public record ProcessIdentity(long pid, String start) implements Serializable {
   }
 
   /**
-   * Whether this very process still runs, as far as is known: true also where that cannot be found
-   * out now. A process that has ended but is unburied does not run.
+   * Whether this process still runs, as far as is known: true also if this cannot be determined
+   * now. A zombie does not run.
    */
   public boolean isAlive() {
     Liveness sign = sign(pid);
@@ -83,14 +83,14 @@ public record ProcessIdentity(long pid, String start) implements Serializable {
         : sign instanceof Liveness.Unknown;
   }
 
-  /** Whether this very process certainly runs. */
+  /** Whether this process certainly runs. */
   private boolean isCertainlyAlive() {
     return sign(pid) instanceof Liveness.Alive lives && lives.start().equals(start);
   }
 
   /**
-   * Asks the process to end, or ends it; does nothing where it has ended. Where it is not known
-   * whether its number is another process's by now, that is left alone, and said.
+   * Requests the process to exit, or kills it; does nothing if it has exited. If its number may
+   * belong to another process by now, this only logs that.
    */
   public void destroy(boolean forcibly) {
     boolean asked =
@@ -104,12 +104,12 @@ public record ProcessIdentity(long pid, String start) implements Serializable {
   }
 
   /**
-   * Waits for the process to end.
+   * Waits for the process to exit.
    *
-   * <p>The operating system tells a JVM of the end of its own children only, and these may be
-   * another daemon's, so this looks every 20 ms.
+   * <p>The operating system notifies a JVM only of the exit of its own children. These may be
+   * another daemon's, so this polls every 20 ms.
    *
-   * @return whether it has ended
+   * @return whether it has exited
    */
   boolean awaitExit(Duration timeout) {
     long end = System.nanoTime() + timeout.toNanos();
@@ -122,16 +122,16 @@ public record ProcessIdentity(long pid, String start) implements Serializable {
     return true;
   }
 
-  /** What is known of a process number. */
+  /** The state of a process number. */
   private sealed interface Liveness {
 
-    /** A process has it, which started then. */
+    /** A process that started then has it. */
     record Alive(String start) implements Liveness {}
 
-    /** No process has it, or one that has ended and is unburied. */
+    /** No process has it, or a zombie. */
     record Ended() implements Liveness {}
 
-    /** It cannot be found out now. */
+    /** It cannot be determined now. */
     record Unknown(IOException why) implements Liveness {}
   }
 
@@ -143,11 +143,11 @@ public record ProcessIdentity(long pid, String start) implements Serializable {
           .<Liveness>map(instant -> new Liveness.Alive("at " + instant.toEpochMilli()))
           .orElseGet(Liveness.Ended::new);
     }
-    // Not by ProcessHandle.of: it finds no process where this one may open no more files.
+    // ProcessHandle.of does not work: it finds no process if this one may open no more files.
     Path stat = Path.of("/proc", Long.toString(pid), "stat");
     try {
       String line = Files.readString(stat, StandardCharsets.ISO_8859_1);
-      // "pid (name) state …": the name may hold blanks and parentheses; field 3 is the state and
+      // "pid (name) state …": the name may contain blanks and parentheses; field 3 is the state and
       // field 22 the start (proc(5)).
       String[] fields = line.substring(line.lastIndexOf(')') + 2).split(" ");
       boolean ended = fields[0].equals("Z") || fields[0].equals("X");
@@ -155,7 +155,7 @@ public record ProcessIdentity(long pid, String start) implements Serializable {
           ? new Liveness.Ended()
           : new Liveness.Alive("tick " + fields[19] + " of boot " + boot());
     } catch (IOException e) {
-      // Asking whether there is such a file opens none, so the answer is good in any shortage.
+      // This check opens no file, so the answer is reliable in any shortage.
       return Files.notExists(stat) ? new Liveness.Ended() : new Liveness.Unknown(e);
     }
   }

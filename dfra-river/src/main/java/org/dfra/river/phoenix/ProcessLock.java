@@ -14,18 +14,18 @@ import org.dfra.core.host.PrivateFiles;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The lock that a process holds as long as it lives: a group's virtual machine, so that two of them
- * never own one group's devices together, and the daemon, so that two of them never write one
- * journal. The operating system takes it back when the process dies, however it dies.
+ * A lock that a process holds until it exits. A group's virtual machine holds one, so that no two
+ * use the same devices. The daemon holds one, so that no two write the same journal. The operating
+ * system releases it when the process exits for any reason.
  *
- * <p>The file is private: whoever may open a file may lock it, also for reading only, and so keep a
- * group from starting again.
+ * <p>The file is private: a process that may open it, even only for reading, may lock it and
+ * prevent the group's restart.
  */
 final class ProcessLock implements AutoCloseable {
 
   /**
-   * What this virtual machine holds. POSIX drops a process's lock when the process closes any
-   * descriptor of the file, so a file that is held here must not even be opened again.
+   * Files that this virtual machine has locked. POSIX drops a process's lock when the process
+   * closes any descriptor of the file, so it must not open a locked file again.
    */
   private static final Set<Path> HELD = ConcurrentHashMap.newKeySet();
 
@@ -43,10 +43,10 @@ final class ProcessLock implements AutoCloseable {
   }
 
   /**
-   * Takes the lock for this virtual machine.
+   * Acquires the lock for this virtual machine.
    *
-   * @param guarded it guards, for the message
-   * @throws IOException if another one holds it, naming that one's process and user
+   * @param guarded what the lock guards, for the message
+   * @throws IOException if another process holds it; the message names that process and its user
    */
   static ProcessLock acquire(Path file, String guarded) throws IOException {
     Path absolute = file.toAbsolutePath().normalize();
@@ -93,7 +93,7 @@ final class ProcessLock implements AutoCloseable {
             + "); a second one is refused until that one has ended");
   }
 
-  /** Gives the lock back. */
+  /** Releases the lock. */
   @Override
   public void close() throws IOException {
     channel.close();

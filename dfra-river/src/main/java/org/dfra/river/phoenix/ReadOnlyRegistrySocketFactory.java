@@ -9,17 +9,17 @@ import java.net.UnknownHostException;
 import java.rmi.server.RMIServerSocketFactory;
 
 /**
- * Sockets that make an RMI registry read-only: it listens on the loopback interface alone, and
- * takes every caller for one from another host, to whom a registry refuses bind, rebind and unbind.
- * The caller itself gets its true address in the acknowledgement, see {@link
+ * Sockets that make an RMI registry read-only. They listen on the loopback interface only and
+ * present every caller as one from another host. A registry refuses bind, rebind and unbind to such
+ * a caller. The caller itself receives its true address in the acknowledgement, see {@link
  * AddressRewritingStream}.
  *
- * <p>A registry lets any program on its host unbind a name, and its filter does not see that call,
- * which sends nothing but a string.
+ * <p>Without them, any program on a registry's host can unbind a name: the registry's filter does
+ * not see that call, which sends only a string.
  */
 final class ReadOnlyRegistrySocketFactory implements RMIServerSocketFactory {
 
-  /** Of a network that is for documentation only (RFC 5737), so no host has it. */
+  /** An address of a network for documentation only (RFC 5737), so no host has it. */
   static final InetAddress DOCUMENTATION_ADDRESS = elsewhere();
 
   @Override
@@ -34,7 +34,7 @@ final class ReadOnlyRegistrySocketFactory implements RMIServerSocketFactory {
     };
   }
 
-  /** A connection whose other end seems to be elsewhere, but is sent its true address. */
+  /** A connection that reports a remote peer, but sends the peer its true address. */
   private static final class CallerSocket extends Socket {
 
     @Override

@@ -6,19 +6,19 @@ import java.rmi.activation.ActivationID;
 import java.rmi.activation.UnknownObjectException;
 
 /**
- * What phoenix's groups report beyond what {@code java.rmi.activation} has them report: which of
- * their objects have worked. Phoenix's system proxy implements it.
+ * Receives the reports of phoenix's groups beyond those of {@code java.rmi.activation}: which of
+ * their objects are stable. Phoenix's system proxy implements it.
  */
 public interface ReadinessMonitor extends Remote {
 
-  /** How long an object has to be ready without interruption until it has worked, in ms. */
+  /** How long an object must be ready without interruption to count as stable, in ms. */
   long minReadyMillis() throws RemoteException;
 
   /**
-   * An object has been ready for {@link #minReadyMillis} without interruption, in its group's
-   * present life. Whatever becomes of it in that life, it has worked.
+   * Reports that an object was ready for {@link #minReadyMillis} without interruption, in its
+   * group's present incarnation. It counts as stable for the rest of that incarnation.
    *
-   * @param incarnation the number given to the group's process when it was started
+   * @param incarnation the number given to the group's process at its start
    * @throws UnknownObjectException if it is not registered, or not any more
    */
   void reportStable(ActivationID id, long incarnation)

@@ -15,13 +15,13 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Reports to the daemon when an object of this group has worked: when it has been ready for as long
- * as the daemon's restart policy wants, without interruption. So the daemon knows a module that
- * worked and died from one that dies before it is of any use, and from one that was ready for a
- * moment and failed. Readiness is sampled: an interruption shorter than 0.1 s may pass unseen.
+ * Reports to the daemon when an object of this group is stable: ready without interruption for
+ * {@code minReadyTime} of the daemon's restart policy. So the daemon distinguishes the crash of a
+ * stable module from that of a module that fails during or shortly after its start. Readiness is
+ * sampled: an interruption shorter than 0.1 s may be missed.
  *
- * <p>Thread: one daemon, {@code group-readiness}, which runs while an object has not worked yet. A
- * report that cannot be made is made again a second later: phoenix may be starting anew.
+ * <p>Thread: one daemon, {@code group-readiness}, which runs while an object is not yet stable. A
+ * failed report is repeated a second later: phoenix may be restarting.
  */
 final class ReadinessReporter {
 
@@ -30,9 +30,9 @@ final class ReadinessReporter {
   private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
   private static final long AGAIN_NANOS = TimeUnit.SECONDS.toNanos(1);
 
-  /** Whom to report to. */
+  /** Finds the receiver of the reports. */
   interface MonitorSource {
-    /** The monitor; null where the activation system is none. */
+    /** The monitor; null if the activation system does not implement it. */
     @Nullable ReadinessMonitor monitor() throws ActivationException;
   }
 
@@ -41,7 +41,7 @@ final class ReadinessReporter {
   private final Map<ActivationID, TrackedObject> awaited = new ConcurrentHashMap<>();
   private @Nullable Thread thread; // guarded by this
 
-  /** Reports of this virtual machine's group. */
+  /** Creates a reporter of this virtual machine's group. */
   ReadinessReporter() {
     this(
         () -> ActivationGroup.getSystem() instanceof ReadinessMonitor monitor ? monitor : null,
@@ -56,17 +56,17 @@ final class ReadinessReporter {
     this.nanos = nanos;
   }
 
-  /** An object that has not worked yet. Its fields are confined to whoever looks. */
+  /** An object that is not yet stable. Only the polling thread uses its fields. */
   private static final class TrackedObject {
     private final BooleanSupplier isReady;
     private boolean wasReady;
-    private long since; // nanos; means nothing unless wasReady
+    private long since; // nanos; meaningful only if wasReady
 
     TrackedObject(BooleanSupplier isReady) {
       this.isReady = isReady;
     }
 
-    /** For how long it has been ready without interruption, in nanoseconds; −1 where it is not. */
+    /** How long it has been ready without interruption, in nanoseconds; −1 if it is not ready. */
     long readyFor(long now) {
       boolean isReadyNow = isReady.getAsBoolean();
       if (isReadyNow && !wasReady) {
@@ -81,7 +81,7 @@ final class ReadinessReporter {
     }
   }
 
-  /** An object was made. */
+  /** Records that an object was instantiated. */
   void made(ActivationID id, Object object) {
     track(id, object instanceof ReadinessSource source ? source::isReady : () -> true);
     synchronized (this) {
@@ -91,7 +91,7 @@ final class ReadinessReporter {
         try {
           thread.start();
         } catch (
-            OutOfMemoryError e) { // no further thread; the next object that is made tries again
+            OutOfMemoryError e) { // no further thread; the next instantiation retries
           thread = null;
           LOG.warn("The readiness of {} is not reported: {}", id, e.toString());
         }
@@ -99,12 +99,12 @@ final class ReadinessReporter {
     }
   }
 
-  /** An object that was made is looked at from now on. */
+  /** Polls an object from now on. */
   void track(ActivationID id, BooleanSupplier isReady) {
     awaited.put(id, new TrackedObject(isReady));
   }
 
-  /** An object is active no longer. */
+  /** Records that an object became inactive. */
   void inactive(ActivationID id) {
     awaited.remove(id);
   }
@@ -122,7 +122,7 @@ final class ReadinessReporter {
     return thread == null;
   }
 
-  /** Looks at each object once, and reports those that have worked; false where one failed. */
+  /** Polls each object once, and reports the stable ones; false if a report failed. */
   boolean poll() {
     boolean all = true;
     for (Map.Entry<ActivationID, TrackedObject> each : awaited.entrySet()) {
@@ -137,14 +137,14 @@ final class ReadinessReporter {
   private long readyFor(ActivationID id, TrackedObject object) {
     try {
       return object.readyFor(nanos.getAsLong());
-    } catch (RuntimeException e) { // a driver's own; the others are reported all the same
+    } catch (RuntimeException e) { // of a driver; the others are still reported
       LOG.debug("It is not known whether {} is ready.", id, e);
       object.lost();
       return -1;
     }
   }
 
-  /** Whether nothing is to be done again. */
+  /** Reports a stable object; false if the report must be repeated. */
   private boolean report(ActivationID id, TrackedObject object, long readyFor) {
     try {
       @Nullable ReadinessMonitor monitor = source.monitor();

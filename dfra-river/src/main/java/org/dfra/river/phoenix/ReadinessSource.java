@@ -1,8 +1,8 @@
 package org.dfra.river.phoenix;
 
 /**
- * An activatable object that is not of use as soon as it is made: a module, which must find its
- * device first. Any other object counts as ready when its constructor has returned.
+ * An activatable object that is not ready right after its construction: a module, which must find
+ * its device first. Any other object counts as ready when its constructor has returned.
  */
 public interface ReadinessSource {
 

@@ -16,14 +16,14 @@ import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Everything the daemon must not forget. Changed only by {@link Change}s, which the journal writes
- * first. Confined to the journal's lock.
+ * The daemon's persistent state. Changed only by {@link Change}s, which the journal writes first.
+ * Confined to the journal's lock.
  */
 final class Registrations implements Serializable {
 
   private static final long serialVersionUID = 1L;
 
-  /** Tells this daemon's group processes from those of any other on the machine. */
+  /** Distinguishes this daemon's group processes from those of any other on the machine. */
   final UUID daemon = UUID.randomUUID();
 
   /** The number in the next group's name. */
@@ -43,7 +43,7 @@ final class Registrations implements Serializable {
     @Nullable MarshalledObject<ActivationInstantiator> instantiator;
     boolean leaving;
 
-    /** What was unregistered while the process may have had it; null in former snapshots. */
+    /** unregistered objects that the process may have; null in former snapshots */
     private @Nullable Set<UID> unregistered = new LinkedHashSet<>();
 
     GroupRecord(String name, ActivationGroupDesc desc) {
@@ -51,7 +51,7 @@ final class Registrations implements Serializable {
       this.desc = desc;
     }
 
-    /** Objects that were unregistered while the process may have had them. */
+    /** Unregistered objects that the process may have. */
     Set<UID> unregistered() {
       if (unregistered == null) {
         unregistered = new LinkedHashSet<>();
@@ -60,7 +60,7 @@ final class Registrations implements Serializable {
     }
   }
 
-  /** Carries out a change. */
+  /** Applies a change. */
   void apply(Change change) {
     if (change instanceof Change.GroupRegistered c) {
       groups.put(c.group(), new GroupRecord(c.name(), c.desc()));
@@ -106,7 +106,7 @@ final class Registrations implements Serializable {
 
   private void move(ActivationGroupID from, ActivationGroupID to) {
     Map<ActivationGroupID, GroupRecord> before = new LinkedHashMap<>(groups);
-    groups.clear(); // in the same order again
+    groups.clear(); // keeps the order
     before.forEach((id, record) -> groups.put(id.equals(from) ? to : id, record));
     objects.replaceAll((uid, desc) -> desc.getGroupID().equals(from) ? inGroup(desc, to) : desc);
   }
@@ -117,8 +117,8 @@ final class Registrations implements Serializable {
   }
 
   /**
-   * Refuses a change of a group that is not registered. Once written, it would spoil the journal
-   * for every reader to come.
+   * Refuses a change of a group that is not registered. Once written, it would make the journal
+   * unreadable.
    *
    * @throws UnknownGroupException if the group was unregistered meanwhile
    */

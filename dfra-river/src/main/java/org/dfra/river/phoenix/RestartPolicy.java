@@ -3,19 +3,19 @@ package org.dfra.river.phoenix;
 import java.time.Duration;
 
 /**
- * When a crashed group is started again.
+ * When to restart a crashed group.
  *
- * <p>A group whose modules had been ready for {@code worked} without interruption is started again
- * at once, and its crash does not count. Of the others the first one costs no delay. Each further
- * one within the window doubles the delay, from {@code firstDelay} up to {@code longestDelay}. At
- * {@code limit} such crashes within the window the group is held off: for {@code holdOff} nobody
- * can start it, and after that only a call does.
+ * <p>A group whose modules were ready for {@code minReadyTime} without interruption is restarted at
+ * once, and its crash does not count. The first other crash causes no delay. Each further one
+ * within the window doubles the delay, from {@code initialDelay} up to {@code maxDelay}. At {@code
+ * crashLimit} such crashes within the window the group is held off: for {@code holdOff} no call can
+ * start it, and after that only a call does.
  *
  * @param initialDelay delay after the second crash within the window
  * @param maxDelay bound of the doubling
  * @param crashLimit crashes within the window that make a crash loop, at least 2
  * @param window how long a crash counts
- * @param holdOff how long a crash-looping group is left alone
+ * @param holdOff how long a crash-looping group is not restarted
  * @param minReadyTime how long its modules must have been ready without interruption for a crash
  *     not to count
  */
@@ -28,8 +28,8 @@ record RestartPolicy(
     Duration minReadyTime) {
 
   /**
-   * 0.1 s doubling to 10 s; five crashes within a minute of modules that were not ready for 2 s
-   * hold their group off for half a minute.
+   * 0.1 s doubling to 10 s. Five crashes within a minute hold the group off for half a minute, if
+   * its modules were not ready for 2 s.
    */
   static final RestartPolicy DEFAULT =
       new RestartPolicy(
@@ -51,7 +51,7 @@ record RestartPolicy(
     }
   }
 
-  /** The delay before the start that follows the {@code crashes}-th crash within the window. */
+  /** The delay before the restart after the {@code crashes}-th crash within the window. */
   Duration delay(int crashes) {
     if (crashes <= 1) {
       return Duration.ZERO;

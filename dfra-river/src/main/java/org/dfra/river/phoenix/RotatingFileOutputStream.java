@@ -9,8 +9,8 @@ import java.nio.file.StandardOpenOption;
 import org.dfra.core.host.PrivateFiles;
 
 /**
- * A private file that never grows beyond a size: when it is full it becomes {@code file.1}, the
- * former {@code file.1} becomes {@code file.2}, and so on; the oldest goes.
+ * A private file of limited size. When it is full it becomes {@code file.1}, the former {@code
+ * file.1} becomes {@code file.2}, and so on; the oldest is deleted.
  */
 final class RotatingFileOutputStream extends OutputStream {
 
@@ -21,7 +21,7 @@ final class RotatingFileOutputStream extends OutputStream {
   private long size;
 
   /**
-   * @param file where to write; what it holds already stays
+   * @param file where to write; its present content is kept
    * @param limit bytes after which it is rotated
    * @param kept how many former files are kept
    */
@@ -58,7 +58,7 @@ final class RotatingFileOutputStream extends OutputStream {
       }
       Files.move(file, numbered(1), StandardCopyOption.REPLACE_EXISTING);
     } finally {
-      out = open(); // whatever failed, what is printed next is not lost
+      out = open(); // even after a failure, so that later output is not lost
       size = Files.size(file);
     }
   }

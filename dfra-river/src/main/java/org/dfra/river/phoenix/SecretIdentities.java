@@ -14,8 +14,8 @@ import org.dfra.core.host.PrivateFiles;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The identities that only phoenix's own user knows. They are drawn at random when phoenix first
- * starts with a folder, and kept there.
+ * The identities that only phoenix's user knows. Phoenix generates them at random at its first
+ * start with a folder, and stores them there.
  *
  * @param system of the activation system
  * @param monitor of the monitor
@@ -25,17 +25,17 @@ record SecretIdentities(Uuid system, Uuid monitor) {
   private static final String SYSTEM = "system";
   private static final String MONITOR = "monitor";
 
-  /** Identities that nobody can guess. */
+  /** Generates random identities. */
   static SecretIdentities fresh() {
     return new SecretIdentities(
         PhoenixIdentities.uuid(UUID.randomUUID()), PhoenixIdentities.uuid(UUID.randomUUID()));
   }
 
   /**
-   * The identities of a folder, which are made where there are none yet.
+   * Returns the identities of a folder; creates them if there are none.
    *
-   * @param folder of the journal; it is made where it is missing
-   * @throws IOException if other users may enter the folder, or the identities cannot be kept
+   * @param folder of the journal; created if missing
+   * @throws IOException if other users may enter the folder, or the identities cannot be stored
    */
   static SecretIdentities in(Path folder) throws IOException {
     Path file = folder.resolve(PhoenixIdentities.FILE);
@@ -69,8 +69,8 @@ record SecretIdentities(Uuid system, Uuid monitor) {
    * Reads a file of identities.
    *
    * @throws NoSuchFileException if there is none
-   * @throws java.nio.file.AccessDeniedException if it is another user's
-   * @throws IOException if it cannot be read or understood
+   * @throws java.nio.file.AccessDeniedException if it belongs to another user
+   * @throws IOException if it cannot be read or parsed
    */
   static SecretIdentities read(Path file) throws IOException {
     Properties lines = new Properties();
@@ -94,7 +94,7 @@ record SecretIdentities(Uuid system, Uuid monitor) {
     return PhoenixIdentities.uuid(text);
   }
 
-  /** Without the secrets, since it may get into a log. */
+  /** Omits the secrets, since the text may be logged. */
   @Override
   public String toString() {
     return "secret identities";

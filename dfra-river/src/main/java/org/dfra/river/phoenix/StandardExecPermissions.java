@@ -5,11 +5,11 @@ import java.util.List;
 import org.dfra.river.access.AdministrationPolicy;
 
 /**
- * What a group may be started with where phoenix is not configured otherwise: options that bound
- * and tune a virtual machine, and properties that say how DFRA works in it. None of them names a
- * file, a class, a command or a port.
+ * The options and properties that a group may be started with by default: options that limit and
+ * tune a virtual machine, and properties that configure DFRA in it. None of them names a file, a
+ * class, a command or a port.
  *
- * <p>In each text {@code *} stands for any run of characters.
+ * <p>In each text {@code *} matches any characters.
  */
 public final class StandardExecPermissions {
 

@@ -37,20 +37,20 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Forwards an emergency stop to the groups' virtual machines, for callers from anywhere.
+ * Forwards an emergency stop to the groups' virtual machines, for callers from any computer.
  *
- * <p>Threads: {@code phoenix-stop-}. However many callers there are, each group has one order under
- * way and one that waits for it; callers share the one that waits. A group that does not answer
- * delays no other, and is never killed for it: its process may be the one that can stop the wheels.
+ * <p>Threads: {@code phoenix-stop-}. Each group has at most one running stop request and one
+ * waiting one, which all further callers share. A group that does not answer delays no other. It is
+ * never killed for that: its process may be the one that can stop the wheels.
  */
 final class StopServiceImpl implements StopService {
 
   private static final Logger LOG = LoggerFactory.getLogger(StopServiceImpl.class);
 
-  /** More than the 0.9 s that a group takes at the most. */
+  /** More than the 0.9 s that a group takes at most. */
   private static final Duration PATIENCE = Duration.ofMillis(1200);
 
-  /** Time between two warnings in the log. */
+  /** Minimum interval of warnings in the log. */
   private static final Duration WARNINGS = Duration.ofSeconds(10);
 
   private final PhoenixDaemon daemon;
@@ -64,14 +64,14 @@ final class StopServiceImpl implements StopService {
   }
 
   /**
-   * @param timeout how long the groups may take to answer, all together
+   * @param timeout the longest wait for all groups together
    */
   StopServiceImpl(PhoenixDaemon daemon, Duration timeout) {
     this.daemon = daemon;
     this.patience = timeout;
   }
 
-  /** What a group has answered, and how many of its effectors have not. */
+  /** A group's answer, and the number of its effectors that did not answer. */
   private record GroupOutcome(GroupStopResult answer, int missing) {}
 
   @Override
@@ -83,7 +83,7 @@ final class StopServiceImpl implements StopService {
     long end = System.nanoTime() + patience.toNanos();
     Map<ManagedGroup, CompletableFuture<GroupOutcome>> asked = new LinkedHashMap<>();
     for (ManagedGroup group : groups) {
-      if (wanted.isEmpty() || wanted.contains(group.robot())) { // it may have a forgotten effector
+      if (wanted.isEmpty() || wanted.contains(group.robot())) { // may have unregistered effectors
         asked.put(
             group,
             orders
@@ -118,7 +118,7 @@ final class StopServiceImpl implements StopService {
             Thread.currentThread().interrupt();
             unconfirmed.add(unconfirmed(group, "phoenix was interrupted while it waited for it"));
           } catch (ExecutionException e) {
-            LOG.debug("Group {} was not stopped.", group.name, e.getCause()); // the report says so
+            LOG.debug("Group {} was not stopped.", group.name, e.getCause()); // reported
             unconfirmed.add(unconfirmed(group, "phoenix cannot reach it: " + reason(e)));
           }
         });
@@ -133,7 +133,7 @@ final class StopServiceImpl implements StopService {
     return new StopReport(known, effectors, unconfirmed);
   }
 
-  /** Anybody may call, so that the log must not grow with the calls. */
+  /** Logs a stop request. Any client may call, so the log must not grow with the calls. */
   private void note(String requester, int groups) {
     String what = "Emergency stop by {}: {} groups are ordered to stop.";
     long now = System.nanoTime();
@@ -149,7 +149,7 @@ final class StopServiceImpl implements StopService {
     return new UnconfirmedGroup(group.robot(), group.plainName(), reason);
   }
 
-  /** One line: remote exceptions repeat their causes on further ones. */
+  /** One line: remote exceptions repeat their causes on further lines. */
   private static String reason(ExecutionException failure) {
     String text = String.valueOf(failure.getCause());
     return text.lines().findFirst().orElse(text);
@@ -176,7 +176,7 @@ final class StopServiceImpl implements StopService {
         "group " + group.name + " takes no orders to stop: its proxy lacks GroupStop");
   }
 
-  /** Those of a group's objects that are, or may be, effectors and did not answer. */
+  /** The objects of a group that are, or may be, effectors and did not answer. */
   private List<ActivatableObject> missing(ManagedGroup group, GroupStopResult answer) {
     Set<UID> answered = new HashSet<>();
     Stream.concat(
@@ -188,7 +188,7 @@ final class StopServiceImpl implements StopService {
         .toList();
   }
 
-  /** By it, and not by its ID: a group may know phoenix at a former address. */
+  /** By UID, not by ID: a group may know phoenix at a former address. */
   private static Optional<UID> uid(ActivationID id) {
     try {
       return Optional.of(ActivatorService.uid(id));
@@ -198,7 +198,7 @@ final class StopServiceImpl implements StopService {
     }
   }
 
-  /** A registrar's group, say: whatever has become of it, no effector is in doubt. */
+  /** Whether a group certainly has no effector (a registrar's, for example), whatever its state. */
   private boolean hasNoEffectors(UnconfirmedGroup unconfirmed, Set<ManagedGroup> groups) {
     return groups.stream()
         .filter(group -> group.plainName().equals(unconfirmed.group()))
@@ -206,7 +206,7 @@ final class StopServiceImpl implements StopService {
         .noneMatch(StopServiceImpl::mayBeEffector);
   }
 
-  /** A class that phoenix does not have may be anything. */
+  /** A class that phoenix does not have may be an effector. */
   private static boolean mayBeEffector(ActivatableObject object) {
     try {
       return StopTarget.class.isAssignableFrom(
@@ -217,16 +217,16 @@ final class StopServiceImpl implements StopService {
     }
   }
 
-  /** What does not run is started so that it can be stopped: then nobody else starts it moving. */
+  /** Starts the effectors that do not run and stops them: then no later start makes them move. */
   private void startAndStop(ManagedGroup group, List<ActivatableObject> effectors, String by) {
     for (ActivatableObject each : effectors) {
       try {
         Object unused = each.activate(daemon.groupRegistry().activationID(each.uid), false);
-      } catch (ActivationException e) { // unregistered meanwhile, or it crashes: it is reported
+      } catch (ActivationException e) { // unregistered meanwhile, or it crashes: the report has it
         LOG.debug(
             "An effector of {} cannot be started to be stopped: {}", group.name, e.toString());
       }
-      stopStarted(group, by); // at once: the next one may take long to be started
+      stopStarted(group, by); // immediately: the next start may take long
     }
   }
 
@@ -241,12 +241,12 @@ final class StopServiceImpl implements StopService {
     }
   }
 
-  /** What asks a group. */
+  /** Calls a group to stop. */
   private interface StopCall {
     GroupOutcome ask() throws RemoteException;
   }
 
-  /** The orders to one group: one under way, one that waits. */
+  /** The stop requests to one group: one running, one waiting. */
   private final class GroupStopQueue {
 
     private CompletableFuture<GroupOutcome> current =
@@ -255,7 +255,7 @@ final class StopServiceImpl implements StopService {
     private @Nullable CompletableFuture<GroupOutcome> waiting; // guarded by this
     private boolean starting; // guarded by this
 
-    /** Orders, or shares the order that has not begun yet. */
+    /** Adds a request, or shares the waiting one. */
     synchronized CompletableFuture<GroupOutcome> add(StopCall asking) {
       @Nullable CompletableFuture<GroupOutcome> shared = waiting;
       if (shared != null) {
@@ -277,13 +277,13 @@ final class StopServiceImpl implements StopService {
           () -> {
             try {
               order.complete(asking.ask());
-            } catch (RemoteException | RuntimeException | Error e) { // whoever waits reports it
+            } catch (RemoteException | RuntimeException | Error e) { // the callers report it
               order.completeExceptionally(e);
             }
           });
     }
 
-    /** Starts what does not run, unless that is under way. */
+    /** Starts the objects that do not run, unless this is in progress. */
     void start(Runnable task) {
       synchronized (this) {
         if (starting) {
@@ -303,7 +303,7 @@ final class StopServiceImpl implements StopService {
           });
     }
 
-    /** Where there is no room for one more thread, this one has to do. */
+    /** Uses the caller's thread if no further thread can be created. */
     private void run(Runnable task) {
       try {
         threads.execute(task);

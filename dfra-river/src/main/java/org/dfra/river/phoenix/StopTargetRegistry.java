@@ -25,8 +25,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The objects of a group's virtual machine, for the emergency stop: which of them are effectors,
- * and what each answers.
+ * The effectors among the objects of a group's virtual machine, for the emergency stop, and their
+ * answers.
  *
  * <p>Threads: {@code group-stop-}, one for each effector while it is being stopped. An effector
  * that does not answer delays no other.
@@ -35,7 +35,7 @@ final class StopTargetRegistry {
 
   private static final Logger LOG = LoggerFactory.getLogger(StopTargetRegistry.class);
 
-  /** An effector waits half a second for its driver, and then writes to a disk. */
+  /** An effector waits up to 0.5 s for its driver, and then writes to a disk. */
   private static final Duration PATIENCE = Duration.ofMillis(900);
 
   private final Duration patience;
@@ -43,7 +43,7 @@ final class StopTargetRegistry {
   private final Map<ActivationID, Object> active = new ConcurrentHashMap<>();
   private volatile NumberedStopRequest last = new NumberedStopRequest(0, "");
 
-  /** An order to stop, the n-th of this process. */
+  /** A stop request, the n-th of this process. */
   private record NumberedStopRequest(long number, String by) {}
 
   StopTargetRegistry() {
@@ -51,38 +51,38 @@ final class StopTargetRegistry {
   }
 
   /**
-   * @param timeout how long the effectors may take to answer, all together
-   * @param threads where each of them is stopped
+   * @param timeout the longest wait for all effectors together
+   * @param threads run the stops
    */
   StopTargetRegistry(Duration timeout, Executor threads) {
     this.patience = timeout;
     this.threads = threads;
   }
 
-  /** How many orders there were; noted before an object is made. */
+  /** The number of stop requests so far; read before an object is instantiated. */
   long requestCount() {
     return last.number();
   }
 
   /**
-   * An object was made. It is stopped if it is an effector and an order came meanwhile.
+   * Adds an object. Stops it if it is an effector and a request came meanwhile.
    *
-   * @param ordersBefore what {@link #requestCount} was when its making began
+   * @param ordersBefore what {@link #requestCount} was when its instantiation began
    */
   void made(ActivationID id, Remote object, long ordersBefore) {
     active.put(id, object);
     NumberedStopRequest now =
-        last; // after the object was put: an order that comes later finds it there
+        last; // after the object was put: a later request finds it there
     if (now.number() != ordersBefore && object instanceof StopTarget target) {
       try {
         EmergencyStopState unused = target.emergencyStop(now.by());
-      } catch (RemoteException | RuntimeException e) { // a driver's own
+      } catch (RemoteException | RuntimeException e) { // of a driver
         LOG.error("{} was made during an emergency stop, and not stopped", object, e);
       }
     }
   }
 
-  /** An object is active no longer. */
+  /** Removes an object that became inactive. */
   void inactive(ActivationID id) {
     active.remove(id);
   }
@@ -128,7 +128,7 @@ final class StopTargetRegistry {
         };
     try {
       threads.execute(task);
-    } catch (OutOfMemoryError e) { // there is no room for one more thread; this one will do
+    } catch (OutOfMemoryError e) { // no room for one more thread; use this one
       task.run();
     }
     return answer;
@@ -140,11 +140,11 @@ final class StopTargetRegistry {
     return new EffectorStopResult(target.moduleId(), target.modulePath(), wasStopped, now, null);
   }
 
-  /** A failure of this question must not keep the effector from being stopped. */
+  /** A failure of this query must not prevent the stop of the effector. */
   private static boolean wasStopped(StopTarget target) {
     try {
       return target.emergencyStopState().latched();
-    } catch (RemoteException | RuntimeException e) { // a driver's own
+    } catch (RemoteException | RuntimeException e) { // of a driver
       LOG.warn("{} is stopped, and does not say whether it was stopped before", target, e);
       return false;
     }

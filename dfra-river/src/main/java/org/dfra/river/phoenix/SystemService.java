@@ -23,7 +23,7 @@ final class SystemService implements ActivationSystem, PhoenixAdmin, ReadinessMo
   private final PhoenixDaemon daemon;
   private final LocalCallerGuard access;
   private final Runnable shutdown;
-  // A caller may be quicker than the daemon's own start: it waits until everything is exported.
+  // A caller may call before the daemon has started: it waits until everything is exported.
   private final CompletableFuture<ActivationSystem> self = new CompletableFuture<>();
   private final CompletableFuture<ActivationMonitor> monitor = new CompletableFuture<>();
 
@@ -33,13 +33,13 @@ final class SystemService implements ActivationSystem, PhoenixAdmin, ReadinessMo
     this.shutdown = shutdown;
   }
 
-  /** Lets a caller of this machine in, as soon as phoenix is ready for it. */
+  /** Admits a caller on this machine as soon as phoenix has started. */
   private ActivationSystem admit(String what) throws RemoteException {
     access.check(what);
     return self.join();
   }
 
-  /** Tells the service its own proxy and the monitor's, when both are exported. */
+  /** Sets the service's own proxy and the monitor's, when both are exported. */
   void exported(ActivationSystem itself, ActivationMonitor monitorProxy) {
     monitor.complete(monitorProxy);
     self.complete(itself);

@@ -4,8 +4,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Exceptions that end a thread of this process go to the log. The JVM itself would write their
- * messages as they are, and another computer may have chosen them.
+ * Logs the exceptions that end a thread of this process. The JVM itself would print their messages
+ * unescaped, and another computer may have chosen them.
  */
 final class UncaughtExceptionLogger {
 
@@ -13,7 +13,7 @@ final class UncaughtExceptionLogger {
 
   private UncaughtExceptionLogger() {}
 
-  /** From now on, in every thread that has no handler of its own. */
+  /** Sets it for every thread without its own handler. */
   static void install() {
     Thread.setDefaultUncaughtExceptionHandler(
         (thread, thrown) -> LOG.error("Thread {} ended.", thread.getName(), thrown));

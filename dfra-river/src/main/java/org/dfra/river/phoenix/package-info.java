@@ -3,15 +3,17 @@
  *
  * <pre>
  *   clients --activate--&gt; ActivatorService -+
- *   local   --register--&gt; SystemService  ---+--&gt; Daemon --&gt; Group --&gt; GroupProcess --&gt; GroupVm
- *   groups  --report----&gt; MonitorService ---+       |                                   |
- *                                                Journal (fsynced)          ActivationGroupImpl
+ *   local   --register--&gt; SystemService  ---+--&gt; PhoenixDaemon --&gt; ManagedGroup
+ *   groups  --report----&gt; MonitorService ---+          |                    |
+ *                                              Journal (fsynced)     GroupProcess
+ *                                                                           | starts
+ *                                                                  GroupVm, ActivationGroupImpl
  * </pre>
  *
  * <p>Enter at {@link org.dfra.river.phoenix.Phoenix} for the daemon's process, at {@link
  * org.dfra.river.phoenix.PhoenixDaemon} for its logic, at {@link org.dfra.river.phoenix.GroupVm}
- * for the other side. Group virtual machines outlive the daemon: a restarted one reads its journal,
- * takes back the living and starts a new one only where the old one is proven dead.
+ * for the group's process. Group virtual machines outlive the daemon. A restarted daemon reads its
+ * journal, adopts the running ones, and starts a new one only if the old one has certainly exited.
  */
 @NullMarked
 package org.dfra.river.phoenix;

@@ -4,16 +4,14 @@ import java.io.Serializable;
 import java.rmi.RemoteException;
 import org.jspecify.annotations.Nullable;
 
-/**
- * A constant of a module, asked for when it is first wanted. A proxy that travels leaves it behind.
- */
+/** A constant of a module, queried at its first use. A serialized proxy omits the value. */
 final class Cached<T> implements Serializable {
 
   private static final long serialVersionUID = 1L;
 
   private transient volatile @Nullable T value;
 
-  /** Asks for the constant. */
+  /** Queries the constant. */
   @FunctionalInterface
   interface RemoteSupplier<T> {
     T ask() throws RemoteException;

@@ -9,7 +9,7 @@ import org.dfra.module.Module;
 import org.dfra.river.remote.RemoteModule;
 
 /**
- * Smart proxy of a module that is a link of a chain: a device or a schema.
+ * Smart proxy of a module in the chain: a device or a schema.
  *
  * @param <M> the module's interface
  */
@@ -18,7 +18,7 @@ public abstract class ChainableProxy<M extends Module & Chainable> extends Modul
 
   private static final long serialVersionUID = 1L;
 
-  // What a driver's class decides is constant, and is asked for once.
+  // What a driver's class determines is constant, and is queried once.
   private final Cached<List<String>> inputTypes = new Cached<>();
   private final Cached<List<String>> outputTypes = new Cached<>();
 

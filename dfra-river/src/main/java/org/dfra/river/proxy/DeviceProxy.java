@@ -14,7 +14,7 @@ import org.dfra.river.remote.RemoteModule;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Smart proxy of a device. What is constant about it is asked for once and kept here; a module that
+ * Smart proxy of a device. It queries constants of the device once and caches them; a module that
  * was replaced by a newer version gets a new proxy.
  *
  * @param <D> the device's interface
@@ -23,7 +23,7 @@ public abstract class DeviceProxy<D extends Device> extends ChainableProxy<D> im
 
   private static final long serialVersionUID = 1L;
 
-  // What a driver's class decides is constant, and is asked for once.
+  // What a driver's class determines is constant, and is queried once.
   private final Cached<List<Precondition>> preconditions = new Cached<>();
   private final Cached<List<String>> tests = new Cached<>();
   private final Cached<List<String>> recoveries = new Cached<>();
@@ -80,7 +80,7 @@ public abstract class DeviceProxy<D extends Device> extends ChainableProxy<D> im
         : target.recover(name);
   }
 
-  /** Hardware takes longer than a call may, so it is begun in one call and awaited in others. */
+  /** Hardware takes longer than a call may, so one call starts it and others wait for it. */
   private static Diagnosis examine(RemoteDiagnostics remote, DiagnosticType sort, String name)
       throws RemoteException {
     UUID run = remote.startDiagnostic(sort, name);

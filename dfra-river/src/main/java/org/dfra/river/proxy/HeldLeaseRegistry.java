@@ -9,9 +9,9 @@ import net.jini.id.Uuid;
 import org.dfra.lease.LeaseHandle;
 
 /**
- * The leases that this virtual machine holds on modules elsewhere, by the handles under which these
- * modules list them: so whoever asks who holds a lease learns which modules it is held with. The
- * leases' IDs are secrets and are not given away.
+ * The leases that this virtual machine holds on remote modules, by the handles under which these
+ * modules list them. So an administrator can match a lease to the modules that hold it. The leases'
+ * IDs are secrets and are not published.
  */
 public final class HeldLeaseRegistry {
 
@@ -19,7 +19,7 @@ public final class HeldLeaseRegistry {
 
   private HeldLeaseRegistry() {}
 
-  /** All that are held now. */
+  /** The handles of all leases that are held now. */
   public static Set<LeaseHandle> all() {
     return Set.copyOf(HELD);
   }

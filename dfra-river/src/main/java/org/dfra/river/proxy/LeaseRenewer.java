@@ -22,35 +22,35 @@ import org.dfra.time.Scheduler.ScheduledTask;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Keeps a lease at a server for as long as its owner wants: renews it, and where the server has
- * lost it or died, asks for a new one.
+ * Maintains a lease at a server until its owner closes it. It renews the lease, and requests a new
+ * one if the server has lost it or was restarted.
  *
- * <p>It looks after its lease every {@value #PERIOD_MILLIS} ms, or more often where the lease is
- * short, and once more soon after the first call that failed. All tenures of this virtual machine
- * share one timer thread, which only sends them to work: the calls are made by threads that exist
- * while a call is under way, so a silent server delays nobody else's renewal. How long the lease
- * lasts goes by monotonic time: setting the computer's clock ends none and prolongs none. It is
- * kept alive by the timer; it ends when it is closed, or hears that its lease was revoked, or has
- * lost one that does not come back.
+ * <p>It checks the lease every {@value #PERIOD_MILLIS} ms, more often if the lease is short, and
+ * once more soon after the first failed call. All renewers of this virtual machine share one timer
+ * thread, which only dispatches. Threads that exist during a call make the calls, so an
+ * unresponsive server delays no other renewal. The lease's duration is measured in monotonic time:
+ * a change of the system clock neither ends nor prolongs it. The timer references the renewer. It
+ * ends when it is closed, when its lease was revoked, or when it has lost a lease that may not be
+ * requested again.
  */
 final class LeaseRenewer implements AutoCloseable {
 
-  /** Asks a server for a lease. */
+  /** Requests a lease from a server. */
   @FunctionalInterface
   interface LeaseRequest {
 
     /**
-     * @throws LeaseRevokedException if it is over and not to come back
+     * @throws LeaseRevokedException if the lease has ended and must not be requested again
      */
     Lease register() throws RemoteException, LeaseRefusedException, LeaseRevokedException;
   }
 
-  /** With the usual deadline of 2 s, a server that falls silent is noticed within 3 s. */
+  /** With the usual deadline of 2 s, an unresponsive server is detected within 3 s. */
   private static final long PERIOD_MILLIS = 800;
 
   /**
-   * The wait after the first call that failed. A server that is killed breaks off the call that is
-   * under way, and the next one has it brought back.
+   * The delay after the first failed call. When a server is killed, the running call fails, and the
+   * next one reactivates the server.
    */
   private static final long RETRY_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
 
@@ -76,8 +76,9 @@ final class LeaseRenewer implements AutoCloseable {
   private @Nullable ScheduledTask next;
 
   /**
-   * @param what what is kept, for the log
-   * @param duration what to renew for, milliseconds; {@link Lease#ANY} for the server's choice
+   * @param what the lease, for the log
+   * @param duration the duration to request, milliseconds; {@link Lease#ANY} for the server's
+   *     choice
    * @param lease the first lease
    */
   LeaseRenewer(
@@ -85,7 +86,7 @@ final class LeaseRenewer implements AutoCloseable {
     this(what, registration, true, duration, lease, scheduler, CALLERS);
   }
 
-  /** Of a lease that is not asked for again once it is lost; see above. */
+  /** For a lease that is not requested again once it is lost; see above. */
   LeaseRenewer(String what, long duration, Lease lease, Scheduler scheduler) {
     this(what, duration, lease, scheduler, CALLERS);
   }
@@ -125,16 +126,16 @@ final class LeaseRenewer implements AutoCloseable {
   }
 
   /**
-   * How long a lease lasts that was granted or renewed just now. It travels as a span, and is
-   * turned into a time of this computer's clock on arrival; here it is turned back, before anybody
-   * sets that clock.
+   * The duration of a lease that was granted or renewed just now. It is sent as a duration, and
+   * converted to a time of this computer's clock on arrival. This converts it back before the clock
+   * may be set.
    */
   private long grantedNanos(Lease fresh) {
     long granted = Math.max(1, fresh.getExpiration() - System.currentTimeMillis());
     return TimeUnit.MILLISECONDS.toNanos(duration > 0 ? Math.min(granted, duration) : granted);
   }
 
-  /** Begins to look after the lease. */
+  /** Starts to maintain the lease. */
   synchronized void start() {
     if (!closed) {
       HeldLeaseRegistry.add(lease);
@@ -145,7 +146,7 @@ final class LeaseRenewer implements AutoCloseable {
     }
   }
 
-  /** On the timer's thread: has a thread look after the lease. */
+  /** Called on the timer's thread: dispatches the check of the lease to another thread. */
   private void send() {
     try {
       callers.execute(this::look);
@@ -155,12 +156,12 @@ final class LeaseRenewer implements AutoCloseable {
     }
   }
 
-  /** Since when the server has not been reached, while that is so. */
+  /** Since when the server has not answered; empty if it answers. */
   synchronized Optional<Instant> interruptedSince() {
     return Optional.ofNullable(interruptedSince);
   }
 
-  /** When the lease ends unless it is renewed. */
+  /** When the lease expires unless it is renewed. */
   synchronized Instant expiration() {
     return Instant.now().plusNanos(end - scheduler.nanos()).truncatedTo(ChronoUnit.MILLIS);
   }
@@ -179,13 +180,13 @@ final class LeaseRenewer implements AutoCloseable {
     return scheduler.nanos() - end >= 0;
   }
 
-  /** Gives the lease back, in the background; see {@link PendingLeaseCancellations}. Idempotent. */
+  /** Cancels the lease, in the background; see {@link PendingLeaseCancellations}. Idempotent. */
   @Override
   public void close() {
     CompletableFuture<Void> unused = cancel();
   }
 
-  /** The same, for those who want to know when it is given back, or cannot be. */
+  /** As {@link #close}; the result completes when the lease is cancelled, or cannot be. */
   synchronized CompletableFuture<Void> cancel() {
     if (closed) {
       return CompletableFuture.completedFuture(null);
@@ -238,7 +239,7 @@ final class LeaseRenewer implements AutoCloseable {
     }
   }
 
-  /** Renews the lease; false where it is certainly gone, or the server that granted it is. */
+  /** Renews the lease; false if it has certainly ended, or the server that granted it has. */
   private boolean renewed(Lease held) throws RemoteException, LeaseRevokedException {
     try {
       held.renew(duration);

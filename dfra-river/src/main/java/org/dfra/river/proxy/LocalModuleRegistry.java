@@ -6,8 +6,8 @@ import org.dfra.module.Module;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The modules whose implementations live in this virtual machine, so that a proxy here calls them
- * as plain objects. A server enters its module when it serves and takes it out when it stops.
+ * The modules whose implementations run in this virtual machine. A proxy here calls them as local
+ * objects. A server adds its module when it starts and removes it when it stops.
  */
 public final class LocalModuleRegistry {
 
@@ -16,9 +16,9 @@ public final class LocalModuleRegistry {
   private LocalModuleRegistry() {}
 
   /**
-   * Enters a module.
+   * Adds a module.
    *
-   * @throws IllegalStateException if another one is entered under the same identity
+   * @throws IllegalStateException if another one has the same identity
    */
   public static void register(UUID id, Module module) {
     Module other = MODULES.putIfAbsent(id, module);
@@ -28,17 +28,17 @@ public final class LocalModuleRegistry {
     }
   }
 
-  /** Takes a module out. Does nothing where it is not the one that is entered. */
+  /** Removes a module. Does nothing if another one is registered. */
   public static void unregister(UUID id, Module module) {
     MODULES.remove(id, module);
   }
 
-  /** Whether the module's implementation lives in this virtual machine. */
+  /** Whether the module's implementation runs in this virtual machine. */
   public static boolean contains(UUID id) {
     return MODULES.containsKey(id);
   }
 
-  /** The module's implementation, or null where it lives elsewhere. */
+  /** The module's implementation, or null if it is remote. */
   static @Nullable Module find(UUID id) {
     return MODULES.get(id);
   }

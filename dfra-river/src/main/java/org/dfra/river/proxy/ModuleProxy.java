@@ -25,10 +25,11 @@ import org.dfra.river.remote.RemoteModule;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Smart proxy of a module. It knows what is constant about the module, calls the implementation
- * directly where that lives in the same virtual machine, and the server elsewhere.
+ * Smart proxy of a module. It has the module's constants. It calls the implementation directly if
+ * that runs in the same virtual machine, else the server.
  *
- * <p>A subclass has a public constructor with the arguments of {@link #ModuleProxy}, less the kind.
+ * <p>A subclass has a public constructor with the arguments of {@link #ModuleProxy}, except the
+ * kind.
  *
  * @param <M> the module's interface
  */
@@ -45,7 +46,7 @@ public abstract class ModuleProxy<M extends Module> implements Module, Administr
    * @param kind the module's interface
    * @param server the server's remote proxy; it must implement {@code kind} too
    * @param id the module's identity, its service ID in the lookup service
-   * @param identification who the module is
+   * @param identification the module's identification
    */
   protected ModuleProxy(
       Class<M> kind, RemoteModule server, UUID id, Identification identification) {
@@ -63,7 +64,7 @@ public abstract class ModuleProxy<M extends Module> implements Module, Administr
     this.identification = identification;
   }
 
-  /** Whom to call: the implementation where it lives here, the server elsewhere. */
+  /** The target of calls: a local implementation, else the server. */
   protected final M target() {
     @Nullable Module local = LocalModuleRegistry.find(id);
     return kind.cast(local != null ? local : server);
@@ -81,7 +82,7 @@ public abstract class ModuleProxy<M extends Module> implements Module, Administr
 
   @Override
   public final Readiness awaitReadiness(Duration patience) throws RemoteException {
-    // The longest there is, if too long; only differences to it are taken, so it may wrap around.
+    // A timeout that is too long becomes the longest; only differences are used, so it may wrap.
     long end = System.nanoTime() + TimeUnit.NANOSECONDS.convert(patience);
     while (true) {
       Duration left = Duration.ofNanos(Math.max(0, end - System.nanoTime()));
@@ -95,8 +96,8 @@ public abstract class ModuleProxy<M extends Module> implements Module, Administr
   /**
    * {@inheritDoc}
    *
-   * <p>Where the module lives elsewhere, the listener is exported at {@link
-   * org.dfra.river.call.CallbackHost}, and stays so until the subscription is closed.
+   * <p>If the module is remote, the listener is exported at {@link
+   * org.dfra.river.call.CallbackHost} until the subscription is closed.
    */
   @Override
   public final Subscription subscribe(ModuleListener listener, DeliveryPolicy policy)
@@ -152,7 +153,7 @@ public abstract class ModuleProxy<M extends Module> implements Module, Administr
     return id;
   }
 
-  /** The server's remote proxy, for what only remote clients need. */
+  /** The server's remote proxy, for functions that only remote clients need. */
   public final RemoteModule server() {
     return server;
   }

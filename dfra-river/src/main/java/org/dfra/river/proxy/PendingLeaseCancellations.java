@@ -10,9 +10,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
 /**
- * The leases that this program is just giving back. Closing a lease or a subscription does not wait
- * for the server, which may be silent; a program that ends right afterwards waits here, or else the
- * server counts it until the lease runs out.
+ * The lease cancellations of this program that are in progress. Closing a lease or a subscription
+ * does not wait for the server, which may not answer. A program that exits right afterwards waits
+ * here; otherwise the server counts the lease until it expires.
  */
 public final class PendingLeaseCancellations {
 
@@ -27,9 +27,9 @@ public final class PendingLeaseCancellations {
   }
 
   /**
-   * Waits until everything that was closed before is given back, or could not be.
+   * Waits until everything that was closed before is cancelled, or could not be.
    *
-   * @return false if that takes longer than {@code patience}
+   * @return false if that takes longer than {@code timeout}
    */
   public static boolean await(Duration timeout) throws InterruptedException {
     try {
@@ -37,7 +37,7 @@ public final class PendingLeaseCancellations {
           .get(timeout.toNanos(), TimeUnit.NANOSECONDS);
       return true;
     } catch (ExecutionException e) {
-      return true; // one has failed, and all are over
+      return true; // one has failed, and all are complete
     } catch (TimeoutException e) {
       return false;
     }

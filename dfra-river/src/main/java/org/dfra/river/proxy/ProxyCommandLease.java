@@ -11,7 +11,8 @@ import org.dfra.river.remote.effector.GrantedCommandLease;
 import org.dfra.time.Scheduler;
 
 /**
- * A commander's lease on an effector elsewhere, kept by a {@link LeaseRenewer} until it is lost.
+ * A client's command lease on a remote effector, maintained by a {@link LeaseRenewer} until it is
+ * lost.
  */
 public final class ProxyCommandLease implements CommandLease {
 
@@ -26,7 +27,7 @@ public final class ProxyCommandLease implements CommandLease {
     this.key = key;
   }
 
-  /** Renews a lease from now on; where it is lost it asks for no other. */
+  /** Starts to renew a lease; if it is lost, requests no other. */
   public static CommandLease startRenewing(
       String path, GrantedCommandLease given, Duration duration) {
     LeaseRenewer renewer =
@@ -52,8 +53,8 @@ public final class ProxyCommandLease implements CommandLease {
   }
 
   /**
-   * {@inheritDoc} When it returns the effector comes to rest and may be commanded by others, unless
-   * its server is silent: then the lease ends when it runs out.
+   * {@inheritDoc} When it returns, the effector stops and other clients may command it. If its
+   * server does not answer, the lease ends when it expires.
    */
   @Override
   public void close() {
@@ -62,7 +63,7 @@ public final class ProxyCommandLease implements CommandLease {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } catch (ExecutionException | TimeoutException e) {
-      // it ends by itself
+      // it expires
     }
   }
 }

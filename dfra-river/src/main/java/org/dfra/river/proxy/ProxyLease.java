@@ -10,7 +10,7 @@ import org.dfra.river.remote.GrantedModuleLease;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.time.Scheduler;
 
-/** A client's lease on a module elsewhere, kept by a {@link LeaseRenewer}. */
+/** A client's lease on a remote module, maintained by a {@link LeaseRenewer}. */
 final class ProxyLease implements ModuleLease {
 
   private final LeaseRenewer renewer;
@@ -19,7 +19,7 @@ final class ProxyLease implements ModuleLease {
     this.renewer = renewer;
   }
 
-  /** Asks for a lease, and keeps it. */
+  /** Requests a lease, and maintains it. */
   static ProxyLease open(String path, RemoteModule server, Duration duration)
       throws LeaseRefusedException, RemoteException {
     Lease first = register(server, duration);

@@ -27,17 +27,17 @@ import org.dfra.river.remote.RemoteModuleListener;
 import org.dfra.time.Scheduler;
 
 /**
- * A local listener's tie to a module elsewhere.
+ * A local listener's subscription to a remote module.
  *
  * <pre>
- *   server --call--&gt; this (exported) --&gt; ListenerQueue --&gt; Tally --&gt; the listener
+ *   server --&gt; this (exported) --&gt; ListenerQueue --&gt; DeliveryCounter --&gt; listener
  * </pre>
  *
- * <p>The server's call ends when the event lies in the queue, so a slow listener does not hold it.
+ * <p>The server's call ends when the event is queued, so a slow listener does not delay it.
  */
 final class ProxySubscription implements RemoteModuleListener, Subscription {
 
-  /** JERI holds what it has exported weakly, so what is open is held here. */
+  /** JERI holds what it exports weakly, so open subscriptions are referenced here. */
   private static final Set<ProxySubscription> OPEN = ConcurrentHashMap.newKeySet();
 
   private final DeliveryCounter tally;
@@ -49,7 +49,7 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
       String path, RemoteModule server, ModuleListener listener, DeliveryPolicy policy)
       throws RemoteException {
     this.tally = new DeliveryCounter(listener);
-    // The server has chosen the kinds and kept the rate; here they must only not pile up.
+    // The server has applied the kinds and the rate; here the queue only limits waiting events.
     this.queue =
         new ListenerQueue(
             tally,
@@ -115,7 +115,7 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
     throw new RemoteException("the server gave no lease for the listener");
   }
 
-  /** An event arrives from the server. */
+  /** Receives an event from the server. */
   @Override
   public void notify(Delivery delivery) {
     queue.offer(delivery);

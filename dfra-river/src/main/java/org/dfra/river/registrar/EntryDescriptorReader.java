@@ -17,12 +17,12 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Reads reggie's descriptors of entry classes: name, hash, number of fields, and the superclass's
- * descriptor. A client makes them; reggie takes two classes with one hash for the same, whatever
- * else their descriptors say, so a false one must not get beside a true one.
+ * descriptor. Clients create them. Reggie treats two classes with one hash as the same, whatever
+ * else their descriptors contain. So a forged descriptor must not share the hash of a true one.
  */
 final class EntryDescriptorReader {
 
-  /** Superclasses of one class. */
+  /** The limit of superclasses of one class. */
   private static final int MOST_LEVELS = 64;
 
   private final Field name;
@@ -32,12 +32,12 @@ final class EntryDescriptorReader {
   private final Method describing;
   private final Field described;
 
-  /** Those of DFRA's entries, of River's usual ones, and of their superclasses, by hash. */
+  /** Descriptors of DFRA's entries, of River's usual ones, and of their superclasses, by hash. */
   private final Map<Long, Object> known = new HashMap<>();
 
   /**
    * @param loader of reggie's classes
-   * @throws ReflectiveOperationException if that is no reggie that is known here
+   * @throws ReflectiveOperationException if that is not reggie 2.2.2
    */
   EntryDescriptorReader(@Nullable ClassLoader loader) throws ReflectiveOperationException {
     Class<?> type = Class.forName("com.sun.jini.reggie.EntryClass", false, loader);
@@ -64,7 +64,7 @@ final class EntryDescriptorReader {
     }
   }
 
-  /** What a client with the same class sends for it; null if that is no class of entries. */
+  /** The descriptor that a client with the same class sends; null if it is no class of entries. */
   private @Nullable Object own(Class<?> type) {
     try {
       return described.get(describing.invoke(null, type));
@@ -75,7 +75,7 @@ final class EntryDescriptorReader {
     }
   }
 
-  /** The name of the class; null where a descriptor has none. */
+  /** The name of the class; null if the descriptor has none. */
   @Nullable String name(Object descriptor) {
     return (String) ReggieFields.value(name, descriptor);
   }
@@ -84,7 +84,7 @@ final class EntryDescriptorReader {
     return ReggieFields.number(hash, descriptor);
   }
 
-  /** How many fields an entry of the class has, those of its superclasses among them. */
+  /** The number of fields of an entry of the class, with those of its superclasses. */
   int fieldCount(Object descriptor) {
     return (int) ReggieFields.number(fieldCount, descriptor);
   }
@@ -94,13 +94,13 @@ final class EntryDescriptorReader {
     return ReggieFields.value(superclass, descriptor);
   }
 
-  /** Whether a descriptor is that of this class, as it is here, and of its superclasses. */
+  /** Whether a descriptor equals that of the local class, with its superclasses. */
   boolean describes(Object descriptor, Class<?> type) {
     @Nullable Object own = own(type);
     return own != null && same(descriptor, own);
   }
 
-  /** Whether two descriptors say the same, also about the superclasses. */
+  /** Whether two descriptors are equal, with their superclasses. */
   boolean same(Object one, Object other) {
     @Nullable Object left = one;
     @Nullable Object right = other;
@@ -117,10 +117,10 @@ final class EntryDescriptorReader {
   }
 
   /**
-   * Checks what reggie relies on: the superclasses end, the last one has no fields, and none has
-   * more than its subclass.
+   * Checks what reggie relies on: the chain of superclasses ends, the last one has no fields, and
+   * none has more than its subclass.
    *
-   * @throws IllegalArgumentException if that is not so
+   * @throws IllegalArgumentException if a check fails
    */
   void check(Object descriptor) {
     Object each = descriptor;
@@ -154,7 +154,7 @@ final class EntryDescriptorReader {
   }
 
   /**
-   * Checks that no class passes for another one.
+   * Checks that a class does not have the hash of a different one.
    *
    * @param descriptor one that was checked
    * @throws IllegalArgumentException if it has the hash of a class that is known here, and differs
@@ -168,7 +168,7 @@ final class EntryDescriptorReader {
     }
   }
 
-  /** The refusal of a descriptor that has another one's hash. */
+  /** The refusal of a descriptor that has the hash of a different one. */
   IllegalArgumentException differs(Object descriptor, Object from) {
     return new IllegalArgumentException(
         "entry class "

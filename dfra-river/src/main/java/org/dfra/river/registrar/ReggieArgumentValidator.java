@@ -10,28 +10,28 @@ import org.dfra.text.PrintableText;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Checks that the arguments of a call are such as River's own client sends.
+ * Checks that the arguments of a call are valid: as River's own client sends them.
  *
- * <p>Reggie relies on that. A type or an entry that is missing in an array ends the thread that
- * drops what has ended, or fails every later registration; a superclass that is its own superclass
- * holds reggie's lock for ever. A field's value becomes a key of reggie's tables, a list of leases
+ * <p>Reggie relies on that. A null type or entry in an array ends the thread that removes expired
+ * registrations, or fails every later registration. A superclass that is its own superclass makes
+ * reggie hold its lock forever. A field's value becomes a key of reggie's tables, a list of leases
  * costs the square of its length, and two classes of one hash share tables of one width. One call
- * of a few hundred bytes would end the lookup service for everybody.
+ * of a few hundred bytes would disable the lookup service for all clients.
  *
  * <p>Thread-safe.
  */
 final class ReggieArgumentValidator {
 
-  /** Entries of one service or of one template. */
+  /** The limit of entries of one service or of one template. */
   static final int MAX_ENTRIES = 256;
 
-  /** Types that one template asks for. */
+  /** The limit of types in one template. */
   static final int MAX_TYPES = 64;
 
-  /** Supertypes of one type, each as often as it is inherited. */
+  /** The limit of supertypes of one type, each counted as often as it is inherited. */
   static final int MAX_SUPERTYPES = 2048;
 
-  /** Leases that are renewed or cancelled together. */
+  /** The limit of leases that one call renews or cancels. */
   static final int MAX_LEASES = 4096;
 
   private static final String OBJECT = "java.lang.Object";
@@ -64,7 +64,7 @@ final class ReggieArgumentValidator {
 
   /**
    * @param loader of reggie's classes
-   * @throws ReflectiveOperationException if that is no reggie that is known here
+   * @throws ReflectiveOperationException if that is not reggie 2.2.2
    */
   ReggieArgumentValidator(
       @Nullable ClassLoader loader, ReggieState state, EntryDescriptorReader descriptors)
@@ -91,7 +91,7 @@ final class ReggieArgumentValidator {
    * Checks the arguments of a call to reggie.
    *
    * @param method its name
-   * @throws IllegalArgumentException if River's own client does not send such
+   * @throws IllegalArgumentException if River's own client does not send such arguments
    */
   void check(String method, @Nullable Object[] args) {
     switch (method) {
@@ -128,7 +128,7 @@ final class ReggieArgumentValidator {
     entries(ReggieFields.value(templateEntries, given), false);
   }
 
-  /** Checks entries that reggie keeps; null for none. */
+  /** Checks entries that reggie stores; null for none. */
   private void registered(@Nullable Object entries) {
     entries(entries, false);
     if (entries != null) {
@@ -140,7 +140,7 @@ final class ReggieArgumentValidator {
   }
 
   /**
-   * @param mayBeNull whether null stands for an entry that is to be deleted
+   * @param mayBeNull whether null represents an entry to delete
    */
   private void entries(@Nullable Object entries, boolean mayBeNull) {
     if (entries == null) {
@@ -171,7 +171,7 @@ final class ReggieArgumentValidator {
     }
   }
 
-  /** Reggie keeps one table for a class and each of its superclasses, which it knows by hashes. */
+  /** Reggie keeps one table for a class and each of its superclasses, identified by hashes. */
   private void unambiguous(Object described) {
     descriptors.checkKnown(described);
     @Nullable Object listed = state.entryClass(described);
@@ -194,7 +194,7 @@ final class ReggieArgumentValidator {
    * Visits a type's supertypes as reggie does, each as often as it is inherited.
    *
    * @param visited how many were visited before
-   * @return how many are visited now
+   * @return how many were visited after it
    */
   private int supertypes(Object type, Map<String, Object> byName, int visited) {
     int count = visited + 1;
@@ -226,7 +226,7 @@ final class ReggieArgumentValidator {
     return (String) present(ReggieFields.value(typeName, type), "a name of a type");
   }
 
-  /** Whether two types of one name inherit from types of the same names. */
+  /** Whether two types of one name inherit from types with the same names. */
   private boolean isAlike(Object one, Object other) {
     return inherited(one).equals(inherited(other));
   }
@@ -242,7 +242,7 @@ final class ReggieArgumentValidator {
     return names.toString();
   }
 
-  /** Lists of leases: their registrations, their IDs and, to renew them, durations. */
+  /** Checks lists of leases: their registrations, their IDs and, to renew them, durations. */
   private static void leases(@Nullable Object[] args) {
     Object[] registrations = (Object[]) present(args[0], "a list of registrations");
     atMost(registrations.length, MAX_LEASES, "leases");

@@ -3,7 +3,7 @@ package org.dfra.river.registrar;
 import java.lang.reflect.Field;
 import org.jspecify.annotations.Nullable;
 
-/** Fields of reggie 2.2.2, which offers no other way to what it holds. */
+/** Access to the fields of reggie 2.2.2, which has no method to read its contents. */
 public final class ReggieFields {
 
   private static final String CLASS = "com.sun.jini.reggie.RegistrarImpl";
@@ -11,10 +11,10 @@ public final class ReggieFields {
   private ReggieFields() {}
 
   /**
-   * The class that has reggie's fields.
+   * The class that declares reggie's fields.
    *
    * @param reggie the lookup service
-   * @throws NoSuchFieldException if it is no reggie
+   * @throws NoSuchFieldException if it is not reggie
    */
   public static Class<?> owner(Object reggie) throws NoSuchFieldException {
     Class<?> type = reggie.getClass();
@@ -34,7 +34,7 @@ public final class ReggieFields {
     return field;
   }
 
-  /** What a field that {@link #accessible} gave holds. */
+  /** The value of a field from {@link #accessible}. */
   static @Nullable Object value(Field field, Object of) {
     try {
       return field.get(of);
@@ -43,7 +43,7 @@ public final class ReggieFields {
     }
   }
 
-  /** The same of a field that holds a whole number. */
+  /** The value of an integer field from {@link #accessible}. */
   static long number(Field field, Object of) {
     try {
       return field.getLong(of);

@@ -12,15 +12,15 @@ import net.jini.core.lookup.ServiceID;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What reggie holds now, read under its own lock. Reggie itself says whether a lease lives: there
- * is no second account of renewals and expirations that could differ from it.
+ * Reggie's present contents, read under its own lock. Reggie itself determines whether a lease is
+ * valid: a second record of renewals and expirations could differ from it.
  *
- * <p>Reggie 2.2.2 offers no way to do this, so its fields are used. Thread-safe.
+ * <p>Reggie 2.2.2 has no method for this, so its fields are used. Thread-safe.
  */
 final class ReggieState implements RegistrationRules.LiveRegistrations {
 
   /**
-   * A service that reggie holds.
+   * A service that is registered with reggie.
    *
    * @param item reggie's form of a service item
    */
@@ -33,7 +33,7 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
   private final List<?> entryClasses; // descriptors
   private final Object reggie;
   private final Field objectType;
-  private final Field serviceEnd; // milliseconds of the computer's clock
+  private final Field serviceEnd; // milliseconds of the system clock
   private final Field listenerEnd;
   private final Field item; // of a registered service; the following are the item's
   private final Field id;
@@ -42,7 +42,7 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
 
   /**
    * @param reggie the lookup service
-   * @throws ReflectiveOperationException if it is no reggie that is known here
+   * @throws ReflectiveOperationException if it is not reggie 2.2.2
    */
   ReggieState(Object reggie) throws ReflectiveOperationException {
     this.reggie = reggie;
@@ -94,7 +94,7 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
     return live;
   }
 
-  /** All services that it holds but for itself. */
+  /** All its services except itself. */
   List<StoredService> services() {
     List<StoredService> all = new ArrayList<>();
     lock.readLock();
@@ -114,7 +114,7 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
     return all;
   }
 
-  /** The item of a service in reggie's form; null if it holds none. */
+  /** The item of a service in reggie's form; null if it is not registered. */
   @Nullable Object item(ServiceID service) {
     lock.readLock();
     try {
@@ -142,7 +142,7 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
   }
 
   /**
-   * How many fields reggie's table for an entry class has.
+   * The width of reggie's table for an entry class.
    *
    * @param descriptor a client's; reggie's has the same hash
    * @return -1 if there is no table
@@ -162,7 +162,7 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
     return descriptor.equals(ReggieFields.value(objectType, reggie));
   }
 
-  /** The identifiers of all listeners that it holds. */
+  /** The identifiers of all its listeners. */
   List<Long> listeners() {
     List<Long> all = new ArrayList<>();
     lock.readLock();
@@ -177,11 +177,11 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
   }
 
   /**
-   * Under which identifier reggie will register an item: its own, or that of the same proxy, which
-   * it replaces.
+   * The identifier under which reggie will register an item: its own, or that of the same proxy,
+   * which it replaces.
    *
    * @param requested reggie's form of a service item
-   * @return null for one that is free
+   * @return null if the identifier is free
    */
   @Nullable ServiceID effectiveId(Object requested) {
     try {
@@ -190,7 +190,7 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
       }
       Object same = proxy.get(requested);
       if (same == null) {
-        return null; // which reggie refuses
+        return null; // reggie refuses it
       }
       lock.readLock();
       try {

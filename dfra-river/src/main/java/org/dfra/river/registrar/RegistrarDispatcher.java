@@ -21,21 +21,21 @@ import org.dfra.river.access.RemoteCaller;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A dispatcher in front of reggie that has {@link RegistrationRules} applied to every registration
- * before reggie sees it, and {@link ReggieArgumentValidator} to every call.
+ * A dispatcher in front of reggie. It applies {@link RegistrationRules} to every registration, and
+ * {@link ReggieArgumentValidator} to every call.
  *
- * <p>Where reggie was started from its snapshot, the origin of a registration is not known any
- * more. One whose entries name the robot counts as the robot's own; another one as made by the host
- * that its entries give in digits, and where there is none, by nobody: only the robot's own
- * computers replace it while it lives.
+ * <p>If reggie was started from its snapshot, the origin of a registration is unknown. A
+ * registration whose entries name the robot counts as the robot's own. Another one counts as made
+ * by the host whose numeric address its entries contain. Without such an address it has no origin:
+ * only the robot's own computers replace it while its lease is valid.
  *
- * <p>Thread-safe. Registrations are made one after another; reggie makes them so anyway.
+ * <p>Thread-safe. Registrations are made one after another, as reggie itself does.
  */
 public final class RegistrarDispatcher extends GuardedDispatcher {
 
   private static final System.Logger LOG = System.getLogger(RegistrarDispatcher.class.getName());
 
-  /** A stranger who calls again and again does not fill the log. */
+  /** Limits the log, so that repeated calls of an unknown client do not fill it. */
   private static final long LOG_AGAIN_NANOS = TimeUnit.SECONDS.toNanos(10);
 
   private static final String REGISTRAR = "com.sun.jini.reggie.Registrar";
@@ -51,12 +51,11 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
   private long logged = System.nanoTime() - LOG_AGAIN_NANOS; // guarded by this
 
   /**
-   * As {@link GuardedDispatcher} has it.
+   * See {@link GuardedDispatcher}.
    *
    * @param reggie the lookup service
-   * @param policy whose it is
-   * @throws ExportException if it is no reggie that is known here, or as {@link GuardedDispatcher}
-   *     says
+   * @param policy the owner of the registrar
+   * @throws ExportException if it is not reggie 2.2.2, or if {@link GuardedDispatcher} throws it
    */
   public RegistrarDispatcher(
       Collection<Method> methods,
@@ -93,7 +92,7 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
    * {@inheritDoc}
    *
    * @throws RegistrationRefusedException if the rules refuse it
-   * @throws IllegalArgumentException if the arguments are not such as River's own client sends
+   * @throws IllegalArgumentException if River's own client does not send such arguments
    */
   @Override
   @SuppressWarnings("rawtypes") // as River declares it
@@ -132,14 +131,14 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
       throws Throwable {
     restore();
     RegistrationOrigin from = source(context);
-    long bytes = size(from, args); // template, listener and what is handed back
+    long bytes = size(from, args); // template, listener and handback
     refusing(() -> rules.checkListener(from, bytes));
     Object registration = super.invoke(impl, method, args, context);
     rules.addListener(from, ((EventRegistration) registration).getID(), bytes);
     return registration;
   }
 
-  /** A holder of its lease changes a registration: it could claim only now to be the robot's. */
+  /** A lease holder changes a registration: the change could claim the robot's name. */
   @SuppressWarnings("rawtypes") // as River declares it
   private synchronized Object change(Remote impl, Method method, Object[] args, Collection context)
       throws Throwable {
@@ -150,7 +149,7 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
     boolean namesRobot =
         method.getName().equals(CHANGE) ? changesToRobot(entries) : namesRobot(entries);
     refusing(() -> rules.checkEntries(from, namesRobot));
-    if (!(args[0] instanceof ServiceID id)) { // which reggie refuses
+    if (!(args[0] instanceof ServiceID id)) { // reggie refuses it
       return super.invoke(impl, method, args, context);
     }
     long bytes = size(from, state.item(id), entries); // at most, since some may be replaced
@@ -160,7 +159,7 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
     return result;
   }
 
-  /** What the robot itself registers is not measured. */
+  /** Registrations of the robot itself are not measured. */
   private static long size(RegistrationOrigin from, @Nullable Object... registered) {
     return from.isRobotHost() ? 0 : SerializedSize.of(registered);
   }
@@ -182,7 +181,7 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
     }
   }
 
-  /** What reggie knew before the first call. */
+  /** Reads reggie's contents before the first call. */
   private void restore() {
     if (restored) {
       return;

@@ -11,8 +11,8 @@ import org.dfra.river.call.DeadlineILFactory;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The invocation layer of a registrar: what {@link DeadlineILFactory} does, and {@link
- * RegistrationRules} in front of reggie.
+ * The invocation layer of a registrar: {@link DeadlineILFactory} with {@link RegistrationRules} in
+ * front of reggie.
  *
  * <p>In a Jini configuration file:
  *
@@ -25,17 +25,17 @@ public final class RegistrarILFactory extends DeadlineILFactory {
   private final RegistrationPolicy policy;
 
   /**
-   * @param deadlineMillis how long an answer is awaited, in milliseconds, at least 1
+   * @param deadlineMillis the longest wait for an answer, in milliseconds, at least 1
    * @param robot name of the robot; empty for a registrar that belongs to no robot
-   * @param from the robot's further computers, as {@link RegistrationPolicy#of} reads them
-   * @throws IllegalArgumentException if those make no sense; the message says what would
+   * @param from the robot's additional hosts, as {@link RegistrationPolicy#of} reads them
+   * @throws IllegalArgumentException if those are malformed; the message has the remedy
    */
   public RegistrarILFactory(long deadlineMillis, String robot, String from) {
     this(Duration.ofMillis(deadlineMillis), RegistrationPolicy.of(robot, from));
   }
 
   /**
-   * @param deadline how long an answer is awaited, at least a millisecond
+   * @param deadline the longest wait for an answer, at least a millisecond
    */
   public RegistrarILFactory(Duration deadline, RegistrationPolicy policy) {
     super(null, null, null, deadline);
@@ -45,7 +45,7 @@ public final class RegistrarILFactory extends DeadlineILFactory {
   /**
    * {@inheritDoc}
    *
-   * @throws ExportException if the object is no reggie that is known here
+   * @throws ExportException if the object is not reggie 2.2.2
    */
   @Override
   @SuppressWarnings({"rawtypes", "unchecked"}) // as River declares it

@@ -7,17 +7,17 @@ import org.jspecify.annotations.Nullable;
 /**
  * The computer that a registration comes from.
  *
- * @param address its address; null where it is not known
- * @param isRobotHost whether it is one of the robot's own computers
+ * @param address its address; null if unknown
+ * @param isRobotHost whether it is one of the robot's hosts
  */
 record RegistrationOrigin(@Nullable InetAddress address, boolean isRobotHost) {
 
-  /** Whether a registration from here may take the place of one from another source. */
+  /** Whether a registration from here may replace one from another origin. */
   boolean mayReplace(RegistrationOrigin other) {
     return isRobotHost || (!other.isRobotHost && address != null && address.equals(other.address));
   }
 
-  /** Its address in digits, or what stands for it. */
+  /** Its numeric address, or a substitute. */
   @Override
   public String toString() {
     return new RemoteCaller(address).toString();

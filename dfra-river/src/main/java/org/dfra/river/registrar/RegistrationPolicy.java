@@ -7,15 +7,15 @@ import java.util.stream.Collectors;
 import org.dfra.river.access.AddressRange;
 
 /**
- * Whose registrar it is.
+ * The owner of a registrar.
  *
- * @param robot name of the robot, whose modules register from its own computers only; empty for a
- *     registrar that belongs to no robot
- * @param robotHosts the robot's further computers besides the one that the registrar runs on
+ * @param robot name of the robot, whose modules register from its hosts only; empty for a registrar
+ *     that belongs to no robot
+ * @param robotHosts the robot's additional hosts besides the one that the registrar runs on
  */
 public record RegistrationPolicy(String robot, List<AddressRange> robotHosts) {
 
-  /** That of a registrar that belongs to no robot. */
+  /** The policy of a registrar that belongs to no robot. */
   public static final RegistrationPolicy NO_ROBOT = new RegistrationPolicy("", List.of());
 
   public RegistrationPolicy {
@@ -23,9 +23,9 @@ public record RegistrationPolicy(String robot, List<AddressRange> robotHosts) {
   }
 
   /**
-   * As a Jini configuration has it.
+   * Parses the policy in a Jini configuration.
    *
-   * @param from addresses and ranges as {@link AddressRange#of} reads them, with commas between
+   * @param from addresses and ranges as {@link AddressRange#of} reads them, separated by commas
    * @throws IllegalArgumentException if one is neither
    */
   public static RegistrationPolicy of(String robot, String from) {
@@ -38,12 +38,12 @@ public record RegistrationPolicy(String robot, List<AddressRange> robotHosts) {
             .toList());
   }
 
-  /** What {@link #of} reads as the further computers. */
+  /** The additional hosts in the format of {@link #of}. */
   public String robotHostsText() {
     return robotHosts.stream().map(AddressRange::toString).collect(Collectors.joining(","));
   }
 
-  /** Whether an address is one of the further computers'. */
+  /** Whether an address belongs to an additional host. */
   boolean admits(InetAddress address) {
     return robotHosts.stream().anyMatch(each -> each.contains(address));
   }

@@ -13,20 +13,20 @@ import org.dfra.directory.RegistrationRefusedException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which registrations a registrar takes from which computer:
+ * Decides which registrations a registrar accepts from which computer:
  *
  * <ul>
- *   <li>While a registration lives, only the computer that made it replaces it. The robot's own
- *       computers may replace any.
- *   <li>The robot's service IDs and the robot's name are taken from its own computers only.
+ *   <li>While a registration is valid, only the computer that made it replaces it. The robot's
+ *       hosts may replace any.
+ *   <li>The robot's service IDs and the robot's name are accepted from its hosts only.
  *   <li>Other computers may have {@value #MAX_SERVICES_PER_ADDRESS} services and {@value
  *       #MAX_LISTENERS_PER_ADDRESS} listeners for each address, and {@value #MAX_FOREIGN_SERVICES}
- *       services and {@value #MAX_FOREIGN_LISTENERS} listeners in all. What each of them may take
- *       in memory is bounded, too, and so is what they take together.
+ *       services and {@value #MAX_FOREIGN_LISTENERS} listeners in all. The memory of each is
+ *       limited, and so is their total memory.
  * </ul>
  *
- * <p>Not thread-safe: the caller holds a lock from the check until the registration is noted, so
- * that of two registrations of one ID the second sees the first.
+ * <p>Not thread-safe: the caller holds a lock from the check until the registration is recorded.
+ * So of two registrations of one ID, the second check sees the first registration.
  */
 final class RegistrationRules {
 
@@ -42,22 +42,22 @@ final class RegistrationRules {
   /** How many listeners all other computers together may register. */
   static final int MAX_FOREIGN_LISTENERS = 1024;
 
-  /** Bytes of one service; a module of DFRA has about 5 kB. */
+  /** Bytes of one service; a DFRA module has about 5 kB. */
   static final long MAX_SERVICE_BYTES = 64 << 10;
 
   /** Bytes of one listener with its template. */
   static final long MAX_LISTENER_BYTES = 64 << 10;
 
-  /** How many service IDs of the robot's modules are kept beyond their leases. */
+  /** How many service IDs of the robot's modules stay reserved beyond their leases. */
   static final int MAX_RESERVED_IDS = 1024;
 
-  /** What the registrar holds. */
+  /** The registrar's contents. */
   interface LiveRegistrations {
 
-    /** Those among some services whose leases live. */
+    /** The services among these whose leases are valid. */
     Set<ServiceID> liveServices(Set<ServiceID> among);
 
-    /** Those among some listeners whose leases live. */
+    /** The listeners among these whose leases are valid. */
     Set<Long> liveListeners(Set<Long> among);
   }
 
@@ -66,12 +66,12 @@ final class RegistrationRules {
   private final QuotaTable<ServiceID> services;
   private final QuotaTable<Long> listeners;
 
-  /** IDs of the robot's modules: nobody takes one while its module is down. */
+  /** IDs of the robot's modules: no other computer may take one while its module is down. */
   private final Set<ServiceID> reserved = new LinkedHashSet<>();
 
   /**
    * @param robot name of the robot; empty for a registrar that belongs to no robot
-   * @param contents what the registrar holds
+   * @param contents the registrar's contents
    */
   RegistrationRules(String robot, LiveRegistrations contents) {
     this.robot = robot;
@@ -95,10 +95,10 @@ final class RegistrationRules {
   /**
    * Checks a registration of a service.
    *
-   * @param from where it comes from
-   * @param id the service ID that it takes; null for a new one
+   * @param from its origin
+   * @param id its service ID; null for a new one
    * @param namesRobot whether its entries name the robot as the one that it belongs to
-   * @param bytes what it takes
+   * @param bytes its size
    * @throws RegistrationRefusedException if it is refused
    */
   void checkService(
@@ -114,9 +114,9 @@ final class RegistrationRules {
   }
 
   /**
-   * Checks how large a service becomes by a change.
+   * Checks the size of a service after a change.
    *
-   * @param bytes what it takes then, at most
+   * @param bytes its size then, at most
    * @throws RegistrationRefusedException if that is too much
    */
   void checkGrowth(RegistrationOrigin from, ServiceID id, long bytes) {
@@ -154,7 +154,7 @@ final class RegistrationRules {
   }
 
   /**
-   * Checks entries that are about to be attached.
+   * Checks entries before they are added.
    *
    * @param namesRobot whether they name the robot as the one that they belong to
    * @throws RegistrationRefusedException if they are refused
@@ -181,7 +181,7 @@ final class RegistrationRules {
   /**
    * Checks a registration of a listener.
    *
-   * @param bytes what it takes
+   * @param bytes its size
    * @throws RegistrationRefusedException if it is refused
    */
   void checkListener(RegistrationOrigin from, long bytes) {
@@ -191,15 +191,15 @@ final class RegistrationRules {
   }
 
   /**
-   * A service is registered.
+   * Records a registered service.
    *
    * @param ofRobot whether it is a module of the robot
-   * @param bytes what it takes
+   * @param bytes its size
    */
   void addService(RegistrationOrigin from, ServiceID id, boolean ofRobot, long bytes) {
     services.put(id, from, bytes);
     if (from.isRobotHost() && ofRobot) {
-      boolean unused = reserved.remove(id); // the newest comes last
+      boolean unused = reserved.remove(id); // moves it to the end
       reserved.add(id);
       if (reserved.size() > MAX_RESERVED_IDS) {
         reserved.remove(reserved.iterator().next());
@@ -207,30 +207,30 @@ final class RegistrationRules {
     }
   }
 
-  /** A service was changed, and takes so many bytes now. */
+  /** Records the new size of a changed service, in bytes. */
   void setServiceSize(ServiceID id, long bytes) {
     services.resize(id, bytes);
   }
 
-  /** A listener is registered, and takes so many bytes. */
+  /** Records a registered listener and its size in bytes. */
   void addListener(RegistrationOrigin from, long event, long bytes) {
     listeners.put(event, from, bytes);
   }
 
-  /** How many services and listeners are noted, for tests. */
+  /** How many services and listeners are recorded, for tests. */
   int trackedCount() {
     return services.noted.size() + listeners.noted.size();
   }
 
   /**
-   * Where registrations of one kind come from. What has ended is dropped when a bound is reached,
-   * and when there are twice as many as were left the last time.
+   * The origins of registrations of one kind. It removes expired registrations when a limit is
+   * reached, and when it has twice as many as after the last removal.
    */
   private static final class QuotaTable<K> {
 
     private static final int FEW = 64;
 
-    /** All may take this share of what so many of the largest would. */
+    /** The limit of the total size is the sum of the maximum sizes, divided by this. */
     private static final int SHARE = 8;
 
     private final String kind;
@@ -239,7 +239,7 @@ final class RegistrationRules {
     private final long bytesOfOne;
     private final UnaryOperator<Set<K>> live;
     private final Map<K, TrackedRegistration> noted = new LinkedHashMap<>();
-    private int next = FEW; // size at which it drops what has ended
+    private int next = FEW; // size at which it removes expired ones
 
     private record TrackedRegistration(RegistrationOrigin source, long bytes) {}
 
@@ -277,7 +277,7 @@ final class RegistrationRules {
       next = Math.max(FEW, 2 * noted.size());
     }
 
-    /** One that replaces another needs no more room than it takes beyond that. */
+    /** A replacement needs only the space beyond that of the replaced one. */
     void checkBounds(RegistrationOrigin from, @Nullable K replaced, long bytes) {
       if (bytes > bytesOfOne) {
         throw new RegistrationRefusedException(

@@ -12,11 +12,11 @@ import org.dfra.river.entry.PersonaEntry;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads from the entries of a registration, as they cross the network, which robot they name. No
- * entry is built: a class would be downloaded for that.
+ * Determines which robot the marshalled entries of a registration name. It instantiates no entry,
+ * since that would download a class.
  *
  * <p>Reggie sends the class of an entry and its fields, superclass first, by name within a class.
- * Texts come as they are, all other objects marshalled.
+ * Strings are sent as they are, all other objects marshalled.
  */
 final class RobotClaimReader {
 
@@ -33,7 +33,7 @@ final class RobotClaimReader {
 
   /**
    * @param loader of reggie's classes
-   * @throws ReflectiveOperationException if that is no reggie that is known here
+   * @throws ReflectiveOperationException if that is not reggie 2.2.2
    */
   RobotClaimReader(@Nullable ClassLoader loader, EntryDescriptorReader descriptors)
       throws ReflectiveOperationException {
@@ -43,7 +43,7 @@ final class RobotClaimReader {
     this.descriptors = descriptors;
   }
 
-  /** Where a field of an entry without superclass fields comes. */
+  /** The index of a field of an entry without superclass fields. */
   private static int index(Class<? extends Entry> type, String field) {
     List<String> names =
         Arrays.stream(type.getDeclaredFields())
@@ -60,9 +60,10 @@ final class RobotClaimReader {
   }
 
   /**
-   * Whether entries name a robot as the one that they belong to. What cannot be judged does: an
-   * entry of ours whose robot is no text, and one that has the robot's name in any field and is of
-   * a class that is not known here, or not as it is here, since it may extend one of ours.
+   * Whether entries name a robot as the one that they belong to. The result is also true for two
+   * entries that cannot be checked. One is an entry of a DFRA class whose robot is no string. The
+   * other has the robot's name in any field, and its class is unknown here or differs from the
+   * local one: it may extend a DFRA class.
    *
    * @param entries reggie's form of entries; null for none
    */
@@ -78,10 +79,10 @@ final class RobotClaimReader {
   }
 
   /**
-   * Whether a change could have an entry name a robot. Reggie puts the fields of a change into each
-   * entry that matches, and takes the client's word for the class of both.
+   * Whether a change could make an entry name a robot. Reggie puts the fields of a change into each
+   * matching entry, and trusts the client on the class of both.
    *
-   * @param changes reggie's form of what is to be changed; null for nothing
+   * @param changes reggie's form of the changes; null for none
    */
   boolean changeMayNameRobot(Object @Nullable [] changes, String robot) {
     if (changes != null) {
@@ -115,7 +116,7 @@ final class RobotClaimReader {
     return value instanceof String text ? text.equals(robot) : at >= values.length || value != null;
   }
 
-  /** The host that the entries of a module give; null where they give none. */
+  /** The host in the entries of a module; null if they have none. */
   @Nullable String host(Object @Nullable [] entries) {
     if (entries != null) {
       for (Object each : entries) {
@@ -135,8 +136,8 @@ final class RobotClaimReader {
   }
 
   /**
-   * The class of an entry, if it is known here and the client's is the same. Which superclasses a
-   * client sends proves nothing: reggie finds an entry by them, whatever the name of its class.
+   * The class of an entry, if it is known here and equals the client's. The superclasses that a
+   * client sends prove nothing: reggie finds an entry by them, whatever the name of its class.
    */
   private @Nullable Class<?> type(Object entry) {
     @Nullable Object described = ReggieFields.value(entryClass, entry);
@@ -147,7 +148,7 @@ final class RobotClaimReader {
     try {
       Class<?> type = Class.forName(name, false, RobotClaimReader.class.getClassLoader());
       return descriptors.describes(described, type) ? type : null;
-    } catch (ClassNotFoundException | LinkageError e) { // of somebody else's
+    } catch (ClassNotFoundException | LinkageError e) { // of an unknown registrant
       return null;
     }
   }

@@ -5,17 +5,17 @@ import java.io.ObjectOutputStream;
 import java.io.OutputStream;
 import org.jspecify.annotations.Nullable;
 
-/** How large objects are when reggie writes them to its log, which is about what they take here. */
+/** The size of objects in reggie's log, which is about their size in memory. */
 final class SerializedSize {
 
   private SerializedSize() {}
 
   /**
-   * The size of objects together; what they share counts once.
+   * The total size of objects; shared parts count once.
    *
-   * @param objects from a call, so that their size is bounded already
+   * @param objects from a call, so that their size is already limited
    * @return bytes
-   * @throws IllegalArgumentException if one cannot be written, which reggie would have to
+   * @throws IllegalArgumentException if one cannot be serialized, as reggie would have to
    */
   static long of(@Nullable Object... objects) {
     CountingStream counter = new CountingStream();

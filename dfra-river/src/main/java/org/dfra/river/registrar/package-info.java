@@ -1,17 +1,17 @@
 /**
- * What a robot's registrar takes from whom.
+ * Decides which registrations a robot's registrar accepts from which computer.
  *
  * <pre>
  *   register, notify, addAttributes, ... --&gt; RegistrarDispatcher --&gt; reggie
  *                                                |
- *     ReggieArgumentValidator: what no client would send |  ReggieState: what reggie holds now
- *          RobotClaimReader: robots that entries name |  EntryDescriptorReader: classes of entries
+ *    ReggieArgumentValidator: valid arguments    |  ReggieState: reggie's present contents
+ *    RobotClaimReader: robots named in entries   |  EntryDescriptorReader: classes of entries
  *                                                v
  *                                        RegistrationRules: service ID --&gt; computer, bytes
  * </pre>
  *
- * <p>Enter at {@link org.dfra.river.registrar.RegistrarILFactory}, which the registrar's exporter
- * is configured with.
+ * <p>Enter at {@link org.dfra.river.registrar.RegistrarILFactory}, which the configuration of the
+ * registrar's exporter names.
  */
 @NullMarked
 package org.dfra.river.registrar;

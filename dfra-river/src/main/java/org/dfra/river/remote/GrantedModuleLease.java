@@ -11,43 +11,41 @@ import net.jini.core.lease.Lease;
 import net.jini.core.lease.UnknownLeaseException;
 import org.dfra.lease.ModuleLease;
 
-/**
- * What a server gives to a client: its lease. It does not renew itself; the client's proxy does.
- */
+/** A lease as a server grants it to a client. It does not renew itself; the client's proxy does. */
 public final class GrantedModuleLease implements ModuleLease, Serializable {
 
-  /** Of the record that this was once. */
+  /** The serial form of the former record. */
   @Serial private static final long serialVersionUID = 0;
 
   private final Lease lease;
   private final transient MonotonicLease span;
 
   /**
-   * @param lease counts its holder as a client unless it runs out
+   * @param lease its holder counts as a client until it expires
    */
   public GrantedModuleLease(Lease lease) {
     this.lease = Objects.requireNonNull(lease, "lease");
     this.span = new MonotonicLease(lease);
   }
 
-  /** For tests: by another time. */
+  /** For tests, with another clock. */
   GrantedModuleLease(Lease lease, InstantSource clock, LongSupplier nanos) {
     this.lease = lease;
     this.span = new MonotonicLease(lease, clock, nanos);
   }
 
-  /** Checks what has arrived, and turns the lease into a span of this computer's time. */
+  /** Validates the received data, and converts the lease to a duration on this computer. */
   @Serial
   private Object readResolve() {
     return new GrantedModuleLease(lease);
   }
 
-  /** The lease, for who renews it. */
+  /** The lease, for its renewal. */
   public Lease lease() {
     return lease;
   }
 
-  /** {@inheritDoc} For display: it goes by the wall clock. */
+  /** {@inheritDoc} For display: it uses the wall clock. */
   @Override
   public Instant expiration() {
     return Instant.ofEpochMilli(lease.getExpiration());
@@ -58,13 +56,13 @@ public final class GrantedModuleLease implements ModuleLease, Serializable {
     return span.isLive();
   }
 
-  /** {@inheritDoc} Where the server cannot be reached, it ends when it runs out. */
+  /** {@inheritDoc} If the server cannot be reached, the lease ends when it expires. */
   @Override
   public void close() {
     try {
       lease.cancel();
     } catch (UnknownLeaseException | RemoteException e) {
-      // it has ended, or will
+      // it has ended, or will expire
     }
   }
 }

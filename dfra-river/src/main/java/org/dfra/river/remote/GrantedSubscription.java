@@ -15,12 +15,12 @@ import org.dfra.event.DeliveryPolicy.EventKind;
 import org.dfra.event.Subscription;
 
 /**
- * What a server gives for a listener: its lease, and where its events begin. It neither renews
- * itself nor counts; the client's proxy does.
+ * A server's grant to a listener: its lease, and the sequence numbers at which its events begin. It
+ * neither renews the lease nor counts events; the client's proxy does.
  */
 public final class GrantedSubscription implements Subscription, Serializable {
 
-  /** Of the record that this was once. */
+  /** The serial form of the former record. */
   @Serial private static final long serialVersionUID = 0;
 
   private final Lease lease;
@@ -29,7 +29,7 @@ public final class GrantedSubscription implements Subscription, Serializable {
   private final transient MonotonicLease span;
 
   /**
-   * @param lease ends the registration unless it is renewed
+   * @param lease the registration ends when it expires
    * @param epoch the module's epoch when the listener was registered
    * @param numbers the last number of each kind of event by then, by ordinal
    */
@@ -37,7 +37,7 @@ public final class GrantedSubscription implements Subscription, Serializable {
     this(lease, epoch, numbers, InstantSource.system(), System::nanoTime);
   }
 
-  /** For tests: by another time. */
+  /** For tests, with another clock. */
   GrantedSubscription(
       Lease lease, long epoch, List<Long> numbers, InstantSource clock, LongSupplier nanos) {
     this.lease = Objects.requireNonNull(lease, "lease");
@@ -53,13 +53,13 @@ public final class GrantedSubscription implements Subscription, Serializable {
     this.span = new MonotonicLease(lease, clock, nanos);
   }
 
-  /** Checks what has arrived, and turns the lease into a span of this computer's time. */
+  /** Validates the received data, and converts the lease to a duration on this computer. */
   @Serial
   private Object readResolve() {
     return new GrantedSubscription(lease, epoch, numbers);
   }
 
-  /** The lease, for who renews it. */
+  /** The lease, for its renewal. */
   public Lease lease() {
     return lease;
   }
@@ -98,13 +98,13 @@ public final class GrantedSubscription implements Subscription, Serializable {
     return span.isLive();
   }
 
-  /** {@inheritDoc} Where the server cannot be reached, it ends with its lease. */
+  /** {@inheritDoc} If the server cannot be reached, the subscription ends with its lease. */
   @Override
   public void close() {
     try {
       lease.cancel();
     } catch (UnknownLeaseException | RemoteException e) {
-      // it has ended, or will
+      // it has ended, or will expire
     }
   }
 }

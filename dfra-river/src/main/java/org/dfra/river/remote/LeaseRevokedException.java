@@ -2,7 +2,7 @@ package org.dfra.river.remote;
 
 import net.jini.core.lease.LeaseDeniedException;
 
-/** An administrator has ended the lease that was to be renewed; its holder does not come back. */
+/** An administrator has revoked the lease; its holder must not request it again. */
 public final class LeaseRevokedException extends LeaseDeniedException {
 
   private static final long serialVersionUID = 1L;

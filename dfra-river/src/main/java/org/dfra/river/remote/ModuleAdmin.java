@@ -14,10 +14,10 @@ import org.dfra.module.Idempotent;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What administrators may do to a module while it runs: have it join other lookup services, add
- * entries to its own, see and revoke its leases, and end it. A module's server gives it as its
- * {@code getAdmin()}. Questions are answered to anybody; what changes the module is {@link
- * Administrative}, and so is what {@link JoinAdmin} and {@link DestroyAdmin} change.
+ * The administration of a running module: lets it join other lookup services, adds entries, lists
+ * and revokes its leases, and shuts it down. A module's server returns it from {@code getAdmin()}.
+ * Any client may query it. Methods that change the module are {@link Administrative}, and so are
+ * those of {@link JoinAdmin} and {@link DestroyAdmin}.
  */
 public interface ModuleAdmin extends JoinAdmin, DestroyAdmin, Remote {
 
@@ -26,38 +26,38 @@ public interface ModuleAdmin extends JoinAdmin, DestroyAdmin, Remote {
   List<LeaseStatus> leases() throws RemoteException;
 
   /**
-   * The leases on modules elsewhere that are held in this module's virtual machine, by it or by one
-   * that shares it.
+   * The leases on remote modules that are held in this module's virtual machine, by it or by other
+   * modules there.
    *
-   * @return their handles, as the other modules' {@link #leases} have them
+   * @return their handles, as the other modules' {@link #leases} list them
    */
   @Idempotent
   Set<LeaseHandle> heldLeases() throws RemoteException;
 
   /**
-   * Ends a lease before its time, against its holder's will. A holder elsewhere hears of it at its
-   * next renewal, within a second, and does not come back by itself; a listener is told nothing
-   * more at once.
+   * Ends a lease before it expires, against its holder's will. A remote holder learns this at its
+   * next renewal, within a second, and does not request it again. A listener immediately receives
+   * no more events.
    *
-   * @param lease as {@link #leases} has it
+   * @param lease as {@link #leases} lists it
    * @return false if there is no such lease any more
    */
   @Administrative
   boolean revoke(LeaseHandle lease) throws RemoteException;
 
   /**
-   * Ends the module until it is called again: it leaves the lookup services, closes its device and
-   * tells the activation system, which then starts it as it is described by then. Returns when that
-   * is done.
+   * Stops the module until its next call. It leaves the lookup services, closes its device and
+   * notifies the activation system. The next call starts it by its description at that time.
+   * Returns when the module has stopped.
    *
-   * @throws RemoteException if no answer came, or a part of it did not close well; its device may
-   *     be open then
+   * @throws RemoteException if no answer came, or a part of it failed to close; its device may be
+   *     open then
    */
   @Administrative
   void deactivate() throws RemoteException;
 
   /**
-   * Why the module does not serve now, as the rest of a sentence: what failed, or what it waits
+   * Why the module does not serve now, as the rest of a sentence: the failure, or what it waits
    * for.
    *
    * @return null while it serves
@@ -66,7 +66,7 @@ public interface ModuleAdmin extends JoinAdmin, DestroyAdmin, Remote {
   @Nullable String unreadiness() throws RemoteException;
 
   /**
-   * The time by the clock of the module's host, for those who compare clocks.
+   * The time by the clock of the module's host, for clock comparisons.
    *
    * @return UTC
    */
@@ -76,7 +76,7 @@ public interface ModuleAdmin extends JoinAdmin, DestroyAdmin, Remote {
   /**
    * {@inheritDoc}
    *
-   * <p>As {@link #deactivate}, and the activation system forgets the module before. Returns when
+   * <p>As {@link #deactivate}, but the activation system unregisters the module first. Returns when
    * that is done.
    */
   @Administrative

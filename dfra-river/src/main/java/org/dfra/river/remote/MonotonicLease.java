@@ -5,10 +5,9 @@ import java.util.function.LongSupplier;
 import net.jini.core.lease.Lease;
 
 /**
- * Whether a lease that has arrived is over, by monotonic time. A lease travels as a span, and River
- * makes a time of the wall clock of it on arrival; from that on the two must not be compared, since
- * somebody may set the clock. So this turns it back into a span at once, and again when the lease
- * was renewed.
+ * Determines by monotonic time whether a received lease has expired. A lease is sent as a duration,
+ * and River converts it to wall time on arrival. Later the two must not be compared, since the
+ * clock may be set. So this converts it back to a duration at once, and again after each renewal.
  */
 final class MonotonicLease {
 
@@ -19,13 +18,13 @@ final class MonotonicLease {
   private long end; // guarded by this; monotonic
 
   /**
-   * @param lease just granted or arrived
+   * @param lease just granted or received
    */
   MonotonicLease(Lease lease) {
     this(lease, InstantSource.system(), System::nanoTime);
   }
 
-  /** For tests: by another time. */
+  /** For tests, with another clock. */
   MonotonicLease(Lease lease, InstantSource clock, LongSupplier nanos) {
     this.lease = lease;
     this.clock = clock;
@@ -35,14 +34,14 @@ final class MonotonicLease {
 
   private void take(long granted) {
     expiration = granted;
-    double left = 1e6 * ((double) granted - clock.millis()); // for ever is more than a long holds
+    double left = 1e6 * ((double) granted - clock.millis()); // FOREVER exceeds a long
     end = nanos.getAsLong() + (long) Math.max(0, Math.min(Long.MAX_VALUE / 2.0, left));
   }
 
-  /** Whether it has not run out. */
+  /** Whether it has not expired. */
   synchronized boolean isLive() {
     long granted = lease.getExpiration();
-    if (granted != expiration) { // somebody has renewed it
+    if (granted != expiration) { // it was renewed
       take(granted);
     }
     return end - nanos.getAsLong() > 0;

@@ -9,32 +9,32 @@ import org.dfra.module.Idempotent;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Examinations that last longer than a call may: begun in one call, asked for in others. Proxies do
- * both.
+ * Diagnostics that last longer than a call may: one call starts them, others poll for the result.
+ * Proxies do both.
  */
 public interface RemoteDiagnostics extends Remote {
 
-  /** What to run. */
+  /** The diagnostic to run. */
   enum DiagnosticType {
     TEST,
     RECOVERY
   }
 
   /**
-   * Begins a test or a recovery, which may interrupt the device for everybody.
+   * Starts a test or a recovery, which may interrupt the device for all clients.
    *
-   * @return what to ask for it by
+   * @return the identifier of the run
    * @throws IllegalArgumentException if none has this name
    */
   @Administrative
   UUID startDiagnostic(DiagnosticType sort, String name) throws RemoteException;
 
   /**
-   * Waits for its end, {@link RemoteModule#MAX_CALL_WAIT} at the longest.
+   * Waits for the result, at most {@link RemoteModule#MAX_CALL_WAIT}.
    *
-   * @return what was found, or null while it runs
-   * @throws IllegalArgumentException if there is no such run, because the module was activated anew
-   *     or many others were begun since
+   * @return the result, or null while it runs
+   * @throws IllegalArgumentException if there is no such run, because the module was activated
+   *     again or many others were started since
    */
   @Idempotent
   @Nullable Diagnosis awaitDiagnosis(UUID run) throws RemoteException;

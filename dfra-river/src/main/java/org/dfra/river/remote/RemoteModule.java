@@ -16,20 +16,20 @@ import org.dfra.module.Readiness;
 /** What clients may call on any module's server. */
 public interface RemoteModule extends Module, Remote, Administrable {
 
-  /** The longest that one call waits at the server; proxies wait longer in several calls. */
+  /** The longest wait of one call at the server; proxies wait longer in several calls. */
   Duration MAX_CALL_WAIT = Duration.ofSeconds(1);
 
   /**
    * {@inheritDoc}
    *
-   * <p>One call waits {@link #MAX_CALL_WAIT} at the longest, so that it ends before its deadline.
+   * <p>One call waits at most {@link #MAX_CALL_WAIT}, so that it returns before its deadline.
    */
   @Override
   @Idempotent
   Readiness awaitReadiness(Duration patience) throws RemoteException;
 
   /**
-   * Registers a listener under a lease. One that is registered already is registered anew.
+   * Registers a listener under a lease. A registered listener is registered again.
    *
    * @param listener a {@link RemoteModuleListener}
    * @return a {@link GrantedSubscription}

@@ -3,5 +3,5 @@ package org.dfra.river.remote;
 import java.rmi.Remote;
 import org.dfra.event.ModuleListener;
 
-/** A listener that is told over the network. Clients need not write one: proxies make them. */
+/** A listener that is notified over the network. Clients need not implement it: proxies do. */
 public interface RemoteModuleListener extends ModuleListener, Remote {}

@@ -10,7 +10,7 @@ import org.dfra.module.Module;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Activatable server of a module that is a link of a chain: a device or a schema.
+ * Activatable server of a module in the chain: a device or a schema.
  *
  * @param <M> the module's interface
  */
@@ -25,7 +25,7 @@ public abstract class ChainableServer<M extends Module & Chainable> extends Modu
   }
 
   /**
-   * The same, for a driver that must extend more.
+   * As the other constructor, for a driver with a more specific base class.
    *
    * @param base what the driver must extend
    */

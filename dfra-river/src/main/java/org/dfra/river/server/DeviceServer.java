@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
 public abstract class DeviceServer<D extends Device> extends ChainableServer<D>
     implements RemoteDevice {
 
-  /** Made when it is first wanted: clients call as soon as ModuleServer's constructor is over. */
+  /** Created at its first use: clients may call before ModuleServer's constructor has returned. */
   private @Nullable DiagnosticRunner examinations; // guarded by this
 
   /** See {@link ModuleServer#ModuleServer}. */
@@ -32,7 +32,7 @@ public abstract class DeviceServer<D extends Device> extends ChainableServer<D>
   }
 
   /**
-   * The same, for a driver that must extend more.
+   * As the other constructor, for a driver with a more specific base class.
    *
    * @param base what the driver must extend
    */
@@ -79,7 +79,7 @@ public abstract class DeviceServer<D extends Device> extends ChainableServer<D>
     return module().tests();
   }
 
-  /** {@inheritDoc} The call's deadline counts; a proxy has none. */
+  /** {@inheritDoc} The call's deadline applies; a proxy has none. */
   @Override
   public final Diagnosis test(String name) throws RemoteException {
     return module().test(name);
@@ -90,7 +90,7 @@ public abstract class DeviceServer<D extends Device> extends ChainableServer<D>
     return module().recoveries();
   }
 
-  /** {@inheritDoc} The call's deadline counts; a proxy has none. */
+  /** {@inheritDoc} The call's deadline applies; a proxy has none. */
   @Override
   public final Diagnosis recover(String name) throws RemoteException {
     return module().recover(name);

@@ -17,9 +17,9 @@ import org.dfra.river.remote.RemoteDiagnostics.DiagnosticType;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Tests and recoveries that run at a server, each on a daemon thread of its own while it runs, and
- * what the last {@value #REMEMBERED} of them found. No more than {@value #MOST} run at once,
- * whoever begins them.
+ * Runs the tests and recoveries of a server, each on a daemon thread of its own, and keeps the
+ * results of the last {@value #REMEMBERED}. At most {@value #MOST} run at once, for all clients
+ * together.
  */
 final class DiagnosticRunner {
 
@@ -42,9 +42,9 @@ final class DiagnosticRunner {
   }
 
   /**
-   * Begins one.
+   * Starts one.
    *
-   * @throws IllegalStateException if as many run as may
+   * @throws IllegalStateException if the limit of runs is reached
    */
   UUID startRun(DiagnosticType sort, String name) throws RemoteException {
     boolean known =
@@ -53,7 +53,7 @@ final class DiagnosticRunner {
     if (known) {
       start(id, name, () -> run(sort, name));
     } else {
-      Diagnosis unused = run(sort, name); // refuses
+      Diagnosis unused = run(sort, name); // throws: the name is unknown
     }
     return id;
   }

@@ -12,9 +12,9 @@ import org.dfra.core.robot.ShutdownOrder;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The end of a module's driver. The first caller closes it; until that has returned, the driver may
- * use its device, and whoever needs to know that it does not awaits it here. {@link
- * ModuleImpl#close} cannot be asked: it returns at once where another thread has begun it.
+ * The shutdown of a module's driver. The first caller closes the driver. Until that call has
+ * returned, the driver may use its device; other threads can wait for this here. {@link
+ * ModuleImpl#close} does not suffice: it returns at once if another thread has started it.
  */
 final class DriverShutdown implements AutoCloseable {
 
@@ -26,7 +26,7 @@ final class DriverShutdown implements AutoCloseable {
     this.driver = driver;
   }
 
-  /** Closes the driver where it moves the robot, unless somebody has begun to. Never throws. */
+  /** Closes the driver if it moves the robot, unless this has started already. Never throws. */
   void halt() {
     if (ShutdownOrder.movesRobot(driver)) {
       closeOnce();
@@ -40,20 +40,20 @@ final class DriverShutdown implements AutoCloseable {
     try {
       driver.close();
       closed.complete(null);
-    } catch (RuntimeException | Error e) { // close, and whoever awaits it, report it
+    } catch (RuntimeException | Error e) { // close and await report it
       closed.completeExceptionally(e);
     }
   }
 
-  /** Whether somebody has begun to close the driver. */
+  /** Whether the shutdown has started. */
   boolean hasBegun() {
     return begun.get();
   }
 
   /**
-   * Closes the driver, unless somebody has begun to: it is not waited for then.
+   * Closes the driver, unless this has started already: then it does not wait.
    *
-   * @throws IllegalStateException if it has gone wrong; the cause says how
+   * @throws IllegalStateException if it has failed; the cause has the reason
    */
   @Override
   public void close() {
@@ -69,7 +69,7 @@ final class DriverShutdown implements AutoCloseable {
    * Waits until the driver is closed.
    *
    * @throws TimeoutException if it is not in that time
-   * @throws IllegalStateException if its end has gone wrong; the cause says how
+   * @throws IllegalStateException if the shutdown has failed; the cause has the reason
    * @throws InterruptedException if the thread is interrupted meanwhile
    */
   void await(Duration time) throws TimeoutException, InterruptedException {

@@ -10,7 +10,7 @@ import org.dfra.river.call.ResurrectingExporter;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Exporters for module servers, to be named in a module's Jini configuration:
+ * Exporters for module servers, for use in a module's Jini configuration:
  *
  * <pre>
  *   org.dfra.river.server {
@@ -23,29 +23,29 @@ public final class Exporters {
   private Exporters() {}
 
   /**
-   * JERI over TCP on a port of the system's choice; calls have a deadline, and the proxy brings an
-   * activatable server back when it is dead.
+   * JERI over TCP on a port that the system chooses. Calls have a deadline, and the proxy
+   * reactivates an activatable server that does not run.
    *
-   * @param deadlineMillis how long an answer is awaited, in milliseconds, at least 1
+   * @param deadlineMillis the longest wait for an answer, in milliseconds, at least 1
    */
   public static Exporter jeri(ServerSettings settings, long deadlineMillis) {
     Exporter plain = jeri(settings.host(), deadlineMillis);
     return settings.id() == null ? plain : new ResurrectingExporter(settings.id(), plain);
   }
 
-  /** The same for an object that is not activatable. */
+  /** JERI over TCP, as above, for an object that is not activatable. */
   public static Exporter jeri(String host, long deadlineMillis) {
     return new BasicJeriExporter(
         Endpoints.tcp(host, 0), new DeadlineILFactory(deadlineMillis), false, true);
   }
 
   /**
-   * JRMP, the protocol of plain Java RMI, instead of JERI, for clients that have nothing else: on
-   * one address, with the deadline as the longest silence. The proxy of an activatable server
-   * brings it back. A client with filters reads the proxy only where {@code
-   * -Ddfra.serial.jrmp=true} is set.
+   * JRMP, the protocol of plain Java RMI, instead of JERI, for clients that support nothing else.
+   * It listens on one address; the deadline limits each read. The proxy of an activatable server
+   * reactivates it. A client with filters reads the proxy only if {@code -Ddfra.serial.jrmp=true}
+   * is set.
    *
-   * @param deadlineMillis how long an answer is awaited, in milliseconds, at least 1
+   * @param deadlineMillis the longest wait for an answer, in milliseconds, at least 1
    */
   public static Exporter jrmp(ServerSettings settings, long deadlineMillis) {
     JrmpSockets sockets = new JrmpSockets(settings.host(), Math.toIntExact(deadlineMillis));
@@ -54,10 +54,10 @@ public final class Exporters {
   }
 
   /**
-   * What a module's Jini configuration gets as {@code $data}.
+   * The {@code $data} of a module's Jini configuration.
    *
-   * @param id the server's activation ID, or null where no activation system made it
-   * @param host address or name that its proxies carry
+   * @param id the server's activation ID, or null if no activation system created it
+   * @param host address or name in its proxies
    */
   public record ServerSettings(@Nullable ActivationID id, String host) {}
 }

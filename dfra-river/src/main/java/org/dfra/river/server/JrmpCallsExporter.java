@@ -20,20 +20,20 @@ import org.dfra.river.access.AdministrationGuard;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Exports by JRMP, and gives proxies that may be called through any interface. The JDK's own stubs
- * refuse a method that is declared in an interface which is not itself remote, as all of a module's
- * are: {@code GPSSensor} is not remote, {@code RemoteGPSSensor} is.
+ * Exports by JRMP, with proxies that support calls through any interface. The JDK's own stubs
+ * refuse a method that is declared in a non-remote interface, as all of a module's methods are:
+ * {@code GPSSensor} is not remote, {@code RemoteGPSSensor} is.
  *
- * <p>JRMP knows no dispatcher of ours, so administrative methods are guarded by what is exported in
- * the object's place: their arguments are read before a stranger is refused, as those of every call
- * by JRMP.
+ * <p>JRMP has no dispatcher for access checks. So a guard is exported in the object's place and
+ * checks administrative methods. As in every call by JRMP, their arguments are read before an
+ * unauthorized caller is refused.
  */
 final class JrmpCallsExporter implements Exporter {
 
   private final Exporter underlying;
   private final String host;
 
-  /** Held here, since JRMP holds what it exports weakly. */
+  /** A strong reference, since JRMP holds what it exports weakly. */
   @SuppressWarnings("UnusedVariable")
   private @Nullable Remote guarded; // guarded by this
 
@@ -66,8 +66,8 @@ final class JrmpCallsExporter implements Exporter {
   }
 
   /**
-   * Makes calls by the stub's reference. The number of a method is the one that the RMI
-   * specification gives it, section 8.3.
+   * Makes calls by the stub's reference. Method numbers (hashes) follow the RMI specification,
+   * section 8.3.
    *
    * @param stub the JDK's stub
    */
@@ -102,7 +102,7 @@ final class JrmpCallsExporter implements Exporter {
         byte[] digest = MessageDigest.getInstance("SHA").digest(bytes.toByteArray());
         return ByteBuffer.wrap(digest).order(ByteOrder.LITTLE_ENDIAN).getLong();
       } catch (IOException e) {
-        throw new UncheckedIOException(e); // there is always memory to write to
+        throw new UncheckedIOException(e); // writing to memory does not fail
       } catch (NoSuchAlgorithmException e) {
         throw new AssertionError("every Java platform has SHA", e);
       }

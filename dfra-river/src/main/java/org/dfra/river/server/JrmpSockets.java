@@ -10,12 +10,12 @@ import java.rmi.server.RMIClientSocketFactory;
 import java.rmi.server.RMIServerSocketFactory;
 
 /**
- * Sockets of a JRMP export: the server listens on one address only, clients connect to that one
- * whatever the server takes its name to be, and give an answer up when nothing of it has come
- * within the deadline.
+ * Sockets of a JRMP export. The server listens on one address only. Clients connect to that
+ * address, whatever name the server has for itself. They abort a call when no data arrive within
+ * the deadline.
  *
  * @param host address or name that clients connect to
- * @param deadlineMillis how long an answer is awaited, in milliseconds, at least 1
+ * @param deadlineMillis the longest wait for an answer, in milliseconds, at least 1
  */
 record JrmpSockets(String host, int deadlineMillis)
     implements RMIClientSocketFactory, RMIServerSocketFactory, Serializable {

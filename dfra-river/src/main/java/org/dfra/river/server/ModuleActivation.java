@@ -8,8 +8,8 @@ import org.dfra.core.config.ModuleDescription;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a module's server is activated with. The activation system keeps it, so a resurrected module
- * is the same as before, down to its service ID.
+ * The activation data of a module's server. The activation system stores it, so a reactivated
+ * module is the same as before, including its service ID.
  *
  * @param module the module's description
  * @param id the module's identity, its service ID in every lookup service
@@ -17,8 +17,7 @@ import org.jspecify.annotations.Nullable;
  * @param host address or name that the module's proxies carry
  * @param lookupGroups discovery groups whose lookup services it joins; none if empty
  * @param locators lookup services it joins by unicast, {@code jini://host:port} each
- * @param state folder of what of the module outlives its virtual machine, the module's alone; null
- *     where nothing is to
+ * @param state folder of the module's persistent state, used by this module alone; null for none
  */
 public record ModuleActivation(
     ModuleDescription module,
@@ -35,7 +34,7 @@ public record ModuleActivation(
     locators = List.copyOf(locators);
   }
 
-  /** The same for a module that is registered for the first time, and remembers nothing. */
+  /** The data of a module that is registered for the first time and has no stored state. */
   public ModuleActivation(
       ModuleDescription module,
       UUID id,
@@ -45,7 +44,7 @@ public record ModuleActivation(
     this(module, id, Instant.now(), host, lookupGroups, locators, null);
   }
 
-  /** The same for a module that remembers nothing. */
+  /** The data of a module that has no stored state. */
   public ModuleActivation(
       ModuleDescription module,
       UUID id,

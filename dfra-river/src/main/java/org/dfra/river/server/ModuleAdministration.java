@@ -29,12 +29,12 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** One module server's administration, exported when it is first asked for. */
+/** One module server's administration, exported at its first use. */
 final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(ModuleAdministration.class);
 
-  /** Ending a module takes longer than a question: its device is closed, lookup services left. */
+  /** The shutdown of a module takes longer than a query: it closes its device and unregisters. */
   private static final long DEADLINE_MILLIS = 10_000;
 
   private static final long LAST_ANSWER_NANOS = TimeUnit.SECONDS.toNanos(2);
@@ -50,11 +50,11 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
   private @Nullable Remote stub; // guarded by this
 
   /**
-   * @param module what is served
-   * @param id the server's activation ID; null where no activation system made it
+   * @param module the served module
+   * @param id the server's activation ID; null if no activation system created it
    * @param serverExporter the exporter of the server
-   * @param server is halted, and closed, where an administrator ends it
-   * @param driverEnd the end of its driver
+   * @param server is halted and closed when an administrator stops it
+   * @param driverEnd the shutdown of its driver
    */
   ModuleAdministration(
       ModuleRegistration presence,
@@ -201,11 +201,11 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
 
   @Override
   public void destroy() throws RemoteException {
-    server.halt(); // before the activation system is asked, which may not answer
+    server.halt(); // before the call to the activation system, which may not answer
     try {
       unregister();
     } finally {
-      end(); // what is halted must not stay listed; where it is still registered, a call revives it
+      end(); // a halted module must not stay listed; if still registered, a call reactivates it
     }
   }
 
@@ -225,12 +225,12 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
   }
 
   /**
-   * Ends the module, and returns when its driver is closed, whoever closes it: only then may
-   * another driver have its device.
+   * Shuts the module down, and returns when its driver is closed, by any thread: only then may
+   * another driver use its device.
    *
-   * @throws RemoteException if the driver is not closed in time; the module stays active then, and
-   *     within reach of whoever asks again. Also if it, or another part of the module, did not end
-   *     cleanly
+   * @throws RemoteException if the driver is not closed in time; then the module stays active and
+   *     accepts further requests. Also if the driver, or another part of the module, failed to
+   *     close
    */
   private void end() throws RemoteException {
     server.halt();
@@ -239,7 +239,7 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
       server.close();
     } catch (IllegalStateException e) {
       LOG.warn("A module did not end cleanly: {}", e.toString(), e);
-      unclean = new RemoteException(String.valueOf(e.getMessage())); // the cause need not travel
+      unclean = new RemoteException(String.valueOf(e.getMessage())); // without the cause
     }
     if (id != null) {
       try {
@@ -248,12 +248,12 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
         LOG.debug("{} was inactive before.", id, e);
       }
     }
-    if (unclean != null) { // whoever wants its device must know
+    if (unclean != null) { // the caller needs to know before it uses the device
       throw unclean;
     }
   }
 
-  /** What went wrong with the driver's end; null where nothing did. */
+  /** The failure of the driver's shutdown; null if there was none. */
   private @Nullable RemoteException awaitDriver() throws RemoteException {
     try {
       driverEnd.await(Duration.ofMillis(DEADLINE_MILLIS));
@@ -269,7 +269,7 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
     }
   }
 
-  /** Ends the administration too, after the answer to the call that ended the module. */
+  /** Closes the administration too, after the answer to the call that stopped the module. */
   @Override
   public synchronized void close() {
     if (stub == null) {

@@ -13,9 +13,9 @@ import org.dfra.river.lookup.JiniModuleDirectory;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What one module finds others by: a directory of the lookup services that it joins itself, in
- * which no other robot of its own robot's name counts as its own. It is opened when the module
- * first asks, and shared by all modules of this virtual machine that join the same ones.
+ * Supplies a module's directory of other modules, from the lookup services that the module joins.
+ * Robots with the name of its own robot do not count as its own there. The directory is opened at
+ * its first use; all modules of this virtual machine that join the same lookup services share it.
  */
 final class ModuleDirectorySupplier implements Supplier<ModuleDirectory>, AutoCloseable {
 
@@ -91,7 +91,7 @@ final class ModuleDirectorySupplier implements Supplier<ModuleDirectory>, AutoCl
     }
   }
 
-  /** The module looks for no others any more; the last one closes the directory. */
+  /** Closes the module's use of the directory; the last user closes the directory. */
   @Override
   public void close() {
     @Nullable JiniModuleDirectory ending = null;

@@ -14,8 +14,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What a module is known by for as long as its robot has it: kept beside what the module itself
- * remembers, so that it outlives a move to another group and {@code ./dfra down}.
+ * The permanent identity of a module of its robot. It is stored beside the module's own state, so
+ * that it survives a move to another group and {@code ./dfra down}.
  *
  * @param id its service ID in every lookup service
  * @param created when it was first registered with its robot, UTC
@@ -27,12 +27,12 @@ public record ModuleIdentity(UUID id, Instant created) {
   private static final String ID = "id";
   private static final String CREATED = "created";
 
-  /** One for a module that was never registered. */
+  /** Creates one for a module that was never registered. */
   public static ModuleIdentity fresh() {
     return new ModuleIdentity(UUID.randomUUID(), Instant.now());
   }
 
-  /** The one that is kept in a module's folder; empty where there is none that can be read. */
+  /** The stored identity in a module's folder; empty if none can be read. */
   public static Optional<ModuleIdentity> load(Path folder) {
     try {
       return read(folder);
@@ -43,7 +43,7 @@ public record ModuleIdentity(UUID id, Instant created) {
   }
 
   /**
-   * The same for those who give out no new one.
+   * As {@link #load}, for callers that create no new one.
    *
    * @throws IOException if there is one that cannot be read
    */
@@ -65,7 +65,7 @@ public record ModuleIdentity(UUID id, Instant created) {
   }
 
   /**
-   * Keeps it in a module's folder; nothing is written where it is there already.
+   * Stores it in a module's folder, unless the same is there already.
    *
    * @throws IOException if it cannot be written
    */

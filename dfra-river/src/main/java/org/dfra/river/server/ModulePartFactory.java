@@ -24,8 +24,8 @@ import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Makes the parts that a module's description names: its configuration, driver, proxy and exporter.
- * What cannot be made is told with the place where it is named.
+ * Creates the parts that a module's description names: its configuration, driver, proxy and
+ * exporter. Errors name the XML file and line.
  */
 final class ModulePartFactory {
 
@@ -60,13 +60,13 @@ final class ModulePartFactory {
         neighbours);
   }
 
-  /** What the driver finds other modules by; to be closed after it. */
+  /** The driver's access to other modules; to be closed after the driver. */
   ModuleDirectorySupplier directorySupplier() {
     return neighbours;
   }
 
   /**
-   * The driver.
+   * Creates the driver.
    *
    * @param kind what it must implement
    * @param base what it must extend
@@ -108,10 +108,10 @@ final class ModulePartFactory {
     return exporter;
   }
 
-  /** A failed step as a sentence that names the place where the module is described. */
+  /** The failure as a sentence with the location of the module's description. */
   ConfigurationException withLocation(Exception failure) {
     if (failure instanceof ConfigurationException known) {
-      // What is not written at all has no place of its own.
+      // An omitted value has no location of its own.
       return String.valueOf(known.getMessage()).startsWith(description.path() + ":")
           ? new ConfigurationException(description.place() + ": " + known.getMessage(), known)
           : known;

@@ -15,8 +15,8 @@ import org.dfra.river.lookup.LookupJoin;
 import org.dfra.river.proxy.ModuleProxy;
 
 /**
- * A module in the lookup services: its proxy there, and its entries, which follow the module, at
- * most every {@value AttributeMonitor#POLL_MILLIS} ms.
+ * A module's registration with lookup services: its proxy there, and its entries. Changes of the
+ * module update them, at most every {@value AttributeMonitor#POLL_MILLIS} ms.
  */
 final class ModuleRegistration implements AutoCloseable {
 
@@ -27,7 +27,7 @@ final class ModuleRegistration implements AutoCloseable {
   private List<Entry> added = List.of(); // guarded by this
 
   /**
-   * Begins to register the module. Returns at once.
+   * Starts the registration of the module. Returns immediately.
    *
    * @throws IOException if multicast cannot be used or a locator is malformed
    */
@@ -55,12 +55,12 @@ final class ModuleRegistration implements AutoCloseable {
     join.setAttributes(entries());
   }
 
-  /** What administrators have added to the module's own entries. */
+  /** The entries that administrators have added. */
   synchronized List<Entry> added() {
     return added;
   }
 
-  /** Replaces what administrators have added. */
+  /** Replaces the entries that administrators have added. */
   synchronized void setAddedEntries(List<Entry> entries) {
     added = List.copyOf(entries);
     join.setAttributes(entries());
@@ -78,7 +78,7 @@ final class ModuleRegistration implements AutoCloseable {
     return entries.toArray(Entry[]::new);
   }
 
-  /** Takes the module out of every lookup service. */
+  /** Cancels the module's registrations with all lookup services. */
   @Override
   public void close() {
     follower.close();

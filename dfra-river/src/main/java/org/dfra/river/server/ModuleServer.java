@@ -41,10 +41,10 @@ import org.dfra.river.server.Exporters.ServerSettings;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Activatable server of a module: it makes the driver and serves it to the network.
+ * Activatable server of a module: it creates the driver and exports it to the network.
  *
- * <p>Constructing is starting, as the activation system demands: the steps run in the constructor,
- * and if one fails, those before it are undone. {@link #close} undoes all of them.
+ * <p>The constructor starts the module, as the activation system requires. If one step fails, it
+ * undoes the steps before. {@link #close} undoes all of them.
  *
  * @param <M> the module's interface
  */
@@ -68,13 +68,13 @@ public abstract class ModuleServer<M extends Module>
   private volatile @Nullable DriverShutdown driverEnd; // once there is a driver
 
   /**
-   * Step 1: the activation system constructs the server; the other five follow.
+   * Step 1: the activation system constructs the server; the other four follow.
    *
    * @param kind the module's interface
-   * @param id the server's activation ID; null where no activation system makes it: then its proxy
-   *     does not bring it back
+   * @param id the server's activation ID; null if no activation system creates it: then its proxy
+   *     does not reactivate it
    * @param data the server's {@link ModuleActivation}
-   * @throws ConfigurationException if what the module's description names cannot be used
+   * @throws ConfigurationException if a part that the module's description names cannot be used
    * @throws Exception if the data cannot be read
    */
   protected ModuleServer(
@@ -84,8 +84,8 @@ public abstract class ModuleServer<M extends Module>
   }
 
   /**
-   * The same, for a driver that must extend more than {@link ModuleImpl}. It is refused before
-   * anybody can call it.
+   * As the other constructor, for a driver with a more specific base class than {@link ModuleImpl}.
+   * Another driver is refused before the export.
    *
    * @param base what the driver must extend
    */
@@ -103,7 +103,7 @@ public abstract class ModuleServer<M extends Module>
       // Step 2: the properties.
       Configuration configuration = parts.configuration();
 
-      // Step 3: the driver, which may look for other modules.
+      // Step 3: the driver, which may search for other modules.
       undo.push(parts.directorySupplier());
       this.driver = parts.driver(ModuleLandlord.terms(configuration), kind, base);
       DriverShutdown end = new DriverShutdown(driver);
@@ -114,7 +114,7 @@ public abstract class ModuleServer<M extends Module>
       LocalModuleRegistry.register(activation.id(), driver);
       undo.push(() -> LocalModuleRegistry.unregister(activation.id(), driver));
 
-      // Step 4: the proxy, and before it the landlord, since clients may come at once.
+      // Step 4: the proxy, and before it the landlord, since clients may call immediately.
       Exporter exporter =
           ModulePartFactory.exporter(configuration, new ServerSettings(id, activation.host()));
       this.landlord =
@@ -147,10 +147,10 @@ public abstract class ModuleServer<M extends Module>
       this.administration =
           new ModuleAdministration(presence, driver, activation.host(), id, exporter, this, end);
       undo.push(administration);
-      if (id != null) { // elsewhere the process is not this module's
+      if (id != null) { // otherwise the process is not the module's
         undo.push(ModuleShutdownHook.register(this));
       }
-    } catch (Exception e) { // a driver's, a configuration's or River's; all name the place
+    } catch (Exception e) { // of a driver, a configuration or River; all name the location
       ConfigurationException fault = parts.withLocation(e);
       undoAll().addSuppressedTo(fault);
       throw fault;
@@ -160,7 +160,7 @@ public abstract class ModuleServer<M extends Module>
     }
   }
 
-  /** Undoes what was done, last first; but what moves the robot before all else. */
+  /** Undoes the steps in reverse order, but first closes a driver that moves the robot. */
   private ResourceCloser undoAll() {
     ResourceCloser ending = new ResourceCloser(path);
     halt();
@@ -173,10 +173,9 @@ public abstract class ModuleServer<M extends Module>
   }
 
   /**
-   * Closes the driver of a module that moves the robot, which comes to rest and takes no command
-   * any more. Does nothing for any other module, nor where somebody has begun to close it. Whoever
-   * ends several modules halts all of them before it closes the first. What goes wrong is reported
-   * by {@link #close}.
+   * Closes the driver of a module that moves the robot: it stops the device and executes no further
+   * command. Does nothing for any other module, or if the shutdown has started. To shut down
+   * several modules, halt all of them before closing the first. {@link #close} reports failures.
    */
   public final void halt() {
     @Nullable DriverShutdown end = driverEnd;
@@ -186,13 +185,13 @@ public abstract class ModuleServer<M extends Module>
   }
 
   /**
-   * Ends the service: leases, lookup, export and driver, in this order. The driver of a module that
-   * moves the robot is the first of them, see {@link #halt}: no lookup service that does not answer
-   * may keep wheels turning. Takes about 1 s where lookup services do not answer. Does nothing when
-   * already ended. A driver that somebody else is closing is not awaited, so that a driver that is
-   * held up does not keep its module in the lookup services.
+   * Ends the service: leases, registrations, export and driver, in this order. A driver that moves
+   * the robot is closed first, see {@link #halt}: lookup services that do not answer must not delay
+   * the stop of the wheels. Takes about 1 s if lookup services do not answer. Idempotent. If
+   * another thread is closing the driver, this does not wait for it, so that a blocked driver does
+   * not keep its module registered.
    *
-   * @throws IllegalStateException if a part of it could not be ended; the others were
+   * @throws IllegalStateException if a part could not be closed; the others were
    */
   @Override
   public final void close() {
@@ -214,14 +213,14 @@ public abstract class ModuleServer<M extends Module>
     return module;
   }
 
-  /** Grants the client whose call is under way a lease; see {@link ModuleLandlord#grant}. */
+  /** Grants a lease to the client of the current call; see {@link ModuleLandlord#grant}. */
   protected final Lease grant(
       Duration duration, LeaseRole holder, Runnable onExpired, Runnable onCancelled)
       throws LeaseRefusedException {
     return landlord.grant(duration.toMillis(), holder, onExpired, onCancelled);
   }
 
-  /** Where the call under way on this thread came from, for people. */
+  /** The address of the current call's client, for people. */
   protected static String clientName() {
     @Nullable String host = ModuleLandlord.clientHost();
     return host == null ? "a client elsewhere" : "a client at " + host;
@@ -248,10 +247,10 @@ public abstract class ModuleServer<M extends Module>
     return module.readiness();
   }
 
-  /** {@inheritDoc} For phoenix, which restarts a module that worked at once. */
+  /** {@inheritDoc} For phoenix, which restarts a stable module at once. */
   @Override
   public final boolean isReady() {
-    return driver.readiness().serves(); // READY, or ACTIVE where a client came first
+    return driver.readiness().serves(); // READY, or ACTIVE if a client called first
   }
 
   @Override

@@ -8,17 +8,16 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Closes the modules of a process when the process is terminated. Phoenix ends its groups so, and a
- * device must be put to rest then as after any other end; nor is it a failure that history would
- * count.
+ * Closes the modules of a process when the process is terminated, as phoenix does with its groups.
+ * A device must be stopped then as after any other shutdown, and history counts no failure.
  *
  * <pre>
  *   SIGTERM --&gt; halt what moves the robot, all at once --&gt; close all modules, all at once
  * </pre>
  *
- * <p>There is one shutdown hook for all of them, so that effectors halt before anything else uses
- * the processor. An effector whose driver is held up delays the second step by {@link
- * #HALT_TIMEOUT} at the longest.
+ * <p>All modules share one shutdown hook, so that effectors halt before anything else uses the
+ * processor. An effector with a blocked driver delays the second step by at most {@link
+ * #HALT_TIMEOUT}.
  */
 final class ModuleShutdownHook implements AutoCloseable {
 
@@ -38,7 +37,7 @@ final class ModuleShutdownHook implements AutoCloseable {
   }
 
   /**
-   * Has a server closed at the end of the process, unless this is closed before.
+   * Registers a server to be closed when the process exits, unless this is closed before.
    *
    * @throws IllegalStateException if the process is being terminated already
    */
@@ -68,7 +67,7 @@ final class ModuleShutdownHook implements AutoCloseable {
     shutDownAll(servers);
   }
 
-  /** The same with these servers. */
+  /** Halts, then closes these servers. */
   static void shutDownAll(List<? extends ModuleServer<?>> servers) {
     List<Thread> halting = each(servers, "halt", ModuleServer::halt);
     await(halting, System.nanoTime() + HALT_TIMEOUT.toNanos());
@@ -85,7 +84,7 @@ final class ModuleShutdownHook implements AutoCloseable {
       try {
         thread.start();
         threads.add(thread);
-      } catch (OutOfMemoryError e) { // there is no room for one more thread; this one will do
+      } catch (OutOfMemoryError e) { // no room for one more thread; use this one
         run(server, task);
       }
     }
@@ -95,13 +94,13 @@ final class ModuleShutdownHook implements AutoCloseable {
   private static void run(ModuleServer<?> server, Consumer<ModuleServer<?>> task) {
     try {
       task.accept(server);
-    } catch (RuntimeException | Error e) { // the others must end as well
+    } catch (RuntimeException | Error e) { // the others must be closed as well
       LOG.error("{} did not end cleanly with its process: {}", server.path(), e.toString(), e);
     }
   }
 
   /**
-   * @param deadline {@link System#nanoTime}; {@link Long#MAX_VALUE} for as long as it takes
+   * @param deadline {@link System#nanoTime}; {@link Long#MAX_VALUE} for no limit
    */
   private static void await(List<Thread> threads, long deadline) {
     try {
@@ -116,7 +115,7 @@ final class ModuleShutdownHook implements AutoCloseable {
         }
       }
     } catch (InterruptedException e) {
-      Thread.currentThread().interrupt(); // nobody interrupts the end of a process; go on at once
+      Thread.currentThread().interrupt(); // not expected here; continue at once
     }
   }
 

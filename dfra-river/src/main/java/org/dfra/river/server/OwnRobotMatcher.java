@@ -17,12 +17,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Which modules of a computer are of a module's own robot: those whose identities this robot keeps,
- * each in the module's folder. Another robot of the same name on this computer keeps its own
- * elsewhere, with another phoenix. Safe for use by several threads.
+ * Determines which modules of a computer belong to a module's own robot: those whose identities
+ * this robot stores, each in the module's folder. Another robot of the same name on this computer
+ * stores its own elsewhere, with another phoenix. Thread-safe.
  *
  * <p>An identity that cannot be read proves nothing, so its module counts as another robot's. The
- * file is read again for it a second later at the earliest, when the directory looks again.
+ * file is read again after at least a second, when the directory checks the module again.
  */
 final class OwnRobotMatcher implements Predicate<ModuleListing<?>> {
 
@@ -31,7 +31,7 @@ final class OwnRobotMatcher implements Predicate<ModuleListing<?>> {
   private static final long AGAIN_NANOS = TimeUnit.SECONDS.toNanos(1);
   private static final int MOST = 1000;
 
-  /** Of the robot's modules; null where they keep nothing, and none can be told from another's. */
+  /** Of the robot's modules; null if they store nothing, so that none can be identified. */
   private final @Nullable Path folder;
 
   private final Map<String, UUID> known = new ConcurrentHashMap<>(); // by module's name
@@ -43,7 +43,7 @@ final class OwnRobotMatcher implements Predicate<ModuleListing<?>> {
     this(activation, System::nanoTime);
   }
 
-  /** For tests: by another time. */
+  /** For tests, with another clock. */
   OwnRobotMatcher(ModuleActivation activation, LongSupplier nanos) {
     this.nanos = nanos;
     @Nullable String own = activation.state();
@@ -57,7 +57,7 @@ final class OwnRobotMatcher implements Predicate<ModuleListing<?>> {
     }
     @Nullable Long before = refused.get(listing.id());
     if (before != null && nanos.getAsLong() - before < AGAIN_NANOS) {
-      return false; // another robot's is asked for again and again
+      return false; // the directory asks repeatedly about another robot's
     }
     Optional<UUID> kept = kept(folder, listing.name());
     kept.ifPresent(id -> known.put(listing.name(), id));
@@ -69,7 +69,7 @@ final class OwnRobotMatcher implements Predicate<ModuleListing<?>> {
   }
 
   private void refuse(UUID id) {
-    if (refused.size() >= MOST) { // from the network any number may come
+    if (refused.size() >= MOST) { // the network may supply any number
       refused.clear();
     }
     refused.put(id, nanos.getAsLong());
@@ -78,7 +78,7 @@ final class OwnRobotMatcher implements Predicate<ModuleListing<?>> {
   private Optional<UUID> kept(Path folder, String module) {
     try {
       Path own = folder.resolve(module);
-      return folder.equals(own.getParent()) // a name from the network may be anything
+      return folder.equals(own.getParent()) // a name from the network may be any text
           ? ModuleIdentity.read(own).map(ModuleIdentity::id)
           : Optional.empty();
     } catch (InvalidPathException e) {

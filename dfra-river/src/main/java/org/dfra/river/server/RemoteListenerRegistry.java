@@ -24,16 +24,17 @@ import org.dfra.river.remote.RemoteModuleListener;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The remote listeners of one module. Each has a lease and a place at the module's hub; it loses
- * both when its client closes the subscription, when the lease has expired, when {@value #FAILURES}
- * deliveries in a row have failed, or when it turns out to be gone.
+ * The remote listeners of one module. Each has a lease and an entry in the module's event hub. It
+ * loses both when its client closes the subscription, when the lease has expired, when {@value
+ * #FAILURES} deliveries in a row have failed, or when it no longer exists.
  *
  * <p>Each delivery is a call of at most {@link CallbackProxies#DEADLINE}, whatever deadline the
- * listener's proxy brought, in its process' lane. A client has only so many listeners.
+ * listener's proxy has, on the executor of its process. The number of a client's listeners is
+ * limited.
  */
 final class RemoteListenerRegistry {
 
-  /** At a deadline of 2 s each, that is six seconds of silence. */
+  /** At a deadline of 2 s each, this is six seconds without an answer. */
   private static final int FAILURES = 3;
 
   private static final PeerQuota.QuotaLimits LIMITS = new PeerQuota.QuotaLimits(128, 512, 1024);
@@ -55,7 +56,7 @@ final class RemoteListenerRegistry {
     this.quota = new PeerQuota("listeners of " + driver.identification().path(), LIMITS);
   }
 
-  /** One listener's lease and places. */
+  /** One listener's lease and entries. */
   private static final class RegisteredListener {
     final ModuleListener listener;
     final ClientAddress client;
@@ -108,7 +109,7 @@ final class RemoteListenerRegistry {
     now.isCounted = true;
     CallbackSlot place = CallbackLimiter.shared().admit(now.client, remote);
     now.slot = place;
-    Runnable gone = () -> remove(now); // also where the client gives the lease back
+    Runnable gone = () -> remove(now); // also if the client cancels the lease
     Lease lease = landlord.grant(Lease.ANY, ModuleImpl.leaseRole(policy), gone, gone);
     now.lease = ModuleLandlord.id(lease);
     EventHub.ListenerEntry entry =
@@ -127,7 +128,7 @@ final class RemoteListenerRegistry {
         lease, entry.epoch(), LongStream.of(entry.lastSequences()).boxed().toList());
   }
 
-  /** Also for one that is being removed: ending its lease leads here again, and to nothing. */
+  /** Also for one that is being removed: ending its lease calls this again, without effect. */
   private synchronized void remove(RegisteredListener gone) {
     boolean unused = registered.remove(gone.listener, gone);
     if (gone.entry != null) {

@@ -1,5 +1,5 @@
 /**
- * Module servers: what the activation system makes. The fourth of the five classes.
+ * Module servers, which the activation system creates. The fourth of the five classes.
  *
  * <pre>
  *   (ActivationID, MarshalledObject) --&gt; ModuleServer
@@ -8,7 +8,7 @@
  * </pre>
  *
  * <p>Enter at {@link org.dfra.river.server.ModuleServer}; {@link
- * org.dfra.river.server.sensor.GPSServer} shows how little a kind of module adds.
+ * org.dfra.river.server.sensor.GPSServer} shows how little a module type adds.
  */
 @NullMarked
 package org.dfra.river.server;

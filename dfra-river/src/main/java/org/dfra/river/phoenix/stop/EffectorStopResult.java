@@ -7,12 +7,12 @@ import org.dfra.flow.effector.EmergencyStopState;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What an effector answered to an order to stop.
+ * An effector's answer to a stop request.
  *
  * @param id the module's identity, its service ID in every lookup service
  * @param path the module's path, {@code robot/name}
- * @param wasStopped whether it was stopped before this order
- * @param state how it is now; null if it did not answer
+ * @param wasStopped whether it was stopped before this request
+ * @param state its present state; null if it did not answer
  * @param fault why it did not answer, a clause; null if it did
  */
 public record EffectorStopResult(

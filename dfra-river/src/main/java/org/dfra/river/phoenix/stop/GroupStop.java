@@ -4,15 +4,17 @@ import java.rmi.Remote;
 import java.rmi.RemoteException;
 import org.dfra.module.Idempotent;
 
-/** Stops the effectors in the virtual machine of a group. The proxy of its instantiator has it. */
+/**
+ * Stops the effectors in a group's virtual machine. The proxy of its instantiator implements it.
+ */
 public interface GroupStop extends Remote {
 
   /**
-   * Stops all of them, at the same time. One that is being made is stopped when it is made, and not
-   * awaited. Takes a second at the most.
+   * Stops all effectors at the same time. An effector that is being instantiated is stopped after
+   * that, and not awaited. Takes at most a second.
    *
-   * @param by who asks, for people
-   * @return what each answered
+   * @param by the requester, for people
+   * @return the answer of each
    */
   @Idempotent
   GroupStopResult emergencyStop(String by) throws RemoteException;

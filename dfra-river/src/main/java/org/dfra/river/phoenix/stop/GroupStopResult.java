@@ -6,22 +6,22 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * What the virtual machine of a group answers to an order to stop.
+ * The answer of a group's virtual machine to a stop request.
  *
- * @param effectors what its effectors answered
+ * @param effectors the answers of its effectors
  * @param otherObjects its active objects that are no effectors
  */
 public record GroupStopResult(List<EffectorAnswer> effectors, List<ActivationID> otherObjects)
     implements Serializable {
 
-  /** Of a group that has no process. */
+  /** The answer of a group without a process. */
   public static final GroupStopResult NONE = new GroupStopResult(List.of(), List.of());
 
   /**
    * One effector.
    *
    * @param object the activation ID of its server
-   * @param stop what it answered
+   * @param stop its answer
    */
   public record EffectorAnswer(ActivationID object, EffectorStopResult stop)
       implements Serializable {

@@ -12,12 +12,12 @@ import org.dfra.river.filter.SerialLimits;
 /** Finds the stop service of a computer's phoenix without any lookup service. */
 public final class StopLocator {
 
-  /** TCP port of a phoenix where no other is configured. */
+  /** Default TCP port of phoenix. */
   public static final int DEFAULT_PORT = 1198;
 
   /**
    * The identity under which every phoenix exports its stop service. It is no secret and never
-   * changes, since whoever reaches phoenix's port may stop.
+   * changes, since every client that reaches phoenix's port may stop effectors.
    */
   public static final Uuid IDENTITY = identity("2d6f3f1e-0c55-4f0a-8f3b-6a1d6a2f5707");
 
@@ -29,12 +29,12 @@ public final class StopLocator {
   }
 
   /**
-   * A proxy for the stop service of a phoenix. Nothing is sent before its first call. An answer
-   * beyond {@link SerialLimits#STOP_REPORT} is refused: anybody may give it.
+   * Returns a proxy of a phoenix's stop service. Sends nothing before its first call. Refuses an
+   * answer that exceeds {@link SerialLimits#STOP_REPORT}, since the server is not authenticated.
    *
    * @param host where phoenix runs
    * @param port its TCP port
-   * @param deadline how long each answer is awaited, at least a millisecond
+   * @param deadline the longest wait for each answer, at least a millisecond
    */
   public static StopService proxyAt(String host, int port, Duration deadline) {
     return (StopService)

@@ -4,11 +4,11 @@ import java.io.Serializable;
 import java.util.List;
 
 /**
- * What has become of the effectors that phoenix was to stop.
+ * The results of an emergency stop by phoenix.
  *
- * @param robots names of all robots that have a group on this phoenix, sorted, whichever were to be
- *     stopped
- * @param effectors what each effector answered
+ * @param robots names of all robots that have a group on this phoenix, sorted, also those that were
+ *     not to be stopped
+ * @param effectors the answer of each effector
  * @param unconfirmed groups of which not every effector answered
  */
 public record StopReport(

@@ -8,7 +8,7 @@ import java.util.Objects;
  *
  * @param robot name of its robot; empty for a group of no robot
  * @param group its name for people, {@code robot.group}
- * @param reason why not, a clause
+ * @param reason why it is unconfirmed, a clause
  */
 public record UnconfirmedGroup(String robot, String group, String reason) implements Serializable {
 

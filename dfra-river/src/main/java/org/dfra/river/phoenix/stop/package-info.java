@@ -1,6 +1,6 @@
 /**
- * The emergency stop by phoenix: it needs no lookup service, no proxy that somebody registered and
- * no downloaded class.
+ * The emergency stop by phoenix: it needs no lookup service, no registered proxy and no downloaded
+ * class.
  *
  * <pre>
  *   ./dfra stop --StopService--&gt; phoenix --GroupStop--&gt; each group's VM --StopTarget--&gt; effector

@@ -13,7 +13,7 @@ import org.dfra.river.remote.RemoteModule;
 /**
  * Smart proxy of a behaviour.
  *
- * @param <G> what the behaviour can reach
+ * @param <G> the behaviour's goal type
  * @param <B> the behaviour's interface
  */
 public abstract class BehaviorProxy<G extends Goal, B extends Behavior<G>> extends SchemaProxy<B>

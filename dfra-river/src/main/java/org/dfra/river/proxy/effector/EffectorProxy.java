@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Smart proxy of an effector.
  *
- * @param <C> what the effector can be told
+ * @param <C> the effector's command type
  * @param <E> the effector's interface
  */
 public abstract class EffectorProxy<C extends Command, E extends Effector<C>> extends DeviceProxy<E>
@@ -34,7 +34,7 @@ public abstract class EffectorProxy<C extends Command, E extends Effector<C>> ex
     super(kind, server, id, identification);
   }
 
-  /** {@inheritDoc} From here it renews itself, as long as this program lives. */
+  /** {@inheritDoc} The proxy renews the lease as long as this program runs. */
   @Override
   public final CommandLease acquireCommandLease(Duration duration)
       throws LeaseRefusedException, RemoteException {
@@ -49,7 +49,7 @@ public abstract class EffectorProxy<C extends Command, E extends Effector<C>> ex
     target().execute(key, command);
   }
 
-  /** {@inheritDoc} The name is shortened here: a request that is too long would be refused. */
+  /** {@inheritDoc} Shortens the name: a request that is too long would be refused. */
   @Override
   public final EmergencyStopState emergencyStop(@Nullable String by) throws RemoteException {
     return target().emergencyStop(EmergencyStopState.requesterName(by));

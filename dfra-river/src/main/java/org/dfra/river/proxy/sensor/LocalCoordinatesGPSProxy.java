@@ -17,15 +17,15 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Heavyweight proxy of a satellite positioning receiver: it converts positions itself, in the
- * client's virtual machine, and asks the server for nothing but the location. Any GPS server can be
- * given this proxy, by its module's properties.
+ * client's virtual machine, and requests only the location from the server. Any GPS server can use
+ * this proxy, by its module's properties.
  */
 public final class LocalCoordinatesGPSProxy extends SensorProxy<GPSSensor>
     implements LocalGPSSensor {
 
   private static final long serialVersionUID = 1L;
 
-  /** Of the datum last asked for; a client seldom has two. */
+  /** For the last requested datum; a client seldom uses two. */
   private transient volatile @Nullable LocalFrame frame;
 
   /** See {@link ModuleProxy#ModuleProxy}. */

@@ -7,6 +7,6 @@ import org.dfra.river.remote.schema.RemoteSchema;
 /**
  * What clients may call on any behaviour's server.
  *
- * @param <G> what the behaviour can reach
+ * @param <G> the behaviour's goal type
  */
 public interface RemoteBehavior<G extends Goal> extends RemoteSchema, Behavior<G> {}

@@ -9,11 +9,11 @@ import org.dfra.flow.effector.CommandLease;
 import org.dfra.river.remote.GrantedModuleLease;
 
 /**
- * What a server gives to a commander: its lease and its key. It does not renew itself; the client's
- * proxy does.
+ * A command lease as a server grants it: its lease and its key. It does not renew itself; the
+ * client's proxy does.
  *
  * @param use the lease
- * @param key what the commander's commands are accompanied by
+ * @param key the client sends it with each command
  */
 public record GrantedCommandLease(GrantedModuleLease use, CommandKey key)
     implements CommandLease, Serializable {
@@ -23,7 +23,7 @@ public record GrantedCommandLease(GrantedModuleLease use, CommandKey key)
     Objects.requireNonNull(key, "key");
   }
 
-  /** The lease, for who renews it. */
+  /** The lease, for its renewal. */
   public Lease lease() {
     return use.lease();
   }

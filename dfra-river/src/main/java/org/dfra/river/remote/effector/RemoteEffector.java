@@ -11,7 +11,7 @@ import org.dfra.river.remote.RemoteDevice;
 /**
  * What clients may call on any effector's server.
  *
- * @param <C> what it can be told
+ * @param <C> its command type
  */
 public interface RemoteEffector<C extends Command> extends RemoteDevice, Effector<C> {
 

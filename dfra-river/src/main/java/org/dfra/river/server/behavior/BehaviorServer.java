@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Activatable server of a behaviour.
  *
- * @param <G> what the behaviour can reach
+ * @param <G> the behaviour's goal type
  * @param <B> the behaviour's interface
  */
 public abstract class BehaviorServer<G extends Goal, B extends Behavior<G>> extends SchemaServer<B>

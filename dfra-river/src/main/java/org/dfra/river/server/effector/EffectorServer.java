@@ -26,10 +26,10 @@ import org.dfra.river.server.ModuleServer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Activatable server of an effector. Whether a command is obeyed is decided behind it, by the
- * driver's {@link CommandArbiter}.
+ * Activatable server of an effector. The driver's {@link CommandArbiter} decides whether a command
+ * is executed.
  *
- * @param <C> what the effector can be told
+ * @param <C> the effector's command type
  * @param <E> the effector's interface
  */
 public abstract class EffectorServer<C extends Command, E extends Effector<C>>
@@ -39,7 +39,7 @@ public abstract class EffectorServer<C extends Command, E extends Effector<C>>
   protected EffectorServer(
       Class<E> kind, @Nullable ActivationID id, MarshalledObject<ModuleActivation> data)
       throws Exception {
-    super(kind, EffectorImpl.class, id, data); // nothing else would guard it
+    super(kind, EffectorImpl.class, id, data); // only this class guards the effector
   }
 
   private CommandArbiter helm() {
