@@ -32,7 +32,7 @@ class BehaviorsReferenceTest {
       Pattern.compile(
           "(?:settings(?:\\(\\))?\\s*\\.(?:number|seconds|find|text)\\(\\s*"
               + "|ModuleDependency\\.of\\(\\s*context,\\s*\\w+\\.class,\\s*"
-              + "|takes\\(\\s*\\w+\\.class,\\s*"
+              + "|declareInput\\(\\s*\\w+\\.class,\\s*"
               + "|declared\\(\\)\\s*\\.(?:declareReadOnly|declareText|declareNumber)\\(\\s*)\"(\\w+)\"");
 
   private static final Pattern NUMBER =

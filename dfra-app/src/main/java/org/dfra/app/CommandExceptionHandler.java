@@ -17,7 +17,10 @@ import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.ParseResult;
 
-/** Reports a failure that the user can mend in its own sentence, and any other one in full. */
+/**
+ * Reports a failure that the user can correct in one sentence, and any other failure with its stack
+ * trace.
+ */
 final class CommandExceptionHandler implements IExecutionExceptionHandler {
 
   @Override
@@ -38,7 +41,9 @@ final class CommandExceptionHandler implements IExecutionExceptionHandler {
     return code;
   }
 
-  /** The status to end with; {@link ExitCode#SUCCESS} for what is nobody's to mend but ours. */
+  /**
+   * The exit status; {@link ExitCode#SUCCESS} for an internal error, which the user cannot correct.
+   */
   private static int code(Exception e) {
     if (e instanceof CommandFailure failure) {
       return failure.exitCode();
@@ -51,7 +56,7 @@ final class CommandExceptionHandler implements IExecutionExceptionHandler {
         || e instanceof AdministrationRefusedException
         || e instanceof LeaseRefusedException
         || e instanceof NoFontException
-        || e instanceof IllegalArgumentException) { // what a module says of a wrong parameter
+        || e instanceof IllegalArgumentException) { // a module's message about an invalid parameter
       return ExitCode.FAILED;
     }
     return ExitCode.SUCCESS;

@@ -10,17 +10,17 @@ import picocli.CommandLine.Help;
 import picocli.CommandLine.Model.CommandSpec;
 
 /**
- * What {@code --help} prints, as wide as the terminal but no wider than {@value #WIDEST} columns.
- * Picocli breaks each line of a footer by itself, which leaves a word or two on a line of its own;
- * here a footer's lines are a paragraph, and an indented line is an entry of a list that goes on
- * below its explanation.
+ * The text that {@code --help} prints, as wide as the terminal but at most {@value #WIDEST}
+ * columns. Picocli breaks each footer line separately, which leaves single words on lines of their
+ * own. Here the footer's lines form paragraphs, and an indented line is a list entry; the following
+ * lines continue its explanation.
  */
 final class FoldedHelp extends Help {
 
   private static final int WIDEST = 80;
-  private static final int NARROWEST = 55; // picocli refuses less
+  private static final int NARROWEST = 55; // picocli rejects smaller widths
 
-  /** An entry's name and what parts it from its explanation. */
+  /** A list entry's name and the spaces between the name and its explanation. */
   private static final Pattern NAME = Pattern.compile(" +\\S+ {2,}(?=\\S)");
 
   FoldedHelp(CommandSpec spec, ColorScheme scheme) {
@@ -28,7 +28,10 @@ final class FoldedHelp extends Help {
     spec.usageMessage().width(Width.HERE);
   }
 
-  /** The terminal is asked once, and only where help is wanted: each verb has a help of its own. */
+  /**
+   * The terminal width is determined once, and only when help is printed: each subcommand has its
+   * own help.
+   */
   private static final class Width {
     static final int HERE = width(Terminal.columns());
   }
@@ -47,7 +50,9 @@ final class FoldedHelp extends Help {
     return text.toString();
   }
 
-  /** Paragraphs and lists in so many columns; a blank line parts two paragraphs. */
+  /**
+   * Wraps paragraphs and lists at the given number of columns; a blank line separates paragraphs.
+   */
   static List<String> folded(List<String> lines, int columns) {
     List<String> folded = new ArrayList<>();
     StringBuilder paragraph = new StringBuilder();

@@ -12,7 +12,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** {@code ./dfra help}. Unlike picocli's own it explains a verb of a verb, too. */
+/** {@code ./dfra help}. Unlike picocli's own help command it also explains nested subcommands. */
 @Command(name = "help", description = "Explains a verb, or lists all of them.")
 final class HelpCommand implements Callable<Integer> {
 
@@ -23,7 +23,7 @@ final class HelpCommand implements Callable<Integer> {
   private List<String> verbs = new ArrayList<>();
 
   @Spec
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandSpec spec;
 
   @Override

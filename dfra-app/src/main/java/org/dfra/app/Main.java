@@ -70,13 +70,13 @@ public final class Main {
 
   static final String VERSION = "dfra 0.1.0";
 
-  /** These ask the command line about all its verbs. */
+  /** These commands need the full list of subcommands. */
   private static final Set<Class<?>> NEED_ALL_COMMANDS =
       Set.of(CompletionCommand.class, HelpCommand.class);
 
   private Main() {}
 
-  /** The command line of one who has named a verb: to read all takes a fifth of a second. */
+  /** The command line when a subcommand is named: loading all subcommands takes 0.2 s. */
   @Command(
       name = "dfra",
       version = VERSION,
@@ -84,14 +84,14 @@ public final class Main {
       scope = ScopeType.INHERIT)
   private static final class OneVerb {}
 
-  /** Runs the verb and exits with its status: 0 well, 1 failed, 2 asked wrongly. */
+  /** Runs the subcommand and exits with its status: 0 success, 1 failure, 2 usage error. */
   public static void main(String[] args) {
-    SerialFilters.install(); // before anything is read that somebody else wrote
+    SerialFilters.install(); // before any untrusted text is read
     if (System.getenv(LogbackSetup.LEVEL) == null
         && System.getProperty(LogbackSetup.LEVEL) == null) {
-      System.setProperty(LogbackSetup.LEVEL, "WARN"); // a terminal is for answers
+      System.setProperty(LogbackSetup.LEVEL, "WARN"); // standard output is reserved for results
       LogLevelControl.service()
-          .set(TrustedCode.class.getPackageName(), LogLevel.ERROR); // verbs report it
+          .set(TrustedCode.class.getPackageName(), LogLevel.ERROR); // commands report them
     }
     SLF4JBridgeHandler.removeHandlersForRootLogger();
     SLF4JBridgeHandler.install();
@@ -109,23 +109,24 @@ public final class Main {
     System.exit(line.execute(args));
   }
 
-  /** An error of a proxy's, say, which is code of another computer's choice. */
+  /** For example an error thrown by a proxy, whose code another computer supplies. */
   private static void report(Thread thread, Throwable thrown) {
     String name = PrintableText.name(thread.getName());
     System.err.print("Thread " + name + ": " + PrintableTrace.of(thrown));
   }
 
-  /** The command line, for those who ask it about itself. */
+  /** The full command line, for commands that inspect it. */
   static CommandLine commandLine() {
     CommandLine line = prepared(new CommandLine(new Main()));
     line.getCommandSpec()
         .usageMessage()
-        .footer(ScriptVerbs.help()); // not for the verbs, which inherit
+        .footer(ScriptVerbs.help()); // not inherited by subcommands
     return line;
   }
 
   /**
-   * The command line for what was typed: with all verbs only where more than one is asked about.
+   * The command line for the given arguments; it has all subcommands only if more than one is
+   * needed.
    */
   static CommandLine commandLine(String[] args) {
     Optional<Class<?>> verb = args.length == 0 ? Optional.empty() : verb(args[0]);

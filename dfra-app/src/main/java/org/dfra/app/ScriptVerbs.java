@@ -8,19 +8,19 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 
 /**
- * The verbs that the script {@code ./dfra} of a checkout does by itself: they compile, or run what
- * compiles. What is installed has none of them.
+ * The subcommands that the script {@code ./dfra} of a checkout implements itself: they compile, or
+ * run compiled classes. An installation has none of them.
  */
 public final class ScriptVerbs {
 
   private ScriptVerbs() {}
 
-  /** The verbs' names; none where DFRA is installed. */
+  /** The subcommands' names; empty in an installation. */
   static List<String> names() {
     return CommandName.isInstalled() ? List.of() : List.of("build", "dist", "test");
   }
 
-  /** What the help of the command line tells of them. */
+  /** The help text about them. */
   static String[] help() {
     return names().isEmpty()
         ? new String[0]
@@ -34,7 +34,7 @@ public final class ScriptVerbs {
         };
   }
 
-  /** Adds them to a command line that is asked what there is, not run. */
+  /** Adds them to a command line that is inspected, not run. */
   public static void addTo(CommandLine line) {
     for (String name : names()) {
       CommandSpec spec = CommandSpec.create();

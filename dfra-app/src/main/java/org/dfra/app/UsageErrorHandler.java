@@ -13,7 +13,7 @@ import picocli.CommandLine.IParameterExceptionHandler;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** Tells in one sentence what was asked wrongly, and where to read how it is asked. */
+/** Reports a usage error in one sentence, and where to read about the correct usage. */
 final class UsageErrorHandler implements IParameterExceptionHandler {
 
   private static final Pattern VALUE =
@@ -58,12 +58,13 @@ final class UsageErrorHandler implements IParameterExceptionHandler {
   }
 
   /**
-   * What picocli says of a value that cannot be read names its types and positions; people do not.
+   * Picocli's message for an invalid value contains types and positions, which do not help the
+   * user.
    */
   private static String rephrase(String message) {
     Matcher value = VALUE.matcher(message);
     if (!value.matches()) {
-      boolean isName = message.matches("\\p{Lu}{2}.*"); // of a variable
+      boolean isName = message.matches("\\p{Lu}{2}.*"); // of a picocli variable
       return message.isEmpty() || isName
           ? message
           : message.substring(0, 1).toLowerCase(Locale.ROOT) + message.substring(1);

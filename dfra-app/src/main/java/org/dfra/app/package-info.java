@@ -1,4 +1,4 @@
-/** The program {@code ./dfra}: one verb, one class. Enter at {@link org.dfra.app.Main}. */
+/** The program {@code ./dfra}: one class per subcommand. Entry point: {@link org.dfra.app.Main}. */
 @NullMarked
 package org.dfra.app;
 

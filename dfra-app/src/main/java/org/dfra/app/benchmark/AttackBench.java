@@ -28,18 +28,18 @@ import org.dfra.app.measurement.MeasuredValue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a stranger without a key can do to a robot that searches a field while an operator listens.
- * Every attack, and before them a neutral load, has a robot of its own:
+ * Measures what an unauthenticated client can do to a robot that searches a field while an operator
+ * receives its events. Each attack, and the neutral load before them, uses a new robot:
  *
  * <pre>
  *   core 0               core 1
- *   attacker  --------&gt;  robot with its registrar, &lt;---- operator: calls, listens,
- *                        drivers, simulated field        falls silent, stops it
- *             --------&gt;  its phoenix, where that is attacked
+ *   attacker  --------&gt;  robot with its registrar, &lt;---- operator: calls it, stops
+ *                        drivers, simulated field        commanding, stops it
+ *             --------&gt;  its phoenix, if that is attacked
  * </pre>
  *
- * <p>Times of the wheels are those of the simulated field. Threads, heap and CPU time are those of
- * the robot and its phoenix.
+ * <p>Wheel times are measured in the simulated field. Threads, heap and CPU time are those of the
+ * robot and its phoenix.
  */
 final class AttackBench implements Bench {
 
@@ -47,20 +47,20 @@ final class AttackBench implements Bench {
   private static final String ROBOT = "127.0.0.1";
   private static final Duration START = Duration.ofMinutes(3);
   private static final Duration PATIENCE = Duration.ofMinutes(1);
-  private static final Duration QUIET = Duration.ofSeconds(1); // so long: they have stopped
+  private static final Duration QUIET = Duration.ofSeconds(1); // then the wheels have stopped
 
   private static final Duration LOOK_AGAIN = Duration.ofMillis(50);
 
   private final int seconds;
 
   /**
-   * Where attacks are measured.
+   * The setup in which attacks are measured.
    *
-   * @param source address that strangers call from
-   * @param isPinned whether attacker and robot have a core each
-   * @param user another user of this computer; null where there is none that can be used
+   * @param source source address of the attacker's calls
+   * @param isPinned whether attacker and robot are pinned to one core each
+   * @param user another user of this computer; null if processes of other users cannot be started
    * @param hasMulticast whether this computer receives its own multicast
-   * @param folder a temporary one
+   * @param folder a temporary folder
    */
   private record AttackSetup(
       String source,
@@ -81,15 +81,13 @@ final class AttackBench implements Bench {
       return attack.isByMulticast() && !hasMulticast ? LocalMulticast.NEEDS : "";
     }
 
-    /** The user that runs the attacker's process; null for this process' own. */
+    /** The user that runs the attacker's process; null for this process's own user. */
     @Nullable OtherUser user(AttackCase attack) {
       return attack.attacker() == Attacker.STRANGER ? null : user;
     }
   }
 
-  /**
-   * @param seconds how long each attack lasts before the wheels are measured, at least 1
-   */
+  /** @param seconds duration of each attack before the wheels are measured, at least 1 */
   AttackBench(int seconds) {
     this.seconds = seconds;
   }
@@ -127,14 +125,14 @@ final class AttackBench implements Bench {
       }
       try {
         measure(report, each, place).report(report, each, neutral);
-      } catch (IOException e) { // the others are measured all the same
+      } catch (IOException e) { // the other attacks are still measured
         report.say("  not measured: " + e.getMessage());
         report.figure("robot, operator or attacker failed beside " + each.name(), 1, 0, "");
       }
     }
   }
 
-  /** Another address than the robot's, where there is one. */
+  /** An address of this computer that differs from the robot's, if there is one. */
   private static String source() throws IOException {
     try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getByName(ATTACKER))) {
       return socket.isBound() ? ATTACKER : ROBOT;
@@ -210,7 +208,7 @@ final class AttackBench implements Bench {
     return arguments.toArray(String[]::new);
   }
 
-  /** Where anybody may write. */
+  /** A folder that all users may write to. */
   private static Path attackersFolder(AttackSetup place) throws IOException {
     Path folder = Files.createTempDirectory(place.folder(), "attacker-");
     if (place.user() != null) {
@@ -228,7 +226,7 @@ final class AttackBench implements Bench {
         : user.start(place.onCore(0), attack.task(), target.arguments());
   }
 
-  /** An attack under way, and how its victims were before. */
+  /** A running attack, and the state of the attacked processes before it. */
   private record RunningAttack(
       AttackCase attack,
       TaskProcess robot,
@@ -283,7 +281,7 @@ final class AttackBench implements Bench {
     return Long.parseLong(line.split(" ")[1]);
   }
 
-  /** How many groups the robot's phoenix has; 0 where it has no phoenix. */
+  /** Number of groups of the robot's phoenix; 0 if it has no phoenix. */
   private static int groups(TaskProcess robot, AttackCase attack) throws Exception {
     if (!attack.isOnPhoenix()) {
       return 0;
@@ -292,7 +290,7 @@ final class AttackBench implements Bench {
     return Integer.parseInt(robot.awaitLine("groups", PATIENCE).split(" ")[1]);
   }
 
-  /** The wheels' line once they have not moved for a while. */
+  /** The wheels' status line once they have not moved for a while. */
   private static String[] awaitStopped(TaskProcess robot, long since) throws Exception {
     long end = System.nanoTime() + PATIENCE.toNanos();
     while (System.nanoTime() < end) {
@@ -303,14 +301,14 @@ final class AttackBench implements Bench {
       if (quiet > QUIET.toNanos() / 1000) {
         return wheels;
       }
-      LockSupport.parkNanos(LOOK_AGAIN.toNanos()); // the wheels report nothing by themselves
+      LockSupport.parkNanos(LOOK_AGAIN.toNanos()); // the wheels must be polled
     }
     throw new IOException("the wheels did not stop within " + PATIENCE.toSeconds() + " s");
   }
 
   /**
-   * Seconds until threads and heap are within the limits again; if they stay above, how long that
-   * was awaited, which is more than they may take.
+   * Seconds until threads and heap are within the limits again; if they stay above, the timeout,
+   * which exceeds the allowed time.
    */
   private static double recovery(RunningAttack scene) throws Exception {
     long began = System.nanoTime();
@@ -324,7 +322,7 @@ final class AttackBench implements Bench {
     }
   }
 
-  /** What cannot be deleted is left: the figures count more than the folder. */
+  /** Ignores files that cannot be deleted: the measured values matter more than the folder. */
   private static void delete(Path folder, Report report) {
     try (Stream<Path> all = Files.walk(folder)) {
       for (Path each : all.sorted(Comparator.reverseOrder()).toList()) {

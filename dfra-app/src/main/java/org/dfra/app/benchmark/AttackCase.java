@@ -19,13 +19,13 @@ import org.dfra.app.benchmark.attack.SlowHeaders;
 import org.dfra.app.benchmark.attack.UnfinishedRequests;
 
 /**
- * An attack and what it needs.
+ * An attack and its requirements.
  *
- * @param name what it is called
- * @param task what the attacker's process does
- * @param attacker who attacks
- * @param isByMulticast whether it reaches robots that search by multicast only
- * @param isOnPhoenix whether the robot has a phoenix, which is attacked
+ * @param name its name
+ * @param task the task of the attacker's process
+ * @param attacker the kind of attacker
+ * @param isByMulticast whether it reaches only robots that discover by multicast
+ * @param isOnPhoenix whether it attacks the robot's phoenix
  */
 record AttackCase(
     String name,
@@ -34,20 +34,20 @@ record AttackCase(
     boolean isByMulticast,
     boolean isOnPhoenix) {
 
-  /** Who attacks. */
+  /** Kinds of attackers. */
   enum Attacker {
     /** A program on another computer. */
     STRANGER,
     /** A program of another user of the robot's computer. */
     LOCAL_USER,
-    /** The same, or a stranger where this process cannot start programs of other users. */
+    /** The same, or {@link #STRANGER} if this process cannot start programs of other users. */
     LOCAL_USER_OR_STRANGER
   }
 
-  /** What the attacks are compared with. */
+  /** The neutral load with which the attacks are compared. */
   static final AttackCase BASELINE = stranger("a neutral load", NeutralLoad.class);
 
-  /** Every attack; {@code docs/concepts/security.md} has their numbers. */
+  /** All attacks; {@code docs/concepts/security.md} numbers them. */
   static final List<AttackCase> ALL =
       List.of(
           stranger("fake modules", FakeModules.class), // 1, 2

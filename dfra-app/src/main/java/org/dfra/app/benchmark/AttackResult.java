@@ -6,20 +6,20 @@ import org.dfra.app.benchmark.attack.ProcessSample;
 import org.dfra.app.measurement.MeasuredValue;
 
 /**
- * What was measured beside a load.
+ * Measurements taken during a load.
  *
- * @param p99 of honest calls, milliseconds
- * @param failed honest calls
- * @param cpu seconds of the robot's CPU time while the operator listened
- * @param threads more than before the load
- * @param heap bytes more than before the load
- * @param slowdownTime seconds from the operator's last command until the wheels became slower
+ * @param p99 latency of honest calls, milliseconds
+ * @param failed number of failed honest calls
+ * @param cpu CPU time of the robot while the operator measured, seconds
+ * @param threads increase over the value before the load
+ * @param heap increase over the value before the load, bytes
+ * @param slowdownTime seconds from the operator's last command until the wheels slowed down
  * @param stopTimeAfterSilence seconds from the operator's last command until they stopped
  * @param stopTimeAfterEmergencyStop seconds from the emergency stop until they stopped
- * @param recoveryTime seconds until the robot uses what it used before
- * @param calls of the attacker
- * @param refused how many of them were refused
- * @param attackMeasurements what the attack was measured by besides
+ * @param recoveryTime seconds until the robot's resource use is back to normal
+ * @param calls number of the attacker's calls
+ * @param refused number of refused calls
+ * @param attackMeasurements further measurements of the attack itself
  */
 record AttackResult(
     double p99,
@@ -35,10 +35,10 @@ record AttackResult(
     long refused,
     List<MeasuredValue> attackMeasurements) {
 
-  /** How long a robot may take to use again what it used before. */
+  /** Maximum time until the robot's resource use is back to normal. */
   static final Duration RECOVERY = Duration.ofSeconds(10);
 
-  private static final double MOST_SLOWER = 0.35; // s: 0.3, and 10 % of the speed to be lost
+  private static final double MOST_SLOWER = 0.35; // s: 0.3 timeout, rest to lose 10 % speed
   private static final double MOST_STOPPED = 0.5; // s
   private static final double MOST_RATIO = 3;
   private static final int MOST_THREADS = 64;
@@ -52,13 +52,13 @@ record AttackResult(
         && now.heapBytes() - before.heapBytes() <= MOST_MEGABYTES * MEGABYTE;
   }
 
-  /** Reports what attacks are compared with. */
+  /** Reports the values of the baseline. */
   void report(Report report, AttackCase load) {
     report.figure("p99 of honest calls beside " + load.name(), p99, "ms");
     wheels(report, load);
   }
 
-  /** Reports an attack, and whether it did harm. */
+  /** Reports an attack's values and checks them against the limits. */
   void report(Report report, AttackCase attack, AttackResult neutral) {
     String beside = " beside " + attack.name();
     report.say(

@@ -19,25 +19,27 @@ import org.dfra.persona.RecruitmentAttributes;
 import org.dfra.recruit.river.RecruitmentAgentProxy;
 import org.dfra.recruit.river.RecruitmentAgentServer;
 
-/** An agent that notes when letters come, and does nothing else; served as any other. */
+/**
+ * An agent that records when messages arrive and does nothing else; served like any other agent.
+ */
 public final class BenchAgent extends ModuleImpl implements RecruitmentAgent, AttributeProvider {
 
   private static final BlockingQueue<BenchAgent> MADE = new LinkedBlockingQueue<>();
 
   private volatile long came;
 
-  /** As every driver is made. */
+  /** Called by the module's server, as for every driver. */
   public BenchAgent(ModuleContext context) {
     super(context, "an agent of a benchmark", "DFRA", "1");
     MADE.add(this);
   }
 
-  /** The one that a server has made, which made it by its class's name. */
+  /** The instance that a server has created by its class name. */
   static BenchAgent awaitInstance() throws InterruptedException {
     return MADE.take();
   }
 
-  /** Serves one in this virtual machine, as a group would. */
+  /** Serves an instance in this JVM, as a group would. */
   static RecruitmentAgentServer serve(String locator) throws Exception {
     return new RecruitmentAgentServer(
         null,
@@ -57,7 +59,7 @@ public final class BenchAgent extends ModuleImpl implements RecruitmentAgent, At
   @Override
   protected void onClose() {}
 
-  /** When the last letter came, by {@link System#nanoTime}. */
+  /** When the last message arrived, by {@link System#nanoTime}. */
   long lastReceivedNanos() {
     return came;
   }
@@ -69,17 +71,17 @@ public final class BenchAgent extends ModuleImpl implements RecruitmentAgent, At
 
   @Override
   public void callForHelp(HelpCall call) {
-    // it recruits nobody
+    // it recruits no helpers
   }
 
   @Override
   public void resume() {
-    // nobody holds it
+    // it is not suspended
   }
 
   @Override
   public void release() {
-    // it recruits nobody
+    // it recruits no helpers
   }
 
   @Override

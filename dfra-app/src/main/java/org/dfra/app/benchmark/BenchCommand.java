@@ -16,7 +16,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code ./dfra bench}: measures what the requirements put a figure on. */
+/** {@code ./dfra bench}: measures the quantities for which the requirements state a target. */
 @Command(
     name = "bench",
     description = "Measures what the requirements put a figure on, on this machine.",
@@ -39,7 +39,7 @@ public final class BenchCommand implements Callable<Integer> {
 
   private final Map<String, Supplier<Bench>> benches = new LinkedHashMap<>();
 
-  /** Knows them all; runs none. */
+  /** Lists all benchmarks; runs none. */
   public BenchCommand() {
     benches.put("attack", () -> new AttackBench(seconds));
     benches.put("calls", CallBench::new);
@@ -78,11 +78,11 @@ public final class BenchCommand implements Callable<Integer> {
   private @Nullable Path folder;
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private RecordOption record;
 
   @Spec
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandSpec spec;
 
   private Path folder(String ofBench) {

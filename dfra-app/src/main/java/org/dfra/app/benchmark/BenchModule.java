@@ -21,18 +21,18 @@ import org.dfra.persona.ChainAttributes;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.persona.SensorAttributes;
 
-/** The proxy of a module that is only listed: nothing serves it. */
+/** The proxy of a module that is only listed: no server implements it. */
 record BenchModule(UUID id, String robot, String name) implements Module, Serializable {
 
   private static final int PER_ROBOT = 20;
 
-  /** One of many; each robot has twenty. */
+  /** One of many modules; each robot has twenty. */
   static BenchModule of(int number) {
     return new BenchModule(
         UUID.randomUUID(), "robot" + number / PER_ROBOT, "module" + number % PER_ROBOT);
   }
 
-  /** What it says of itself. */
+  /** The attributes of the module with this number. */
   List<Attributes> attributes(int number) {
     return List.of(
         new ModuleAttributes(

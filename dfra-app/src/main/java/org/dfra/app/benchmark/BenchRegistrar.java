@@ -25,7 +25,7 @@ import org.dfra.river.bootstrap.EmbeddedRegistrar;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.server.ModuleActivation;
 
-/** Stock reggie in this virtual machine, which counts the bytes of all calls on it. */
+/** River's Reggie in this JVM; it counts the bytes of all calls. */
 final class BenchRegistrar implements AutoCloseable {
 
   static final String HOST = "127.0.0.1";
@@ -33,9 +33,7 @@ final class BenchRegistrar implements AutoCloseable {
   private final EmbeddedRegistrar reggie;
   private final AtomicLong bytes = new AtomicLong();
 
-  /**
-   * @param leaseMillis longest lease it grants, in milliseconds
-   */
+  /** @param leaseMillis longest lease that it grants, milliseconds */
   BenchRegistrar(long leaseMillis) throws IOException {
     this.reggie =
         new EmbeddedRegistrar(
@@ -52,7 +50,7 @@ final class BenchRegistrar implements AutoCloseable {
                             false,
                             true),
                     "minRenewalInterval",
-                    () -> 1L)) // else a hundred milliseconds more for each service
+                    () -> 1L)) // the default adds 100 ms for each service
             .start();
   }
 
@@ -64,12 +62,15 @@ final class BenchRegistrar implements AutoCloseable {
     return reggie.locator();
   }
 
-  /** How many bytes calls on it have cost so far, both ways. */
+  /** Number of bytes of all calls so far, in both directions. */
   long bytes() {
     return bytes.get();
   }
 
-  /** What a group is told to serve such a module in robot {@code bench}, which joins there. */
+  /**
+   * The activation data with which a group serves such a module of robot {@code bench}, which joins
+   * there.
+   */
   static MarshalledObject<ModuleActivation> activation(
       String name, Class<?> server, Class<?> proxy, Class<?> driver, String locator)
       throws IOException {
@@ -93,7 +94,7 @@ final class BenchRegistrar implements AutoCloseable {
     reggie.close();
   }
 
-  /** Sockets at a free port of the loopback, which count. */
+  /** Byte-counting sockets at a free port of the loopback. */
   private final class Counting extends ServerSocketFactory {
     @Override
     public ServerSocket createServerSocket(int port) throws IOException {

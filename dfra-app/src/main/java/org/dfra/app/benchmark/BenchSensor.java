@@ -15,7 +15,7 @@ import org.dfra.module.Readiness;
 import org.dfra.river.proxy.sensor.GPSProxy;
 import org.dfra.river.server.sensor.GPSServer;
 
-/** A receiver that has a fix whenever the benchmark says so, served as any other. */
+/** A receiver that publishes a fix on request of the benchmark; served like any other receiver. */
 public final class BenchSensor extends SensorImpl implements GPSSensor {
 
   private static final GeoPosition PLACE = new GeoPosition(52, 7, 50);
@@ -24,18 +24,18 @@ public final class BenchSensor extends SensorImpl implements GPSSensor {
 
   private volatile Instant at = Instant.EPOCH;
 
-  /** As every driver is made. */
+  /** Called by the module's server, as for every driver. */
   public BenchSensor(ModuleContext context) {
     super(context, "a receiver of a benchmark", "DFRA", "1", List.of("GpsFix"), List.of());
     MADE.add(this);
   }
 
-  /** The one that a server has made, which made it by its class's name. */
+  /** The instance that a server has created by its class name. */
   static BenchSensor awaitInstance() throws InterruptedException {
     return MADE.take();
   }
 
-  /** Serves one in this virtual machine, as a group would. */
+  /** Serves an instance in this JVM, as a group would. */
   static GPSServer serve(String locator) throws Exception {
     return new GPSServer(
         null,
@@ -51,7 +51,7 @@ public final class BenchSensor extends SensorImpl implements GPSSensor {
   @Override
   protected void onClose() {}
 
-  /** Has a new fix and tells everybody who listens. */
+  /** Publishes a new fix to all listeners. */
   void publish() {
     at = Instant.now();
     publish(fix());

@@ -22,19 +22,19 @@ import org.dfra.river.remote.sensor.RemoteGPSSensor;
 import org.dfra.river.server.sensor.GPSServer;
 
 /**
- * How long a small remote call takes over the loopback, and how much of that is the check of its
- * bytes: the server checks those of the request, the client those of the answer, before an object
- * is built. The checks run alone, on the bytes of one call that was recorded, in rounds that
- * alternate with rounds of calls.
+ * Measures the duration of a small remote call over the loopback, and the share of the stream
+ * check: the server checks the request and the client the response before any object is built. The
+ * check is also timed alone, on the bytes of one recorded call, in rounds that alternate with
+ * rounds of calls.
  */
 final class CallBench implements Bench {
 
   private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
   private static final Duration PATIENCE = Duration.ofSeconds(20);
-  private static final Duration START = Duration.ofSeconds(1); // below the deadline of a call
+  private static final Duration START = Duration.ofSeconds(1); // below the call timeout
   private static final long LEASE = 30_000;
 
-  /** Bytes of a request before its object stream: version of the protocol, and integrity. */
+  /** Bytes of a request before its object stream: protocol version and integrity. */
   private static final int OPENING = 2;
 
   private static final int BUFFER = 1024;
@@ -74,7 +74,7 @@ final class CallBench implements Bench {
     }
   }
 
-  /** One call as the client sends it, and what the server answers. */
+  /** One call as the client sends it, and the server's response. */
   private static Recorded record(RemoteGPSSensor gps, Method method)
       throws IOException, InterruptedException {
     byte[] bytes = CallBytes.of(method);
@@ -121,7 +121,7 @@ final class CallBench implements Bench {
         "ns");
   }
 
-  /** So many calls, each timed, microseconds. */
+  /** Makes this many calls and times each, microseconds. */
   private static void call(RemoteGPSSensor gps, double[] micros, int from) throws IOException {
     for (int i = 0; i < CALLS; i++) {
       long began = System.nanoTime();
@@ -133,7 +133,7 @@ final class CallBench implements Bench {
     }
   }
 
-  /** Processor time of reading an object stream through its check, nanoseconds. */
+  /** CPU time of reading an object stream through its check, nanoseconds. */
   private static double scan(byte[] stream) throws IOException {
     byte[] buffer = new byte[BUFFER];
     long read = 0;

@@ -27,7 +27,7 @@ import org.dfra.river.entry.ModuleEntry;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.lookup.LookupJoin;
 
-/** What the distributed layer costs, with real lookup services on the loopback. */
+/** Measures the cost of the distributed layer, with real lookup services on the loopback. */
 final class DistributedBench implements Bench {
 
   private static final int FEW = 100;
@@ -73,7 +73,7 @@ final class DistributedBench implements Bench {
       double[] many = new double[ROUNDS * LOOKUPS];
       time(small.registrar(), FEW, few, 0); // to warm up
       time(large.registrar(), MANY, many, 0);
-      for (int round = 0; round < ROUNDS; round++) { // in turn: both meet the same noise
+      for (int round = 0; round < ROUNDS; round++) { // in turn: noise affects both equally
         time(small.registrar(), FEW, few, round * LOOKUPS);
         time(large.registrar(), MANY, many, round * LOOKUPS);
       }
@@ -87,7 +87,7 @@ final class DistributedBench implements Bench {
     }
   }
 
-  /** One module of all, by robot and name. */
+  /** Times the look-up of one module by robot and name. */
   private static void time(ServiceRegistrar registrar, int modules, double[] nanos, int from)
       throws IOException {
     for (int i = 0; i < LOOKUPS; i++) {
@@ -174,7 +174,7 @@ final class DistributedBench implements Bench {
         BenchModule module = BenchModule.of(i);
         ids.add(module.id());
         registered[i] = System.nanoTime();
-        reggie.registrar().register(item(module, i), SHORT_LEASE); // and never renewed
+        reggie.registrar().register(item(module, i), SHORT_LEASE); // and not renewed
       }
       try (DirectoryRegistration watch = directory.listen(ModuleQuery.of(Module.class), listener)) {
         if (!seen.await(SHORT_LEASE, TimeUnit.MILLISECONDS)
@@ -222,7 +222,7 @@ final class DistributedBench implements Bench {
         }
         long before = reggie.bytes();
         long began = System.nanoTime();
-        // Nothing happens in this time that could be awaited; it is the time that is measured over.
+        // No condition to wait for: the benchmark measures over this interval.
         new CountDownLatch(1).await(2 * ROBOT_LEASE, TimeUnit.MILLISECONDS);
         double seconds = (System.nanoTime() - began) / 1e9;
         report.figure(

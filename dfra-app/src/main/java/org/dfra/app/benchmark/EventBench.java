@@ -14,13 +14,13 @@ import org.dfra.module.LogLevel;
 import org.dfra.river.server.sensor.GPSServer;
 
 /**
- * How long an event takes from the sensor that publishes it to each of twenty listeners in
- * processes of their own, and whether one that is stopped delays the other nineteen. Rounds with
- * and without the stopped one alternate, so both meet the same noise.
+ * Measures the latency of an event from the publishing sensor to each of twenty listeners in
+ * separate processes, and whether one suspended listener delays the other nineteen. Rounds with and
+ * without the suspended listener alternate, so that noise affects both equally.
  */
 final class EventBench implements Bench {
 
-  /** Events in a second. */
+  /** Events per second. */
   static final int RATE = 10;
 
   private static final long PERIOD = TimeUnit.SECONDS.toNanos(1) / RATE;
@@ -28,17 +28,17 @@ final class EventBench implements Bench {
   private static final int PAIRS = 6;
 
   /**
-   * Enough for the virtual machines to have compiled what they run ever after, as those of a robot
-   * have within minutes; told faster, so that this does not take minutes.
+   * Enough events for the JIT compiler to reach the steady state that a robot's JVM reaches within
+   * minutes; published faster, so that the warm-up does not take minutes.
    */
   private static final int WARM_UP = 1500;
 
   private static final long WARM_UP_PERIOD = PERIOD / 5;
 
-  /** Less than the six seconds of silence after which a listener is given up. */
+  /** Shorter than the six seconds without response after which a listener is dropped. */
   private static final int ROUND = 5 * RATE;
 
-  /** A round's first events are not counted: the one before may not be over. */
+  /** The first events of a round are not counted: the previous round may not be over. */
   private static final int SETTLING = RATE;
 
   private static final double NANOS_PER_MILLI = 1e6;
@@ -49,7 +49,7 @@ final class EventBench implements Bench {
 
   @Override
   public void run(Report report) throws Exception {
-    // That the stopped one cannot be told is what is wanted here, and no news.
+    // The suspended listener cannot receive: this is expected and not an error.
     new LogbackLevels().set(ListenerQueue.class.getName(), LogLevel.ERROR);
     report.say("Starting " + LISTENERS + " processes that listen …");
     List<ListenerProcess> listeners = new ArrayList<>();
@@ -98,7 +98,7 @@ final class EventBench implements Bench {
     }
   }
 
-  /** So many events at a steady rate; returns a period after the last one. */
+  /** Publishes this many events at a steady rate; returns one period after the last. */
   private void publish(BenchSensor sensor, int events, long period) {
     long next = System.nanoTime();
     for (int i = 0; i < events; i++) {

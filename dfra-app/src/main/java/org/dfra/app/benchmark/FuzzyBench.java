@@ -16,8 +16,8 @@ import org.dfra.behaviors.fuzzy.ToolboxCompatibility;
 import org.dfra.behaviors.fuzzy.Variable;
 
 /**
- * How long the waypoint controller's 135 rules take and what they allocate, as they are and with
- * the same rules as a Sugeno system, on inputs drawn evenly from their ranges.
+ * Measures time and allocations of the waypoint controller's 135 rules, as they are and as a Sugeno
+ * system with the same rules, on inputs drawn uniformly from their ranges.
  */
 final class FuzzyBench implements Bench {
 
@@ -47,7 +47,7 @@ final class FuzzyBench implements Bench {
     measure(report, "Sugeno", sugeno(controller).inference());
   }
 
-  /** The same inputs and rules, with a constant in the place of each consequent's set. */
+  /** The same inputs and rules, with a constant instead of each consequent's set. */
   private static FuzzySystem sugeno(FuzzySystem system) {
     return new FuzzySystem(
         system.name() + " as Sugeno",
@@ -58,7 +58,7 @@ final class FuzzyBench implements Bench {
         system.rules());
   }
 
-  /** Terms evenly spread over the range. */
+  /** Terms evenly spaced over the range. */
   private static Variable withConstants(Variable output) {
     List<Term> terms = new ArrayList<>();
     int count = output.terms().size();

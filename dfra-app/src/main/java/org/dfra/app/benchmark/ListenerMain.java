@@ -23,10 +23,10 @@ import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.lookup.JiniModuleDirectory;
 
 /**
- * A process that listens to a receiver and notes when it was told. To {@code clock} on its input it
- * answers what time it is, to {@code letter} when it sent the agent a letter and when it knew that
- * this had come, to {@code report} what it noted, {@code number nanoseconds} in a line, and an
- * empty line.
+ * A process that subscribes to a receiver and records when events arrive. It reads commands from
+ * standard input: {@code clock} prints the current time; {@code letter} sends a message to the
+ * agent and prints when it was sent and when it was acknowledged; {@code report} prints the
+ * recorded times, one {@code number nanoseconds} per line, and an empty line.
  */
 final class ListenerMain {
 
@@ -35,7 +35,7 @@ final class ListenerMain {
 
   private ListenerMain() {}
 
-  /** When the event of this number came. */
+  /** The arrival time of the event with this number. */
   private record ReceivedEvent(long number, long nanos) {}
 
   public static void main(String[] args) throws Exception {
@@ -82,7 +82,7 @@ final class ListenerMain {
         .module();
   }
 
-  /** Returns when it was sent, by {@link System#nanoTime}. */
+  /** Returns the send time, by {@link System#nanoTime}. */
   private static long write(RecruitmentAgent agent, long number) throws RemoteException {
     MessageEnvelope letter =
         new MessageEnvelope(

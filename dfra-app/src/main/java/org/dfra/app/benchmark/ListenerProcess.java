@@ -11,14 +11,14 @@ import java.util.concurrent.TimeUnit;
 import org.dfra.river.bootstrap.JvmCommand;
 import org.jspecify.annotations.Nullable;
 
-/** A {@link ListenerMain} and how it is spoken with. */
+/** A {@link ListenerMain} process and its command protocol. */
 final class ListenerProcess implements AutoCloseable {
 
   private final Process process;
   private final BufferedReader from;
   private final Writer to;
 
-  /** Begins to start it. */
+  /** Starts the process without waiting for it. */
   ListenerProcess(String locator) throws IOException {
     List<String> command = new ArrayList<>(List.of(JvmCommand.java()));
     command.addAll(JvmCommand.options());
@@ -28,7 +28,7 @@ final class ListenerProcess implements AutoCloseable {
     to = process.outputWriter();
   }
 
-  /** Waits until it listens. */
+  /** Waits until it has subscribed. */
   void awaitReady() throws IOException {
     String said = line();
     if (!said.equals("ready")) {
@@ -37,8 +37,8 @@ final class ListenerProcess implements AutoCloseable {
   }
 
   /**
-   * Checks that its {@link System#nanoTime} counts from where this process's does, as it does
-   * between processes of one machine on Linux (CLOCK_MONOTONIC).
+   * Checks that its {@link System#nanoTime} has the same origin as this process's, as between
+   * processes of one machine on Linux (CLOCK_MONOTONIC).
    */
   void checkClock() throws IOException {
     long before = System.nanoTime();
@@ -55,13 +55,16 @@ final class ListenerProcess implements AutoCloseable {
     }
   }
 
-  /** Has it send the agent a letter: when it did, and when it knew it had come, nanoseconds. */
+  /**
+   * Makes it send a message to the agent; returns the send time and the acknowledgement time,
+   * nanoseconds.
+   */
   long[] sendMessage() throws IOException {
     String[] words = ask("letter").split(" ");
     return new long[] {Long.parseLong(words[0]), Long.parseLong(words[1])};
   }
 
-  /** When it was told, in nanoseconds, by the event's number. */
+  /** Arrival times in nanoseconds, by event number. */
   Map<Long, Long> report() throws IOException {
     Map<Long, Long> reported = new HashMap<>();
     for (String line = ask("report"); !line.isEmpty(); line = line()) {

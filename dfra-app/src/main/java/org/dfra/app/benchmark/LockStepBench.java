@@ -29,9 +29,8 @@ import org.dfra.sim.physics.RangeInput;
 import org.dfra.sim.time.LockStep;
 
 /**
- * How much faster than real time a robot's drivers are in lock-step: an hour of one receiver, of
- * one of each kind, and of a laser. What is wanted is far less than an hour; the bound is a
- * hundredth.
+ * Measures how much faster than real time a robot's drivers run in lock-step: an hour of one
+ * receiver, of one device of each kind, and of a laser. The limit is a hundredth of real time.
  */
 final class LockStepBench implements Bench {
 
@@ -105,7 +104,7 @@ final class LockStepBench implements Bench {
         time);
   }
 
-  /** What is measured must have worked. */
+  /** Checks that the measured device worked. */
   private static void requireWork(DeviceImpl driver) {
     if (!driver.readiness().serves() || driver.history().failures() > 0) {
       throw new IllegalStateException(
@@ -116,7 +115,7 @@ final class LockStepBench implements Bench {
   private static void close(AutoCloseable each) {
     try {
       each.close();
-    } catch (Exception e) { // as AutoCloseable declares it; neither ports nor drivers throw any
+    } catch (Exception e) { // declared by AutoCloseable; neither ports nor drivers throw it
       throw new IllegalStateException(e);
     }
   }

@@ -22,11 +22,11 @@ import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates.PreviousResult
 import org.dfra.flow.sensor.CameraImage.Band;
 
 /**
- * How often the mine detector's cameras are right, in a look, and how often they are together. What
- * it measures are the rates of config/modules/mine-detector.properties, each under its name there.
+ * Measures the detection rates of the mine detector's cameras per image, and of both together. It
+ * prints the rates of config/modules/mine-detector.properties, each under its name there.
  *
- * <p>The cameras' rates are of one half of the fields, what both do together with these rates is of
- * the other half.
+ * <p>The rates of each camera come from one half of the fields; the results of both cameras with
+ * these rates come from the other half.
  */
 final class MinesBench implements Bench {
 
@@ -62,7 +62,7 @@ final class MinesBench implements Bench {
         new DempsterShaferFusion(PRIOR),
         rates,
         second,
-        Double.POSITIVE_INFINITY, // it is here to be compared
+        Double.POSITIVE_INFINITY, // included for comparison
         Double.POSITIVE_INFINITY);
   }
 

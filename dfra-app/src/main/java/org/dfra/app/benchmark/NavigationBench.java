@@ -40,8 +40,8 @@ import org.dfra.sim.world.file.WorldXml;
 import org.dfra.sim.world.shape.Vertex;
 
 /**
- * How well robots search a field by raster: many searches in lock-step, each from another seed,
- * under several conditions, one of which must go wrong.
+ * Measures how well robots search a field by raster: many searches in lock-step, each with another
+ * seed, under several conditions, one of which must fail.
  */
 final class NavigationBench implements Bench {
 
@@ -55,13 +55,13 @@ final class NavigationBench implements Bench {
   private static final int POSTS = 8;
 
   /**
-   * What is different from run to run of one kind.
+   * The condition of a series of runs.
    *
-   * @param robots that search
-   * @param posts in the field
+   * @param robots the searching robots
+   * @param posts number of posts in the field
    * @param bias of the receivers, metres
-   * @param adapt makes of each robot what it is here
-   * @param endsAtCollision whether it ends with the first
+   * @param adapt changes each robot's description for this condition
+   * @param endsAtCollision whether a run ends at the first collision
    */
   private record Condition(
       String name,
@@ -97,10 +97,10 @@ final class NavigationBench implements Bench {
           true);
 
   /**
-   * What became of one seed under one condition.
+   * The result of one seed under one condition.
    *
-   * @param coverage share of the region that the robot saw that saw least
-   * @param together share of the region that one of the robots saw
+   * @param coverage share of the region that the robot with the smallest coverage saw
+   * @param together share of the region that the robots saw together
    */
   private record Outcome(
       Condition condition,
@@ -127,8 +127,8 @@ final class NavigationBench implements Bench {
   private final Path folder;
 
   /**
-   * @param seeds how many, from 1 on
-   * @param folder of its report
+   * @param seeds number of seeds, from 1 on
+   * @param folder for its report
    */
   NavigationBench(int seeds, Path folder) {
     this.seeds = seeds;
@@ -217,7 +217,7 @@ final class NavigationBench implements Bench {
                 condition.endsAtCollision())
             .run(now -> {});
     List<Scores> scores = new ArrayList<>();
-    List<LocalPosition> driven = new ArrayList<>(); // the second begins where the first ends
+    List<LocalPosition> driven = new ArrayList<>(); // halves share the waypoint
     for (int i = 0; i < flight.robots().size(); i++) {
       RobotMissionResult each = flight.robots().get(i);
       scores.add(Scores.of(each, scenario.plan(i)));
@@ -233,7 +233,7 @@ final class NavigationBench implements Bench {
         scenario.plan().coverage(driven, SWATH).share());
   }
 
-  /** The robot, told how far its receivers are off. */
+  /** The robot's description with the known receiver error. */
   private static RobotDescription knowing(RobotDescription robot, double bias) {
     return ScenarioVariations.withParameter(
         robot, LocalMission.STEERING, "gps_bias", Double.toString(bias));
@@ -275,7 +275,7 @@ final class NavigationBench implements Bench {
         "not seen by the robot that saw least",
         outcomes,
         o -> 1 - o.coverage(),
-        condition == CROWDED ? Double.POSITIVE_INFINITY : 0.02, // what is avoided is not seen
+        condition == CROWDED ? Double.POSITIVE_INFINITY : 0.02, // an avoided area is not seen
         "");
     if (condition.robots() > 1) {
       mean(

@@ -30,8 +30,8 @@ import org.dfra.sim.device.laser.LmsDevice;
 import org.dfra.sim.device.laser.LmsEmulatorSettings;
 
 /**
- * How fast the devices' parsers are, on what the emulated devices say in five minutes, in pieces of
- * a driver's buffer. 20 ns for a byte are 50 MB/s.
+ * Measures the throughput of the device parsers on five minutes of output of the emulated devices,
+ * in blocks of a driver's buffer size. 20 ns per byte are 50 MB/s.
  */
 final class ParserBench implements Bench {
 
@@ -45,7 +45,7 @@ final class ParserBench implements Bench {
   private static final double MOST_NANOS_PER_BYTE = 20;
   private static final MeasuringMode MODE = MeasuringMode.of(0).orElseThrow();
 
-  /** Takes bytes. */
+  /** Consumes bytes. */
   @FunctionalInterface
   private interface Feed {
     void bytes(byte[] bytes, int offset, int length);
@@ -106,7 +106,7 @@ final class ParserBench implements Bench {
     report.say(messages.get() + " messages were decoded, " + beams.get() + " beams in them.");
   }
 
-  /** A room around the laser, whose far wall is out of its sight. */
+  /** A room around the laser; its far wall is out of range. */
   private static void room(
       Instant time, double first, double step, double longest, double[] distances) {
     for (int i = 0; i < distances.length; i++) {
@@ -114,7 +114,7 @@ final class ParserBench implements Bench {
     }
   }
 
-  /** What the device says when it has been told so much. */
+  /** The device's output after these requests. */
   private static byte[] record(SerialDevice device, List<byte[]> commands) {
     ByteArrayOutputStream all = new ByteArrayOutputStream();
     device.connected();

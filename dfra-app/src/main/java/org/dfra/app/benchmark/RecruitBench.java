@@ -21,30 +21,29 @@ import org.dfra.recruit.transport.LogNormalDelay;
 import org.dfra.river.server.sensor.GPSServer;
 
 /**
- * How many messages a hundred agents exchange in one virtual machine, and how long a letter and an
- * event are on their way between two. The experiment takes the letters' as they are; how far the
- * best log-normal distribution is from them is told beside.
+ * Measures the number of messages that a hundred agents exchange in one JVM, and the delay of a
+ * message and of an event between two processes. The experiment uses the measured message delays
+ * directly; the fit error of the best log-normal distribution is reported for comparison.
  */
 final class RecruitBench implements Bench {
 
   private static final int AGENTS = 100;
-  private static final int MINUTES = 10; // of the agents' time, in a round
-  private static final int ROUNDS = 7; // after as many to warm up
+  private static final int MINUTES = 10; // of the agents' time, per round
+  private static final int ROUNDS = 7; // after the same number to warm up
   private static final double MESSAGES = 10_000;
 
   private static final int WARM_UP = 1000;
   private static final int MEASURED = 2000;
 
-  /** From one to the next, nanoseconds: threads sleep in between, as between letters. */
+  /** Send period, nanoseconds: threads sleep in between, as between messages. */
   private static final long PERIOD = TimeUnit.MILLISECONDS.toNanos(30);
 
   private static final long LEASE = 30_000;
   private static final double NANOS_PER_SECOND = 1e9;
 
   /**
-   * @param share of all
-   * @param deviations how many standard deviations it lies above the middle of a normal
-   *     distribution
+   * @param share share of all values
+   * @param deviations number of standard deviations above the mean of a normal distribution
    */
   private record Quantile(double share, double deviations) {}
 
@@ -53,16 +52,14 @@ final class RecruitBench implements Bench {
 
   private final Path folder;
 
-  /**
-   * @param folder that the delays are written to
-   */
+  /** @param folder for the delays */
   RecruitBench(Path folder) {
     this.folder = folder;
   }
 
   @Override
   public void run(Report report) throws Exception {
-    // That the other process ends before the module does is no news.
+    // The other process exits before the module does: this is expected.
     new LogbackLevels().set(ListenerQueue.class.getName(), LogLevel.ERROR);
     Files.createDirectories(folder);
     rate(report);
@@ -98,7 +95,7 @@ final class RecruitBench implements Bench {
     report.figure("messages in a second", MESSAGES / median, "");
   }
 
-  /** From the sender's thread to the agent's, seconds; the answer's way is not in it. */
+  /** Delays from the sender's thread to the agent's thread, seconds; without the response. */
   private static double[] letters(BenchAgent agent, ListenerProcess sender) throws IOException {
     double[] delays = new double[MEASURED];
     for (int i = -WARM_UP; i < MEASURED; i++) {
@@ -111,7 +108,7 @@ final class RecruitBench implements Bench {
     return delays;
   }
 
-  /** From the module to the listener, seconds. */
+  /** Delays from the module to the listener, seconds. */
   private static double[] events(BenchSensor sensor, ListenerProcess listener) throws IOException {
     long[] published = new long[WARM_UP + MEASURED + 1]; // by number, from 1
     long next = System.nanoTime();

@@ -6,7 +6,7 @@ import org.dfra.app.measurement.MeasuredValue;
 import org.dfra.app.measurement.RunMeasurements;
 import org.dfra.text.PrintableText;
 
-/** What a benchmark has measured, printed as it comes. */
+/** The measurements of a benchmark, printed as they are taken. */
 final class Report {
 
   private final PrintWriter out;
@@ -16,30 +16,30 @@ final class Report {
     this.out = out;
   }
 
-  /** Says what is being done. */
+  /** Prints a progress message. */
   void say(String sentence) {
     out.println(PrintableText.line(sentence));
     out.flush();
   }
 
-  /** Notes a figure that is only stated. */
+  /** Records a value without a target. */
   void figure(String what, double measured, String unit) {
     figure(what, measured, Double.POSITIVE_INFINITY, unit);
   }
 
-  /** Notes a figure that should be at most so much. */
+  /** Records a value with an upper target. */
   void figure(String what, double measured, double most, String unit) {
     MeasuredValue figure = new MeasuredValue(what, measured, most, unit);
     figures.add(figure);
     say(figure.line());
   }
 
-  /** All of them. */
+  /** All measurements. */
   RunMeasurements figures() {
     return figures;
   }
 
-  /** The value that this part of all values does not exceed; 0.5 gives the median. */
+  /** The quantile for this share of the values; 0.5 gives the median. */
   static double quantile(double[] values, double part) {
     double[] sorted = values.clone();
     Arrays.sort(sorted);

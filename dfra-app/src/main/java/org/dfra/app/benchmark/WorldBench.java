@@ -25,9 +25,9 @@ import org.dfra.sim.world.shape.Polygon;
 import org.dfra.sim.world.shape.Vertex;
 
 /**
- * How fast a simulated world is: robots that drive about among posts, hedges and each other, every
- * one scanning with its laser, and the pictures of cameras. All of it is one thread's processor
- * time, in steps of a second of the world; the first half warms up.
+ * Measures the speed of a simulated world: robots drive among posts, hedges and each other, each
+ * scans with its laser, and cameras take images. All values are CPU time of one thread, per second
+ * of simulated time; the first half warms up.
  */
 final class WorldBench implements Bench {
 

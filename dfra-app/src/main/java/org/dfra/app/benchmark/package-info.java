@@ -1,6 +1,6 @@
 /**
- * The benchmarks: each measures what the requirements put a figure on, prints it beside what is
- * wanted, and appends it to a CSV file if asked to. Enter at {@link
+ * The benchmarks: each measures quantities for which the requirements state a target, prints them
+ * beside the target, and optionally appends them to a CSV file. Entry point: {@link
  * org.dfra.app.benchmark.BenchCommand}.
  */
 @NullMarked

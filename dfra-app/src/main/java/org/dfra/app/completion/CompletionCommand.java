@@ -24,23 +24,23 @@ public final class CompletionCommand implements Callable<Integer> {
 
   private static final String NAME = "dfra";
 
-  /** The shells that are known. One script serves them: zsh reads bash's by its bashcompinit. */
+  /** The supported shells. One script serves both: zsh reads the Bash script by bashcompinit. */
   enum Shell {
     bash,
     zsh
   }
 
   @Parameters(paramLabel = "SHELL", description = "${COMPLETION-CANDIDATES}.")
-  @SuppressWarnings({"NullAway.Init", "UnusedVariable"}) // picocli sets it; both get the same
+  @SuppressWarnings({"NullAway.Init", "UnusedVariable"}) // set by picocli; same for both
   private Shell shell;
 
   @Spec
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandSpec spec;
 
   @Override
   public Integer call() {
-    // A command line of its own, since the verbs of the script are no part of the one that runs.
+    // A separate command line, since the running one does not contain the script's subcommands.
     CommandLine whole = new CommandLine(spec.root().userObject());
     ScriptVerbs.addTo(whole);
     PrintWriter out = spec.commandLine().getOut();

@@ -1,4 +1,4 @@
-/** Completion of {@code ./dfra} in shells. */
+/** Shell completion of {@code ./dfra}. */
 @NullMarked
 package org.dfra.app.completion;
 

@@ -29,7 +29,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code ./dfra demo}: runs a demonstration, two robots that search where none is named. */
+/** {@code ./dfra demo}: runs a demonstration; by default the search with two robots. */
 @Command(
     name = "demo",
     description = "Runs a demonstration on this machine.",
@@ -49,10 +49,10 @@ import picocli.CommandLine.Spec;
     })
 public final class DemoCommand implements Callable<Integer> {
 
-  /** By name, that which is played where none is named first. */
+  /** By name; the first is the default. */
   private final Map<String, BiFunction<ProgressReporter, Path, Demo>> demos = new LinkedHashMap<>();
 
-  /** Knows them all; plays none. */
+  /** Lists all demonstrations; runs none. */
   public DemoCommand() {
     demos.put("raster", (narration, folder) -> RasterDemo.of(narration, raster, folder));
     demos.put("recruit", (narration, folder) -> RecruitDemo.of(narration, raster.speed(), folder));
@@ -76,11 +76,11 @@ public final class DemoCommand implements Callable<Integer> {
   @Mixin private final RasterOptions raster = new RasterOptions();
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private RecordOption record;
 
   @Spec
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandSpec spec;
 
   @Override
@@ -107,7 +107,7 @@ public final class DemoCommand implements Callable<Integer> {
     return verdict.passed() ? ExitCode.SUCCESS : ExitCode.FAILED;
   }
 
-  /** Options of the raster are understood with it only. */
+  /** The raster options are valid with demonstration raster only. */
   private void refuseOptionsOfOthers(String chosen) {
     if (chosen.equals("raster")) {
       return;

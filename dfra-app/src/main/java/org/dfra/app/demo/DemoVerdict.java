@@ -10,10 +10,10 @@ import org.dfra.app.measurement.MeasuredValue;
 import org.dfra.app.measurement.RunMeasurements;
 
 /**
- * Whether a demonstration has gone well by its figures. What must be true decides; times do only
- * where it is strict, since they depend on what else the computer does.
+ * Whether the measurements of a demonstration passed. Requirements always decide; timing targets
+ * count only in strict mode, since times depend on the load of the computer.
  *
- * @param isStrict whether a missed time is a failure too
+ * @param isStrict whether a missed time target is a failure too
  */
 record DemoVerdict(RunMeasurements figures, boolean isStrict) {
 
@@ -22,10 +22,10 @@ record DemoVerdict(RunMeasurements figures, boolean isStrict) {
   }
 
   /**
-   * What is said below the figures.
+   * The sentences below the measurements.
    *
-   * @param pace what this computer can do now, as a share of the one that the times are for; asked
-   *     for only where there are times
+   * @param pace current speed of this computer, as a fraction of the reference of the time targets;
+   *     evaluated only if there are times
    */
   List<String> sentences(DoubleSupplier pace) {
     List<String> all = new ArrayList<>();

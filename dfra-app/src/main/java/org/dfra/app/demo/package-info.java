@@ -1,6 +1,7 @@
 /**
- * The demonstrations: each one runs real processes, tells what it does in plain sentences with
- * measured times, and leaves nothing behind. Enter at {@link org.dfra.app.demo.DemoCommand}.
+ * The demonstrations: each one runs real processes, reports its steps in plain sentences with
+ * measured times, and cleans up everything it started. Entry point: {@link
+ * org.dfra.app.demo.DemoCommand}.
  */
 @NullMarked
 package org.dfra.app.demo;

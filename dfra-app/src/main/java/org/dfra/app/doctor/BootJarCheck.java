@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
-/** Whether the boot loader, and no other, defines {@code java.rmi.activation}. */
+/** Checks that only the boot loader defines {@code java.rmi.activation}. */
 final class BootJarCheck implements Check {
 
   private static final String PROBE = "java.rmi.activation.ActivationID";
@@ -20,15 +20,15 @@ final class BootJarCheck implements Check {
   private final Optional<String> jar;
 
   /**
-   * @param classes where the class is looked for
-   * @param jar the jar that the launcher has put on the boot class path, where it tells
+   * @param classes looks up the class
+   * @param jar the jar that the launcher has put on the boot class path, if known
    */
   BootJarCheck(ClassFinder classes, Optional<String> jar) {
     this.classes = classes;
     this.jar = jar;
   }
 
-  /** What this process has. */
+  /** The check for this process. */
   static BootJarCheck ofThisProcess() {
     return new BootJarCheck(Class::forName, Optional.ofNullable(System.getProperty("dfra.boot")));
   }

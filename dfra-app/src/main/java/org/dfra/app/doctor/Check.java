@@ -2,12 +2,12 @@ package org.dfra.app.doctor;
 
 import java.util.List;
 
-/** Looks at one thing. It changes nothing, and ends within three seconds. */
+/** Checks one aspect. It changes nothing, and ends within three seconds. */
 interface Check {
 
-  /** What it looks at. */
+  /** The checked subject. */
   Subject subject();
 
-  /** Looks. */
+  /** Runs the check. */
   List<Finding> run() throws InterruptedException;
 }

@@ -10,10 +10,10 @@ import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
-/** Runs all checks at once. */
+/** Runs all checks in parallel. */
 final class CheckRunner {
 
-  /** No check takes so long, unless the computer itself does not answer. */
+  /** No check takes this long, unless the computer itself does not respond. */
   private static final Duration PATIENCE = Duration.ofSeconds(30);
 
   private CheckRunner() {}
@@ -47,7 +47,7 @@ final class CheckRunner {
       return running.get(PATIENCE.toMillis(), TimeUnit.MILLISECONDS);
     } catch (ExecutionException e) {
       if (e.getCause() instanceof RuntimeException failure) {
-        throw failure; // nobody's to mend but ours
+        throw failure; // an internal error
       }
       throw new IllegalStateException("the check of " + subject.id() + " failed", e.getCause());
     } catch (TimeoutException e) {

@@ -5,24 +5,24 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** How far the robots' clocks are off this computer's. */
+/** Checks the offsets between the robots' clocks and this computer's. */
 final class ClockCheck implements Check {
 
-  /** A robot drives a hand's breadth meanwhile: what others report is then seen elsewhere. */
+  /** A robot moves about 10 cm in this time: others then see its reports at the wrong place. */
   private static final Duration WARN_OFFSET = Duration.ofMillis(100);
 
-  /** A drive command that is older is a stop. */
+  /** The drive treats a command older than this as a stop. */
   private static final Duration FAIL_OFFSET = Duration.ofMillis(500);
 
   /**
    * A robot's clock.
    *
    * @param robot its name
-   * @param offset what was measured; null where none of its modules answered
+   * @param offset the measured offset; null if none of its modules answered
    */
   record RobotClock(String robot, @Nullable NtpClockOffset offset) {}
 
-  /** Measures the clocks of all robots that are found. */
+  /** Measures the clocks of all discovered robots. */
   interface ClockProbe {
     List<RobotClock> measure() throws InterruptedException;
   }

@@ -38,24 +38,24 @@ import picocli.CommandLine.Spec;
     })
 public final class DoctorCommand implements Callable<Integer> {
 
-  /** A phoenix that does not answer on its own host within this time has been stopped, or hangs. */
+  /** A phoenix that does not answer on its own host within this time is suspended or hangs. */
   private static final Duration DEADLINE = Duration.ofSeconds(2);
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private TeamOptions team;
 
   @Spec
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandSpec spec;
 
-  /** A finding as it is told to programs. */
+  /** A finding in JSON output. */
   record FindingView(String subject, String verdict, String what, @Nullable String remedy) {}
 
   /**
    * All findings.
    *
-   * @param ok whether none is a failure
+   * @param ok whether none of them is a failure
    */
   record Report(boolean ok, List<FindingView> findings) {}
 
@@ -105,7 +105,7 @@ public final class DoctorCommand implements Callable<Integer> {
     }
   }
 
-  /** The ports that phoenix and the robots of this host need, or else what they usually are. */
+  /** The ports that phoenix and the robots of this host need, or else the default ports. */
   private Map<Integer, String> ports(PhoenixProcess phoenix) throws IOException {
     Map<Integer, String> uses = new LinkedHashMap<>();
     uses.put(phoenix.port(), "phoenix");
@@ -122,7 +122,7 @@ public final class DoctorCommand implements Callable<Integer> {
                 uses.put(registrar.classes(), robot.name() + "'s class server");
               });
     }
-    uses.remove(0); // one of the system's choice, or none
+    uses.remove(0); // chosen by the system, or none
     if (uses.size() == ofPhoenix) {
       uses.put(RegistrarDescription.DEFAULT_PORT, "a registrar");
       uses.put(RegistrarDescription.DEFAULT_CLASS_SERVER_PORT, "a class server");

@@ -3,7 +3,7 @@ package org.dfra.app.doctor;
 import java.time.Duration;
 import java.util.Locale;
 
-/** Short spans of time, for people. */
+/** Short durations as text. */
 final class DurationText {
 
   private DurationText() {}

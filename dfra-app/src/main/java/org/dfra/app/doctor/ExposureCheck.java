@@ -8,8 +8,9 @@ import org.dfra.core.config.RobotDescription;
 import org.dfra.river.bootstrap.HostAddress;
 
 /**
- * Which robots of this computer others can reach, and who may administer them: callers prove
- * nothing yet, so every program on the network of such a robot can read it, command it and stop it.
+ * Checks which robots of this computer can be reached from the network, and which hosts may
+ * administer them: calls are not authenticated yet, so every program on such a robot's network can
+ * read it, command it and stop it.
  */
 final class ExposureCheck implements Check {
 
@@ -20,15 +21,15 @@ final class ExposureCheck implements Check {
 
   /**
    * @param robots the robots of this computer
-   * @param addresses the address that is used for a host of a description; throws a {@link
-   *     ConfigurationException} where there is none
+   * @param addresses resolves a host of a description to its address; throws a {@link
+   *     ConfigurationException} if there is none
    */
   ExposureCheck(List<RobotDescription> robots, UnaryOperator<String> addresses) {
     this.robots = List.copyOf(robots);
     this.addresses = addresses;
   }
 
-  /** Of robots as they are known on this computer. */
+  /** The check for robots that are known on this computer. */
   static ExposureCheck of(List<RobotDescription> robots) {
     return new ExposureCheck(robots, HostAddress::resolve);
   }

@@ -8,7 +8,7 @@ import java.util.OptionalLong;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** How many files and sockets a process may have open, as Linux tells it in /proc/self/limits. */
+/** Checks the limit of open files and sockets of a process, from Linux's /proc/self/limits. */
 final class FileDescriptorCheck implements Check {
 
   /** A group with a registrar, a class server and a listener for each module needs hundreds. */
@@ -19,14 +19,12 @@ final class FileDescriptorCheck implements Check {
 
   private final Path limits;
 
-  /**
-   * @param limits the file with a process's limits; where there is none, nothing is found
-   */
+  /** @param limits the file with a process's limits; if it does not exist, there are no findings */
   FileDescriptorCheck(Path limits) {
     this.limits = limits;
   }
 
-  /** The limit of this process, which those that it starts inherit. */
+  /** The limit of this process, which its child processes inherit. */
   static FileDescriptorCheck ofThisProcess() {
     return new FileDescriptorCheck(Path.of("/proc/self/limits"));
   }
@@ -61,7 +59,7 @@ final class FileDescriptorCheck implements Check {
       Matcher limit = LIMIT.matcher(Files.readString(limits));
       return limit.find() ? OptionalLong.of(Long.parseLong(limit.group(1))) : OptionalLong.empty();
     } catch (IOException e) {
-      return OptionalLong.empty(); // another system than Linux
+      return OptionalLong.empty(); // not Linux
     }
   }
 }

@@ -3,10 +3,10 @@ package org.dfra.app.doctor;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a check has found.
+ * The result of a check.
  *
- * @param what is, in one clause without a full stop
- * @param remedy what to do about it, in one sentence; null where all is well
+ * @param what the state, in one clause without a full stop
+ * @param remedy what the user should do, in one sentence; null if all is well
  */
 record Finding(Subject subject, Verdict verdict, String what, @Nullable String remedy) {
 
@@ -23,9 +23,9 @@ record Finding(Subject subject, Verdict verdict, String what, @Nullable String r
   }
 
   /**
-   * A failure that tells itself what is wrong and, after a semicolon, what to do.
+   * A failure whose exception gives the cause and, after a semicolon, the remedy.
    *
-   * @param otherwise what to do where it does not tell
+   * @param otherwise the remedy if the message has none
    */
   static Finding fail(Subject subject, Exception failure, String otherwise) {
     String sentence = failure.getMessage() == null ? failure.toString() : failure.getMessage();

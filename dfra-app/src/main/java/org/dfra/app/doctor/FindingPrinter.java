@@ -8,7 +8,7 @@ import org.dfra.text.PrintableText;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Help.Ansi;
 
-/** Findings as lines for people. */
+/** Findings as lines of text output. */
 final class FindingPrinter {
 
   private static final int VERDICT_WIDTH = 6;
@@ -23,7 +23,7 @@ final class FindingPrinter {
 
   /**
    * @param ansi whether the terminal has colours
-   * @param columns most of a line
+   * @param columns maximum width of a line
    */
   FindingPrinter(Ansi ansi, int columns) {
     this.ansi = ansi;

@@ -6,30 +6,28 @@ import java.util.List;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.river.bootstrap.HostAddress;
 
-/** What this computer's own name stands for, and which address proxies carry. */
+/** Checks what this computer's own name resolves to, and which address proxies contain. */
 final class HostCheck implements Check {
 
-  /** What a name stands for. */
+  /** Resolves names. */
   interface HostResolver {
-    /** This computer, by its own name. */
+    /** This computer's address, by its own name. */
     InetAddress ownName() throws UnknownHostException;
 
-    /** The address that proxies carry where this one is wanted. */
+    /** The address that proxies contain for this setting. */
     String advertisedAddress(String wanted);
   }
 
   private final HostResolver names;
   private final String wanted;
 
-  /**
-   * @param wanted address or name that was asked for, or {@code auto}
-   */
+  /** @param wanted configured address or name, or {@code auto} */
   HostCheck(HostResolver names, String wanted) {
     this.names = names;
     this.wanted = wanted;
   }
 
-  /** This computer. */
+  /** The check for this computer. */
   static HostCheck ofThisComputer(String wanted) {
     return new HostCheck(
         new HostResolver() {

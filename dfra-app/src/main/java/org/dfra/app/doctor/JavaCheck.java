@@ -6,18 +6,18 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 
 /**
- * Which Java runs DFRA.
+ * Checks which Java runs DFRA.
  *
  * @param feature its feature number, such as 17
- * @param version as it tells it itself
+ * @param version its version string
  * @param home its folder
- * @param modules what it consists of
+ * @param modules its Java modules
  */
 record JavaCheck(int feature, String version, String home, Set<String> modules) implements Check {
 
   private static final int LEAST = 17;
 
-  /** What a runtime that was made by jlink may lack. */
+  /** Modules that a runtime made by jlink may lack. */
   private static final Set<String> NEEDED =
       Set.of(
           "java.logging",
@@ -31,7 +31,7 @@ record JavaCheck(int feature, String version, String home, Set<String> modules) 
     modules = Set.copyOf(modules);
   }
 
-  /** The Java that runs this. */
+  /** The Java that runs this process. */
   static JavaCheck ofThisProcess() {
     return new JavaCheck(
         Runtime.version().feature(),

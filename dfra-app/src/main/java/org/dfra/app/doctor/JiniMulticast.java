@@ -21,9 +21,9 @@ import net.jini.core.lookup.ServiceID;
 import net.jini.discovery.Constants;
 
 /**
- * Multicast as lookup services and those who look for them use it: 224.0.1.85 for requests,
- * 224.0.1.84 for announcements, UDP port 4160. A request is sent for a group that nobody has, so
- * nobody answers.
+ * Multicast as lookup services and their clients use it: 224.0.1.85 for requests, 224.0.1.84 for
+ * announcements, UDP port 4160. The request is for a group that does not exist, so no lookup
+ * service answers.
  */
 final class JiniMulticast implements MulticastCheck.Network {
 

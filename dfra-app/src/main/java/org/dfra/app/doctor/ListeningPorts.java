@@ -14,8 +14,8 @@ import java.util.stream.Stream;
 import org.dfra.app.doctor.PortCheck.PortUser;
 
 /**
- * Who listens on this computer's TCP ports, as Linux tells it in /proc. Elsewhere only whether
- * somebody does.
+ * Finds the processes that listen on this computer's TCP ports, from Linux's /proc. On other
+ * systems it only finds whether a port is in use.
  */
 final class ListeningPorts implements PortCheck.PortProbe {
 
@@ -84,7 +84,7 @@ final class ListeningPorts implements PortCheck.PortProbe {
         }
       }
     } catch (IOException e) {
-      return new PortUser(-1, "", false); // it is not told
+      return new PortUser(-1, "", false); // not available
     }
     return new PortUser(-1, "", false);
   }
@@ -99,7 +99,7 @@ final class ListeningPorts implements PortCheck.PortProbe {
       }
       return false;
     } catch (IOException e) {
-      return false; // another user's, or it has ended
+      return false; // another user's, or it has exited
     }
   }
 
@@ -107,7 +107,7 @@ final class ListeningPorts implements PortCheck.PortProbe {
     try {
       return String.join(" ", List.of(Files.readString(process.resolve("cmdline")).split("\0")));
     } catch (IOException e) {
-      return ""; // it has ended
+      return ""; // it has exited
     }
   }
 

@@ -9,16 +9,16 @@ import org.dfra.river.lookup.ModuleConflict;
 import org.dfra.river.lookup.UnreadableModule;
 
 /**
- * Which modules cannot be used: they are not ready, or their classes are refused here. And which
- * are listed differently by several lookup services.
+ * Checks which modules cannot be used: they are not ready, or their classes are refused here. Also
+ * finds modules that several lookup services list differently.
  */
 final class ModuleCheck implements Check {
 
   /**
    * The modules that cannot be used.
    *
-   * @param unready those that do not serve
-   * @param unreadable those whose proxies cannot be read here
+   * @param unready those that are not ready
+   * @param unreadable those whose proxies cannot be deserialized here
    * @param conflicts those that several lookup services list differently
    */
   record UnusableModules(
@@ -26,7 +26,7 @@ final class ModuleCheck implements Check {
       List<UnreadableModule> unreadable,
       List<ModuleConflict> conflicts) {}
 
-  /** Looks for them. */
+  /** Finds them. */
   interface ModuleProbe {
     UnusableModules unusable() throws InterruptedException;
   }
@@ -47,7 +47,7 @@ final class ModuleCheck implements Check {
     UnusableModules unusable = modules.unusable();
     List<Finding> findings = new ArrayList<>();
     for (UnreadyModule each : unusable.unready()) {
-      if (each.state() != Readiness.PAUSED) { // that is somebody's will
+      if (each.state() != Readiness.PAUSED) { // stopped on purpose
         findings.add(of(each));
       }
     }
@@ -85,7 +85,7 @@ final class ModuleCheck implements Check {
         : Finding.warn(subject(), what, mend);
   }
 
-  /** A sentence that may say after a semicolon what to do. */
+  /** A sentence that may contain a remedy after a semicolon. */
   private static final class Reason {
 
     static String what(String reason) {

@@ -5,21 +5,24 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 
-/** Whether lookup services can be found by group: whether what is sent by multicast is heard. */
+/**
+ * Checks whether lookup services can be discovered by group: whether multicast datagrams are
+ * received.
+ */
 final class MulticastCheck implements Check {
 
-  /** How long what was sent is listened for. */
+  /** How long the check waits for its own datagram. */
   static final Duration PATIENCE = Duration.ofMillis(500);
 
-  /** The computer's network, as far as multicast goes. */
+  /** The multicast capability of the computer's network. */
   interface Network {
-    /** The interfaces that are up, not the loopback and capable of multicast, by name. */
+    /** Names of the interfaces that are up, not the loopback and capable of multicast. */
     List<String> interfaces() throws IOException;
 
     /**
-     * Sends a request for a group that nobody has, and listens for it.
+     * Sends a request for a group that does not exist, and waits to receive it.
      *
-     * @return how long it took, or empty if it was not heard
+     * @return the round-trip time, or empty if it was not received
      */
     Optional<Duration> roundTrip(String networkInterface) throws IOException;
   }
@@ -27,9 +30,7 @@ final class MulticastCheck implements Check {
   private final Network network;
   private final List<String> groups;
 
-  /**
-   * @param groups the discovery groups that are wanted; none if empty
-   */
+  /** @param groups the requested discovery groups; none if empty */
   MulticastCheck(Network network, List<String> groups) {
     this.network = network;
     this.groups = groups;

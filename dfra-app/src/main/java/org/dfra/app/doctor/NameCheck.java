@@ -6,12 +6,12 @@ import java.util.Map;
 import java.util.Set;
 import org.dfra.app.team.DuplicateRobotNames;
 
-/** Whether each robot of the team has a name of its own. */
+/** Checks whether the robots of the team have unique names. */
 final class NameCheck implements Check {
 
-  /** Looks for robots that share a name. */
+  /** Finds robots that share a name. */
   interface NameProbe {
-    /** The hosts of each name that more than one robot has. */
+    /** The hosts for each name that more than one robot has. */
     Map<String, List<String>> hostsByDuplicateName() throws InterruptedException;
   }
 

@@ -7,28 +7,28 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 
 /**
- * How far another clock is off this computer's, measured as NTP does (RFC 5905, section 8): of
- * several questions the one with the quickest answer counts, and the answer is taken to be of the
- * middle of its round trip.
+ * The offset between another clock and this computer's, measured as by NTP (RFC 5905, section 8):
+ * of several requests the one with the shortest round trip counts, and its time stamp is taken to
+ * be from the middle of the round trip.
  *
- * @param offset positive where the other clock is ahead
- * @param uncertainty half the round trip: the offset is wrong by so much at most
+ * @param offset positive if the other clock is ahead
+ * @param uncertainty half the round trip: the maximum error of the offset
  */
 record NtpClockOffset(Duration offset, Duration uncertainty) {
 
-  /** By how much the clocks differ at the least. */
+  /** Lower bound of the absolute offset. */
   Duration atLeast() {
     Duration least = offset.abs().minus(uncertainty);
     return least.isNegative() ? Duration.ZERO : least;
   }
 
   /**
-   * Asks another clock.
+   * Queries another clock.
    *
-   * @param times how often, at least once
-   * @param other tells the time there
+   * @param times number of requests, at least 1
+   * @param other returns the time there
    * @param here this computer's clock
-   * @throws Exception what the other clock throws
+   * @throws Exception thrown by the other clock
    */
   static NtpClockOffset measure(int times, Callable<Instant> other, InstantSource here)
       throws Exception {

@@ -8,25 +8,25 @@ import java.util.OptionalLong;
 import org.dfra.river.bootstrap.NoAnswerException;
 import org.dfra.river.phoenix.GroupStatus;
 
-/** Whether this host's phoenix answers, and how its groups are. */
+/** Checks whether this host's phoenix answers, and the state of its groups. */
 final class PhoenixCheck implements Check {
 
   /** The phoenix of this host. */
   interface Daemon {
-    /** Where it is asked, as {@code host:port}. */
+    /** Its address, {@code host:port}. */
     String address();
 
     /** The process that owns the journal, if there is one. */
     OptionalLong pid();
 
     /**
-     * How its groups are.
+     * The status of its groups.
      *
-     * @throws AccessException if it is another user's
+     * @throws AccessException if it belongs to another user
      */
     List<GroupStatus> groups() throws RemoteException;
 
-    /** The file with what it says. */
+    /** Its log file. */
     String log();
   }
 

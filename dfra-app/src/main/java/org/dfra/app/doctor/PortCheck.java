@@ -5,30 +5,28 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** Whether the ports that a robot needs are free, or held by DFRA itself. */
+/** Checks whether the ports that a robot needs are free, or used by DFRA itself. */
 final class PortCheck implements Check {
 
   /**
-   * Who listens on a port.
+   * The process that listens on a port.
    *
-   * @param pid process number, or −1 where the system does not tell, as of other users' processes
-   * @param command what it runs; empty where that is not told
+   * @param pid process ID, or −1 if unknown, for example for other users' processes
+   * @param command its command line; empty if unknown
    * @param isDfra whether it is a process of DFRA
    */
   record PortUser(long pid, String command, boolean isDfra) {}
 
-  /** Who listens where. */
+  /** Finds the processes that listen on ports. */
   interface PortProbe {
-    /** Who listens on a TCP port of this computer; empty if nobody does. */
+    /** The process that listens on a TCP port of this computer; empty if the port is free. */
     Optional<PortUser> user(int port);
   }
 
   private final PortProbe ports;
   private final Map<Integer, String> uses;
 
-  /**
-   * @param uses what each port is for
-   */
+  /** @param uses the purpose of each port */
   PortCheck(PortProbe ports, Map<Integer, String> uses) {
     this.ports = ports;
     this.uses = uses;

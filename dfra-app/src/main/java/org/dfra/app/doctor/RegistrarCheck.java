@@ -5,18 +5,19 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** Whether the team's lookup services answer, and how quickly. */
+/** Checks whether the team's lookup services answer, and how quickly. */
 final class RegistrarCheck implements Check {
 
   private static final Duration SLOW = Duration.ofMillis(500);
 
   /**
-   * A lookup service that was found.
+   * A discovered lookup service.
    *
-   * @param locator where it is, as {@code jini://host:port}
+   * @param locator its locator, {@code jini://host:port}
    * @param groups its discovery groups
-   * @param loopback whether its address leads every other computer to itself
-   * @param responseTime how long its answer took; null if there was none
+   * @param loopback whether its address is a loopback address, which leads every other computer to
+   *     itself
+   * @param responseTime of a call; null if it did not answer
    */
   record SurveyedRegistrar(
       String locator, List<String> groups, boolean loopback, @Nullable Duration responseTime) {
@@ -27,10 +28,10 @@ final class RegistrarCheck implements Check {
   }
 
   /**
-   * What was found.
+   * The survey's result.
    *
    * @param seen the lookup services
-   * @param unreachable the locators at which there is none
+   * @param unreachable the locators that did not answer
    */
   record Survey(List<SurveyedRegistrar> seen, List<String> unreachable) {
 
@@ -40,7 +41,7 @@ final class RegistrarCheck implements Check {
     }
   }
 
-  /** Looks for lookup services. */
+  /** Discovers lookup services. */
   interface Search {
     Survey survey() throws InterruptedException;
   }
@@ -50,8 +51,8 @@ final class RegistrarCheck implements Check {
   private final boolean isRobotUp;
 
   /**
-   * @param named locators that somebody named, whose silence is a failure
-   * @param isRobotUp whether robots are up on this host, whose registrars then are to answer
+   * @param named locators that the user named, which must answer
+   * @param isRobotUp whether robots are up on this host, whose registrars must answer
    */
   RegistrarCheck(Search search, List<String> named, boolean isRobotUp) {
     this.search = search;
@@ -97,7 +98,7 @@ final class RegistrarCheck implements Check {
     return findings;
   }
 
-  /** As people write it; River puts a slash at the end. */
+  /** In the usual notation; River appends a slash. */
   private static String plain(String locator) {
     return locator.endsWith("/") ? locator.substring(0, locator.length() - 1) : locator;
   }

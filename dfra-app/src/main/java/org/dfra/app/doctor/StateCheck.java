@@ -10,19 +10,19 @@ import java.util.stream.Stream;
 import org.dfra.core.host.PrivateFiles;
 import org.jspecify.annotations.Nullable;
 
-/** The folder of what phoenix keeps: whether it can be written, its room, its journal. */
+/** Checks phoenix's state folder: whether it is writable, its free space, its journal. */
 final class StateCheck implements Check {
 
   private static final long KILOBYTE = 1 << 10;
   private static final long MEGABYTE = 1 << 20;
   private static final long GIGABYTE = 1 << 30;
 
-  /** Below, the next few group logs, 10 MB each, would fill it. */
+  /** Below this, the next few group logs, 10 MB each, would fill the disk. */
   private static final long LOW_SPACE = 100 * MEGABYTE;
 
   private static final long NO_SPACE = 5 * MEGABYTE;
 
-  /** A thousand modules' registrations are some megabytes. */
+  /** The registrations of a thousand modules take some megabytes. */
   private static final long LARGE_JOURNAL = 100 * MEGABYTE;
 
   private final Path state;
@@ -30,7 +30,7 @@ final class StateCheck implements Check {
 
   /**
    * @param state the folder; it may not exist yet
-   * @param freeBytes tells how many bytes can still be written where a path leads
+   * @param freeBytes returns the free space at a path, in bytes
    */
   StateCheck(Path state, ToLongFunction<Path> freeBytes) {
     this.state = state;
@@ -60,7 +60,7 @@ final class StateCheck implements Check {
     return findings;
   }
 
-  /** The folder itself, or the nearest one above that is there. */
+  /** The folder itself, or its nearest existing parent. */
   private static Path existing(Path path) {
     for (Path each = path; each != null; each = each.getParent()) {
       if (Files.exists(each)) {

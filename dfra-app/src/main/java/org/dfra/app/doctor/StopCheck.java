@@ -5,19 +5,19 @@ import java.util.List;
 import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.persona.EmergencyStopAttributes;
 
-/** Which effectors are stopped for an emergency, and so obey nobody. */
+/** Checks which effectors are in emergency stop, and so ignore all commands. */
 final class StopCheck implements Check {
 
   /**
-   * An effector that is stopped.
+   * An effector in emergency stop.
    *
    * @param robot name of its robot
    * @param module its path, {@code robot/name}
-   * @param stop since when and by whom
+   * @param stop its time and requester
    */
   record StoppedEffector(String robot, String module, EmergencyStopAttributes stop) {}
 
-  /** Looks for those that are. */
+  /** Finds those effectors. */
   interface StopProbe {
     List<StoppedEffector> stopped() throws InterruptedException;
   }

@@ -2,25 +2,25 @@ package org.dfra.app.doctor;
 
 import java.util.Locale;
 
-/** What a finding is about. docs/troubleshooting.md has a section for each, by its {@link #id}. */
+/** The subject of a finding. docs/troubleshooting.md has a section for each, by its {@link #id}. */
 public enum Subject {
   /** The Java that runs DFRA. */
   JAVA,
   /** {@code java.rmi.activation} on the boot class path. */
   BOOT_JAR,
-  /** How many files and sockets a process may have open. */
+  /** The limit of a process's open files and sockets. */
   FILE_DESCRIPTORS,
-  /** What this computer's own name stands for. */
+  /** The address that this computer's own name resolves to. */
   HOST_NAME,
-  /** The address that proxies carry. */
+  /** The address that proxies contain. */
   HOST_ADDRESS,
-  /** Whether lookup services can be found by group. */
+  /** Whether multicast discovery by group works. */
   MULTICAST,
   /** A port that a robot needs. */
   PORT,
-  /** The folder of what phoenix keeps. */
+  /** Phoenix's state folder. */
   STATE_FOLDER,
-  /** The room that is left there. */
+  /** The free space in it. */
   DISK_SPACE,
   /** Phoenix's journal. */
   JOURNAL,
@@ -30,18 +30,18 @@ public enum Subject {
   GROUP,
   /** A lookup service. */
   REGISTRAR,
-  /** A name that more than one robot of the team has. */
+  /** A robot name that is not unique in the team. */
   ROBOT_NAME,
-  /** How far a robot's clock is off this computer's. */
+  /** The offset between a robot's clock and this computer's. */
   CLOCK,
-  /** A module that cannot be used now, or here. */
+  /** A module that cannot be used now, or from this host. */
   MODULE,
-  /** An effector that is stopped for an emergency. */
+  /** An effector in emergency stop. */
   EMERGENCY_STOP,
-  /** A robot that others can reach. */
+  /** A robot that can be reached from the network. */
   EXPOSURE;
 
-  /** Its name for people and programs, {@code boot-jar} say. It never changes. */
+  /** Its name in text and JSON output, for example {@code boot-jar}. It never changes. */
   public String id() {
     return name().toLowerCase(Locale.ROOT).replace('_', '-');
   }

@@ -38,10 +38,10 @@ import org.dfra.river.remote.ModuleAdmin;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What can be seen of the team: its lookup services, and its robots' clocks.
+ * A survey of the team: its lookup services, and its robots' clocks.
  *
- * <p>One peer is waited for 0.8 s, or a tenth of the patience that was asked for where that is
- * longer: who waits long for a slow computer waits longer for its answers. All are asked at once.
+ * <p>The timeout for one peer is 0.8 s, or a tenth of the requested total timeout if that is
+ * longer. All peers are queried in parallel.
  */
 final class TeamSurvey
     implements RegistrarCheck.Search,
@@ -51,10 +51,10 @@ final class TeamSurvey
         NameCheck.NameProbe,
         AutoCloseable {
 
-  /** How long one peer is waited for at least. */
+  /** Minimum timeout for one peer. */
   private static final Duration LEAST_DEADLINE = Duration.ofMillis(800);
 
-  /** The first answer is slow, since connections are made for it; more change little. */
+  /** The first answer is slow, since it opens connections; more requests change little. */
   private static final int QUESTIONS = 8;
 
   private final JiniModuleDirectory directory;
@@ -74,13 +74,13 @@ final class TeamSurvey
     this.deadline = deadline(patience);
   }
 
-  /** How long one peer is waited for, see above. */
+  /** The timeout for one peer, see above. */
   static Duration deadline(Duration patience) {
     Duration share = patience.dividedBy(10);
     return share.compareTo(LEAST_DEADLINE) > 0 ? share : LEAST_DEADLINE;
   }
 
-  /** Begins to look. */
+  /** Starts the discovery. */
   static TeamSurvey open(TeamOptions team) throws IOException {
     return new TeamSurvey(team.directory(), team.timeout());
   }
@@ -163,7 +163,7 @@ final class TeamSurvey
     return DuplicateRobotNames.of(directory.find(ModuleQuery.of(Module.class)));
   }
 
-  /** By the first of a robot's modules that tells. */
+  /** By the first of a robot's modules that answers. */
   static NtpClockOffset offset(List<Module> modules) throws Exception {
     @Nullable Exception failure = null;
     for (Module module : modules) {
@@ -173,14 +173,14 @@ final class TeamSurvey
           Callable<Instant> clock = admin::hostTime;
           return NtpClockOffset.measure(QUESTIONS, clock, InstantSource.system());
         }
-      } catch (RemoteException | RuntimeException e) { // also a foreign proxy's own
+      } catch (RemoteException | RuntimeException e) { // also an exception of a foreign proxy
         failure = e;
       }
     }
     throw failure == null ? new RemoteException("no module has an administration") : failure;
   }
 
-  /** What a peer answered in time; empty if it failed or did not. */
+  /** A peer's answer; empty if it failed or timed out. */
   private <T> Optional<T> answer(Future<T> asked) throws InterruptedException {
     try {
       return Optional.of(asked.get(deadline.toMillis(), TimeUnit.MILLISECONDS));

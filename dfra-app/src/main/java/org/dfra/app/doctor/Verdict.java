@@ -1,11 +1,11 @@
 package org.dfra.app.doctor;
 
-/** What is thought of a finding. */
+/** The severity of a finding. */
 enum Verdict {
-  /** As it should be. */
+  /** As expected. */
   OK,
-  /** It works, but not in every circumstance. */
+  /** It works, but not under all conditions. */
   WARN,
-  /** Something does not work. */
+  /** It does not work. */
   FAIL
 }

@@ -22,7 +22,7 @@ import picocli.CommandLine.Command;
     })
 final class BwCommand extends MeasurementCommand {
 
-  /** Sizes in bytes, rates in bytes per second; null where too few events came. */
+  /** Sizes in bytes, rates in bytes per second; null if there were too few events. */
   record BandwidthReport(
       long events,
       int window,
@@ -38,7 +38,7 @@ final class BwCommand extends MeasurementCommand {
     try (MarshalOutputStream out = new MarshalOutputStream(bytes, List.of())) {
       out.writeObject(delivery);
     } catch (IOException e) {
-      throw new UncheckedIOException(e); // into memory, and it came as such an object
+      throw new UncheckedIOException(e); // into memory; it was received as such an object
     }
     return bytes.size();
   }

@@ -27,11 +27,11 @@ import picocli.CommandLine.Option;
 final class EchoCommand implements Callable<Integer> {
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private ModuleArgument module;
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private ListeningOptions listening;
 
   @Option(
@@ -62,14 +62,14 @@ final class EchoCommand implements Callable<Integer> {
     return ExitCode.SUCCESS;
   }
 
-  /** Writes a line for each event. */
+  /** Prints a line for each event. */
   private final class Lines implements EventHandler {
 
     private volatile long shown;
     private long lostBefore;
 
     @Override
-    @SuppressWarnings("NonAtomicVolatileUpdate") // events come one at a time
+    @SuppressWarnings("NonAtomicVolatileUpdate") // events arrive one at a time
     public boolean onEvent(Delivery delivery, long lost) {
       EventLine line = EventLine.of(delivery, lost - lostBefore);
       lostBefore = lost;

@@ -2,7 +2,7 @@ package org.dfra.app.event;
 
 import picocli.CommandLine.Command;
 
-/** {@code ./dfra event}: what modules tell. */
+/** {@code ./dfra event}: the events that modules publish. */
 @Command(
     name = "event",
     description = "Listens to a module: what it tells, how often and how much.",

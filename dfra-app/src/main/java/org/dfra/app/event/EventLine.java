@@ -8,16 +8,16 @@ import org.dfra.event.DeliveryPolicy.EventKind;
 import org.dfra.event.ModuleEvent;
 
 /**
- * An event as a program is told of it.
+ * An event in JSON output.
  *
  * @param module the module's path, {@code robot/name}
  * @param time when the module published it, by its own clock
  * @param kind its kind
  * @param sequence its number among those of its kind
- * @param epoch counts the module's lives
- * @param lost events lost before this one, since the last that was told
- * @param type what it is: the type of the reading, or of the event
- * @param event what happened: the reading itself, or the event
+ * @param epoch counts the module's restarts
+ * @param lost events lost between the last received one and this one
+ * @param type the type of the reading, or of the event
+ * @param event the reading itself, or the event
  */
 record EventLine(
     String module,
@@ -45,7 +45,7 @@ record EventLine(
         event);
   }
 
-  /** The same for people. */
+  /** The same as text output. */
   String inWords() {
     return String.format(
             Locale.ROOT,

@@ -3,26 +3,24 @@ package org.dfra.app.event;
 import java.util.ArrayDeque;
 import java.util.Deque;
 
-/** The last events that came: when, and how large. Not safe for several threads by itself. */
+/** The most recent events: arrival times and sizes. Not thread-safe. */
 final class EventWindow {
 
   private static final double NANOS = 1e9;
 
-  /** An arrival; nanoseconds of a clock that nobody sets, and bytes. */
+  /** An arrival; nanoseconds of a monotonic clock, and bytes. */
   private record Arrival(long nanos, long bytes) {}
 
   private final int width;
   private final Deque<Arrival> arrivals = new ArrayDeque<>();
   private long events;
 
-  /**
-   * @param width how many events it holds; more push the oldest out
-   */
+  /** @param width maximum number of events; further ones replace the oldest */
   EventWindow(int width) {
     this.width = width;
   }
 
-  /** An event came. */
+  /** Adds an event. */
   void add(long nanos, long bytes) {
     events++;
     arrivals.addLast(new Arrival(nanos, bytes));
@@ -31,34 +29,34 @@ final class EventWindow {
     }
   }
 
-  /** All events that came, also those that have been pushed out. */
+  /** Number of all events, including the replaced ones. */
   long totalCount() {
     return events;
   }
 
-  /** Events that it holds. */
+  /** Number of events in the window. */
   int size() {
     return arrivals.size();
   }
 
-  /** Seconds from the first to the last event that it holds. */
+  /** Seconds from the first to the last event in the window. */
   private double span() {
     return arrivals.isEmpty()
         ? 0
         : (arrivals.getLast().nanos() - arrivals.getFirst().nanos()) / NANOS;
   }
 
-  /** Events per second; NaN where fewer than two came. */
+  /** Events per second; NaN for fewer than two events. */
   double rate() {
     return size() < 2 ? Double.NaN : (size() - 1) / span();
   }
 
-  /** Bytes per second, by mean size and rate; NaN where fewer than two events came. */
+  /** Bytes per second, by mean size and rate; NaN for fewer than two events. */
   double bytesPerSecond() {
     return sizes().mean() * rate();
   }
 
-  /** The intervals between one event and the next, in seconds. */
+  /** The intervals between consecutive events, in seconds. */
   SummaryStatistics intervals() {
     SummaryStatistics.RunningStatistics collector = new SummaryStatistics.RunningStatistics();
     Arrival last = null;

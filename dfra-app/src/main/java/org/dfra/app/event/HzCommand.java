@@ -16,7 +16,7 @@ import picocli.CommandLine.Command;
     })
 final class HzCommand extends MeasurementCommand {
 
-  /** Rates in hertz, intervals in seconds; null where too few events came. */
+  /** Rates in hertz, intervals in seconds; null if there were too few events. */
   record RateReport(
       long events,
       int window,

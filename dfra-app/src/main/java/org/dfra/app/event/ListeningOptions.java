@@ -13,7 +13,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.Spec.Target;
 
-/** To which events a command listens, and for how long. A picocli mix-in. */
+/** Which events a command subscribes to, and for how long. A picocli mix-in. */
 final class ListeningOptions {
 
   private static final double LONGEST_SECONDS = 1e9; // 30 years, and no overflow in nanoseconds
@@ -33,10 +33,10 @@ final class ListeningOptions {
   private double seconds = LONGEST_SECONDS;
 
   @Spec(Target.MIXEE)
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandSpec spec;
 
-  /** How many events are enough. */
+  /** Number of events after which the command ends. */
   long count() {
     if (count < 1) {
       throw wrong("--count=" + count + " is not 1 or more");
@@ -44,7 +44,7 @@ final class ListeningOptions {
     return count;
   }
 
-  /** How long is long enough. */
+  /** Time after which the command ends. */
   Duration time() {
     if (!(seconds > 0 && seconds <= LONGEST_SECONDS)) {
       throw wrong("--for=" + seconds + " is not a number of seconds above 0");
@@ -53,9 +53,9 @@ final class ListeningOptions {
   }
 
   /**
-   * What the listener can take.
+   * The listener's delivery policy.
    *
-   * @param defaultKinds the kinds of events where the user has named none
+   * @param defaultKinds the kinds of events if the user has named none
    */
   DeliveryPolicy policy(Set<EventKind> defaultKinds, int depth, double highestRate) {
     Set<EventKind> wanted = kinds == null ? defaultKinds : EnumSet.copyOf(List.of(kinds));

@@ -16,34 +16,34 @@ import org.dfra.river.proxy.PendingLeaseCancellations;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Listens to a module until there is a reason to end, and then tells the module so.
+ * Subscribes to a module until an end condition holds, and then cancels the subscription.
  *
- * <p>Threads: the listener's events come on a thread of the subscription; {@link #run} waits on its
- * caller's. A shutdown hook, there while this is open, ends it when the process is told to end, and
- * holds the process up until {@link #close}.
+ * <p>Threads: the listener's events arrive on a thread of the subscription; {@link #run} waits on
+ * its caller's. While this is open, a shutdown hook ends it when the process receives a signal to
+ * terminate, and delays the exit until {@link #close}.
  */
 final class ListeningSession implements AutoCloseable {
 
   private static final Duration TICK = Duration.ofSeconds(1);
 
-  /** A call's deadline is 2 s, so a farewell takes no longer. */
+  /** A call's timeout is 2 s, so unsubscribing takes no longer. */
   private static final Duration UNSUBSCRIBE_TIMEOUT = Duration.ofSeconds(3);
 
-  /** Is told what is heard, one event at a time. */
+  /** Receives events, one at a time. */
   interface EventHandler {
 
     /**
-     * An event.
+     * Handles an event.
      *
-     * @param lost how many were lost altogether so far
-     * @return whether somebody wants more of them
+     * @param lost total number of events lost so far
+     * @return whether to continue
      */
     boolean onEvent(Delivery delivery, long lost);
 
     /**
-     * Another second is over.
+     * Called every second.
      *
-     * @return whether somebody wants to go on
+     * @return whether to continue
      */
     boolean onSecond(long lost);
   }
@@ -56,9 +56,7 @@ final class ListeningSession implements AutoCloseable {
   private final Thread hook = new Thread(this::interrupted, "dfra-listening-end");
   private volatile @Nullable Subscription subscription;
 
-  /**
-   * @param count how many events are enough
-   */
+  /** @param count number of events after which the session ends */
   ListeningSession(ModuleListing<Module> module, EventHandler ear, long count) {
     this.module = module;
     this.ear = ear;
@@ -67,10 +65,10 @@ final class ListeningSession implements AutoCloseable {
   }
 
   /**
-   * Listens, and returns when enough was heard, the time is over, nobody wants more or the process
-   * is to end.
+   * Subscribes, and returns when the number of events or the time is reached, the handler ends the
+   * session or the process is terminating.
    *
-   * @return the events lost
+   * @return the number of events lost
    * @throws CommandFailure if an administrator has revoked the subscription
    */
   long run(DeliveryPolicy policy, Duration time) throws RemoteException, InterruptedException {
@@ -95,7 +93,7 @@ final class ListeningSession implements AutoCloseable {
           break;
         }
       }
-      ended.countDown(); // what arrives from now on is not heard
+      ended.countDown(); // later events are ignored
       return open.lost();
     } finally {
       open.close();
@@ -107,14 +105,14 @@ final class ListeningSession implements AutoCloseable {
     if (ended.getCount() == 0) {
       return;
     }
-    @Nullable Subscription open = subscription; // null where an event is faster than our own answer
+    @Nullable Subscription open = subscription; // null if events precede our return
     boolean isMoreWanted = ear.onEvent(delivery, open == null ? 0 : open.lost());
     if (left.decrementAndGet() <= 0 || !isMoreWanted) {
       ended.countDown();
     }
   }
 
-  /** The process is to end, by Ctrl-C say: the main thread says farewell first. */
+  /** The process is terminating, for example by Ctrl-C: the main thread unsubscribes first. */
   private void interrupted() {
     ended.countDown();
     try {
@@ -124,14 +122,14 @@ final class ListeningSession implements AutoCloseable {
     }
   }
 
-  /** Lets the process end. */
+  /** Lets the process exit. */
   @Override
   public void close() {
     closed.countDown();
     try {
       boolean unused = Runtime.getRuntime().removeShutdownHook(hook);
     } catch (IllegalStateException e) {
-      // it is ending already, and the hook has nothing to wait for any more
+      // the JVM is shutting down already, and the hook need not wait
       assert closed.getCount() == 0;
     }
   }

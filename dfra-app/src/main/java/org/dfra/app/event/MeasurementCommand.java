@@ -16,17 +16,17 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** A command that measures a module's events, and tells what it has every second and at the end. */
+/** A command that measures a module's events, and reports every second and at the end. */
 abstract class MeasurementCommand implements Callable<Integer> {
 
   private static final int WIDEST = 100_000;
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private ModuleArgument module;
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private ListeningOptions listening;
 
   @Option(
@@ -36,16 +36,16 @@ abstract class MeasurementCommand implements Callable<Integer> {
   private int window = 100;
 
   @Spec
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandSpec spec;
 
-  /** How large an event is, in bytes, where that is measured. */
+  /** An event's size in bytes, if the command measures it. */
   abstract long size(Delivery delivery);
 
-  /** What was measured, for programs. */
+  /** The measurements in JSON output. */
   abstract Object value(EventWindow events, long lost);
 
-  /** The same for people; at least two events came. */
+  /** The same as text output, for at least two events. */
   abstract String inWords(EventWindow events);
 
   @Override

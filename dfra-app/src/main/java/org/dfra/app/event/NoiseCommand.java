@@ -34,11 +34,11 @@ import picocli.CommandLine.Mixin;
 final class NoiseCommand implements Callable<Integer> {
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private ModuleArgument module;
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private ListeningOptions listening;
 
   @Override
@@ -74,11 +74,11 @@ final class NoiseCommand implements Callable<Integer> {
     module.answer().table(figures, table, "nothing was heard");
   }
 
-  /** Hands over what is heard. */
+  /** Collects the received readings. */
   private static final class NoiseCollector implements EventHandler {
 
     private @Nullable NoiseStudy study; // guarded by this
-    private @Nullable String other; // guarded by this; what there is no study of
+    private @Nullable String other; // guarded by this; a type without a study
 
     @Override
     public synchronized boolean onEvent(Delivery delivery, long lost) {

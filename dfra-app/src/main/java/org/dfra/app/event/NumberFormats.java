@@ -5,7 +5,7 @@ import java.math.MathContext;
 import java.math.RoundingMode;
 import org.jspecify.annotations.Nullable;
 
-/** Measured numbers as they are told. */
+/** Formats of measured numbers. */
 final class NumberFormats {
 
   private static final double KILO = 1000;
@@ -13,7 +13,7 @@ final class NumberFormats {
 
   private NumberFormats() {}
 
-  /** The number; null where there is none. */
+  /** The number; null for NaN. */
   static @Nullable Double orNull(double number) {
     return Double.isFinite(number) ? number : null;
   }

@@ -1,17 +1,16 @@
 package org.dfra.app.event;
 
 /**
- * How values lie; all are NaN where there was none.
+ * Summary of values; all components are NaN if there were none.
  *
  * @param mean their mean
- * @param min the least
- * @param max the greatest
- * @param standardDeviation their standard deviation, of the values themselves: divided by their
- *     number
+ * @param min the minimum
+ * @param max the maximum
+ * @param standardDeviation their population standard deviation: divided by their number
  */
 record SummaryStatistics(double mean, double min, double max, double standardDeviation) {
 
-  /** Takes values one after the other, by Welford's method: no sum of squares loses digits. */
+  /** Accumulates values by Welford's method, which is numerically stable. */
   static final class RunningStatistics {
 
     private long count;

@@ -1,9 +1,11 @@
 /**
- * The verbs of {@code ./dfra event}: what modules tell, how often, and how much of it.
+ * The subcommands of {@code ./dfra event}: the events that modules publish, their rate and their
+ * bandwidth.
  *
  * <pre>
- *   module --events--&gt; Listening --one at a time--&gt; EchoCommand: a line each
- *                          |                       \-&gt; Measurement: EventWindow --every second--&gt; a line
+ *   module --events--&gt; ListeningSession --one at a time--&gt; EchoCommand: a line each
+ *                          |                       \-&gt; MeasurementCommand: EventWindow,
+ *                          |                                            a line every second
  *                          +-- ends by count, time, Ctrl-C, a closed pipe, a revoked lease
  * </pre>
  */

@@ -35,7 +35,7 @@ import picocli.CommandLine.Parameters;
 final class FuzzyShowCommand implements Callable<Integer> {
 
   @Parameters(paramLabel = "FILE.FIS", description = "The system, as MATLAB writes it.")
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private Path file;
 
   @Option(
@@ -60,7 +60,7 @@ final class FuzzyShowCommand implements Callable<Integer> {
   private List<String> held = new ArrayList<>();
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandOutput answer;
 
   @Override

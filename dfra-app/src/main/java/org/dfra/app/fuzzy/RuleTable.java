@@ -15,9 +15,9 @@ import org.dfra.behaviors.fuzzy.RuleFormatter;
 import org.dfra.behaviors.fuzzy.Variable;
 
 /**
- * The rules of a system as a table of what they say for each combination of the inputs' terms. It
- * can be made where each rule counts fully and asks for terms, or for any, that must all hold, and
- * where the table is not too large to be read.
+ * The rules of a system as a table of their consequents for each combination of the inputs' terms.
+ * The table exists if each rule has full weight and requires terms, or any term, joined by AND, and
+ * if the table is small enough to be readable.
  */
 final class RuleTable {
 
@@ -34,7 +34,7 @@ final class RuleTable {
     this.columns = columns;
   }
 
-  /** The table, if it can be made. */
+  /** The table, if there is one. */
   static Optional<RuleTable> of(FuzzySystem system) {
     boolean hasNoTerm = system.inputs().stream().anyMatch(input -> input.terms().isEmpty());
     if (hasNoTerm || !system.rules().stream().allMatch(RuleTable::isPlain)) {
@@ -69,7 +69,7 @@ final class RuleTable {
     return factors.stream().mapToLong(each -> each.values().size()).reduce(1, (a, b) -> a * b);
   }
 
-  /** What the rules say of an output. */
+  /** The rules' consequents for an output. */
   MatrixPanel panel(int output) {
     Variable variable = system.outputs().get(output);
     List<List<Cell>> cells = new ArrayList<>();
@@ -84,7 +84,7 @@ final class RuleTable {
     return new MatrixPanel("What the rules say of " + variable.name(), rows, columns, cells);
   }
 
-  /** The consequents of the rules that hold for these terms, given by their places from 0. */
+  /** The consequents of the rules that apply to these terms, given by their indices from 0. */
   private Set<Integer> said(int[] terms, int output) {
     Set<Integer> said = new LinkedHashSet<>();
     for (Rule rule : system.rules()) {

@@ -15,13 +15,14 @@ import org.dfra.behaviors.fuzzy.Inference;
 import org.dfra.behaviors.fuzzy.Variable;
 
 /**
- * An output over two inputs of a system, or over the one that it has, while the others are held.
+ * An output over one or two inputs of a system, with the other inputs fixed.
  *
- * @param system what is evaluated, as MATLAB does
- * @param inputs places of those along the axes: across, then upwards if there is a second one
- * @param output place of what is shown
- * @param fixedInputs a value for each input of the system, each in its unit; those along the axes
- *     do not count
+ * @param system evaluated as MATLAB does
+ * @param inputs indices of the inputs along the axes: horizontal, then vertical if there is a
+ *     second one
+ * @param output index of the output
+ * @param fixedInputs a value for each input of the system, each in its unit; those of the inputs
+ *     along the axes are ignored
  */
 record Surface(FuzzySystem system, List<Integer> inputs, int output, List<Double> fixedInputs) {
 
@@ -70,7 +71,7 @@ record Surface(FuzzySystem system, List<Integer> inputs, int output, List<Double
     return others.isEmpty() ? "" : " at " + others;
   }
 
-  /** As long as the variable's range, or a little longer where that is but one number. */
+  /** The variable's range, or slightly longer if that is a single number. */
   static Axis axis(Variable variable) {
     double more = variable.low() == variable.high() ? 0.5 : 0;
     return Axis.of(variable.name(), "").between(variable.low() - more, variable.high() + more);
@@ -89,12 +90,12 @@ record Surface(FuzzySystem system, List<Integer> inputs, int output, List<Double
         .whereMissing(NO_RULE);
   }
 
-  /** Whether an output has a middle of 0, as a turn rate or a correction. */
+  /** Whether the middle of an output's range is 0, as of a yaw rate or a correction. */
   static boolean isAroundZero(Variable output) {
     return output.low() < 0 && output.low() == -output.high();
   }
 
-  /** As long as the values, but on both sides of zero where the output's range is. */
+  /** The range of the values, symmetric about zero if the output's range is. */
   private Axis value(double[][] cells) {
     Axis value = Axis.of(shown().name(), "");
     double most =
@@ -118,13 +119,13 @@ record Surface(FuzzySystem system, List<Integer> inputs, int output, List<Double
     return new LinePanel(title(), axis, Axis.of(shown().name(), "")).add(Series.line("", x, y));
   }
 
-  /** The middle of so many-th of equal parts of a variable's axis. */
+  /** The centre of the n-th of equal parts of a variable's axis. */
   private static double value(Variable variable, int part, int parts) {
     Axis axis = axis(variable);
     return axis.low() + (part + 0.5) / parts * (axis.high() - axis.low());
   }
 
-  /** The output; not a number where no rule that says something of it fires. */
+  /** The output; NaN if no rule for it fires. */
   private double at(Inference inference, double... along) {
     double[] values = fixedInputs.stream().mapToDouble(Double::doubleValue).toArray();
     for (int i = 0; i < along.length; i++) {

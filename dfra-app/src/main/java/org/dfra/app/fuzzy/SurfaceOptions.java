@@ -11,7 +11,7 @@ import org.dfra.behaviors.fuzzy.FuzzySystem;
 import org.dfra.behaviors.fuzzy.Variable;
 import org.dfra.core.config.NearestName;
 
-/** Understands which surfaces of a system are asked for. */
+/** Parses the options that select surfaces of a system. */
 final class SurfaceOptions {
 
   private final FuzzySystem system;
@@ -23,10 +23,10 @@ final class SurfaceOptions {
   /**
    * The surfaces.
    *
-   * @param surfaces {@code IN1,IN2} or {@code IN1,IN2,OUT} each; where there are none, each output
+   * @param surfaces {@code IN1,IN2} or {@code IN1,IN2,OUT} each; if there are none, each output
    *     over the first two inputs
    * @param held {@code NAME=VALUE} each
-   * @throws CommandFailure if one of them does not fit the system
+   * @throws CommandFailure if one of them does not match the system
    */
   List<Surface> surfaces(List<String> surfaces, List<String> held) {
     List<Double> values = fixedInputs(held);
@@ -71,7 +71,7 @@ final class SurfaceOptions {
             new Surface(system, inputs, place(names.get(2), system.outputs(), "output"), values));
   }
 
-  /** A value for each input: the middle of its range, or what is asked for. */
+  /** A value for each input: the option's, or the middle of its range. */
   private List<Double> fixedInputs(List<String> written) {
     List<Double> values = new ArrayList<>(system.inputs().stream().map(Variable::middle).toList());
     for (String each : written) {

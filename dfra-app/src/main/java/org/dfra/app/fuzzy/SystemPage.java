@@ -18,10 +18,10 @@ import org.dfra.behaviors.fuzzy.MembershipFunctionType;
 import org.dfra.behaviors.fuzzy.RuleFormatter;
 import org.dfra.behaviors.fuzzy.Variable;
 
-/** A fuzzy system on one page: its inputs, its outputs, their surfaces, and its rules. */
+/** A fuzzy system on one page: inputs, outputs, surfaces, and rules. */
 final class SystemPage {
 
-  /** As many rules are read as sentences; more are read better as a table. */
+  /** Up to this number, rules are shown as sentences; more are clearer as a table. */
   private static final int MOST_SENTENCES = 24;
 
   private static final int MEMBERSHIP_HEIGHT = 220;
@@ -56,7 +56,7 @@ final class SystemPage {
     return system.name() + ": " + kind + ", " + rules + (rules == 1 ? " rule" : " rules");
   }
 
-  /** Two panels in a row, or three where that leaves no gap but two would. */
+  /** Two panels in a row, or three if that avoids a gap. */
   private static void rows(Page page, int height, Stream<Panel> all) {
     List<Panel> panels = all.toList();
     int perRow = panels.size() % 2 == 1 && panels.size() % 3 == 0 ? 3 : 2;
@@ -82,7 +82,10 @@ final class SystemPage {
     return panel;
   }
 
-  /** On both sides of each parameter, since corners and steps are there; evenly between curves. */
+  /**
+   * Sample points on both sides of each parameter, since corners and steps are there; evenly spaced
+   * between.
+   */
   private static double[] samples(Variable variable, MembershipFunction set) {
     Axis axis = Surface.axis(variable);
     double length = axis.high() - axis.low();

@@ -15,16 +15,16 @@ import org.dfra.behaviors.fuzzy.Term;
 import org.dfra.behaviors.fuzzy.Variable;
 
 /**
- * What is told of a fuzzy system.
+ * A fuzzy system in the command's output.
  *
  * @param name its name
  * @param type mamdani or sugeno
- * @param operators how it reckons
- * @param inputs what it reads
- * @param outputs what it commands
+ * @param operators its inference operators
+ * @param inputs its inputs
+ * @param outputs its outputs
  * @param rules sentences, in their order
- * @param surfaces what the surfaces in the picture are of
- * @param image where it is drawn
+ * @param surfaces descriptions of the surfaces in the image
+ * @param image the image file
  */
 record SystemView(
     String name,
@@ -36,10 +36,10 @@ record SystemView(
     List<String> surfaces,
     String image) {
 
-  /** So few rules are told in a terminal; more are only counted. */
+  /** Up to this number, rules are printed; more are only counted. */
   private static final int MOST_RULES = 12;
 
-  /** The methods by their names in a {@code .fis} file. */
+  /** The operators by their names in a {@code .fis} file. */
   record OperatorsView(
       String and, String or, String implication, String aggregation, String defuzzification) {
 
@@ -108,7 +108,7 @@ record SystemView(
     return method.name().toLowerCase(Locale.ROOT);
   }
 
-  /** For people. */
+  /** Lines of text output. */
   List<String> lines() {
     List<String> lines = new ArrayList<>();
     lines.add(

@@ -1,5 +1,6 @@
 /**
- * The verbs of {@code ./dfra fuzzy}: what a fuzzy system reads, knows and commands, in one picture.
+ * The subcommands of {@code ./dfra fuzzy}: the inputs, rules and outputs of a fuzzy system, in one
+ * image.
  */
 @NullMarked
 package org.dfra.app.fuzzy;

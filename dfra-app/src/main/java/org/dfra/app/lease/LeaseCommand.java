@@ -2,7 +2,7 @@ package org.dfra.app.lease;
 
 import picocli.CommandLine.Command;
 
-/** {@code ./dfra lease}: who holds which module. */
+/** {@code ./dfra lease}: leases on modules and their holders. */
 @Command(
     name = "lease",
     description = "Tells who holds leases on the team's modules, and revokes them.",

@@ -13,27 +13,27 @@ import org.dfra.directory.ModuleListing;
 import org.dfra.lease.LeaseHandle;
 import org.dfra.module.Module;
 
-/** Which modules hold which leases: each is asked for those that are held in its process. */
+/** Which modules hold which leases: each module is queried for the leases held in its process. */
 final class LeaseHolders {
 
   private final Map<LeaseHandle, Set<String>> modules = new HashMap<>();
 
-  /** One module's answer has come. */
+  /** Adds one module's answer. */
   LeaseHolders add(String module, Set<LeaseHandle> leases) {
     leases.forEach(each -> modules.computeIfAbsent(each, key -> new TreeSet<>()).add(module));
     return this;
   }
 
-  /** The modules of the process that holds a lease; none where no module is known to hold it. */
+  /** The modules of the process that holds a lease; none if no module is known to hold it. */
   List<String> of(LeaseHandle lease) {
     return List.copyOf(modules.getOrDefault(lease, Set.of()));
   }
 
   /**
-   * Asks all modules of a list at once. One that does not answer, or does not know the question
-   * since it is of an older version, is left out.
+   * Queries all modules of a list in parallel. Omits modules that do not answer, or do not support
+   * the query since their version is older.
    *
-   * @param deadline how long the answers are awaited, all together
+   * @param deadline timeout for all answers together
    */
   static LeaseHolders query(List<ModuleListing<Module>> all, Duration deadline)
       throws InterruptedException {
@@ -42,7 +42,7 @@ final class LeaseHolders {
         ParallelQuery.ask(
             asked,
             each -> () -> Administration.of(each).heldLeases(),
-            cause -> Set.of(), // the address of its leases' holder is shown instead
+            cause -> Set.of(), // the address of the leases' holder is shown instead
             deadline);
     LeaseHolders holders = new LeaseHolders();
     for (int i = 0; i < held.size(); i++) {

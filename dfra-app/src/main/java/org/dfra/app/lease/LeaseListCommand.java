@@ -43,11 +43,11 @@ final class LeaseListCommand implements Callable<Integer> {
       description = "Only those on this module.")
   private @Nullable String module;
 
-  /** How long modules may take to say which leases they hold. */
+  /** Timeout for modules to report the leases they hold. */
   private static final Duration ANSWERS = Duration.ofSeconds(2);
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private TeamOptions options;
 
   @Override
@@ -63,7 +63,7 @@ final class LeaseListCommand implements Callable<Integer> {
           for (LeaseStatus lease : Administration.of(each).leases()) {
             leases.add(LeaseView.of(path, lease, holders.of(lease.handle())));
           }
-        } catch (RemoteException | RuntimeException | LinkageError e) { // a foreign proxy's own
+        } catch (RemoteException | RuntimeException | LinkageError e) { // also from a foreign proxy
           if (module != null) {
             throw e;
           }

@@ -13,10 +13,10 @@ import org.jspecify.annotations.Nullable;
  * A lease on a module; the components as in {@link LeaseStatus}.
  *
  * @param module the module's path, {@code robot/name}
- * @param id its {@link LeaseHandle}, which is no secret
- * @param heldBy the modules of the process that holds it, one of which does; none where no module
- *     is known to
- * @param local whether its holder lives in the module's own virtual machine
+ * @param id its {@link LeaseHandle}, which is not secret
+ * @param heldBy the modules of the process that holds it, one of which is the holder; none if no
+ *     module is known to hold it
+ * @param local whether its holder runs in the module's own JVM
  */
 record LeaseView(
     String module,
@@ -50,7 +50,7 @@ record LeaseView(
         lease.remaining());
   }
 
-  /** Enough of its name to tell it from others. */
+  /** A prefix of its ID that distinguishes it from others. */
   String shortId() {
     return id.toString().substring(0, id.toString().indexOf('-'));
   }
@@ -62,7 +62,7 @@ record LeaseView(
     return host == null ? "not known" : host;
   }
 
-  /** Who holds it: a module, or else where whoever it is has asked for it. */
+  /** The holder: a module, or else the address from which the lease was requested. */
   String holderInWords() {
     if (local) {
       return "a module in its own JVM";

@@ -1,4 +1,4 @@
-/** The verbs of {@code ./dfra lease}: who holds which module. */
+/** The subcommands of {@code ./dfra lease}: leases on modules and their holders. */
 @NullMarked
 package org.dfra.app.lease;
 

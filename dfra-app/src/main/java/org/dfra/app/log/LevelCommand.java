@@ -21,7 +21,7 @@ import picocli.CommandLine.Parameters;
 final class LevelCommand implements Callable<Integer> {
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private ModuleArgument module;
 
   @Parameters(

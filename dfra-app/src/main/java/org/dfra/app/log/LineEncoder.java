@@ -13,14 +13,14 @@ import java.time.ZoneOffset;
 import org.dfra.text.PrintableText;
 
 /**
- * Writes an event as a line of the log and, if there is an exception, its lines after it: what
- * Logback's pattern {@value #PATTERN} gives, but {@linkplain PrintableText printable}: a message is
- * one line, whatever another computer has put into it. For a pattern Logback loads some hundred
- * classes of converters in every process that starts.
+ * Formats an event as a log line and, if there is an exception, its lines after it, like Logback's
+ * pattern {@value #PATTERN}, but {@linkplain PrintableText printable}: a message is one line,
+ * whatever text another computer has put into it. For a pattern, Logback loads about a hundred
+ * converter classes in every process.
  */
 final class LineEncoder extends EncoderBase<ILoggingEvent> {
 
-  /** The same as a pattern of Logback's. */
+  /** The equivalent Logback pattern. */
   static final String PATTERN =
       "%d{yyyy-MM-dd'T'HH:mm:ss.SSSXXX} %-5level [%thread] %logger{24}: %msg%n";
 

@@ -2,7 +2,7 @@ package org.dfra.app.log;
 
 import picocli.CommandLine.Command;
 
-/** {@code ./dfra log}: how much modules write to their logs. */
+/** {@code ./dfra log}: the log levels of modules. */
 @Command(
     name = "log",
     description = "Tells and sets how much modules write to their logs.",

@@ -6,7 +6,7 @@ import org.dfra.core.log.LogLevelControl;
 import org.dfra.module.LogLevel;
 import org.slf4j.LoggerFactory;
 
-/** Sets the levels of Logback, which is what this application logs by. */
+/** Sets the log levels of Logback, the logging library of this application. */
 public final class LogbackLevels implements LogLevelControl {
 
   @Override

@@ -8,13 +8,12 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * An exception with its stack trace and causes, in Logback's form, with each message and frame
- * {@linkplain PrintableText printable} and on one line. An exception that came from another
- * computer has messages and frames of that computer's choice, and as many as it likes: {@value
- * #MOST_LINES} lines are kept.
+ * {@linkplain PrintableText printable} and on one line. Another computer chooses the messages and
+ * the number of frames of its exceptions: at most {@value #MOST_LINES} lines are kept.
  */
 public final class PrintableTrace {
 
-  /** Lines of one exception; a virtual machine's own have at most 1024 frames each. */
+  /** Maximum lines of one exception; those of a JVM have at most 1024 frames each. */
   static final int MOST_LINES = 4096;
 
   private static final String END = System.lineSeparator();
@@ -26,14 +25,14 @@ public final class PrintableTrace {
     this.text = text;
   }
 
-  /** Its lines, each with its end. */
+  /** Its lines, each with its line end. */
   public static String of(Throwable thrown) {
     StringBuilder text = new StringBuilder();
     append(text, new ThrowableProxy(thrown));
     return text.toString();
   }
 
-  /** Appends its lines, each with its end. */
+  /** Appends its lines, each with its line end. */
   static void append(StringBuilder text, IThrowableProxy thrown) {
     PrintableTrace trace = new PrintableTrace(text);
     trace.append(thrown, "", 1);
@@ -43,16 +42,14 @@ public final class PrintableTrace {
     }
   }
 
-  /** Adds a line, or only counts it where there are too many. */
+  /** Adds a line, or only counts it after the maximum. */
   private void line(String margin, String content) {
     if (lines++ < MOST_LINES) {
       text.append(margin).append(content).append(END);
     }
   }
 
-  /**
-   * @param indent tabulators before each of its frames
-   */
+  /** @param indent tab characters before each of its frames */
   private void append(IThrowableProxy thrown, String relation, int indent) {
     String what = PrintableText.line(thrown.getClassName() + ": " + thrown.getMessage());
     line(

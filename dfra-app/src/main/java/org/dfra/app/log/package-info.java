@@ -1,6 +1,4 @@
-/**
- * The application's logging library as the architecture sets its levels, and {@code ./dfra log}.
- */
+/** Logging: configuration of the logging library and its levels, and {@code ./dfra log}. */
 @NullMarked
 package org.dfra.app.log;
 

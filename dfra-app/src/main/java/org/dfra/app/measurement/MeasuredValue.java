@@ -9,59 +9,59 @@ import java.util.Set;
 import org.dfra.app.terminal.TextWrap;
 
 /**
- * One measured figure.
+ * One measured value.
  *
  * @param name what was measured
  * @param value the value
- * @param target the most it should be; infinite where it is only stated
+ * @param target its upper limit; infinite if there is none
  * @param unit the unit of both; empty for a plain number
- * @param isTime whether it is how long something took, which depends on the computer and on what
- *     else that does; false for what must be true on every computer
+ * @param isTime whether it is a duration that depends on the computer and its load; false if the
+ *     target applies on every computer
  */
 public record MeasuredValue(String name, double value, double target, String unit, boolean isTime) {
 
   private static final MathContext SIX = new MathContext(6);
   private static final Set<String> TIMES = Set.of("s", "ms", "µs", "ns");
 
-  /** Columns that the numbers take beside what was measured. */
+  /** Columns of the numbers beside the name. */
   private static final int NUMBERS = 43;
 
-  /** Columns of what was measured, where there is room. */
+  /** Maximum columns of the name. */
   private static final int NAME = 60;
 
   /**
-   * A figure that is a time where its unit is one, unless it must be 0: "seconds in which two
-   * helped at once" must be true.
+   * A value that counts as a time if its unit is one, unless its target is 0: "seconds in which two
+   * helped at once" is a requirement.
    */
   public MeasuredValue(String what, double measured, double most, String unit) {
     this(what, measured, most, unit, TIMES.contains(unit) && most > 0);
   }
 
-  /** The same as something that must be true, such as the time in which a robot stops. */
+  /** The same value as a requirement, such as the time in which a robot stops. */
   public MeasuredValue asRequired() {
     return new MeasuredValue(name, value, target, unit, false);
   }
 
-  /** Whether it is what it should be. */
+  /** Whether it meets its target. */
   public boolean isMet() {
     return value <= target;
   }
 
-  /** Whether anything is wanted of it. */
+  /** Whether it has a target. */
   boolean hasTarget() {
     return target != Double.POSITIVE_INFINITY;
   }
 
-  /** A line of a wide table, marked {@code MISSED} where it is not what it should be. */
+  /** A line of a wide table, marked {@code MISSED} if it misses its target. */
   public String line() {
     return String.join(" ", lines(NAME + NUMBERS));
   }
 
   /**
-   * The same in so many columns: what was measured is folded by word, and the numbers stand beside
+   * The same in the given number of columns: the name is wrapped at words, and the numbers are on
    * the last of its lines.
    *
-   * @param columns of the terminal; below 60 is taken as 60
+   * @param columns of the terminal; values below 60 count as 60
    */
   public List<String> lines(int columns) {
     int wide = Math.min(NAME, Math.max(60, columns) - NUMBERS);
@@ -82,22 +82,22 @@ public record MeasuredValue(String name, double value, double target, String uni
     return lines;
   }
 
-  /** What was measured, with its unit. */
+  /** The value with its unit. */
   String valueText() {
     return (text(value) + " " + unit).strip();
   }
 
-  /** What is wanted, with its unit; empty where nothing is. */
+  /** The target with its unit; empty if there is none. */
   String targetText() {
     return hasTarget() ? ("≤ " + text(target) + " " + unit).strip() : "";
   }
 
-  /** A number for CSV files: six digits, without zeros at the end. */
+  /** A number for CSV files: six digits, without trailing zeros. */
   static String csvNumber(double value) {
     return new BigDecimal(value).round(SIX).stripTrailingZeros().toPlainString();
   }
 
-  /** A number for people: three digits after the point, or more where it is small. */
+  /** A number in text output: three decimals, or more if it is small. */
   private static String text(double value) {
     if (value == Math.rint(value) || Math.abs(value) >= 100) {
       return String.format(Locale.ROOT, "%.0f", value);

@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
-/** Where a command's figures are kept. A picocli mix-in. */
+/** The file to which a command's measurements are appended. A picocli mix-in. */
 public final class RecordOption {
 
   @Option(
@@ -15,10 +15,10 @@ public final class RecordOption {
   private @Nullable Path file;
 
   /**
-   * Appends the figures to the file, if one was named.
+   * Appends the measurements to the file, if one was named.
    *
-   * @param kind what is measured by, {@code demo} or {@code bench}
-   * @param name which one of these
+   * @param kind of the measuring program, {@code demo} or {@code bench}
+   * @param name of this demonstration or benchmark
    */
   public void append(RunMeasurements figures, String kind, String name) throws IOException {
     if (file != null) {

@@ -8,7 +8,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import org.dfra.app.plot.HtmlReport;
 
-/** What stands first in every report: how it went, when that was, and what was wanted. */
+/** The head of every report: the verdict, the date, and the targets. */
 public final class ReportHead {
 
   private static final DateTimeFormatter DATE =
@@ -18,9 +18,9 @@ public final class ReportHead {
   private ReportHead() {}
 
   /**
-   * Adds it to a report that has nothing yet.
+   * Adds it to an empty report.
    *
-   * @param figures what was measured; those that are only stated are in the table too
+   * @param figures the measurements; those without a target are in the table too
    */
   public static void add(HtmlReport html, RunMeasurements figures, Instant when) {
     html.verdict(figures.failedRequirements().isEmpty(), verdict(figures));
@@ -34,7 +34,7 @@ public final class ReportHead {
     }
   }
 
-  /** A moment as reports tell it. */
+  /** A date and time as in reports. */
   public static String date(Instant when) {
     return DATE.format(when);
   }

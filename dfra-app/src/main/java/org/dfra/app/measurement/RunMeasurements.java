@@ -11,48 +11,48 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** What one run has measured. Confined to the thread that runs it. */
+/** The measurements of one run. Confined to the thread that runs it. */
 public final class RunMeasurements {
 
   private final List<MeasuredValue> all = new ArrayList<>();
 
-  /** Notes one more. */
+  /** Adds one. */
   public void add(MeasuredValue figure) {
     all.add(figure);
   }
 
-  /** All, in the order noted. */
+  /** All, in the order added. */
   public List<MeasuredValue> all() {
     return List.copyOf(all);
   }
 
-  /** Those that are not what they should be. */
+  /** Those that miss their targets. */
   public List<MeasuredValue> missed() {
     return all.stream().filter(each -> !each.isMet()).toList();
   }
 
-  /** Those that must be true and are not. */
+  /** Requirements that are not met. */
   public List<MeasuredValue> failedRequirements() {
     return missed().stream().filter(each -> !each.isTime()).toList();
   }
 
-  /** Times that are longer than they should be. */
+  /** Times that exceed their targets. */
   public List<MeasuredValue> missedTimes() {
     return missed().stream().filter(MeasuredValue::isTime).toList();
   }
 
-  /** Whether any time has a limit. */
+  /** Whether any time has a target. */
   public boolean hasTimes() {
     return all.stream().anyMatch(each -> each.isTime() && each.hasTarget());
   }
 
   /**
-   * Appends them to a CSV file, which is begun with a header where it does not exist; with the
-   * machine's load, of the last minute, since that spoils figures.
+   * Appends them to a CSV file, which is created with a header if it does not exist; with the
+   * machine's load average of the last minute, since load affects times.
    *
-   * @param kind what is measured by, the column's heading: {@code demo}, {@code bench} or {@code
+   * @param kind of the measuring program, as in its column: {@code demo}, {@code bench} or {@code
    *     soak}
-   * @param name which one of these
+   * @param name of this demonstration, benchmark or test
    */
   public void append(Path file, String kind, String name) throws IOException {
     StringBuilder rows = new StringBuilder();

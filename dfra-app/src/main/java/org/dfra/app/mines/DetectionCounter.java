@@ -17,16 +17,16 @@ import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates.PreviousResult
 import org.dfra.flow.sensor.CameraImage.Band;
 
 /**
- * Counts how often a camera's looks at mines raise an alarm, and its looks at places without one,
- * by what its look before at the same place said.
+ * Counts how often a camera raises an alarm at mines and at places without a mine, separately by
+ * the result of its previous image of the same place.
  *
- * <p>A place without a mine is a square of {@value #SQUARE} m, as large as the circle of the gate
- * in which things found are taken for one. Where something was found that is no mine the circle
- * around it is followed instead, look by look.
+ * <p>A place without a mine is a square of {@value #SQUARE} m, with the area of the circular gate
+ * in which detections are associated. If a false alarm occurs, the circle around it is tracked
+ * instead, image by image.
  */
 public final class DetectionCounter {
 
-  /** How far from a mine an alarm is its own, metres; the detector's gate. */
+  /** Maximum distance between a mine and its alarm, metres; the detector's gate. */
   public static final double GATE = 0.5;
 
   private static final double SQUARE = 0.886; // metres: √π · GATE
@@ -35,7 +35,7 @@ public final class DetectionCounter {
   private final Map<PreviousResult, DetectionRate> mines = new EnumMap<>(PreviousResult.class);
   private final Map<PreviousResult, DetectionRate> clear = new EnumMap<>(PreviousResult.class);
 
-  /** Of the cameras of a band. */
+  /** Counts for the cameras of a band. */
   public DetectionCounter(Band band) {
     this.band = band;
     for (PreviousResult each : PreviousResult.values()) {
@@ -44,17 +44,17 @@ public final class DetectionCounter {
     }
   }
 
-  /** Alarms at mines by what the look before said. */
+  /** Alarms at mines, given the previous result. */
   public DetectionRate truePositives(PreviousResult before) {
     return mines.getOrDefault(before, new DetectionRate());
   }
 
-  /** Alarms where there is no mine by what the look before said. */
+  /** Alarms where there is no mine, given the previous result. */
   public DetectionRate falsePositives(PreviousResult before) {
     return clear.getOrDefault(before, new DetectionRate());
   }
 
-  /** All rates as a detector takes them. */
+  /** All rates in the form for a detector. */
   public RepeatedDetectionRates rates() {
     return new RepeatedDetectionRates(
         rates(PreviousResult.NONE), rates(PreviousResult.ALARM), rates(PreviousResult.NO_ALARM));
@@ -69,7 +69,7 @@ public final class DetectionCounter {
     new LaneCounter(lane).count();
   }
 
-  /** A lane being counted. */
+  /** Counts one lane. */
   private final class LaneCounter {
     private final MineLaneObservations lane;
     private final Map<String, PreviousResult> atMines = new HashMap<>();
@@ -134,7 +134,7 @@ public final class DetectionCounter {
       squares(view);
     }
 
-    /** Counts the squares in view where nothing ever was found. */
+    /** Counts the squares in view where nothing has been detected. */
     private void squares(MineObservation.LocatedDetections view) {
       for (GroundPoint square : squaresIn(view)) {
         if (isClear(square) && clutter.stream().noneMatch(c -> c.distance(square) <= GATE)) {
@@ -156,7 +156,7 @@ public final class DetectionCounter {
         SQUARE * Math.rint(spot.x() / SQUARE), SQUARE * Math.rint(spot.y() / SQUARE));
   }
 
-  /** The middles of the squares that a camera would see a mine in the middle of. */
+  /** The centres of the squares in which the camera would see a mine. */
   static List<GroundPoint> squaresIn(MineObservation.LocatedDetections view) {
     int reach = (int) Math.ceil(5 / SQUARE);
     GroundPoint middle = square(new GroundPoint(view.viewpoint().east(), view.viewpoint().north()));

@@ -2,9 +2,7 @@ package org.dfra.app.mines;
 
 import org.dfra.app.raster.ConfidenceInterval;
 
-/**
- * How often something happened of the times that it could have. Mutable, confined to one thread.
- */
+/** The frequency of an event among its trials. Mutable, confined to one thread. */
 public final class DetectionRate {
 
   private int times;
@@ -20,26 +18,26 @@ public final class DetectionRate {
     trials += moreTrials;
   }
 
-  /** Times that it happened. */
+  /** Number of events. */
   public int times() {
     return times;
   }
 
-  /** Times that it could have happened. */
+  /** Number of trials. */
   public int trials() {
     return trials;
   }
 
   /**
-   * The rate as it is reckoned with: half a time is added to both outcomes, so that it is never 0
-   * nor 1, since that would leave no doubt (the mean of Jeffreys' posterior); to four decimals.
+   * The estimated rate: half an event is added to both outcomes, so that it is never 0 or 1, which
+   * would mean certainty (the mean of Jeffreys' posterior); rounded to four decimals.
    */
   public double value() {
     double rate = (times + 0.5) / (trials + 1);
     return Math.max(1e-4, Math.min(1 - 1e-4, Math.rint(rate * 1e4) / 1e4));
   }
 
-  /** Its Wilson interval of 95 %, around the plain share. */
+  /** Its Wilson interval of 95 %, around the observed share. */
   public ConfidenceInterval interval() {
     return trials == 0
         ? new ConfidenceInterval(Double.NaN, 0, 1)

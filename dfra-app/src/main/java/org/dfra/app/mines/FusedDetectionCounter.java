@@ -18,14 +18,14 @@ import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates.PreviousResult
 import org.dfra.flow.sensor.CameraImage.Band;
 
 /**
- * Counts how well both cameras do together: in a first look alone, where an alarm is a probability
+ * Counts the results of both cameras together: for a single image, where an alarm is a probability
  * of {@value #ALARM} or more, and after the whole lane, where it is {@value #SURE} or more.
  */
 public final class FusedDetectionCounter {
 
   private static final double ALARM = 0.5;
   private static final double SURE = 0.8;
-  private static final double SPACING = 0.5; // metres from look to look
+  private static final double SPACING = 0.5; // metres between images
 
   private final Fusion fusion;
   private final Map<Band, RepeatedDetectionRates> rates;
@@ -35,33 +35,33 @@ public final class FusedDetectionCounter {
   private final DetectionRate mistaken = new DetectionRate();
   private final List<Double> errors = new ArrayList<>();
 
-  /** With rates that were measured elsewhere. */
+  /** With rates that were measured before. */
   public FusedDetectionCounter(Fusion fusion, Map<Band, RepeatedDetectionRates> rates) {
     this.fusion = fusion;
     this.rates = rates;
   }
 
-  /** Looks at a mine after which there is an alarm. */
+  /** Images of a mine that lead to an alarm. */
   public DetectionRate truePositives() {
     return mines;
   }
 
-  /** Looks at a place without a mine after which there is an alarm. */
+  /** Images of a place without a mine that lead to an alarm. */
   public DetectionRate falsePositives() {
     return clear;
   }
 
-  /** Mines that are found in the end, of those that both cameras ever saw. */
+  /** Mines found after the whole lane, of those that both cameras ever saw. */
   public DetectionRate recall() {
     return found;
   }
 
-  /** What is found in the end and is no mine, of all that is found. */
+  /** False detections after the whole lane, of all detections. */
   public DetectionRate falseDiscoveries() {
     return mistaken;
   }
 
-  /** How far what was found is from its mine, root mean square, metres. */
+  /** Position error of the found mines, root mean square, metres. */
   public double positionRmse() {
     return Math.sqrt(errors.stream().mapToDouble(e -> e * e).average().orElse(Double.NaN));
   }
@@ -106,7 +106,7 @@ public final class FusedDetectionCounter {
     }
   }
 
-  /** One look by itself. */
+  /** A single image by itself. */
   private void once(MineLaneObservations lane, LaneObservation look) {
     lane.mines()
         .forEach(

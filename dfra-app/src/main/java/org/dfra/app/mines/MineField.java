@@ -18,9 +18,9 @@ import org.dfra.sim.world.shape.Polygon;
 import org.dfra.sim.world.shape.Vertex;
 
 /**
- * Fields with a lane along their middle, mines on both sides of it, and what may be taken for
- * mines: stones, posts, a hedge on each side, and the shadows of all of them, by a sun that stands
- * elsewhere each time. The same seed gives the same field.
+ * Fields with a lane along their middle, mines on both sides of it, and objects that resemble
+ * mines: stones, posts, a hedge on each side, and the shadows of all of them, with another sun
+ * position each time. The same seed gives the same field.
  */
 final class MineField {
 
@@ -28,7 +28,7 @@ final class MineField {
   static final String CAMERA = "camera";
   static final String THERMAL = "thermal";
 
-  /** Of both cameras, which look 29° down over the robot's bow. */
+  /** Of both cameras, which are tilted 29° down over the robot's bow. */
   static final MountPose MOUNT = new MountPose(0.35, 0, 0.7, 0, 0.5, 0);
 
   /** Of both cameras, radians. */
@@ -98,7 +98,7 @@ final class MineField {
         Place.CODE);
   }
 
-  /** 1 K to 5 K warmer or colder than the ground, and not always quite of one colour. */
+  /** 1 K to 5 K warmer or colder than the ground, with slight variations of colour. */
   private MineDescription mine(int number) {
     int colour = 0;
     for (int shift = 16; shift >= 0; shift -= 8) {

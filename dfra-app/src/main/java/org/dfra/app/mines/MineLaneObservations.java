@@ -28,11 +28,11 @@ import org.dfra.sim.world.description.MountPose;
 import org.dfra.sim.world.description.WorldDescription;
 
 /**
- * What a robot sees that drives along a field's lane and looks every half metre. Where it stands is
- * known exactly, and images are encoded and decoded as those of its cameras. The same seed gives
- * the same looks.
+ * The images of a robot that drives along a field's lane and takes one every half metre. Its pose
+ * is known exactly, and images are encoded and decoded as those of its cameras. The same seed gives
+ * the same images.
  *
- * @param mines where they truly are, by name, on the map
+ * @param mines their true positions, by name, on the map
  * @param observations in their order
  */
 public record MineLaneObservations(
@@ -49,21 +49,21 @@ public record MineLaneObservations(
   }
 
   /**
-   * A look.
+   * An observation.
    *
-   * @param observation what was seen
-   * @param visibleMines names of the mines that truly are in the images, by band
+   * @param observation the detections
+   * @param visibleMines names of the mines that are truly in the images, by band
    */
   public record LaneObservation(MineObservation observation, Map<Band, Set<String>> visibleMines) {
 
-    /** Whether an image truly shows a mine, and as well as is needed to find it. */
+    /** Whether an image truly shows a mine, and well enough to detect it. */
     boolean shows(MineObservation.LocatedDetections view, String mine, GroundPoint spot) {
       return visibleMines.getOrDefault(view.detections().band(), Set.of()).contains(mine)
           && view.covers(spot);
     }
   }
 
-  /** The whole lane of the field of that seed. */
+  /** The whole lane of the field with this seed. */
   public static MineLaneObservations of(long seed) {
     WorldDescription field = MineField.of(seed);
     World world = World.of(field, BEGIN);
@@ -91,7 +91,7 @@ public record MineLaneObservations(
     return new MineLaneObservations(mines, looks);
   }
 
-  /** A camera of the robot, and what searches its images. */
+  /** A camera of the robot, and its detector. */
   private static final class OneCamera {
     private final World world;
     private final String name;

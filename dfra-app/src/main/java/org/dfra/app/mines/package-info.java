@@ -1,9 +1,9 @@
 /**
- * Measures how well mines are found: simulated fields with mines and with what is taken for them,
- * robots that drive through, and counts of what their cameras say.
+ * Measures the detection rates of mines: simulated fields with mines and similar objects, robots
+ * that drive through, and counts of their cameras' detections.
  *
- * <p>Enter at {@link org.dfra.app.mines.MineLaneObservations} for what one robot sees, at {@link
- * org.dfra.app.mines.DetectionCounter} for what follows from it.
+ * <p>Entry points: {@link org.dfra.app.mines.MineLaneObservations} for the images of one robot,
+ * {@link org.dfra.app.mines.DetectionCounter} for the counts.
  */
 @NullMarked
 package org.dfra.app.mines;

@@ -16,38 +16,38 @@ import org.dfra.river.bootstrap.RobotDescriptionStore;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
-/** A module of a robot on this host, as the robot's XML describes it. A picocli mix-in. */
+/** A module of a robot on this host, by the robot's XML. A picocli mix-in. */
 final class ConfiguredModuleArgument {
 
   @Parameters(
       index = "0",
       paramLabel = "ROBOT.XML",
       description = "The robot's description, with the module in it.")
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private Path xml;
 
   @Parameters(index = "1", paramLabel = "MODULE", description = "Name of the module.")
   private String name = "";
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private PhoenixOptions phoenix;
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandOutput answer;
 
   CommandOutput answer() {
     return answer;
   }
 
-  /** What is done with the module, as its group is described. */
+  /** A change of the module, given its group's description. */
   interface Change {
     RobotBootstrap.ServiceReference apply(
         RobotBootstrap robot, ModuleDescription module, String group) throws Exception;
   }
 
-  /** Does it, and notes the robot as it is described now. */
+  /** Executes the change, and stores the robot's new description. */
   RobotBootstrap.ServiceReference change(Change change) throws Exception {
     RobotDescription robot = RobotXml.read(xml);
     for (GroupDescription group : robot.groups()) {

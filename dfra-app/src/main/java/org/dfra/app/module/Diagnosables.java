@@ -8,15 +8,15 @@ import org.dfra.directory.ModuleListing;
 import org.dfra.module.Diagnosable;
 import org.dfra.module.Module;
 
-/** Modules that can be examined. */
+/** Modules with diagnostics. */
 final class Diagnosables {
 
   private Diagnosables() {}
 
   /**
-   * The module as one that can be examined.
+   * The module as a diagnosable one.
    *
-   * @throws CommandFailure if it cannot
+   * @throws CommandFailure if it is not
    */
   static Diagnosable of(ModuleListing<Module> listing) {
     if (listing.module() instanceof Diagnosable diagnosable) {
@@ -28,10 +28,10 @@ final class Diagnosables {
   }
 
   /**
-   * A name that the module knows.
+   * Checks a name against the module's.
    *
-   * @param what what is named, {@code test} or {@code recovery}
-   * @throws CommandFailure if it does not
+   * @param what kind of name, {@code test} or {@code recovery}
+   * @throws CommandFailure if the module does not have it
    */
   static String known(String module, String what, List<String> names, String wanted) {
     if (names.contains(wanted)) {

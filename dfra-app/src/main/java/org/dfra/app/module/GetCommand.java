@@ -19,7 +19,7 @@ import picocli.CommandLine.Parameters;
 final class GetCommand implements Callable<Integer> {
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private ModuleArgument module;
 
   @Parameters(
@@ -50,9 +50,9 @@ final class GetCommand implements Callable<Integer> {
   }
 
   /**
-   * The parameter of that name.
+   * The parameter with that name.
    *
-   * @param module whose they are
+   * @param module the module's name
    * @throws CommandFailure if there is none
    */
   static Parameter find(List<Parameter> all, String wanted, String module) {

@@ -14,14 +14,14 @@ import org.dfra.persona.Attributes;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 
-/** {@code ./dfra module info}: what a module says of itself, and what its entries say. */
+/** {@code ./dfra module info}: a module's description and its lookup entries. */
 @Command(name = "info", description = "Tells all that a module says of itself.")
 final class InfoCommand implements Callable<Integer> {
 
   private static final String SUFFIX = "Attributes";
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private ModuleArgument module;
 
   @Override

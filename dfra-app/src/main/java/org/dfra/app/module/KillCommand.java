@@ -24,11 +24,11 @@ final class KillCommand implements Callable<Integer> {
   private String module = "";
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private PhoenixOptions phoenix;
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandOutput answer;
 
   @Override

@@ -11,7 +11,7 @@ import org.dfra.river.bootstrap.PhoenixInventory;
 import org.dfra.river.bootstrap.PhoenixInventory.ServiceGroup;
 import org.dfra.river.bootstrap.PhoenixProcess;
 
-/** Finds the service group of a module among those of this host. */
+/** Finds the service group of a module on this host. */
 final class LocalGroup {
 
   private LocalGroup() {}
@@ -39,7 +39,7 @@ final class LocalGroup {
                             groups.stream().flatMap(each -> paths(each).stream()).toList())));
   }
 
-  /** The robot must be named: what is done here may end processes. */
+  /** The robot must be named: these commands may end processes. */
   private static String hint(String module, List<String> paths) {
     return paths.stream()
         .filter(path -> path.endsWith("/" + module))

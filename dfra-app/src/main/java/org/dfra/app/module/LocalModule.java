@@ -20,22 +20,22 @@ final class LocalModule {
   private String module = "";
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private PhoenixOptions options;
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandOutput answer;
 
-  /** What is done with the module. */
+  /** An action on the module. */
   interface ModuleAction {
     void apply(RobotBootstrap robot, String module) throws Exception;
   }
 
   /**
-   * Does it and says so.
+   * Executes the action and reports it.
    *
-   * @param done what has become of the module, such as {@code removed}
+   * @param done its result, such as {@code removed}
    */
   void change(ModuleAction action, String done) throws Exception {
     PhoenixProcess phoenix = options.requireRunning();

@@ -2,7 +2,7 @@ package org.dfra.app.module;
 
 import picocli.CommandLine.Command;
 
-/** {@code ./dfra module}: what can be asked of a module, and done to it. */
+/** {@code ./dfra module}: queries and changes of modules. */
 @Command(
     name = "module",
     description = "Lists the team's modules, asks and changes them.",

@@ -8,13 +8,13 @@ import java.util.Set;
 import org.dfra.module.Module;
 import org.jspecify.annotations.Nullable;
 
-/** What kinds of module a proxy is: the interfaces that it offers its clients. */
+/** The kinds of a module: the client interfaces that its proxy implements. */
 public final class ModuleKinds {
 
   private ModuleKinds() {}
 
   /**
-   * The most special kinds, such as {@code GPSSensor}, not those above them.
+   * The most specific kinds, such as {@code GPSSensor}, without their superinterfaces.
    *
    * @return names without their package, in alphabetical order
    */
@@ -39,7 +39,7 @@ public final class ModuleKinds {
         .anyMatch(each -> each.getSimpleName().equals(kind) || each.getName().equals(kind));
   }
 
-  /** Every interface that is for clients, whether of modules or of what a module also is. */
+  /** Every client interface of the proxy, including those that are not modules. */
   public static Set<Class<?>> interfaces(Module module) {
     Set<Class<?>> found = new LinkedHashSet<>();
     for (Class<?> type = module.getClass(); type != null; type = above(type)) {

@@ -25,7 +25,7 @@ import picocli.CommandLine.Option;
 @Command(name = "list", description = "Lists the modules of the team.")
 final class ModuleListCommand implements Callable<Integer> {
 
-  /** How long modules that do not serve may take to say why. */
+  /** Timeout for modules that are not ready to report the reason. */
   private static final Duration WHY = Duration.ofSeconds(2);
 
   @Option(names = "--robot", paramLabel = "ROBOT", description = "Only those of this robot.")
@@ -38,7 +38,7 @@ final class ModuleListCommand implements Callable<Integer> {
   private @Nullable String kind;
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private TeamOptions options;
 
   @Override
@@ -70,7 +70,7 @@ final class ModuleListCommand implements Callable<Integer> {
     return reason == null ? view : view.withReason(reason);
   }
 
-  /** Those whose proxies cannot be read here; of which kind they are is not known. */
+  /** Those whose proxies cannot be deserialized here; their kinds are unknown. */
   private Stream<ModuleView> refused(JiniModuleDirectory directory) {
     return kind != null
         ? Stream.of()

@@ -8,15 +8,15 @@ import org.dfra.app.terminal.CommandOutput;
 import org.dfra.app.terminal.Table;
 import org.dfra.module.Readiness;
 
-/** Modules, a line each. */
+/** Modules, one per line. */
 public final class ModuleListPrinter {
 
   private ModuleListPrinter() {}
 
   /**
-   * Answers with modules.
+   * Prints modules.
    *
-   * @param nothing what people are told when there are none
+   * @param nothing the text if there are none
    */
   public static void show(CommandOutput answer, List<ModuleView> modules, String nothing) {
     Table table = new Table("MODULE", "KIND", "STATE", "CLIENTS", "HOST", "SEEN");

@@ -39,7 +39,8 @@ final class ModuleMethods {
   }
 
   /**
-   * Whether its arguments can be written on a command line, and its answer outlives the command.
+   * Whether its arguments can be written on a command line, and its result is not bound to this
+   * process.
    */
   private static boolean canBeWritten(Method method) {
     return !AutoCloseable.class.isAssignableFrom(method.getReturnType())
@@ -63,17 +64,17 @@ final class ModuleMethods {
     return type.getTypeName().replaceAll("(\\w+\\.)+", "");
   }
 
-  /** All of them, in alphabetical order. */
+  /** All methods, in alphabetical order. */
   List<Method> methods() {
     return methods;
   }
 
   /**
-   * Calls one.
+   * Calls a method.
    *
-   * @param arguments as they were written
-   * @return what it returns; null where it returns nothing
-   * @throws Exception what it throws
+   * @param arguments as text
+   * @return its result; null if it returns nothing
+   * @throws Exception thrown by the method
    */
   @Nullable Object invoke(String name, List<String> arguments) throws Exception {
     Method method = method(name, arguments.size());

@@ -23,7 +23,7 @@ import picocli.CommandLine.Mixin;
 final class ModuleStopCommand implements Callable<Integer> {
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private ModuleArgument module;
 
   @Override

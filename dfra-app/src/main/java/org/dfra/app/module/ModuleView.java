@@ -13,23 +13,23 @@ import org.dfra.persona.RecruitmentAttributes;
 import org.dfra.river.lookup.UnreadableModule;
 
 /**
- * A module as its entries tell of it, without asking it.
+ * A module by its lookup entries, without a call to it.
  *
  * @param robot name of its robot
  * @param name its name
- * @param kinds what it is, such as {@code GPSSensor}
- * @param state how far it has come; absent where its entries do not tell
- * @param stopped whether it is an effector that is stopped for an emergency
- * @param clients how many clients hold a lease on it
- * @param host address of the computer it runs on
- * @param locality how near it is
- * @param stale whether no registrar that answers holds it any more
- * @param confirmed when a registrar last did
+ * @param kinds its kinds, such as {@code GPSSensor}
+ * @param state its readiness; absent if its entries have none
+ * @param stopped whether it is an effector in emergency stop
+ * @param clients number of clients that hold a lease on it
+ * @param host address of its computer
+ * @param locality its locality relative to this process
+ * @param stale whether no responding registrar lists it any more
+ * @param confirmed when a registrar last listed it
  * @param id its service ID
- * @param reason why it does not serve, or why its classes are refused here; absent where it serves
- * @param refused whether its proxy cannot be read here
- * @param held why its robot answers no call for help, where it is a recruitment agent; absent where
- *     it is not held
+ * @param reason why it is not ready, or why its classes are refused here; absent if it is ready
+ * @param refused whether its proxy cannot be deserialized here
+ * @param held why its robot is suspended from recruitment, if it is a recruitment agent; absent if
+ *     it is not suspended
  */
 public record ModuleView(
     String robot,
@@ -51,7 +51,7 @@ public record ModuleView(
     kinds = List.copyOf(kinds);
   }
 
-  /** What a listing tells. */
+  /** The view of a listing. */
   public static ModuleView of(ModuleListing<? extends Module> listing) {
     Optional<ModuleAttributes> attributes = listing.attributes(ModuleAttributes.class);
     return new ModuleView(
@@ -74,7 +74,7 @@ public record ModuleView(
         listing.attributes(RecruitmentAttributes.class).map(RecruitmentAttributes::holdReason));
   }
 
-  /** What is known of one whose proxy cannot be read here. */
+  /** The known data of a module whose proxy cannot be deserialized here. */
   static ModuleView of(UnreadableModule module) {
     return new ModuleView(
         module.robot(),
@@ -93,7 +93,7 @@ public record ModuleView(
         Optional.empty());
   }
 
-  /** The same with the reason why it does not serve. */
+  /** The same with the reason why it is not ready. */
   ModuleView withReason(String why) {
     return new ModuleView(
         robot,
@@ -112,7 +112,7 @@ public record ModuleView(
         held);
   }
 
-  /** A sentence about one that cannot be used now; empty where it can be. */
+  /** A sentence about why it cannot be used now; empty if it can. */
   Optional<String> unusableReason() {
     return reason.map(
         why ->
@@ -124,7 +124,7 @@ public record ModuleView(
                 + (why.endsWith("?") ? "" : "."));
   }
 
-  /** A sentence about a robot that is held; empty where this does not tell of one. */
+  /** A sentence about a robot that is suspended from recruitment; empty if it is not. */
   Optional<String> hold() {
     return held.map(
         why ->

@@ -16,7 +16,7 @@ import picocli.CommandLine.Parameters;
 final class SetCommand implements Callable<Integer> {
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private ModuleArgument module;
 
   @Parameters(index = "1", paramLabel = "PARAMETER", description = "Which one.")

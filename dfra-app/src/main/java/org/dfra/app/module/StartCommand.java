@@ -14,7 +14,7 @@ import picocli.CommandLine.Mixin;
 final class StartCommand implements Callable<Integer> {
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private LocalModule local;
 
   @Override

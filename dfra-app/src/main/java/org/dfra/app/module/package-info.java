@@ -1,4 +1,4 @@
-/** The verbs of {@code ./dfra module}: what can be asked of a module, and done to it. */
+/** The subcommands of {@code ./dfra module}: queries and changes of modules. */
 @NullMarked
 package org.dfra.app.module;
 

@@ -10,14 +10,15 @@ import org.dfra.geometry.LocalPosition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Of the fixes of a receiver that stands. New noise is what a fix differs by from the next; slow
- * noise is what the means of half minutes differ by. East and north are taken together.
+ * Noise of the fixes of a stopped receiver. The white noise is the difference between consecutive
+ * fixes; the slow noise is the difference between means over half minutes. East and north are
+ * evaluated together.
  */
 final class GpsNoiseStudy implements NoiseStudy {
 
   private static final Duration SPAN = Duration.ofSeconds(30);
 
-  /** Of a first-order Gauss-Markov process after its correlation time. */
+  /** The correlation of a first-order Gauss-Markov process after its correlation time. */
   private static final double FALLEN = 1 / Math.E;
 
   private final SampleSeries east = new SampleSeries();
@@ -72,7 +73,7 @@ final class GpsNoiseStudy implements NoiseStudy {
     return Math.sqrt((east * east + north * north) / 2);
   }
 
-  /** Seconds until the means' correlation has fallen, between two of them in a straight line. */
+  /** Seconds until the means' correlation has fallen to that value, linearly interpolated. */
   private double correlationTime() {
     double whole = covariance(0);
     double before = 1;

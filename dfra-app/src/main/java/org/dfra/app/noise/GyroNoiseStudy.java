@@ -8,9 +8,9 @@ import org.dfra.flow.sensor.AngularRate;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Of the rates of a gyro that stands. White noise is what a reading differs by from the next, since
- * in an hour the drift makes more than the noise; drift is what the means of seconds have changed
- * by after a minute.
+ * Noise of the yaw rates of a stopped gyro. The white noise is the difference between consecutive
+ * readings, since over an hour the drift exceeds the noise; the drift is the change of the means
+ * over a second after a minute.
  */
 final class GyroNoiseStudy implements NoiseStudy {
 
@@ -19,7 +19,7 @@ final class GyroNoiseStudy implements NoiseStudy {
   private final IntervalMeans seconds = new IntervalMeans(Duration.ofSeconds(1));
   private final SampleSeries intervals = new SampleSeries(); // seconds
   private double last;
-  private double squares; // of the differences of one reading to the next
+  private double squares; // of the differences between consecutive readings
   private long readings;
   private double firstMinute;
   private long inFirstMinute;

@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
-/** The means of spans of equal length; the last span counts when the next one has begun. */
+/** The means over intervals of equal length; an interval counts when the next one has begun. */
 final class IntervalMeans {
 
   private final long span; // nanoseconds
@@ -33,7 +33,7 @@ final class IntervalMeans {
     count++;
   }
 
-  /** Those of the spans that are over. */
+  /** The means of the completed intervals. */
   SampleSeries series() {
     return means;
   }

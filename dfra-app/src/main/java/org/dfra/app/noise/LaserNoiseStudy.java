@@ -9,19 +9,19 @@ import org.dfra.event.Reading;
 import org.dfra.flow.sensor.RangeScan;
 
 /**
- * Of the scans of a laser that stands among things that stand. Each beam has a usual range, the
- * median of its first scans. What is nearer by {@link #NEARER} is a ghost, and lasts until a scan
- * shows none in that beam or the ones beside it.
+ * Noise of the scans of a stopped laser in a static scene. Each beam has a usual range, the median
+ * of its first scans. A reading nearer by {@link #NEARER} is a ghost, and lasts until a scan shows
+ * none in that beam or its neighbours.
  */
 final class LaserNoiseStudy implements NoiseStudy {
 
-  /** Scans that the usual ranges are made of. */
+  /** Number of scans for the usual ranges. */
   private static final int LEARNED = 101;
 
   /** Metres. */
   private static final double NEARER = 0.5;
 
-  /** Beams between two ghosts at the least. */
+  /** Minimum number of beams between two ghosts. */
   private static final int GAP = 2;
 
   private final List<RangeScan> first = new ArrayList<>();
@@ -71,7 +71,7 @@ final class LaserNoiseStudy implements NoiseStudy {
     }
   }
 
-  /** The median range of each beam; endless where it mostly met nothing. */
+  /** The median range of each beam; infinite if it mostly had no echo. */
   private double[] usual() {
     int beams = first.get(0).ranges().length;
     double[] medians = new double[beams];
@@ -87,7 +87,7 @@ final class LaserNoiseStudy implements NoiseStudy {
     return medians;
   }
 
-  /** The beam that usually meets the nearest thing. */
+  /** The beam with the smallest usual range. */
   private int nearest() {
     int best = 0;
     for (int beam = 1; beam < usual.length; beam++) {

@@ -1,11 +1,11 @@
 package org.dfra.app.noise;
 
 /**
- * A figure that was measured.
+ * A measured noise parameter.
  *
- * @param name of the parameter that it is for, as estimators call it
- * @param value NaN where too little was heard
+ * @param name of the parameter, as in the estimators
+ * @param value NaN if there were too few readings
  * @param unit its unit; may be empty
- * @param basis what it was made of, in words
+ * @param basis the data that it is based on, in words
  */
 public record NoiseParameter(String name, double value, String unit, String basis) {}

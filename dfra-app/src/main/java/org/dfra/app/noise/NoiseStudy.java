@@ -8,15 +8,15 @@ import org.dfra.flow.sensor.GpsFix;
 import org.dfra.flow.sensor.RangeScan;
 
 /**
- * Makes figures of what a sensor tells while its robot stands. The readings come in the order in
- * which they were measured. Not safe for several threads by itself.
+ * Computes noise parameters from the readings of a sensor whose robot is stopped. Readings arrive
+ * in the order in which they were measured. Not thread-safe.
  */
 public interface NoiseStudy {
 
   /**
-   * One of the sensor that tells such readings.
+   * A study for the sensor of such readings.
    *
-   * @return nothing where there is none for them
+   * @return empty if there is none for them
    */
   static Optional<NoiseStudy> of(Reading first) {
     if (first instanceof GpsFix) {
@@ -29,12 +29,12 @@ public interface NoiseStudy {
     return Optional.empty();
   }
 
-  /** Takes another reading; one of another kind is passed over. */
+  /** Adds a reading; ignores one of another type. */
   void add(Reading reading);
 
-  /** How many were taken. */
+  /** Number of readings. */
   long readings();
 
-  /** What they amount to so far. */
+  /** The parameters by the readings so far. */
   List<NoiseParameter> parameters();
 }

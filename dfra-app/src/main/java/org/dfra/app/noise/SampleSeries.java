@@ -2,7 +2,7 @@ package org.dfra.app.noise;
 
 import java.util.Arrays;
 
-/** Numbers one after the other, and how they lie. Grows as needed. */
+/** A growing series of numbers and its statistics. */
 final class SampleSeries {
 
   private double[] values = new double[64];
@@ -23,7 +23,7 @@ final class SampleSeries {
     return values[i];
   }
 
-  /** NaN where there is none. */
+  /** The mean; NaN for an empty series. */
   double mean() {
     double sum = 0;
     for (int i = 0; i < size; i++) {
@@ -32,7 +32,7 @@ final class SampleSeries {
     return sum / size;
   }
 
-  /** The standard deviation of what they are drawn from; NaN where there are fewer than two. */
+  /** The sample standard deviation; NaN for fewer than two numbers. */
   double deviation() {
     double mean = mean();
     double squares = 0;
@@ -42,14 +42,14 @@ final class SampleSeries {
     return size < 2 ? Double.NaN : Math.sqrt(squares / (size - 1));
   }
 
-  /** The middle one by size; NaN where there is none. */
+  /** The median; NaN for an empty series. */
   double median() {
     double[] sorted = Arrays.copyOf(values, size);
     Arrays.sort(sorted);
     return size == 0 ? Double.NaN : sorted[size / 2];
   }
 
-  /** What each is more than the one so many before it. */
+  /** The difference between each number and the one {@code lag} before it. */
   SampleSeries differences(int lag) {
     SampleSeries differences = new SampleSeries();
     for (int i = lag; i < size; i++) {
@@ -58,7 +58,7 @@ final class SampleSeries {
     return differences;
   }
 
-  /** Covariance with those so many later, about the mean of all; 0 where there are too few. */
+  /** Autocovariance at this lag, about the mean of all numbers; 0 for too few numbers. */
   double covariance(int lag) {
     double mean = mean();
     double sum = 0;

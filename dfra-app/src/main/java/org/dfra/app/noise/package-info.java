@@ -1,7 +1,6 @@
 /**
- * What sensors do wrong while their robot stands, as figures that the estimators want to know; the
- * procedures of {@code docs/reference/sensor-noise.md}. Enter at {@link
- * org.dfra.app.noise.NoiseStudy}.
+ * Sensor errors while the robot is stopped, as parameters for the estimators; the procedures of
+ * {@code docs/reference/sensor-noise.md}. Entry point: {@link org.dfra.app.noise.NoiseStudy}.
  */
 @NullMarked
 package org.dfra.app.noise;

@@ -14,7 +14,7 @@ import org.dfra.persona.ModuleAttributes;
 import org.dfra.persona.PoseAttributes;
 import org.dfra.persona.SensorAttributes;
 
-/** What a module can do, a line for each kind of attributes, with units. */
+/** The capabilities of a module, a line for each kind of attributes, with units. */
 final class Abilities {
 
   private static final String SUFFIX = "Attributes";
@@ -24,7 +24,7 @@ final class Abilities {
   static List<String> of(List<Attributes> attributes) {
     List<String> lines = new ArrayList<>();
     for (Attributes each : attributes) {
-      if (!(each instanceof ModuleAttributes)) { // that is told above
+      if (!(each instanceof ModuleAttributes)) { // already printed above
         String line = line(each);
         if (!line.isEmpty()) {
           lines.add(name(each) + ": " + line);
@@ -78,7 +78,7 @@ final class Abilities {
     return InlineFormat.of(attributes);
   }
 
-  /** With four digits, and no more of them than it has. */
+  /** With four significant digits at most. */
   private static String number(double value) {
     return new BigDecimal(value)
         .round(new MathContext(4, RoundingMode.HALF_EVEN))

@@ -46,7 +46,7 @@ final class FindCommand implements Callable<Integer> {
   private List<String> words = List.of();
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private TeamOptions options;
 
   @Override

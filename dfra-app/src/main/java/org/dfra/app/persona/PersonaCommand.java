@@ -2,7 +2,7 @@ package org.dfra.app.persona;
 
 import picocli.CommandLine.Command;
 
-/** {@code ./dfra persona}: what the team's robots show of themselves. */
+/** {@code ./dfra persona}: the attributes that the team's robots publish. */
 @Command(
     name = "persona",
     description = "Shows the team's robots, and finds modules by what they can do.",

@@ -15,7 +15,7 @@ import picocli.CommandLine.Mixin;
 final class PersonaListCommand implements Callable<Integer> {
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private TeamOptions options;
 
   @Override

@@ -35,7 +35,7 @@ final class PersonaShowCommand implements Callable<Integer> {
   private String robot = "";
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private TeamOptions options;
 
   /** A module with all its attributes, by their kinds. */

@@ -7,16 +7,16 @@ import org.dfra.directory.Persona;
 import org.dfra.persona.PersonaAttributes;
 
 /**
- * A robot as it shows itself.
+ * A robot by its published attributes.
  *
  * @param robot its name
- * @param host address or name of the computer it runs on; empty where that is not known
- * @param role its role in the team; absent where it tells none
- * @param goals what it tries to achieve
- * @param limitations what it cannot do
- * @param modules how many modules it shows
- * @param stale whether no lookup service that answers vouches for anything of it
- * @param confirmed when one last did, where it is stale; else since when it has been known
+ * @param host address or name of its computer; empty if unknown
+ * @param role its role in the team; absent if not set
+ * @param goals its goals
+ * @param limitations its limitations
+ * @param modules number of its listed modules
+ * @param stale whether no responding lookup service lists any of its modules
+ * @param confirmed when one last did, if it is stale; else since when it has been known
  */
 record RobotView(
     String robot,

@@ -1,4 +1,4 @@
-/** The verbs of {@code ./dfra persona}: what the team's robots show of themselves. */
+/** The subcommands of {@code ./dfra persona}: the attributes that the team's robots publish. */
 @NullMarked
 package org.dfra.app.persona;
 

@@ -1,12 +1,12 @@
 package org.dfra.app.plot;
 
 /**
- * What is counted along an axis.
+ * The quantity along an axis.
  *
- * @param label what it is, such as {@code time}
- * @param unit its unit, such as {@code s}; empty where it has none
- * @param low lower end, in this unit; not a number to have it from the data
- * @param high upper end; not a number to have it from the data
+ * @param label its name, such as {@code time}
+ * @param unit its unit, such as {@code s}; empty if it has none
+ * @param low lower end, in this unit; NaN to take it from the data
+ * @param high upper end; NaN to take it from the data
  */
 public record Axis(String label, String unit, double low, double high) {
 
@@ -32,7 +32,7 @@ public record Axis(String label, String unit, double low, double high) {
     return unit.isEmpty() ? label : label + " [" + unit + "]";
   }
 
-  /** Its fixed ends, and for those that it has not, the range's. */
+  /** Its fixed ends, and for those that are not fixed, the range's. */
   Range over(Range data) {
     double from = Double.isNaN(low) ? data.low() : low;
     double to = Double.isNaN(high) ? data.high() : high;

@@ -16,8 +16,8 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A value over two quantities as colours, with a bar that says which is which; lines and points can
- * be drawn above. Cells without a number are grey. Confined to one thread until it is painted.
+ * A value over two quantities as colours, with a colour bar; lines and points can be drawn above.
+ * Cells without a number are grey. Confined to one thread until it is painted.
  */
 public final class HeatPanel implements Panel {
 
@@ -41,9 +41,9 @@ public final class HeatPanel implements Panel {
   /**
    * @param x to the right, with fixed ends
    * @param y upwards, with fixed ends
-   * @param value what the colours are of
-   * @param cells rows from the low end of y upwards, of cells from the low end of x on; all are as
-   *     large, and together they fill the axes
+   * @param value the quantity that the colours show
+   * @param cells rows from the low end of y upwards, of cells from the low end of x on; all have
+   *     the same size, and together they fill the axes
    */
   public HeatPanel(String title, Axis x, Axis y, Axis value, double[][] cells) {
     if (Double.isNaN(x.high() - x.low()) || Double.isNaN(y.high() - y.low())) {
@@ -72,20 +72,20 @@ public final class HeatPanel implements Panel {
     return this;
   }
 
-  /** Makes a metre as long on both axes. */
+  /** Gives both axes the same scale. */
   public HeatPanel asMap() {
     isMap = true;
     return this;
   }
 
-  /** Tells what cells without a number mean, in a few words. */
+  /** Sets the label of cells without a number, a few words. */
   public HeatPanel whereMissing(String meaning) {
     missing = meaning;
     return this;
   }
 
   /**
-   * Tells what the cells' values mean where these are whole numbers from 0 on.
+   * Sets the labels of the cells' values if these are integers from 0.
    *
    * @param meanings of 0, 1 and so on, a word or two each
    */
@@ -129,7 +129,7 @@ public final class HeatPanel implements Panel {
 
   private void paintCells(Graphics2D g, Plot plot, Range range) {
     Shades shades = shades(range);
-    // Rectangles that touch would show paper between them if their edges were smoothed.
+    // Antialiased edges of adjacent rectangles would show the background between them.
     g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);
     Path2D[] levels = levels(plot, range);
     for (int level = 0; level <= LEVELS; level++) {
@@ -141,7 +141,7 @@ public final class HeatPanel implements Panel {
     g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
   }
 
-  /** For each colour, and at last for what is missing, the rectangles that have it. */
+  /** The rectangles of each colour, and last those of missing values. */
   private Path2D[] levels(Plot plot, Range range) {
     Path2D[] levels = new Path2D[LEVELS + 1];
     Arrays.setAll(levels, i -> new Path2D.Double());
@@ -160,7 +160,7 @@ public final class HeatPanel implements Panel {
     return levels;
   }
 
-  /** Neighbours of one colour in a row. */
+  /** Adjacent cells of one colour in a row. */
   private record Run(int begin, int end, int level) {}
 
   private static List<Run> runs(double[] row, Range range) {
@@ -190,7 +190,7 @@ public final class HeatPanel implements Panel {
     return names.isEmpty() ? Shades.of(range) : Shades.RISING;
   }
 
-  /** A colour's place in the bar: with names there are as many as these. */
+  /** A colour's index in the bar: with labels there are as many colours as labels. */
   private int barLevel(int level, Range range) {
     return names.isEmpty() ? level : level(level * names.size() / LEVELS, range);
   }

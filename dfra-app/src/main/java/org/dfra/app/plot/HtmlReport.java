@@ -10,8 +10,8 @@ import java.util.List;
 import org.dfra.text.PrintableText;
 
 /**
- * A report in one file that needs no other and runs nothing: text, tables, and pages as inline SVG.
- * All text is plain and is escaped. Confined to one thread.
+ * A report in one self-contained file without scripts: text, tables, and pages as inline SVG. All
+ * text is plain and is escaped. Confined to one thread.
  */
 public final class HtmlReport {
 
@@ -40,15 +40,15 @@ public final class HtmlReport {
     this.title = title;
   }
 
-  /** Begins a section. */
+  /** Starts a section. */
   public HtmlReport heading(String text) {
     return element("h2", text);
   }
 
   /**
-   * Says first of all how it went.
+   * Adds the verdict at the top.
    *
-   * @param isWell whether all is as it should be
+   * @param isWell whether the run passed
    */
   public HtmlReport verdict(boolean isWell, String text) {
     body.append("<p class=\"verdict ").append(isWell ? "met" : "missed").append("\">");
@@ -71,7 +71,7 @@ public final class HtmlReport {
    * Adds a table.
    *
    * @param headings of the columns
-   * @param rows of as many cells each
+   * @param rows each with as many cells
    */
   public HtmlReport table(List<String> headings, List<List<String>> rows) {
     for (List<String> row : rows) {
@@ -93,9 +93,7 @@ public final class HtmlReport {
     return this;
   }
 
-  /**
-   * @param areNumbers for each column whether it stands on the right
-   */
+  /** @param areNumbers for each column whether it is right-aligned */
   private void row(String cell, List<String> texts, List<Boolean> areNumbers) {
     body.append("<tr>");
     for (int i = 0; i < texts.size(); i++) {
@@ -107,9 +105,9 @@ public final class HtmlReport {
   }
 
   /**
-   * Adds a page as it is now.
+   * Adds the page in its current state.
    *
-   * @param caption what is to be seen in it; empty for none
+   * @param caption description of its content; empty for none
    * @throws NoFontException if no font is installed
    */
   public HtmlReport figure(Page page, String caption) {
@@ -117,7 +115,7 @@ public final class HtmlReport {
   }
 
   /**
-   * The same, and writes the picture to an SVG file too. It is painted once.
+   * Adds the page and also writes the image to an SVG file. It is painted once.
    *
    * @throws NoFontException if no font is installed
    */
@@ -142,11 +140,11 @@ public final class HtmlReport {
   }
 
   /**
-   * Adds a picture.
+   * Adds an image.
    *
-   * @param data as it is encoded, and kept in the document
-   * @param mediaType how: {@code image/png}
-   * @param caption what is to be seen in it
+   * @param data encoded, and embedded in the document
+   * @param mediaType of the data: {@code image/png}
+   * @param caption description of its content
    */
   public HtmlReport image(byte[] data, String mediaType, String caption) {
     body.append("<figure>\n<img src=\"data:")
@@ -191,7 +189,7 @@ public final class HtmlReport {
     return Numerals.unbroken(PrintableText.lines(text));
   }
 
-  /** Of a text that is {@linkplain PrintableText printable}. */
+  /** Escapes a text that is {@linkplain PrintableText printable}. */
   private static String escaped(String text) {
     return text.replace("&", "&amp;")
         .replace("<", "&lt;")

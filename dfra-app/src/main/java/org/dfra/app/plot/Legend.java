@@ -8,7 +8,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What colours and strokes stand for: in as many lines below a plot as it takes. */
+/** The legend of colours and strokes: in as many lines below a plot as it takes. */
 final class Legend {
 
   private static final int LINE_HEIGHT = 18;
@@ -19,12 +19,12 @@ final class Legend {
 
   private final List<List<Entry>> lines = new ArrayList<>();
 
-  /** What the marks of a path mean, behind its start, an arrow and its end. */
+  /** The labels of a path's marks: its start, an arrow and its end. */
   private static final String PATH_KEY = "start, direction, end";
 
-  private static final int KEY = 44; // wide, for what these take
+  private static final int KEY = 44; // width of these marks
 
-  /** What an entry shows before its text; the place is its left end, in pixels. */
+  /** The symbol before an entry's text; the given position is its left end, in pixels. */
   @FunctionalInterface
   private interface Sample {
     void paint(Graphics2D g, double x, double y);
@@ -38,9 +38,9 @@ final class Legend {
   }
 
   /**
-   * @param all of whose names those that are not empty are told once each, in this order
+   * @param all each distinct non-empty name gets an entry, in this order
    * @param hasWays whether paths among them have marks, which are explained
-   * @param width in pixels; a name that is longer is cut
+   * @param width in pixels; a longer name is cut
    */
   Legend(List<Series> all, boolean hasWays, double width) {
     List<Entry> entries = new ArrayList<>();
@@ -73,12 +73,12 @@ final class Legend {
     }
   }
 
-  /** The names, each once; what number a name has decides on its colour. */
+  /** The distinct names; a name's index determines its colour. */
   static List<String> names(List<Series> all) {
     return all.stream().map(Series::name).filter(name -> !name.isEmpty()).distinct().toList();
   }
 
-  /** In pixels; 0 where there are no names. */
+  /** In pixels; 0 if there are no names. */
   int height() {
     return lines.isEmpty() ? 0 : lines.size() * LINE_HEIGHT + GAP;
   }

@@ -29,21 +29,21 @@ public final class LinePanel implements Panel {
   private final List<Span> spans = new ArrayList<>();
 
   private final List<Note> notes = new ArrayList<>();
-  private @Nullable Range shared; // with those above and below
-  private int left; // pixels beside the plot at the least
+  private @Nullable Range shared; // with the panels above and below
+  private int left; // minimum pixels beside the plot
 
-  /** A line from one side to the other with what it means. */
+  /** A line across the plot with its label. */
   private record Mark(boolean isMoment, double value, String label) {}
 
-  /** An upright line with the number under which a list tells what it means. */
+  /** A vertical line with its number in a list of events. */
   private record Note(double at, String number) {}
 
-  /** A band from bottom to top with what it means. */
+  /** A vertical band with its label. */
   private record Span(double from, double to, String label) {}
 
   /**
-   * @param x what the values are over, such as time
-   * @param y what the values are
+   * @param x the independent quantity, such as time
+   * @param y the quantity of the values
    */
   public LinePanel(String title, Axis x, Axis y) {
     this.title = title;
@@ -58,10 +58,10 @@ public final class LinePanel implements Panel {
   }
 
   /**
-   * Marks where something happens.
+   * Marks the time of an event.
    *
    * @param at in the unit of the horizontal axis
-   * @param label what happens, in a few words
+   * @param label the event, in a few words
    */
   public LinePanel moment(double at, String label) {
     marks.add(new Mark(true, at, label));
@@ -69,7 +69,7 @@ public final class LinePanel implements Panel {
   }
 
   /**
-   * Marks where something happens of which a list beside the figure tells.
+   * Marks an event that is in the list beside the figure.
    *
    * @param at in the unit of the horizontal axis
    * @param number its number in that list
@@ -80,11 +80,11 @@ public final class LinePanel implements Panel {
   }
 
   /**
-   * Marks how long something lasts; what reaches beyond the axis is cut.
+   * Marks an interval; it is cut at the ends of the axis.
    *
    * @param from in the unit of the horizontal axis
    * @param to likewise
-   * @param label what lasts, in a few words
+   * @param label of the interval, a few words
    */
   public LinePanel span(double from, double to, String label) {
     spans.add(new Span(from, to, label));
@@ -92,10 +92,10 @@ public final class LinePanel implements Panel {
   }
 
   /**
-   * Marks a value that must not be passed, or should be met.
+   * Marks a limit or a target of the values.
    *
    * @param at in the unit of the vertical axis
-   * @param label what it is, in a few words
+   * @param label of the limit, a few words
    */
   public LinePanel limit(double at, String label) {
     marks.add(new Mark(false, at, label));
@@ -103,8 +103,8 @@ public final class LinePanel implements Panel {
   }
 
   /**
-   * Has panels below one another that are over the same quantity show the same range of it, one
-   * value exactly below the other.
+   * Aligns panels below one another that have the same quantity on the horizontal axis: they show
+   * the same range, equal values exactly below each other.
    *
    * @param width of each, in pixels
    */
@@ -121,7 +121,7 @@ public final class LinePanel implements Panel {
     }
   }
 
-  /** Whether it is over the same quantity as another. */
+  /** Whether it has the same quantity on the horizontal axis as another. */
   boolean isOverTheSameAs(LinePanel other) {
     return x.equals(other.x);
   }
@@ -130,7 +130,7 @@ public final class LinePanel implements Panel {
     return all.stream().flatMapToDouble(each -> Arrays.stream(each.x()));
   }
 
-  /** What is painted, with its ranges. */
+  /** The plot to be painted, with its ranges. */
   Plot plot(int width, int height) {
     Plot plot = new Plot(title, x, y, all, this::paintMarks, width, height);
     plot.show(
@@ -173,7 +173,7 @@ public final class LinePanel implements Panel {
     g.draw(new Line2D.Double(at, area.getMinY(), at, area.getMaxY()));
   }
 
-  /** Above the series, on a piece of paper each, so that they can be read. */
+  /** Above the series, each on a background of its own, so that they are readable. */
   private void paintLabels(Graphics2D g, Plot plot) {
     Rectangle2D area = plot.area();
     paintUprights(g, plot);
@@ -189,12 +189,12 @@ public final class LinePanel implements Panel {
     paintNumbers(g, plot);
   }
 
-  /** A label that stands upright, left of a place and below another one, in pixels. */
+  /** A vertical label, left of a position and below another one, in pixels. */
   private record Upright(double at, double top, double bottom, String label) {}
 
   /**
-   * One that would lie on another goes below it. It is left out where it says the same or there is
-   * no room below.
+   * A label that would overlap another is moved below it. It is omitted if it has the same text or
+   * there is no space below.
    */
   private void paintUprights(Graphics2D g, Plot plot) {
     Rectangle2D area = plot.area();
@@ -217,7 +217,7 @@ public final class LinePanel implements Panel {
     }
   }
 
-  /** What has a label that stands upright, from the left, at places in pixels. */
+  /** Marks with vertical labels, from the left, at positions in pixels. */
   private List<Mark> uprights(Plot plot) {
     Rectangle2D area = plot.area();
     List<Mark> uprights = new ArrayList<>();
@@ -236,7 +236,7 @@ public final class LinePanel implements Panel {
     return uprights;
   }
 
-  /** At the upper ends of their lines; where there is no room beside the last, below it. */
+  /** At the upper ends of their lines; below the last number if there is no space beside it. */
   private void paintNumbers(Graphics2D g, Plot plot) {
     double thick = PanelText.height(PanelText.SMALL) + GAP;
     double taken = Double.NEGATIVE_INFINITY;
@@ -253,7 +253,7 @@ public final class LinePanel implements Panel {
     }
   }
 
-  /** Left of an upright line. */
+  /** Left of a vertical line. */
   private static void upwards(Graphics2D g, double at, double bottom, String text) {
     AffineTransform before = g.getTransform();
     g.translate(at - GAP, bottom);

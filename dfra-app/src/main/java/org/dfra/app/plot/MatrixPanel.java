@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * A table whose rows and columns stand for combinations: each cell has a word, and equal words have
- * one colour. The headings of the rows and columns are those of factors, the last of which changes
- * fastest.
+ * A table whose rows and columns are combinations of factors: each cell has a word, and equal words
+ * have one colour. The headings of the rows and columns are those of the factors; the last factor
+ * changes fastest.
  */
 public final class MatrixPanel implements Panel {
 
@@ -25,10 +25,10 @@ public final class MatrixPanel implements Panel {
   private final List<List<Cell>> cells;
 
   /**
-   * One of the quantities that are combined.
+   * One of the combined quantities.
    *
-   * @param name what it is
-   * @param values all that it can be, in their order
+   * @param name its name
+   * @param values all its values, in their order
    */
   public record Factor(String name, List<String> values) {
 
@@ -38,15 +38,15 @@ public final class MatrixPanel implements Panel {
   }
 
   /**
-   * What stands in a cell.
+   * The content of a cell.
    *
-   * @param text empty for a cell with nothing in it
-   * @param part which colour it has: from 0 to 1 for the first to the last of what there may be
-   * @param isAroundZero whether these are on both sides of a middle
+   * @param text empty for an empty cell
+   * @param part position in the colour scale: from 0 to 1 for the first to the last possible value
+   * @param isAroundZero whether the scale is symmetric about a middle
    */
   public record Cell(String text, double part, boolean isAroundZero) {
 
-    /** With nothing in it. */
+    /** An empty cell. */
     public static final Cell EMPTY = new Cell("", Double.NaN, false);
 
     Color colour() {
@@ -80,12 +80,12 @@ public final class MatrixPanel implements Panel {
     return factors.stream().mapToInt(each -> each.values().size()).reduce(1, (a, b) -> a * b);
   }
 
-  /** How high it has to be, in pixels. */
+  /** Required height, in pixels. */
   public int height() {
     return top() + cells.size() * LINE_HEIGHT + MARGIN;
   }
 
-  /** Where the cells begin: below a line for each column factor, and one for the rows' names. */
+  /** The top of the cells: below a line for each column factor, and one for the rows' names. */
   private int top() {
     return TITLE_HEIGHT + (columns.size() + 1) * LINE_HEIGHT;
   }
@@ -177,7 +177,7 @@ public final class MatrixPanel implements Panel {
         PanelText.Side.MIDDLE);
   }
 
-  /** The values of each factor in a combination, by their places. */
+  /** The value indices of each factor in each combination. */
   public static List<int[]> combinationsOf(List<Factor> factors) {
     int all = combinations(factors);
     return IntStream.range(0, all)

@@ -1,6 +1,6 @@
 package org.dfra.app.plot;
 
-/** This computer has no font that Java can use, so no picture can be painted. */
+/** Java finds no font on this computer, so no image can be painted. */
 public final class NoFontException extends RuntimeException {
 
   private static final long serialVersionUID = 1L;

@@ -9,9 +9,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Numbers at points of a plot, each in a disc of its own beside its point and joined to it. A disc
- * stands where it hides neither a point nor another disc, as near as there is room. Confined to one
- * thread.
+ * Numbers at points of a plot, each in a disc beside its point and joined to it. A disc covers
+ * neither a point nor another disc, and is as near as possible. Confined to one thread.
  */
 final class NumberTags {
 
@@ -27,19 +26,17 @@ final class NumberTags {
 
   private record Tag(Point2D at, String number) {}
 
-  /**
-   * @param area that discs stay in
-   */
+  /** @param area that contains the discs */
   NumberTags(Rectangle2D area) {
     this.area = area;
   }
 
-  /** Adds one, its point in pixels. */
+  /** Adds a number for a point in pixels. */
   void add(double x, double y, String number) {
     all.add(new Tag(new Point2D.Double(x, y), number));
   }
 
-  /** The middles of the discs, in the order added; the first is placed first. */
+  /** The centres of the discs, in the order added; the first is placed first. */
   List<Point2D> discs() {
     List<Point2D> discs = new ArrayList<>();
     all.forEach(each -> discs.add(place(each.at(), discs)));
@@ -78,7 +75,7 @@ final class NumberTags {
     return new Ellipse2D.Double(at.getX() - radius, at.getY() - radius, 2 * radius, 2 * radius);
   }
 
-  /** From the upper right on, clockwise, and farther away with each round. */
+  /** Tries positions from the upper right, clockwise, and farther away with each round. */
   private Point2D place(Point2D at, List<Point2D> taken) {
     for (int ring = 0; ring < RINGS; ring++) {
       double far = NEAREST + ring * STEP;
@@ -95,7 +92,7 @@ final class NumberTags {
     return nearestFree(at, taken);
   }
 
-  /** Anywhere in the area, or above its point where all of that is full. */
+  /** The nearest free position in the area, or above its point if there is none. */
   private Point2D nearestFree(Point2D at, List<Point2D> taken) {
     Point2D best = new Point2D.Double(at.getX(), at.getY() - NEAREST);
     double nearest = Double.POSITIVE_INFINITY;

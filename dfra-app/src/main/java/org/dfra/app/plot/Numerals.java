@@ -5,7 +5,7 @@ import java.math.MathContext;
 import java.util.List;
 import java.util.regex.Pattern;
 
-/** Numbers as people read them, at axes and elsewhere. */
+/** Numbers as text, for axes and tables. */
 public final class Numerals {
 
   private static final MathContext DIGITS = new MathContext(10);
@@ -25,19 +25,19 @@ public final class Numerals {
 
   private Numerals() {}
 
-  /** A text in which no line ends between a number and its unit. */
+  /** The text with non-breaking spaces between numbers and their units. */
   public static String unbroken(String text) {
     return SIGN.matcher(BREAK.matcher(text).replaceAll("\u00a0")).replaceAll("\u00a0");
   }
 
-  /** Whether most cells of a column are numbers, so that it is read best on its right. */
+  /** Whether most cells of a column are numbers, so that it is right-aligned. */
   static boolean areNumbers(List<String> cells) {
     long filled = cells.stream().filter(each -> !each.isBlank() && !each.equals("-")).count();
     long numbers = cells.stream().filter(each -> NUMBER.matcher(each).matches()).count();
     return numbers > 0 && 2 * numbers > filled;
   }
 
-  /** With ten digits at most, and a power of ten where it is very large or small. */
+  /** With ten digits at most, and a power of ten if it is very large or small. */
   public static String of(double value) {
     BigDecimal number = new BigDecimal(value).round(DIGITS).stripTrailingZeros();
     if (number.signum() == 0) {

@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Panels in rows below a title, painted to one picture. Confined to one thread.
+ * Panels in rows below a title, painted as one image. Confined to one thread.
  *
  * <pre>{@code
  * Page page = new Page("Two robots on one field");
@@ -41,9 +41,7 @@ public final class Page {
 
   private record Row(int height, List<Panel> panels) {}
 
-  /**
-   * @param title what the whole picture shows; empty for none
-   */
+  /** @param title of the whole image; empty for none */
   public Page(String title) {
     this.title = title;
   }
@@ -52,7 +50,7 @@ public final class Page {
    * Adds a row below the others.
    *
    * @param height in pixels; the page is 1200 wide
-   * @param panels from left to right, all as wide
+   * @param panels from left to right, of equal width
    */
   public Page row(int height, Panel... panels) {
     if (panels.length == 0 || height <= 0) {
@@ -63,12 +61,12 @@ public final class Page {
     return this;
   }
 
-  /** What it shows. */
+  /** Its title. */
   public String title() {
     return title;
   }
 
-  /** How wide each of so many panels in a row is, in pixels. */
+  /** The width of each of this number of panels in a row, in pixels. */
   public static int panelWidth(int panels) {
     return (WIDTH - (panels + 1) * MARGIN) / panels;
   }
@@ -87,7 +85,7 @@ public final class Page {
     return MARGIN + (title.isEmpty() ? 0 : TITLE_HEIGHT);
   }
 
-  /** Paints it from (0, 0) to its width and height, to a bitmap for example. */
+  /** Paints it from (0, 0) to its width and height, for example to a bitmap. */
   public void paint(Graphics2D g) {
     g.addRenderingHints(HINTS);
     g.setColor(Palette.PAPER);
@@ -115,9 +113,7 @@ public final class Page {
     }
   }
 
-  /**
-   * Panels that have rows for themselves, one below the other, share the axis that they are over.
-   */
+  /** Single panels in consecutive rows share their horizontal axis. */
   private void alignStacked() {
     List<LinePanel> stacked = new ArrayList<>();
     int height = 0;
@@ -135,15 +131,15 @@ public final class Page {
   }
 
   /**
-   * Has Java paint without a display, even where one is named that does not answer. It is for
-   * programs that show no window, and counts only before Java has painted anything.
+   * Sets Java's headless mode, so that it does not connect to a display. For programs without
+   * windows; effective only before the first use of AWT.
    */
   public static void setHeadless() {
     System.setProperty("java.awt.headless", "true");
   }
 
   /**
-   * The picture as an SVG document.
+   * The image as an SVG document.
    *
    * @throws NoFontException if no font is installed
    */
@@ -152,9 +148,9 @@ public final class Page {
   }
 
   /**
-   * The picture as an element {@code svg}.
+   * The image as an element {@code svg}.
    *
-   * @param prefix begins all ids in it, so that several fit into one document
+   * @param prefix of all IDs in it, so that several fit into one document
    */
   String element(String prefix) {
     PanelText.require();
@@ -164,7 +160,7 @@ public final class Page {
   }
 
   /**
-   * Writes the picture to an SVG file.
+   * Writes the image to an SVG file.
    *
    * @throws NoFontException if no font is installed
    */
@@ -172,7 +168,7 @@ public final class Page {
     write(element(""), file);
   }
 
-  /** Writes an element {@code svg} to a file of its own. */
+  /** Writes an element {@code svg} to a separate file. */
   static void write(String element, Path file) throws IOException {
     Files.writeString(file, HEAD + element, StandardCharsets.UTF_8);
   }

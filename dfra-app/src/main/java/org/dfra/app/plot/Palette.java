@@ -5,7 +5,7 @@ import java.awt.Color;
 import java.util.List;
 
 /**
- * Colours and strokes that colour-blind readers tell apart too, and that stand out from white:
+ * Colours and strokes that colour-blind readers can distinguish too, and that contrast with white:
  * those of Okabe and Ito ("Color universal design", 2008) without their yellow.
  */
 final class Palette {
@@ -28,7 +28,7 @@ final class Palette {
           new Color(0x56B4E9), // sky
           Color.BLACK);
 
-  /** Of frames and ticks. */
+  /** For frames and ticks. */
   static final BasicStroke THIN = new BasicStroke(1);
 
   private static final float WIDTH = 1.8f;
@@ -36,12 +36,12 @@ final class Palette {
 
   private Palette() {}
 
-  /** The colour of so many-th name, from 0. */
+  /** The colour of the n-th name, from 0. */
   static Color colour(int number) {
     return COLOURS.get(number % COLOURS.size());
   }
 
-  /** The stroke of so many-th name, from 0: where colours come again, its dashes differ. */
+  /** The stroke of the n-th name, from 0: if colours repeat, the dashes differ. */
   static BasicStroke stroke(int number) {
     float[] dashes = DASHES[number / COLOURS.size() % DASHES.length];
     return dashes.length == 0
@@ -49,7 +49,7 @@ final class Palette {
         : new BasicStroke(WIDTH, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, dashes, 0);
   }
 
-  /** The same, half transparent, for what is to stay behind. */
+  /** The same, half transparent, for series in the background. */
   static Color faint(Color colour) {
     return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), 80);
   }

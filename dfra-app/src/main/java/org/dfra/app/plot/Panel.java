@@ -2,7 +2,7 @@ package org.dfra.app.plot;
 
 import java.awt.Graphics2D;
 
-/** A picture in a rectangle of a {@link Page}. */
+/** An image in a rectangle of a {@link Page}. */
 @FunctionalInterface
 public interface Panel {
 

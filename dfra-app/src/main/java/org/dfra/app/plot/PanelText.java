@@ -7,7 +7,7 @@ import java.awt.font.FontRenderContext;
 import java.awt.geom.AffineTransform;
 import org.dfra.text.PrintableText;
 
-/** Text on panels: its fonts, how wide it is, and where it stands. */
+/** Text on panels: fonts, widths, and alignment. */
 final class PanelText {
 
   static final Font TITLE = font(Font.BOLD, 20);
@@ -20,13 +20,13 @@ final class PanelText {
 
   private PanelText() {}
 
-  /** Where a text stands at its place. */
+  /** Alignment of a text at its position. */
   enum Side {
-    /** It begins there. */
+    /** The position is its left end. */
     LEFT,
-    /** Its middle is there. */
+    /** The position is its middle. */
     MIDDLE,
-    /** It ends there. */
+    /** The position is its right end. */
     RIGHT
   }
 
@@ -35,14 +35,14 @@ final class PanelText {
   }
 
   /**
-   * Makes sure that there is a font.
+   * Checks that there is a font.
    *
    * @throws NoFontException if there is none
    */
   static void require() {
     try {
       Object unused = PLAIN.getFamily();
-    } catch (RuntimeException | LinkageError | InternalError e) { // as it happens to find out
+    } catch (RuntimeException | LinkageError | InternalError e) { // Java reports it in several ways
       throw new NoFontException(e);
     }
   }
@@ -52,12 +52,12 @@ final class PanelText {
     return font.getStringBounds(text, CONTEXT).getWidth();
   }
 
-  /** How far its capital letters reach above its baseline, in pixels. */
+  /** Height of its capital letters, in pixels. */
   static double height(Font font) {
     return font.createGlyphVector(CONTEXT, "H").getVisualBounds().getHeight();
   }
 
-  /** The text, or where it is wider than so many pixels, its beginning and an ellipsis. */
+  /** The text; if it is wider than the limit in pixels, its beginning and an ellipsis. */
   static String fitting(String whole, Font font, double width) {
     String text = printable(whole);
     if (width(text, font) <= width) {
@@ -70,7 +70,7 @@ final class PanelText {
     return cut + "…";
   }
 
-  /** The text without control characters, which XML cannot hold, and the like. */
+  /** The text without control characters and others that XML cannot contain. */
   static String printable(String text) {
     return PrintableText.name(text.replaceAll("\\R", " "));
   }
@@ -93,7 +93,7 @@ final class PanelText {
     g.drawString(text, (float) (x - shift), (float) y);
   }
 
-  /** Paints it upwards, its baseline at x, its middle at y. */
+  /** Paints it rotated upwards, its baseline at x, its middle at y. */
   static void upwards(Graphics2D g, String text, Font font, Color colour, double x, double y) {
     AffineTransform before = g.getTransform();
     g.translate(x, y);

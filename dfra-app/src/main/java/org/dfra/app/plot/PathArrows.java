@@ -10,17 +10,17 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 
-/** In which direction a path was gone: a ring where it starts, a square where it ends, arrows. */
+/** Shows the direction of a path: a ring at its start, a square at its end, arrows. */
 final class PathArrows {
 
   private static final double START = 5; // radius, pixels
   private static final double END = 4.5; // half a side
   private static final double EVERY = 110; // pixels along the path
-  private static final double CHORD = 6; // pixels, over which an arrow takes its direction
+  private static final double CHORD = 6; // pixels, over which an arrow's direction is measured
   private static final double LENGTH = 10;
   private static final double HALF_WIDTH = 4.5;
 
-  /** An arrow's point, and where it looks, radians, clockwise from the right. */
+  /** An arrow's tip and direction, radians, clockwise from the right. */
   record Arrow(Point2D at, double angle) {}
 
   private PathArrows() {}
@@ -39,11 +39,11 @@ final class PathArrows {
   }
 
   /**
-   * A path that is told in the legend: its start, its direction and its end.
+   * The legend's entry for paths: start, direction and end.
    *
-   * @param left where it starts, in pixels, as are all
-   * @param right where it ends
-   * @param y of all of it
+   * @param left its left end, in pixels, like all parameters
+   * @param right its right end
+   * @param y its height
    */
   static void paintKey(Graphics2D g, double left, double right, double y) {
     g.setColor(Palette.GREY);
@@ -90,7 +90,10 @@ final class PathArrows {
     return length;
   }
 
-  /** Evenly along the path; one in its middle where it is short, none where nobody moved. */
+  /**
+   * Evenly spaced along the path; one in the middle of a short path, none if the robot did not
+   * move.
+   */
   static List<Arrow> arrows(List<Point2D> points) {
     double length = length(points);
     if (length < 4 * LENGTH) {

@@ -11,8 +11,8 @@ import java.util.stream.DoubleStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Places and paths: a metre is as long on one axis as on the other. Confined to one thread until it
- * is painted.
+ * Positions and paths, with the same scale on both axes. Confined to one thread until it is
+ * painted.
  */
 public final class PathPanel implements Panel {
 
@@ -26,12 +26,12 @@ public final class PathPanel implements Panel {
   private final List<Note> notes = new ArrayList<>();
   private final List<Series> paths = new ArrayList<>();
 
-  /** A place with the number under which a list tells what happened there. */
+  /** A position with its number in a list of events. */
   private record Note(double x, double y, String number) {}
 
   /**
-   * Both axes are in the same unit. Fixed ends are kept in sight; one of the axes shows more, so
-   * that the scales agree.
+   * Both axes have the same unit. Fixed ends are always visible; one axis shows more, so that the
+   * scales are equal.
    *
    * @param x to the right, such as east
    * @param y upwards, such as north
@@ -52,14 +52,14 @@ public final class PathPanel implements Panel {
     return this;
   }
 
-  /** Adds a path that was gone: with its start, its end, and arrows in its direction. */
+  /** Adds a path with marks: its start, its end, and arrows in its direction. */
   public PathPanel addPath(Series way) {
     paths.add(way);
     return add(way);
   }
 
   /**
-   * Marks where something happens of which a list beside the figure tells.
+   * Marks an event that is in the list beside the figure.
    *
    * @param x in the unit of the axes
    * @param y likewise
@@ -98,8 +98,8 @@ public final class PathPanel implements Panel {
   }
 
   /**
-   * Widens one of the ranges. How large the plot is depends on how wide the labels beside it are,
-   * and these on the ranges, so it takes a few rounds.
+   * Widens one of the ranges. The plot's size depends on the width of its labels, and these on the
+   * ranges, so it takes several iterations.
    */
   static void equalise(Plot plot, Range across, Range up) {
     plot.show(across, up);
@@ -108,7 +108,7 @@ public final class PathPanel implements Panel {
       Rectangle2D last = area;
       area = plot.measured();
       if (area.equals(last)) {
-        return; // and so it would be in the next
+        return; // converged
       }
       double scale = Math.min(area.getWidth() / across.length(), area.getHeight() / up.length());
       plot.show(

@@ -27,11 +27,11 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
  *              legend
  * </pre>
  *
- * All places are in pixels from the upper left corner of XChart's part.
+ * All positions are in pixels from the upper left corner of XChart's part.
  */
 final class Plot {
 
-  /** XChart has no label for a tick at the very end of an axis, so axes are that much longer. */
+  /** XChart omits the label of a tick at the very end of an axis, so axes are extended by this. */
   private static final double BEYOND_THE_END = 1e-6;
 
   private static final String GROUND = "ground";
@@ -62,7 +62,7 @@ final class Plot {
   }
 
   /**
-   * @param ground painted below the series, clipped to what is between the axes
+   * @param ground painted below the series, clipped to the plot area
    * @param wide of the panel, in pixels
    * @param high of the panel, in pixels
    */
@@ -72,7 +72,7 @@ final class Plot {
 
   /**
    * @param hasPaths whether paths among the series have marks, which the legend explains
-   * @param ground painted below the series, clipped to what is between the axes
+   * @param ground painted below the series, clipped to the plot area
    * @param wide of the panel, in pixels
    * @param high of the panel, in pixels
    */
@@ -99,7 +99,7 @@ final class Plot {
   }
 
   /**
-   * A point is a stroke with round ends and hardly any length, of which SVG has many in a path.
+   * A point is a very short stroke with round ends: SVG can have many of these in one path.
    *
    * @param wide in pixels
    */
@@ -125,8 +125,8 @@ final class Plot {
     styler.setXAxisMax(wide.high());
     styler.setYAxisMin(high.low());
     styler.setYAxisMax(high.high());
-    // Where all values of an axis and its ends are evenly spaced, XChart has ticks at values only.
-    // This one, the first, lies at the far end, so that they never are.
+    // If all values of an axis and its ends are evenly spaced, XChart has ticks at values only.
+    // This first value prevents that: it lies at the far end.
     chart.updateXYSeries(GROUND, new double[] {x.high()}, new double[] {y.high()}, null);
   }
 
@@ -216,17 +216,17 @@ final class Plot {
     legend.paint(g, panel, height + (x.title().isEmpty() ? 0 : TITLE));
   }
 
-  /** Where a value of the horizontal axis is. */
+  /** Position of a value of the horizontal axis. */
   double x(double value) {
     return chart.getScreenXFromChart(value);
   }
 
-  /** Where a value of the vertical axis is. */
+  /** Position of a value of the vertical axis. */
   double y(double value) {
     return chart.getScreenYFromChart(value);
   }
 
-  /** What is between the axes. Known while and after it is painted. */
+  /** The area between the axes. Known while and after it is painted. */
   Rectangle2D area() {
     double west = x(across.low());
     double north = y(up.high());
@@ -234,8 +234,8 @@ final class Plot {
   }
 
   /**
-   * What will be between the axes with the ranges that they have now. Later ranges do not make it
-   * wider, however short their labels are.
+   * The area between the axes with the current ranges. Later ranges do not make it wider, however
+   * short their labels are.
    */
   Rectangle2D measured() {
     Graphics2D nowhere = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
@@ -249,13 +249,13 @@ final class Plot {
     return area;
   }
 
-  /** Leaves room for the labels of the vertical axis, as wide as others have it, in pixels. */
+  /** Reserves space for the labels of the vertical axis, as wide as in other panels, in pixels. */
   void leaveLeft(int pixels) {
     XYStyler styler = chart.getStyler();
     styler.setYAxisLeftWidthHint(Math.max(styler.getYAxisLeftWidthHint(), pixels));
   }
 
-  /** A ground that tells where there are no data. */
+  /** A background that shows where there are no data. */
   static Layer paper(List<Series> all) {
     boolean isEmpty = all.stream().allMatch(Series::isEmpty);
     return (g, plot) -> {

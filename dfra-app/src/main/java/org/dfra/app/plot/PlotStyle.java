@@ -4,10 +4,13 @@ import java.awt.BasicStroke;
 import java.util.Locale;
 import org.knowm.xchart.style.XYStyler;
 
-/** How XChart's part of a plot looks: plain, small, and without what is painted by ourselves. */
+/**
+ * The style of XChart's part of a plot: plain, small, and without the parts that this package
+ * paints.
+ */
 final class PlotStyle {
 
-  /** Around XChart's part, in pixels; half of a label at the end of an axis has room there. */
+  /** Around XChart's part, in pixels; enough for half of a label at the end of an axis. */
   static final int PADDING = 14;
 
   private PlotStyle() {}

@@ -3,15 +3,13 @@ package org.dfra.app.plot;
 import java.util.stream.DoubleStream;
 import java.util.stream.LongStream;
 
-/** A part of an axis, in the axis' unit; low is below high. */
+/** An interval of an axis, in the axis's unit; low is below high. */
 record Range(double low, double high) {
 
-  /** XChart sets no ticks on axes that are shorter, and seeks them forever. */
+  /** On shorter axes XChart sets no ticks, and its search for them does not end. */
   private static final double SHORTEST = 1e-7;
 
-  /**
-   * What holds all these, a little wider; from 0 to 1 where there is none. Skips what is no number.
-   */
+  /** The range of these values, slightly widened; 0 to 1 if there are none. Ignores NaN. */
   static Range of(DoubleStream values, double margin) {
     double[] ends = {Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY};
     values
@@ -25,7 +23,7 @@ record Range(double low, double high) {
       return new Range(0, 1);
     }
     double size = Math.max(Math.abs(ends[0]), Math.abs(ends[1]));
-    if (ends[1] - ends[0] <= Math.max(SHORTEST, size * 1e-12)) { // all are one number
+    if (ends[1] - ends[0] <= Math.max(SHORTEST, size * 1e-12)) { // all values are equal
       double half = size == 0 ? 0.5 : Math.max(SHORTEST, 0.1 * size);
       return new Range(ends[0] - half, ends[1] + half);
     }
@@ -36,14 +34,14 @@ record Range(double low, double high) {
     return high - low;
   }
 
-  /** So many times as long, around the same middle. */
+  /** Longer by this factor, around the same middle. */
   Range widened(double factor) {
     double middle = (low + high) / 2;
     double half = length() / 2 * factor;
     return new Range(middle - half, middle + half);
   }
 
-  /** How far along it a value is: 0 at its low end, 1 at its high one. */
+  /** The relative position of a value: 0 at the low end, 1 at the high one. */
   double part(double value) {
     return (value - low) / length();
   }
@@ -51,7 +49,7 @@ record Range(double low, double high) {
   /**
    * Round numbers in it, evenly spaced.
    *
-   * @param most how many there may be; at least 2 are allowed
+   * @param most maximum count, at least 2
    */
   double[] ticks(int most) {
     double least = length() / Math.max(2, most);
@@ -60,7 +58,7 @@ record Range(double low, double high) {
         power * DoubleStream.of(1, 2, 5, 10).filter(f -> f * power >= least).findFirst().orElse(10);
     long first = (long) Math.ceil(low / step - 1e-9);
     long last = (long) Math.floor(high / step + 1e-9);
-    // By a division where that is by a whole number, so that 3 · 0.1 is 0.3.
+    // Divides by an integer if possible, so that 3 · 0.1 is 0.3.
     double parts = Math.rint(1 / step);
     return LongStream.rangeClosed(first, last)
         .mapToDouble(i -> step < 1 ? i / parts : i * step)

@@ -8,8 +8,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Who told whom what: a line for each, downwards, and an arrow for each message, the first on top.
- * A message to all has an arrow to each other line. Confined to one thread until it is painted.
+ * A message sequence chart: a vertical line for each participant, and an arrow for each message,
+ * the first on top. A broadcast has an arrow to each other line. Confined to one thread until it is
+ * painted.
  */
 public final class SequencePanel implements Panel {
 
@@ -24,12 +25,10 @@ public final class SequencePanel implements Panel {
   private final List<String> lines;
   private final List<Arrow> arrows = new ArrayList<>();
 
-  /** A message; {@code to} is below 0 where it is to all. */
+  /** A message; {@code to} is negative for a broadcast. */
   private record Arrow(String time, int from, int to, String text) {}
 
-  /**
-   * @param names of those who talk, from left to right; two at least
-   */
+  /** @param names of the participants, from left to right; two at least */
   public SequencePanel(List<String> names) {
     if (names.size() < 2) {
       throw new IllegalArgumentException("it takes two to talk");
@@ -38,10 +37,10 @@ public final class SequencePanel implements Panel {
   }
 
   /**
-   * A message after those before it.
+   * Adds a message after those before it.
    *
-   * @param time when it was sent, as it is to be shown
-   * @param to name of whom it is to; empty where it is to all
+   * @param time when it was sent, as shown
+   * @param to name of the recipient; empty for a broadcast
    * @throws IllegalArgumentException if one of them has no line
    */
   public SequencePanel message(String time, String from, String to, String text) {
@@ -57,7 +56,7 @@ public final class SequencePanel implements Panel {
     return line;
   }
 
-  /** How high it has to be, in pixels. */
+  /** Required height, in pixels. */
   public int height() {
     return HEAD + (arrows.size() + 1) * ROW;
   }

@@ -3,9 +3,9 @@ package org.dfra.app.plot;
 import java.util.Arrays;
 
 /**
- * Points that belong together, and how they are drawn. Series of one name have one colour and one
- * entry in the legend; those without a name are grey and have none. A point one of whose numbers is
- * not finite is left out, and interrupts the line.
+ * Points of one series, and their style. Series of one name have one colour and one entry in the
+ * legend; those without a name are grey and have none. A point with a coordinate that is not finite
+ * is omitted, and interrupts the line.
  */
 public final class Series {
 
@@ -17,13 +17,13 @@ public final class Series {
   private final double[] y;
   private final boolean isFaint;
 
-  /** How points are drawn. */
+  /** Style of the points. */
   enum Style {
     /** Joined by straight lines. */
     LINE,
-    /** Joined by a line that keeps its height up to the next point. */
+    /** Joined by a line that stays level up to the next point. */
     STEPS,
-    /** Each by itself. */
+    /** Separate points. */
     POINTS,
     /** As the corners of a filled polygon. */
     AREA
@@ -45,7 +45,7 @@ public final class Series {
     this.y = y.clone();
     for (int i = 0; i < x.length; i++) {
       if (!Double.isFinite(x[i]) || !Double.isFinite(y[i])) {
-        this.x[i] = i == 0 ? 0 : this.x[i - 1]; // where a point is missing, only its y says so
+        this.x[i] = i == 0 ? 0 : this.x[i - 1]; // only y marks a missing point
         this.y[i] = Double.NaN;
       }
     }
@@ -56,12 +56,12 @@ public final class Series {
     return new Series(name, Style.LINE, x, y);
   }
 
-  /** Values each of which holds until the next: a state, a command. */
+  /** Values that hold until the next one: a state, a command. */
   public static Series steps(String name, double[] x, double[] y) {
     return new Series(name, Style.STEPS, x, y);
   }
 
-  /** Points each by itself: fixes, waypoints. */
+  /** Separate points: fixes, waypoints. */
   public static Series points(String name, double[] x, double[] y) {
     return new Series(name, Style.POINTS, x, y);
   }
@@ -83,7 +83,7 @@ public final class Series {
     return area(name, xs, ys);
   }
 
-  /** The same, pale, so that it stays behind the others: raw data, a plan. */
+  /** The same, pale, for the background: raw data, a plan. */
   public Series faint() {
     return new Series(name, style, x, y, true);
   }
@@ -96,7 +96,7 @@ public final class Series {
     return closed;
   }
 
-  /** What the legend calls it. */
+  /** Its name in the legend. */
   public String name() {
     return name;
   }

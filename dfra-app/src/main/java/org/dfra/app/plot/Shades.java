@@ -3,13 +3,13 @@ package org.dfra.app.plot;
 import java.awt.Color;
 
 /**
- * Colours for a number. They differ along blue and yellow and in lightness, which colour-blind
- * readers see too.
+ * Colour scales. They differ in blue and yellow and in lightness, which colour-blind readers see
+ * too.
  */
 enum Shades {
   /** From dark blue to light yellow: the higher, the lighter. */
   RISING(0x14264F, 0x2B5A8A, 0x5E8F97, 0xA9BE86, 0xFBEFA0),
-  /** From blue over white to brown: the lighter, the nearer to the middle. */
+  /** From blue over white to brown: lighter towards the middle. */
   AROUND_ZERO(0x0B3C6F, 0x5B93C6, 0xF5F5F5, 0xD98E4A, 0x7A3205);
 
   private final int[] anchors;
@@ -18,7 +18,7 @@ enum Shades {
     this.anchors = anchors;
   }
 
-  /** Those that suit a range: around zero where that is its middle. */
+  /** The scale for a range: symmetric if the middle is zero. */
   static Shades of(Range range) {
     boolean isAroundZero = Math.abs(range.low() + range.high()) < 1e-6 * range.length();
     return isAroundZero ? AROUND_ZERO : RISING;
@@ -35,7 +35,7 @@ enum Shades {
     return mixed(new Color(anchors[below]), new Color(anchors[below + 1]), place - below);
   }
 
-  /** The same on paper, so light that text can be read on it. */
+  /** The same, light enough for text on it. */
   Color tint(double part) {
     return mixed(at(part), Palette.PAPER, 0.55);
   }

@@ -22,9 +22,9 @@ import org.w3c.dom.Element;
 import org.w3c.dom.Node;
 
 /**
- * Paints to SVG. XChart draws a line segment by segment, and points one by one, which would make as
- * many elements, begin each dash anew, and show every joint: segments that follow one another in
- * one style are drawn as one path here.
+ * Paints SVG. XChart draws a line segment by segment, and points one by one, which would create
+ * many elements, restart the dashes at each segment, and show every joint: this class draws
+ * consecutive segments of one style as one path.
  */
 final class SvgCanvas extends SVGGraphics2D {
 
@@ -33,7 +33,7 @@ final class SvgCanvas extends SVGGraphics2D {
 
   private @Nullable Run run;
 
-  /** Segments to which others may be added, with what they are drawn by. */
+  /** Consecutive segments of one style that may still grow. */
   private record Run(
       Path2D path,
       Paint paint,
@@ -80,7 +80,7 @@ final class SvgCanvas extends SVGGraphics2D {
   /**
    * A canvas.
    *
-   * @param prefix begins all ids, so that several pictures fit into one document
+   * @param prefix of all IDs, so that several images fit into one document
    */
   static SvgCanvas of(int width, int height, String prefix) {
     SVGGeneratorContext context = SVGGeneratorContext.createDefault(document());
@@ -134,7 +134,7 @@ final class SvgCanvas extends SVGGraphics2D {
     super.drawString(PanelText.printable(text), x, y);
   }
 
-  /** Draws the segments to which others might have been added. */
+  /** Draws the pending segments. */
   private void finish() {
     Run ended = run;
     if (ended == null) {
@@ -157,9 +157,9 @@ final class SvgCanvas extends SVGGraphics2D {
   }
 
   /**
-   * What was painted, as an element {@code svg}.
+   * The image as an element {@code svg}.
    *
-   * @param title what it is, for those who cannot see it
+   * @param title accessible description
    */
   String text(String title) {
     finish();
@@ -181,7 +181,7 @@ final class SvgCanvas extends SVGGraphics2D {
     return all.substring(all.indexOf("<svg")).strip() + "\n";
   }
 
-  /** Takes out the generator's comment and its ids that are the same in every picture. */
+  /** Removes the generator's comment and its IDs that are the same in every image. */
   private static void tidy(Element svg) {
     for (Node child = svg.getFirstChild(); child != null; ) {
       Node next = child.getNextSibling();

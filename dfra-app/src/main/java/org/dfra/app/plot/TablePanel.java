@@ -8,7 +8,7 @@ import java.util.List;
 
 /**
  * Rows of cells under headings. The first column is as wide as its widest cell; the others share
- * what is left, and what is too long for its column is cut.
+ * the rest, and text that is too long is cut.
  */
 public final class TablePanel implements Panel {
 
@@ -20,7 +20,7 @@ public final class TablePanel implements Panel {
 
   /**
    * @param headings of the columns
-   * @param rows of as many cells each
+   * @param rows each with as many cells
    */
   public TablePanel(List<String> headings, List<List<String>> rows) {
     this.rows.add(List.copyOf(headings));
@@ -33,12 +33,12 @@ public final class TablePanel implements Panel {
     }
   }
 
-  /** How high it has to be, in pixels. */
+  /** Required height, in pixels. */
   public int height() {
     return rows.size() * LINE_HEIGHT + MARGIN;
   }
 
-  /** Whether a column has numbers, which stand on the right. */
+  /** Whether a column has numbers, which are right-aligned. */
   private boolean isNumbers(int column) {
     return Numerals.areNumbers(rows.stream().skip(1).map(row -> row.get(column)).toList());
   }

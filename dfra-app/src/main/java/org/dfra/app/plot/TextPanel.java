@@ -4,9 +4,7 @@ import java.awt.Graphics2D;
 import java.util.ArrayList;
 import java.util.List;
 
-/**
- * Lines of text below a title, in columns; what is too long goes on, indented, in the next line.
- */
+/** Lines of text below a title, in columns; long lines are wrapped and indented. */
 public final class TextPanel implements Panel {
 
   private static final int MARGIN = 14;
@@ -18,16 +16,14 @@ public final class TextPanel implements Panel {
   private final List<String> lines;
   private final int columns;
 
-  /**
-   * @param columns how many there are beside one another; the first is filled first
-   */
+  /** @param columns number of columns; the first is filled first */
   public TextPanel(String title, List<String> lines, int columns) {
     this.title = title;
     this.lines = List.copyOf(lines);
     this.columns = columns;
   }
 
-  /** How high it has to be, in pixels, if it is so many wide. */
+  /** Required height for this width, in pixels. */
   public int height(int width) {
     return TITLE_HEIGHT + perColumn(broken(width)) * LINE_HEIGHT + MARGIN;
   }
@@ -40,7 +36,7 @@ public final class TextPanel implements Panel {
     return (pieces.size() + columns - 1) / columns;
   }
 
-  /** The lines as they are painted; those that go on begin with a tabulator. */
+  /** The wrapped lines; continuation lines start with a tab character. */
   private List<String> broken(int width) {
     List<String> pieces = new ArrayList<>();
     for (String line : lines) {

@@ -1,6 +1,6 @@
 /**
- * Plots: panels with time series, paths and heat maps, put together on pages and in reports. Enter
- * at {@link org.dfra.app.plot.Page}, or at {@link org.dfra.app.plot.HtmlReport} for text around
+ * Plots: panels with time series, paths and heat maps, combined on pages and in reports. Entry
+ * points: {@link org.dfra.app.plot.Page}, and {@link org.dfra.app.plot.HtmlReport} for text around
  * pages.
  *
  * <pre>
@@ -10,7 +10,7 @@
  *                                                                      +--&gt; HtmlReport --&gt; HTML
  * </pre>
  *
- * The same input gives the same bytes where the same fonts are installed. Nothing here needs a
+ * The same input gives the same bytes if the same fonts are installed. This package needs no
  * display.
  */
 @NullMarked

@@ -9,7 +9,7 @@ import org.dfra.flow.sensor.RangeSensor;
 import org.dfra.persona.PerceptualSchemaAttributes;
 
 /**
- * A range filter that never sees anything: the negative control of the benchmark, in which robots
+ * A range filter that reports no obstacles: the negative control of the benchmark, in which robots
  * that meet do not avoid each other.
  */
 public final class BlindRangeFilterImpl extends PerceptualSchemaImpl<Clearance>

@@ -15,7 +15,7 @@ import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
 
-/** How much room there truly is between the bodies of a world. */
+/** Computes the true clearance between the bodies of a world. */
 public final class ClearanceCalculator {
 
   private record Obstacle(Geometry shape, double radius) {}
@@ -24,9 +24,7 @@ public final class ClearanceCalculator {
   private final List<Obstacle> obstacles = new ArrayList<>();
   private final Map<String, VehicleDescription> vehicles = new HashMap<>();
 
-  /**
-   * @param world whose obstacles and robots they are
-   */
+  /** @param world with the obstacles and robots */
   public ClearanceCalculator(WorldDescription world) {
     for (ObstacleDescription each : world.obstacles()) {
       if (each.footprint() instanceof Disc disc) {
@@ -72,7 +70,7 @@ public final class ClearanceCalculator {
     return shapes.createPolygon(ring);
   }
 
-  /** From a robot's body to the nearest other thing, metres; 0 where they touch. */
+  /** From a robot's body to the nearest other body, metres; 0 on contact. */
   public double clearance(String robot, Map<String, GroundTruthPose> poses) {
     Geometry body = body(robot, pose(robot, poses));
     double least = Double.POSITIVE_INFINITY;
@@ -87,7 +85,7 @@ public final class ClearanceCalculator {
     return least;
   }
 
-  /** Between two robots' bodies where they truly are at two moments, metres. */
+  /** Between two robots' bodies at their true positions in two samples, metres. */
   public double distance(String one, Sample at, String other, Sample there) {
     return body(one, at.east(), at.north(), at.yaw())
         .distance(body(other, there.east(), there.north(), there.yaw()));

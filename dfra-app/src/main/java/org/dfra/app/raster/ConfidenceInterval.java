@@ -6,25 +6,25 @@ import java.util.Random;
 import org.apache.commons.statistics.interval.BinomialConfidenceInterval;
 
 /**
- * A number that was measured several times, and how sure it is: 95 %.
+ * An estimate with its confidence interval of 95 %.
  *
- * @param value measured
+ * @param value estimate
  * @param low lower end of the confidence interval
  * @param high upper end
  */
 public record ConfidenceInterval(double value, double low, double high) {
 
-  private static final double ERROR = 0.05; // how often the interval misses
+  private static final double ERROR = 0.05; // error probability of the interval
   private static final int RESAMPLES = 2000;
 
-  /** A share, by Wilson's score interval. */
+  /** A proportion, by Wilson's score interval. */
   public static ConfidenceInterval ofProportion(int successes, int trials) {
     var wilson = BinomialConfidenceInterval.WILSON_SCORE.fromErrorRate(trials, successes, ERROR);
     return new ConfidenceInterval(
         (double) successes / trials, wilson.getLowerBound(), wilson.getUpperBound());
   }
 
-  /** A mean, by the percentile bootstrap; the same for the same values. */
+  /** A mean, by the percentile bootstrap; deterministic for the same values. */
   public static ConfidenceInterval ofMean(double[] values) {
     double[] means = new double[RESAMPLES];
     Random random = new Random(values.length);

@@ -7,23 +7,23 @@ import org.dfra.behaviors.raster.Lane;
 import org.dfra.behaviors.raster.RasterPlan;
 
 /**
- * How far a robot was off its lane at one moment. Moments at which it was on no lane, or near the
- * ends of one, have none.
+ * A robot's cross-track error at one time. Samples off the lanes, or near the ends of one, have
+ * none.
  *
  * @param time seconds since the search began
- * @param lane which one, in the order in which they are driven, from 1
+ * @param lane number of the lane, in the order in which they are driven, from 1
  * @param estimated by its own estimate, metres, left of the lane is +
- * @param actual likewise; the estimate's where it truly was beyond the lane's ends
+ * @param actual likewise by ground truth; the estimate's if it was truly beyond the lane's ends
  */
 public record CrossTrackError(double time, int lane, double estimated, double actual) {
 
-  /** Metres of a lane's ends that do not count: there it turns in and out. */
+  /** Excluded length at a lane's ends, metres: there the robot turns in and out. */
   private static final double ENDS = 2;
 
-  /** So much may a share be short of what it stands for. */
+  /** Rounding tolerance of a share. */
   private static final double ROUNDING = 1e-6;
 
-  /** Of one moment. */
+  /** The error of one sample. */
   public static Optional<CrossTrackError> of(Sample at, RasterPlan plan) {
     if (!at.isEstimated()) {
       return Optional.empty();
@@ -31,7 +31,7 @@ public record CrossTrackError(double time, int lane, double estimated, double ac
     int done = waypoints(at, plan);
     for (int i = 0; i < plan.lanes().size(); i++) {
       Lane lane = plan.lanes().get(i);
-      if (lane.waypoint() + 1 == done) { // its beginning is done, its end is next
+      if (lane.waypoint() + 1 == done) { // its first waypoint is done, its last is next
         double estimated = signedDistance(lane, at.estimatedEast(), at.estimatedNorth());
         if (Double.isNaN(estimated)) {
           return Optional.empty();
@@ -45,19 +45,19 @@ public record CrossTrackError(double time, int lane, double estimated, double ac
     return Optional.empty();
   }
 
-  /** Of all moments that have one. */
+  /** The errors of all samples that have one. */
   public static List<CrossTrackError> all(List<Sample> samples, RasterPlan plan) {
     List<CrossTrackError> all = new ArrayList<>();
     samples.forEach(each -> of(each, plan).ifPresent(all::add));
     return all;
   }
 
-  /** How many of the plan's waypoints are done. */
+  /** Number of the plan's waypoints that are done. */
   static int waypoints(Sample at, RasterPlan plan) {
     return (int) Math.floor(at.done() * plan.waypoints().size() + ROUNDING);
   }
 
-  /** Off a lane, left is +; NaN beyond its ends or near them. */
+  /** Signed distance from a lane, left is +; NaN beyond its ends or near them. */
   private static double signedDistance(Lane lane, double east, double north) {
     double length = lane.length();
     double ux = (lane.to().east() - lane.from().east()) / length;

@@ -3,18 +3,18 @@ package org.dfra.app.raster;
 import java.util.Arrays;
 
 /**
- * How far something was off, of many times that it was looked at; not a number where it never was.
+ * Statistics of distances; NaN if there were none.
  *
  * @param mean of the distances, metres
  * @param rms root mean square, metres
- * @param within95 what 95 % of the distances do not exceed, metres
- * @param most metres
+ * @param within95 95th percentile, metres
+ * @param most maximum, metres
  */
 public record Deviation(double mean, double rms, double within95, double most) {
 
   private static final double MOST_OF_THEM = 0.95;
 
-  /** Of distances in metres; their signs do not count. */
+  /** Statistics of distances in metres; their signs are ignored. */
   public static Deviation of(double... distances) {
     if (distances.length == 0) {
       return new Deviation(Double.NaN, Double.NaN, Double.NaN, Double.NaN);

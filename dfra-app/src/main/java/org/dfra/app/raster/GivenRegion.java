@@ -14,25 +14,25 @@ import org.dfra.core.config.ConfigurationException;
 import org.dfra.geometry.LocalPosition;
 
 /**
- * A region as an operator gives it on the command line.
+ * A region as given on the command line.
  *
- * @param region what is to be searched
- * @param place what complaints about it begin with: its file, a colon and a blank; or nothing
+ * @param region the region
+ * @param place prefix of error messages about it: its file, a colon and a blank; or empty
  */
 public record GivenRegion(Region region, String place) {
 
-  /** How corners look that are written on the command line. */
+  /** Example of corners on the command line. */
   public static final String EXAMPLE = "\"48.0001,11.0001 48.0001,11.0004 48.0002,11.0004\"";
 
-  /** Begins as a number, and has a comma: corners rather than a file that is not there. */
+  /** Starts like a number and has a comma: corners rather than the name of a missing file. */
   private static final Pattern CORNERS = Pattern.compile("\\s*([-+.;,0-9][^,]*,.*|[-+.;,0-9\\s]*)");
 
   /**
-   * The region of a GeoJSON file, or that of corners, latitude first.
+   * The region of a GeoJSON file, or of corners, latitude first.
    *
    * @param text a file's name, or pairs of numbers
-   * @throws ConfigurationException if the file is not what it should be; file and line are named
-   * @throws GoalRefusedException if the corners are not
+   * @throws ConfigurationException if the file is invalid; the message names file and line
+   * @throws GoalRefusedException if the corners are invalid
    */
   public static GivenRegion parse(String text) {
     if (!isFile(text) && CORNERS.matcher(text).matches()) {
@@ -66,11 +66,11 @@ public record GivenRegion(Region region, String place) {
   }
 
   /**
-   * Refuses lanes that are farther apart than the region is wide. They run north: what counts is
-   * how far the region reaches from west to east.
+   * Rejects lanes that are farther apart than the region is wide. Lanes run north, so the width is
+   * from west to east.
    *
    * @param spacing from lane to lane, metres
-   * @throws GoalRefusedException saying how wide it is
+   * @throws GoalRefusedException with the region's width
    */
   public void requireWider(double spacing) {
     List<LocalPosition> corners = region.corners().stream().map(region.frame()::toLocal).toList();
@@ -88,7 +88,7 @@ public record GivenRegion(Region region, String place) {
     }
   }
 
-  /** The same complaint, beginning with where the region is written. */
+  /** The same exception, prefixed with the location of the region's text. */
   public GoalRefusedException withLocation(GoalRefusedException refusal) {
     return place.isEmpty() ? refusal : new GoalRefusedException(place + refusal.getMessage());
   }

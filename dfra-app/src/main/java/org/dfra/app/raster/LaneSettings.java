@@ -5,17 +5,17 @@ import org.dfra.app.terminal.ExitCode;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How lanes lie, as an operator gives it on the command line.
+ * The lanes' dimensions as given on the command line.
  *
- * @param swath how wide a strip a robot sees, metres
+ * @param swath width of the strip that a robot sees, metres
  * @param spacing from lane to lane, metres, at most the swath
  */
 public record LaneSettings(double swath, double spacing) {
 
-  /** The swath, metres, where nothing else is said; a text, for the help. */
+  /** The default swath, metres; a text, for the help. */
   public static final String SWATH = "2.5";
 
-  /** The spacing as a part of the swath where nothing else is said; a text, for the help. */
+  /** The default spacing as a fraction of the swath; a text, for the help. */
   public static final String SPACING_FRACTION = "0.8";
 
   /** Metres. */
@@ -25,11 +25,11 @@ public record LaneSettings(double swath, double spacing) {
   private static final double WIDEST = 100;
 
   /**
-   * The lanes that were asked for.
+   * The dimensions for these options.
    *
-   * @param swath metres, or null where nothing was said
-   * @param spacing metres, or null where nothing was said
-   * @throws CommandFailure if one is none that can be
+   * @param swath metres, or null if not given
+   * @param spacing metres, or null if not given
+   * @throws CommandFailure if one is out of range
    */
   public static LaneSettings of(@Nullable Double swath, @Nullable Double spacing) {
     double seen = swath == null ? Double.parseDouble(SWATH) : swath;
@@ -40,10 +40,10 @@ public record LaneSettings(double swath, double spacing) {
   }
 
   /**
-   * Refuses a number outside its limits.
+   * Rejects a number outside its limits.
    *
-   * @param option that gave it
-   * @param what the greatest is, after a comma; may be empty
+   * @param option the option's name
+   * @param what description of the maximum, after a comma; may be empty
    */
   public static void requireBetween(
       String option, double value, double least, double most, String what) {

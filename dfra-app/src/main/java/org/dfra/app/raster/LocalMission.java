@@ -33,12 +33,12 @@ import org.dfra.sim.world.Collision;
 import org.dfra.sim.world.GroundTruthPose;
 
 /**
- * A search in one virtual machine, in lock-step: real drivers at emulated devices, the modules in
- * one memory, no network. The same scenario gives the same search, bit by bit.
+ * A search in one JVM, in lock-step: real drivers with emulated devices, the modules in one
+ * process, no network. It is deterministic: the same scenario gives the same search, bit by bit.
  */
 public final class LocalMission implements Mission {
 
-  /** The estimator that robots steer by; others look on. */
+  /** The estimator that robots steer by; others only estimate. */
   public static final String STEERING = RobotLog.STEERING;
 
   private static final Instant BEGIN = Instant.parse("2026-11-21T12:00:00Z");
@@ -51,8 +51,8 @@ public final class LocalMission implements Mission {
   private final boolean endsAtCollision;
 
   /**
-   * @param longest robots' time after which a search is given up
-   * @param adapt makes of each robot's description the one that is used
+   * @param longest timeout of a search, robots' time
+   * @param adapt changes each robot's description before use
    * @param endsAtCollision whether it ends with the first collision
    */
   public LocalMission(
@@ -66,7 +66,7 @@ public final class LocalMission implements Mission {
     this.endsAtCollision = endsAtCollision;
   }
 
-  /** One robot being watched. */
+  /** One monitored robot. */
   private final class MonitoredRobot {
     private final String name;
     private final RasterSearch search;
@@ -115,7 +115,7 @@ public final class LocalMission implements Mission {
   /**
    * Runs it.
    *
-   * @throws IOException if it could not begin; the message says what is missing
+   * @throws IOException if it could not start; the message names the cause
    */
   @Override
   public MissionResult run(MissionListener listener) throws IOException {

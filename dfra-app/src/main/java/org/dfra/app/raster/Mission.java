@@ -1,18 +1,18 @@
 package org.dfra.app.raster;
 
-/** A search by raster that can be run, in whichever way. */
+/** A search by raster that can be run, in any mode. */
 public interface Mission {
 
   /**
-   * Runs it from beginning to end and clears away what it started.
+   * Runs it from beginning to end and cleans up.
    *
-   * @param listener is told how it goes on, by one thread at a time
-   * @return what became of it, whether or not the robots came to the end of their lanes
-   * @throws Exception if it could not begin, or could not be watched to its end; the message says
-   *     why
+   * @param listener receives its progress, from one thread at a time
+   * @return its result, whether or not the robots completed their lanes
+   * @throws Exception if it could not start, or could not be monitored to its end; the message
+   *     names the cause
    */
   MissionResult run(MissionListener listener) throws Exception;
 
-  /** How it is run, in one word for reports: {@code local}, {@code embedded}, {@code processes}. */
+  /** Its mode, in one word for reports: {@code local}, {@code embedded}, {@code processes}. */
   String mode();
 }

@@ -3,22 +3,22 @@ package org.dfra.app.raster;
 import java.util.List;
 import org.dfra.behavior.BehaviorStatus;
 
-/** Is told how a search goes on. */
+/** Receives the progress of a search. */
 @FunctionalInterface
 public interface MissionListener {
 
   /**
-   * One robot at one moment.
+   * One robot at one time.
    *
    * @param robot its name
-   * @param sample where it is
-   * @param status how far its search is
+   * @param sample its state
+   * @param status progress of its search
    */
   record RobotProgress(String robot, Sample sample, BehaviorStatus status) {}
 
-  /** Where the robots are now, each once; ten times a second of the robots' time. */
+  /** The current samples of all robots, each once; ten times a second of the robots' time. */
   void onProgress(List<RobotProgress> robots);
 
-  /** Something happened on the way; it is among the flight's marks too. */
+  /** An event during the search; it is also in the result's events. */
   default void onEvent(MissionEvent mark) {}
 }

@@ -5,12 +5,12 @@ import java.util.Map;
 import org.dfra.sim.world.Collision;
 
 /**
- * What became of a search.
+ * The result of a search.
  *
  * @param robots one for each robot
- * @param collisions all of them
- * @param events what happened on the way, collisions included, in the order in which it did
- * @param seconds that it took, by the robots' time
+ * @param collisions all collisions
+ * @param events events during the search, collisions included, in order of time
+ * @param seconds its duration, by the robots' time
  */
 public record MissionResult(
     List<RobotMissionResult> robots,
@@ -24,7 +24,7 @@ public record MissionResult(
     events = List.copyOf(events);
   }
 
-  /** The same without what is large. */
+  /** The same without the large parts. */
   public MissionResult withoutSamples() {
     return new MissionResult(
         robots.stream()
@@ -44,14 +44,14 @@ public record MissionResult(
   }
 
   /**
-   * What became of one robot's search.
+   * The result of one robot's search.
    *
    * @param robot its name
-   * @param completed whether it came to the end of its lanes
-   * @param ending what it said at last
-   * @param samples where it was, ten times a second
+   * @param completed whether it completed its lanes
+   * @param ending its last reported activity
+   * @param samples its states, ten times a second
    * @param errors of each position estimator, by its name: root mean square, metres
-   * @param readings what its modules told meanwhile
+   * @param readings of its modules during the search
    */
   public record RobotMissionResult(
       String robot,

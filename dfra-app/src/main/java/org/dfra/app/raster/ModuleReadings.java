@@ -4,13 +4,13 @@ import java.util.List;
 import org.dfra.time.ClockOffset;
 
 /**
- * What modules of a robot told on the way. Times are seconds since the search began, of what was
- * measured.
+ * Readings of a robot's modules during the search. Times are measurement times in seconds since the
+ * search began.
  *
  * @param fixes of its receivers, each once
- * @param advice of its fuzzy rules
+ * @param advice outputs of its fuzzy rules
  * @param clearances by its range filter
- * @param teammates what it told of other robots, each instant of each once
+ * @param teammates reported positions of other robots, each instant of each once
  */
 public record ModuleReadings(
     List<Fix> fixes,
@@ -18,7 +18,7 @@ public record ModuleReadings(
     List<ClearanceReading> clearances,
     List<TeammateDistance> teammates) {
 
-  /** Where nobody listened. */
+  /** Without subscriptions. */
   public static final ModuleReadings EMPTY =
       new ModuleReadings(List.of(), List.of(), List.of(), List.of());
 
@@ -39,17 +39,17 @@ public record ModuleReadings(
   public record Fix(double time, String receiver, double east, double north) {}
 
   /**
-   * What the rules advised.
+   * The output of the rules.
    *
-   * @param speed metres per second
+   * @param speed recommended speed, metres per second
    * @param yawRate radians per second, to the left is +
-   * @param reason the rule that spoke loudest
-   * @param strength how much it applied, 0 to 1
+   * @param reason the strongest rule
+   * @param strength its firing strength, 0 to 1
    */
   public record Advice(double time, double speed, double yawRate, String reason, double strength) {}
 
   /**
-   * How much room the robot saw, metres from its body.
+   * The clearance that the robot measured, metres from its body.
    *
    * @param left of it
    * @param centre ahead of it
@@ -58,12 +58,12 @@ public record ModuleReadings(
   public record ClearanceReading(double time, double left, double centre, double right) {}
 
   /**
-   * Another robot, at an instant at which both believed to be somewhere.
+   * Another robot, at an instant for which both had an estimate.
    *
-   * @param time of that instant, by the clock of the robot that tells
+   * @param time of that instant, by the clock of the reporting robot
    * @param robot the other's name
    * @param distance from base to base by both estimates, metres
-   * @param clock how far the other's clock is ahead of that of the robot that tells
+   * @param clock offset of the other's clock to that of the reporting robot
    */
   public record TeammateDistance(double time, String robot, double distance, ClockOffset clock) {}
 }

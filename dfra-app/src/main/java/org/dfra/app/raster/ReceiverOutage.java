@@ -8,7 +8,7 @@ import org.dfra.app.raster.MissionResult.RobotMissionResult;
 import org.dfra.app.raster.ModuleReadings.Fix;
 
 /**
- * A time in which a receiver told no position.
+ * An interval in which a receiver published no position.
  *
  * @param receiver the module's name
  * @param from seconds since the search began
@@ -16,10 +16,10 @@ import org.dfra.app.raster.ModuleReadings.Fix;
  */
 public record ReceiverOutage(String receiver, double from, double to) {
 
-  /** A receiver that works tells a position every second. */
+  /** A working receiver publishes a position every second. */
   private static final double NOTED = 2.5; // seconds
 
-  /** All of a robot's, those of one receiver after those of another. */
+  /** All outages of a robot, grouped by receiver. */
   public static List<ReceiverOutage> all(RobotMissionResult flight) {
     Map<String, List<Fix>> byReceiver = new TreeMap<>();
     for (Fix each : flight.readings().fixes()) {

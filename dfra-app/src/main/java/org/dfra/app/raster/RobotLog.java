@@ -35,15 +35,15 @@ import org.dfra.time.ClockOffset;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is noted of one robot while it searches: what its modules tell, held against where it truly
- * is. Safe for use by several threads, since each module tells by one of its own.
+ * The record of one robot's search: the readings of its modules, compared with the ground truth.
+ * Thread-safe, since each module reports from its own thread.
  */
 public final class RobotLog {
 
-  /** The estimator that robots steer by; others look on. */
+  /** The estimator that robots steer by; others only estimate. */
   public static final String STEERING = "position";
 
-  /** Kinds of modules that are listened to. */
+  /** Types of the modules that are subscribed to. */
   public static final List<Class<? extends Module>> RECORDED_KINDS =
       List.of(
           PositionEstimator.class,
@@ -61,14 +61,14 @@ public final class RobotLog {
   private final List<Advice> advice = new ArrayList<>();
   private final List<ClearanceReading> rooms = new ArrayList<>();
   private final List<TeammateDistance> mates = new ArrayList<>();
-  private final Map<String, Instant> lastSeen = new TreeMap<>(); // by robot, what is in mates
+  private final Map<String, Instant> lastSeen = new TreeMap<>(); // by robot; indices into teammates
   private final Map<String, LocalPosition> estimated = new TreeMap<>(); // by module
   private final Map<String, ErrorSum> errors = new TreeMap<>(); // by module
   private double estimatedYaw = Double.NaN;
   private @Nullable LocalPosition fixed;
   private @Nullable Instant begin;
 
-  /** Of one estimator. */
+  /** The error sum of one estimator. */
   private static final class ErrorSum {
     private double squares;
     private long count;
@@ -92,18 +92,18 @@ public final class RobotLog {
     this.frame = frame;
   }
 
-  /** Who is to be listened to, of one kind. */
+  /** The query for modules of one type to subscribe to. */
   public <M extends Module> ModuleQuery<M> query(Class<M> kind) {
     return ModuleQuery.of(kind).robot(robot);
   }
 
-  /** The search begins now. Poses that were told before still count; nothing else does. */
+  /** The search starts now. Earlier poses still count; other earlier readings do not. */
   public synchronized void begin(Instant now) {
     begin = now;
   }
 
   /**
-   * Takes what a module tells.
+   * Records a module's readings.
    *
    * @param module its name
    */
@@ -165,16 +165,16 @@ public final class RobotLog {
     return begin == null ? -1 : Duration.between(begin, moment).toNanos() / 1e9;
   }
 
-  /** Seconds since the search began; below 0 where it had not. */
+  /** Seconds since the search began; negative before. */
   private double time(Reading reading) {
     return time(reading.measured());
   }
 
   /**
-   * Notes where the robot is, and where it believes it is.
+   * Records the robot's true and estimated poses.
    *
-   * @param truth where it truly is: only time, place, heading and clearance count
-   * @param status how far its search is
+   * @param truth ground truth: only time, position, heading and clearance are used
+   * @param status progress of its search
    */
   public synchronized MissionListener.RobotProgress sample(
       GroundTruth truth, BehaviorStatus status) {
@@ -204,7 +204,7 @@ public final class RobotLog {
   }
 
   /**
-   * Where the robot truly is, in the region's frame.
+   * The robot's ground truth, in the region's frame.
    *
    * @param time seconds since the search began
    * @param east metres
@@ -216,7 +216,7 @@ public final class RobotLog {
   public record GroundTruth(
       double time, double east, double north, double yaw, double speed, double clearance) {}
 
-  /** All that was noted. */
+  /** The complete record. */
   public synchronized RobotMissionResult result(BehaviorStatus last) {
     Map<String, Double> rms = new TreeMap<>();
     errors.forEach((module, sum) -> rms.put(module, sum.rms()));

@@ -6,8 +6,8 @@ import org.dfra.app.raster.MissionResult.RobotMissionResult;
 import org.dfra.app.raster.ModuleReadings.TeammateDistance;
 
 /**
- * How far two robots were apart at an instant, from base to base: by their estimates, as one of
- * them told it, and truly.
+ * Distance of two robots at an instant, from base to base: by their estimates, as one of them
+ * reported it, and by ground truth.
  *
  * @param time seconds since the search began
  * @param estimated metres
@@ -15,10 +15,12 @@ import org.dfra.app.raster.ModuleReadings.TeammateDistance;
  */
 public record RobotSeparation(double time, double estimated, double actual) {
 
-  /** Samples farther apart say nothing of what was between, seconds. */
+  /** Maximum interval of samples for interpolation, seconds. */
   private static final double WIDEST = 0.5;
 
-  /** All that one robot told of another, where it is known where both truly were. */
+  /**
+   * All distances to another robot that one robot reported, where both true positions are known.
+   */
   public static List<RobotSeparation> all(RobotMissionResult teller, RobotMissionResult other) {
     List<RobotSeparation> all = new ArrayList<>();
     int moments = Math.min(teller.samples().size(), other.samples().size());
@@ -52,7 +54,7 @@ public record RobotSeparation(double time, double estimated, double actual) {
     return all;
   }
 
-  /** What the estimates are off by, root mean square, metres; NaN where there is none. */
+  /** Error of the estimates, root mean square, metres; NaN if there are none. */
   public static double rms(List<RobotSeparation> all) {
     double squares = 0;
     for (RobotSeparation each : all) {

@@ -1,20 +1,20 @@
 package org.dfra.app.raster;
 
 /**
- * One moment of one robot's search, in the region's frame: east, north, metres.
+ * One sample of one robot's search, in the region's frame: east, north, metres.
  *
  * @param time seconds since the search began
- * @param east where it truly is
- * @param north where it truly is
- * @param yaw where it truly heads, radians
- * @param speed over ground, truly, metres per second
- * @param estimatedEast where it believes it is; NaN while it does not know
+ * @param east true position
+ * @param north true position
+ * @param yaw true heading, radians
+ * @param speed true speed over ground, metres per second
+ * @param estimatedEast estimated position; NaN while unknown
  * @param estimatedNorth likewise
  * @param estimatedYaw likewise, radians
  * @param fixEast its last position by a receiver; NaN before the first
  * @param fixNorth likewise
  * @param done share of its waypoints that are done, 0 to 1
- * @param clearance from its body to the nearest obstacle or robot, metres; 0 is touching
+ * @param clearance from its body to the nearest obstacle or robot, metres; 0 is contact
  */
 public record Sample(
     double time,
@@ -30,7 +30,7 @@ public record Sample(
     double done,
     double clearance) {
 
-  /** Whether it knows where it is. */
+  /** Whether it has a position estimate. */
   public boolean isEstimated() {
     return !Double.isNaN(estimatedEast);
   }

@@ -7,13 +7,13 @@ import org.dfra.behaviors.raster.Region;
 import org.dfra.sim.world.description.WorldDescription;
 
 /**
- * What is to be searched, where, and by whom.
+ * A search: world, robots and region.
  *
- * @param world what they move in
- * @param robots their XML, in the order in which they search: the second goes the other way round,
- *     and so on
- * @param region what is to be searched
- * @param swath how wide a strip a robot sees, metres
+ * @param world of the robots
+ * @param robots their XML, in the order in which they search: the second searches in the opposite
+ *     direction, and so on
+ * @param region the region to search
+ * @param swath width of the strip that a robot sees, metres
  * @param spacing from lane to lane, metres
  */
 public record Scenario(

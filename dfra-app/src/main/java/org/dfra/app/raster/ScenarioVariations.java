@@ -17,12 +17,12 @@ import org.dfra.sim.world.description.VehicleDescription;
 import org.dfra.sim.world.description.WorldDescription;
 import org.dfra.sim.world.shape.Disc;
 
-/** Makes other worlds and robots of those that are written. */
+/** Varies the worlds and robots of description files. */
 public final class ScenarioVariations {
 
   private static final double POST_RADIUS = 0.08; // metres
   private static final double POST_DISTANCE = 3; // metres between two
-  private static final double START_DISTANCE = 3; // metres from where a robot starts
+  private static final double START_DISTANCE = 3; // metres from a robot's start
 
   private ScenarioVariations() {}
 
@@ -44,7 +44,7 @@ public final class ScenarioVariations {
         world.place());
   }
 
-  /** The same robot somewhere near: up to so many metres and radians away. */
+  /** The same robot with a random pose nearby: within these metres and radians. */
   public static VehicleDescription withRandomPose(
       VehicleDescription robot, double metres, double radians, Random random) {
     return with(
@@ -55,7 +55,7 @@ public final class ScenarioVariations {
         robot.devices());
   }
 
-  /** The same robot with a number of all its devices of a kind changed. */
+  /** The same robot with a changed number in all its devices of a kind. */
   public static VehicleDescription withDeviceParameter(
       VehicleDescription robot, DeviceKind kind, String parameter, double value) {
     List<DeviceDescription> devices = new ArrayList<>();
@@ -84,7 +84,10 @@ public final class ScenarioVariations {
         robot.place());
   }
 
-  /** So many posts anywhere in the world's region, apart from each other and from the robots. */
+  /**
+   * This number of posts at random positions in the world's region, apart from each other and from
+   * the robots.
+   */
   public static List<ObstacleDescription> posts(
       int count, WorldDescription world, List<VehicleDescription> robots, Random random) {
     Disc bounds =
@@ -113,7 +116,7 @@ public final class ScenarioVariations {
     return posts;
   }
 
-  /** The same robot with another driver for one of its modules, which is told nothing. */
+  /** The same robot with another driver, without parameters, for one of its modules. */
   public static RobotDescription withDriver(RobotDescription robot, String module, String driver) {
     return changed(
         robot,
@@ -136,7 +139,7 @@ public final class ScenarioVariations {
                     : each));
   }
 
-  /** The same robot with copies of a module beside it, each with one parameter changed. */
+  /** The same robot with additional copies of a module, each with one parameter changed. */
   public static RobotDescription withVariants(
       RobotDescription robot, String module, String parameter, List<String> values) {
     return changed(

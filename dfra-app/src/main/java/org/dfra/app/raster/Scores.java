@@ -10,20 +10,20 @@ import org.dfra.behaviors.raster.RasterPlan;
 import org.dfra.geometry.LocalPosition;
 
 /**
- * How well one robot searched.
+ * Metrics of one robot's search.
  *
- * @param completed whether it came to the end of its lanes
- * @param seconds that it took
- * @param length metres that it drove
- * @param plannedLength metres of its lanes and the ways between them
- * @param coverage share of the region that it truly came within half a swath of, 0 to 1
+ * @param completed whether it completed its lanes
+ * @param seconds its duration
+ * @param length distance driven, metres
+ * @param plannedLength length of its lanes and the paths between them, metres
+ * @param coverage share of the region that it truly passed within half a swath, 0 to 1
  * @param overlap share that it saw more than once
- * @param crossTrack off the lanes by its own estimate, on the lanes only
- * @param trueCrossTrack the same, truly
- * @param waypointErrors how near it truly came to each waypoint that it did
+ * @param crossTrack error by its own estimate, on the lanes only
+ * @param trueCrossTrack the same, by ground truth
+ * @param waypointErrors minimum true distance to each waypoint that it did
  * @param estimateError root mean square between estimate and truth, metres
  * @param fixError root mean square between the last fix and the truth, metres
- * @param clearance the least room to an obstacle or robot, metres
+ * @param clearance minimum clearance to an obstacle or robot, metres
  */
 public record Scores(
     boolean completed,
@@ -39,7 +39,7 @@ public record Scores(
     double fixError,
     double clearance) {
 
-  /** Of a robot's flight over its plan. */
+  /** Metrics of a robot's result over its plan. */
   public static Scores of(RobotMissionResult flight, RasterPlan plan) {
     List<Sample> samples = flight.samples();
     Coverage coverage = plan.coverage(trajectory(samples), plan.swath());
@@ -80,7 +80,7 @@ public record Scores(
         .orElse(0.0);
   }
 
-  /** The way that a robot truly went, in the region's frame. */
+  /** The robot's true path, in the region's frame. */
   public static List<LocalPosition> trajectory(List<Sample> samples) {
     return samples.stream().map(each -> new LocalPosition(each.east(), each.north(), 0)).toList();
   }
@@ -96,8 +96,8 @@ public record Scores(
   }
 
   /**
-   * How near the robot came to each waypoint that it did, while that was the next one; so one that
-   * it gave up counts as far as it stayed away.
+   * Minimum distance to each waypoint that the robot did, while that was the next one; for a
+   * waypoint that it gave up, the distance that it reached.
    */
   private static double[] waypointErrors(List<Sample> samples, RasterPlan plan) {
     double[] least = new double[plan.waypoints().size()];

@@ -1,13 +1,13 @@
 /**
- * Two robots search a field by raster.
+ * Searches of a field by raster with several robots.
  *
  * <pre>
- *   world, robots' XML, region --Scenario--&gt; Mission --Flight--&gt; Scores
- *                                            |    '--each moment--&gt; MissionListener
+ *   world, robots' XML, region --Scenario--&gt; Mission --MissionResult--&gt; Scores
+ *                                            | '--progress--&gt; MissionListener
  *                                     LocalMission (lock-step)
  * </pre>
  *
- * <p>Enter at {@link org.dfra.app.raster.Mission}.
+ * <p>Entry point: {@link org.dfra.app.raster.Mission}.
  */
 @NullMarked
 package org.dfra.app.raster;

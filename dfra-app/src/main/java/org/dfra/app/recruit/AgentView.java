@@ -12,13 +12,13 @@ import org.dfra.app.terminal.Table;
 import org.dfra.directory.ModuleListing;
 
 /**
- * What a recruitment agent is doing.
+ * A recruitment agent's state.
  *
- * @param robot its robot; {@code robot@host} where others that are shown have its name
- * @param responder its state as one that helps
- * @param helpedRobot the robot that it helps, or has offered to; empty where there is none
- * @param held why its robot answers no call; empty where it is not held
- * @param activity what changed last, as a clause
+ * @param robot its robot; {@code robot@host} if others in the list have its name
+ * @param responder its state as a helper
+ * @param helpedRobot the robot that it helps, or has offered to help; empty if there is none
+ * @param held why its robot is suspended from recruitment; empty if it is not suspended
+ * @param activity its last change, as a clause
  */
 record AgentView(
     String robot,
@@ -28,9 +28,9 @@ record AgentView(
     String activity) {
 
   /**
-   * Asks the agent.
+   * Queries the agent.
    *
-   * @param robot its robot, as it is shown
+   * @param robot its robot's displayed name
    */
   static AgentView of(String robot, ModuleListing<RecruitmentControl> listing)
       throws RemoteException {
@@ -43,7 +43,7 @@ record AgentView(
         status.lastChange());
   }
 
-  /** Answers with these. */
+  /** Prints the views. */
   static void show(CommandOutput answer, List<AgentView> agents) {
     Table table = new Table("ROBOT", "HELPS", "STATE", "IT");
     for (AgentView each : agents) {

@@ -22,7 +22,7 @@ import org.dfra.recruit.experiment.ExperimentPlan;
 import org.dfra.recruit.experiment.Seeds;
 import org.dfra.recruit.transport.MeasuredDelays;
 
-/** A part of the experiment over real JERI, and the same over the simulated network. */
+/** Runs a part of the experiment over real JERI, and the same over the simulated network. */
 final class EmbeddedExperiment {
 
   private static final int OTHERS = 10; // runs with other seeds, for each real one
@@ -36,8 +36,8 @@ final class EmbeddedExperiment {
   private final ProgressReporter tell;
 
   /**
-   * @param jobs how many real runs go on at once
-   * @param speed seconds of the agents' time in a real second
+   * @param jobs number of parallel real runs
+   * @param speed seconds of the agents' time per real second
    */
   EmbeddedExperiment(
       ExperimentPlan plan, int seeds, int jobs, double speed, ProgressReporter tell) {
@@ -54,10 +54,10 @@ final class EmbeddedExperiment {
    * @return the file to open
    */
   Path run(Path folder) throws IOException, InterruptedException {
-    LogbackLevels levels = new LogbackLevels(); // what agents say of themselves is no news here
+    LogbackLevels levels = new LogbackLevels(); // agents' logs are not of interest here
     levels.set("dfra", LogLevel.ERROR);
     levels.set("com.sun.jini", LogLevel.ERROR);
-    levels.set("org.dfra.river", LogLevel.ERROR); // that a busy machine was slow, delays tell
+    levels.set("org.dfra.river", LogLevel.ERROR); // delays show that the machine was slow
     List<ExperimentCell> cells = EmbeddedRuns.cells();
     tell.chapter("running", "Who comes when a robot calls, over remote events");
     tell.say(
@@ -72,7 +72,7 @@ final class EmbeddedExperiment {
           runs.run(
               cells,
               Seeds.evaluation(seeds),
-              (done, all) -> { // those that are begun together end together
+              (done, all) -> { // runs that start together end together
                 if (done >= jobs) {
                   progress.done(done, all);
                 }
@@ -95,7 +95,7 @@ final class EmbeddedExperiment {
     }
   }
 
-  /** The same cells, each with the delays that its real runs had, in the agents' time. */
+  /** The same cells, each with the delays of its real runs, in the agents' time. */
   private List<TransportComparison> compare(
       List<ExperimentCell> cells, List<CellResult> real, EmbeddedRuns runs)
       throws InterruptedException {
@@ -118,7 +118,10 @@ final class EmbeddedExperiment {
     return new MeasuredDelays(Arrays.stream(seconds).map(each -> each * speed).toArray());
   }
 
-  /** Writes those of each cell, milliseconds of real time, and returns those of all, seconds. */
+  /**
+   * Writes the delays of each cell, milliseconds of real time, and returns those of all cells,
+   * seconds.
+   */
   private static double[] keep(
       Path file, List<ExperimentCell> cells, Function<ExperimentCell, double[]> times)
       throws IOException {

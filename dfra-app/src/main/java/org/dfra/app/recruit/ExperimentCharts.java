@@ -18,15 +18,15 @@ import org.dfra.recruit.experiment.MetricComparison;
 import org.dfra.recruit.transport.MessageMode;
 
 /**
- * The figures of an experiment. Every one has a row for broadcast and one for unicast, a panel for
- * each size of team, and in it a line over the loss for each strategy, with intervals. Strategies
- * stand a little beside each other, so that intervals can be told apart.
+ * The figures of an experiment. Each has a row for broadcast and one for unicast, a panel for each
+ * team size, and in it a line over the loss for each strategy, with confidence intervals.
+ * Strategies are slightly offset from each other, so that intervals can be distinguished.
  */
 final class ExperimentCharts {
 
   private static final int HIGH = 300; // pixels of a row
   private static final double BESIDE = 1.1; // per cent of loss
-  private static final double ROOM = 0.05; // of an axis that goes up, at either end
+  private static final double ROOM = 0.05; // margin of a vertical axis, at either end
   private static final double MARGIN = 4; // per cent of loss, at the ends of the axis
 
   private final StrategyComparison comparison;
@@ -35,7 +35,7 @@ final class ExperimentCharts {
     this.comparison = comparison;
   }
 
-  /** What is drawn of a cell. */
+  /** The plotted value of a cell. */
   private interface Value {
     Optional<Estimate> of(ExperimentCell cell);
   }
@@ -54,7 +54,7 @@ final class ExperimentCharts {
     return page;
   }
 
-  /** How much more of it each other strategy has than the affective one, which is the line at 0. */
+  /** Difference between each other strategy and the affective one, which is the line at 0. */
   Page difference(Metric metric) {
     Page page = new Page(sentence(metric.title()) + ": more than affective recruitment, in pairs");
     for (MessageMode mode : MessageMode.values()) {
@@ -96,7 +96,7 @@ final class ExperimentCharts {
     page.row(HIGH, panels.toArray(LinePanel[]::new));
   }
 
-  /** With a capital. */
+  /** With an initial capital. */
   static String sentence(String text) {
     return text.substring(0, 1).toUpperCase(Locale.ROOT) + text.substring(1);
   }
@@ -134,7 +134,7 @@ final class ExperimentCharts {
                   points.add(new double[] {x, each.value()});
                   bars.add(new double[] {x, each.low()});
                   bars.add(new double[] {x, each.high()});
-                  bars.add(new double[] {x, Double.NaN}); // the next one is by itself
+                  bars.add(new double[] {x, Double.NaN}); // the next one is a single panel
                 });
       }
       panel.add(

@@ -51,7 +51,7 @@ final class ExperimentCommand implements Callable<Integer> {
   private static final int LEAST_SEEDS = 2; // one has no interval
   private static final int MOST_SEEDS = 10_000;
   private static final int MOST_JOBS = 256;
-  private static final int EMBEDDED_JOBS = 60; // they wait, mostly
+  private static final int EMBEDDED_JOBS = 60; // they mostly wait
   private static final double USUAL_SPEED = 25;
   private static final double FASTEST = 1000;
   private static final double LONGEST_BURST = 100; // messages
@@ -114,11 +114,11 @@ final class ExperimentCommand implements Callable<Integer> {
   private @Nullable Path named;
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private RecordOption record;
 
   @Spec
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandSpec spec;
 
   @Override
@@ -220,7 +220,7 @@ final class ExperimentCommand implements Callable<Integer> {
     return delays == null ? plan : plan.with(MeasuredDelays.read(delays));
   }
 
-  /** The four and what was named; refuses what is none before anything is run. */
+  /** The four strategies and the named ones; rejects unknown names before any run. */
   private List<String> strategies(ShameSettings shame) {
     List<String> all = new ArrayList<>(ExperimentGrid.STRATEGIES);
     for (String name : more) {
@@ -245,7 +245,7 @@ final class ExperimentCommand implements Callable<Integer> {
     }
   }
 
-  /** How messages travel, for the report. */
+  /** Loss and delay of messages, for the report. */
   private String how(ExperimentPlan plan) {
     String lost =
         burst == null

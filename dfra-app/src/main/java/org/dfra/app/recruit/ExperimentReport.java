@@ -16,7 +16,8 @@ import org.dfra.recruit.experiment.Metric;
 import org.dfra.recruit.transport.MessageMode;
 
 /**
- * Writes what an experiment was: a page with figures and tables, each figure as SVG, all as CSV.
+ * Writes the report of an experiment: a page with figures and tables, each figure as SVG, all
+ * numbers as CSV.
  */
 final class ExperimentReport {
 
@@ -27,9 +28,9 @@ final class ExperimentReport {
   private final int jobs;
 
   /**
-   * @param messages how they were lost and delayed
-   * @param took for how long it ran, in real time
-   * @param jobs how many runs went on at once
+   * @param messages description of their loss and delay
+   * @param took duration, in real time
+   * @param jobs number of parallel runs
    */
   ExperimentReport(
       ExperimentPlan plan,

@@ -26,7 +26,7 @@ final class ExperimentTables {
     this.html = html;
   }
 
-  /** In how many cells the affective strategy wins and loses. */
+  /** Number of cells in which the affective strategy wins and loses. */
   void verdicts() {
     List<List<String>> rows = new ArrayList<>();
     for (MessageMode mode : MessageMode.values()) {
@@ -64,7 +64,7 @@ final class ExperimentTables {
         .toList();
   }
 
-  /** Every comparison of one metric that has a sign. */
+  /** Every significant comparison of one metric. */
   void claims(Metric metric) {
     List<List<String>> rows = new ArrayList<>();
     for (MetricComparison each : comparison.claims()) {
@@ -98,7 +98,7 @@ final class ExperimentTables {
             : String.format(Locale.ROOT, "%+.0f %%", 100 * claim.relativeDifference()));
   }
 
-  /** Every cell's value of a metric, by one way to send messages to all. */
+  /** Every cell's value of a metric, for one mode of messages to all. */
   void metric(Metric metric, MessageMode mode) {
     List<String> headings =
         Stream.concat(Stream.of("Vehicles", "Loss"), comparison.strategies().stream()).toList();
@@ -139,7 +139,7 @@ final class ExperimentTables {
     return Double.isNaN(estimate.value()) ? "nothing to measure" : estimate.toString();
   }
 
-  /** How a metric changes with the team and with the loss. */
+  /** How a metric depends on the team size and on the loss. */
   void trends(Metric metric) {
     List<List<String>> rows = new ArrayList<>();
     for (Trend each : Trend.byTeam(comparison.results(), metric)) {

@@ -2,7 +2,7 @@ package org.dfra.app.recruit;
 
 import picocli.CommandLine.Command;
 
-/** {@code ./dfra recruit}: how robots ask each other for help. */
+/** {@code ./dfra recruit}: recruitment of helpers among robots. */
 @Command(
     name = "recruit",
     description = "Shows which robots help, has held ones help again, and compares strategies.",

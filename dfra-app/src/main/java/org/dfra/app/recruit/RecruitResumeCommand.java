@@ -26,7 +26,7 @@ final class RecruitResumeCommand implements Callable<Integer> {
   private List<String> robots = List.of();
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private RecruitmentAgentOptions agents;
 
   @Override

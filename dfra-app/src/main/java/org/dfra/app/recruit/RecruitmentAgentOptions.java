@@ -16,25 +16,25 @@ import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import picocli.CommandLine.Mixin;
 
-/** The recruitment agents of a team, and where they are looked for. A picocli mix-in. */
+/** The recruitment agents of a team, and where they are discovered. A picocli mix-in. */
 final class RecruitmentAgentOptions {
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private TeamOptions options;
 
-  /** What is asked of each. */
+  /** A request to each agent. */
   @FunctionalInterface
   interface Request {
     void apply(RecruitmentControl agent) throws RemoteException;
   }
 
   /**
-   * Asks it of the agents of these robots, or of all, then shows what they are doing.
+   * Sends the request to the agents of these robots, or of all, then prints their states.
    *
-   * @param wanted robots; all where there is none
-   * @return what those say that answer
-   * @throws CommandFailure if there is none, or one that was named is not there
+   * @param wanted robots; all if empty
+   * @return the answers
+   * @throws CommandFailure if there is none, or a named one was not found
    */
   AgentViews ask(List<String> wanted, Request request) throws IOException, InterruptedException {
     List<AgentView> views = new ArrayList<>();
@@ -45,7 +45,7 @@ final class RecruitmentAgentOptions {
         try {
           request.apply(each.module());
           views.add(AgentView.of(DuplicateRobotNames.displayName(each, agents), each));
-        } catch (RemoteException | RuntimeException | LinkageError e) { // a foreign proxy's own
+        } catch (RemoteException | RuntimeException | LinkageError e) { // of a foreign proxy
           isComplete = false;
           options.answer().note(UnansweredCall.inWords(each.path(), e));
         }
@@ -56,14 +56,14 @@ final class RecruitmentAgentOptions {
   }
 
   /**
-   * What the agents say.
+   * The agents' states.
    *
-   * @param views of those that answer
-   * @param isComplete whether all do
+   * @param views of those that answered
+   * @param isComplete whether all answered
    */
   record AgentViews(List<AgentView> views, boolean isComplete) {
 
-    /** The exit code, unless something else is wrong. */
+    /** The exit code, unless another error occurred. */
     int code() {
       return isComplete ? ExitCode.SUCCESS : ExitCode.NO_ANSWER;
     }

@@ -8,8 +8,8 @@ import org.dfra.app.demo.harness.ProgressReporter;
 import org.dfra.recruit.experiment.Experiment;
 
 /**
- * Tells how far an experiment is: on a terminal by a bar that is redrawn, elsewhere in a sentence
- * every ten seconds.
+ * Reports the progress of an experiment: on a terminal by a bar that is redrawn, elsewhere in a
+ * sentence every ten seconds.
  */
 final class RunProgress implements Experiment.Progress {
 
@@ -22,9 +22,7 @@ final class RunProgress implements Experiment.Progress {
   private final long began;
   private long reported; // guarded by this
 
-  /**
-   * @param nanos a clock of real time, of which only differences are taken
-   */
+  /** @param nanos a monotonic real-time clock with any origin */
   RunProgress(ProgressReporter tell, LongSupplier nanos) {
     this.tell = tell;
     this.nanos = nanos;

@@ -16,11 +16,11 @@ import org.dfra.recruit.experiment.MetricComparison.Outcome;
 import org.dfra.recruit.experiment.RunResult;
 import org.dfra.recruit.transport.MessageMode;
 
-/** What the results of an experiment come to. */
+/** Summarises the results of an experiment. */
 final class StrategyComparison {
 
-  private static final double MAX_MILD_LOSS = 0.25; // loss up to which all has to be well
-  private static final int TEAM = 6; // vehicles from which on it has to be
+  private static final double MAX_MILD_LOSS = 0.25; // maximum loss of the cells with targets
+  private static final int TEAM = 6; // minimum number of vehicles of these cells
   private static final double MOST_FAILED = 0.01;
 
   private final List<CellResult> results;
@@ -47,7 +47,7 @@ final class StrategyComparison {
     return results.stream().filter(each -> each.cell().equals(cell)).findFirst();
   }
 
-  /** How many cells of the affective strategy come off so against a rival. */
+  /** Number of cells in which the affective strategy has this result against a rival. */
   long count(MessageMode mode, String rival, Metric metric, Outcome verdict) {
     return claims.stream()
         .filter(each -> each.cell().mode() == mode && each.rival().equals(rival))
@@ -60,7 +60,7 @@ final class StrategyComparison {
     return claims.stream().filter(each -> each.verdict() == Outcome.LOSES).toList();
   }
 
-  /** What was wanted, and what came of it. */
+  /** The measurements and their targets. */
   RunMeasurements figures() {
     RunMeasurements figures = new RunMeasurements();
     List<CellResult> mild =
@@ -117,7 +117,7 @@ final class StrategyComparison {
     return results.stream().flatMap(each -> each.runs().stream()).mapToDouble(metric::of).sum();
   }
 
-  /** How it comes off in short: transmissions first, since that is what it is for. */
+  /** A short summary: transmissions first, since reducing them is the strategy's purpose. */
   List<String> sentences() {
     List<String> sentences = new ArrayList<>();
     for (MessageMode mode : MessageMode.values()) {
@@ -144,7 +144,7 @@ final class StrategyComparison {
         count(mode, rival, metric, Outcome.INCONCLUSIVE));
   }
 
-  /** Over all runs of the cells that have to be well: how many calls, how many failed. */
+  /** Number of calls and of failed calls, over all runs of the cells with targets. */
   Estimate failedMildly() {
     int calls = 0;
     int failed = 0;

@@ -11,19 +11,19 @@ import org.dfra.recruit.experiment.ExperimentCell;
 import org.dfra.recruit.experiment.Metric;
 
 /**
- * Whether runs over the real network are distributed as those over the simulated one.
+ * Compares the distributions of runs over the real network and over the simulated one.
  *
  * <p>Each metric of each cell is compared by the two-sample Kolmogorov-Smirnov test on independent
- * runs, and all of these together by Holm's method at 5 %. What such a test does not reject is not
- * shown by that to be equal. So the difference of the means, of pairs with the same seed, has its
- * interval of 95 %; within {@link #equivalenceBound} the two count as equal for what the experiment
- * claims.
+ * runs, and all of these together by Holm's method at 5 %. A test that does not reject does not
+ * prove equality. Therefore the difference of the means, of pairs with the same seed, has a
+ * confidence interval of 95 %; within {@link #equivalenceBound} the two count as equal for the
+ * experiment's claims.
  *
  * @param distance largest between the two distribution functions, 0 to 1
- * @param p probability of such a distance, or a larger one, where the two are the same
- * @param isRejected whether Holm's method rejects that they are
- * @param difference how much more there is over the real network
- * @param equivalenceBound within which that counts as equal
+ * @param p probability of such a distance, or a larger one, if the two are equal
+ * @param isRejected whether Holm's method rejects their equality
+ * @param difference mean over the real network minus the simulated one
+ * @param equivalenceBound maximum difference that counts as equal
  */
 record TransportComparison(
     Metric metric,
@@ -35,28 +35,28 @@ record TransportComparison(
     Estimate difference,
     double equivalenceBound) {
 
-  /** Probability that any of all comparisons rejects though all are the same, at most. */
+  /** Maximum probability that any comparison rejects although all are equal. */
   static final double LEVEL = 0.05;
 
-  /** Share of the simulated mean that is the bound. */
+  /** The bound as a share of the simulated mean. */
   static final double SHARE = 0.1;
 
-  /** Likewise of failed calls, percent of all. */
+  /** The bound for failed calls, percent of all. */
   static final double POINTS = 5;
 
-  /** What is compared. */
+  /** The compared metrics. */
   static final List<Metric> METRICS =
       List.of(Metric.TRANSMISSIONS, Metric.ALLOCATION, Metric.ARRIVAL, Metric.FAILURES);
 
-  /** What is to be said. */
+  /** The result of a comparison. */
   enum Verdict {
-    /** Not told apart, and the interval is within the bound. */
+    /** Not significant, and the interval is within the bound. */
     AGREE,
-    /** Told apart, but the interval is within the bound. */
+    /** Significant, but the interval is within the bound. */
     NEGLIGIBLE,
-    /** Not told apart, but the interval is too wide. */
+    /** Not significant, but the interval is too wide. */
     INCONCLUSIVE,
-    /** Told apart, and the interval is not all within the bound. */
+    /** Significant, and the interval exceeds the bound. */
     DIFFER
   }
 
@@ -64,7 +64,7 @@ record TransportComparison(
     return real.cell();
   }
 
-  /** What is to be said of it. */
+  /** The result. */
   Verdict verdict() {
     boolean isWithin =
         -equivalenceBound <= difference.low() && difference.high() <= equivalenceBound;
@@ -75,7 +75,7 @@ record TransportComparison(
   }
 
   /**
-   * Compares all.
+   * Compares all cells.
    *
    * @param real a result for each cell
    * @param paired over the simulated network with the same seeds, cell by cell

@@ -24,7 +24,7 @@ import org.dfra.recruit.experiment.Metric;
 import org.dfra.recruit.experiment.ResultsCsv;
 import org.dfra.recruit.experiment.RunResult;
 
-/** Writes how runs over the real network compare with those over the simulated one. */
+/** Writes the comparison of runs over the real network with those over the simulated one. */
 final class TransportComparisonReport {
 
   private static final int HIGH = 230; // pixels of a row
@@ -32,9 +32,7 @@ final class TransportComparisonReport {
   private final List<TransportComparison> all;
   private final String setting;
 
-  /**
-   * @param setting how both were run
-   */
+  /** @param setting description of the runs */
   TransportComparisonReport(List<TransportComparison> all, String setting) {
     this.all = List.copyOf(all);
     this.setting = setting;
@@ -92,7 +90,7 @@ final class TransportComparisonReport {
     return file;
   }
 
-  /** What is wanted of the real network. */
+  /** The measurements of the real network and their targets. */
   RunMeasurements figures() {
     RunMeasurements figures = new RunMeasurements();
     figures.add(
@@ -107,7 +105,7 @@ final class TransportComparisonReport {
     return figures;
   }
 
-  /** How many comparisons come to what, in a sentence. */
+  /** The number of comparisons with each result, in a sentence. */
   String summary() {
     return "Of "
         + all.size()
@@ -118,12 +116,12 @@ final class TransportComparisonReport {
         + ".";
   }
 
-  /** How many comparisons come to that. */
+  /** The number of comparisons with that result. */
   private long count(TransportComparison.Verdict verdict) {
     return all.stream().filter(each -> each.verdict() == verdict).count();
   }
 
-  /** What must not be, over all runs of the real network. */
+  /** Number of violations, over all runs of the real network. */
   private int violations(ToIntFunction<RunResult> what) {
     return all.stream()
         .filter(each -> each.metric() == Metric.FAILURES)
@@ -156,7 +154,7 @@ final class TransportComparisonReport {
         each.verdict().toString());
   }
 
-  /** A row for each strategy and way to send to all, a panel for each team and loss. */
+  /** A row for each strategy and message mode, a panel for each team size and loss. */
   private Page figure(Metric metric) {
     Page page = new Page(ExperimentCharts.sentence(metric.title()) + ": real and simulated");
     List<LinePanel> row = new ArrayList<>();

@@ -1,13 +1,14 @@
 /**
- * The verbs of {@code ./dfra recruit}: the experiment that judges how robots recruit each other.
+ * The subcommands of {@code ./dfra recruit}: the status of recruitment, and the experiment that
+ * evaluates its strategies.
  *
  * <pre>
  *   ExperimentCommand --cells, seeds--&gt; org.dfra.recruit.experiment --CellResults--.
  *                                                                                  v
- *               figures.csv, report.html, SVGs, CSVs  &lt;-- ExperimentReport &lt;-- Comparison
+ *         figures.csv, report.html, SVGs, CSVs &lt;-- ExperimentReport &lt;-- StrategyComparison
  * </pre>
  *
- * <p>Enter at {@link org.dfra.app.recruit.RecruitCommand}.
+ * <p>Entry point: {@link org.dfra.app.recruit.RecruitCommand}.
  */
 @NullMarked
 package org.dfra.app.recruit;

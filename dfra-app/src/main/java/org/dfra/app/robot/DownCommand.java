@@ -40,11 +40,11 @@ public final class DownCommand implements Callable<Integer> {
   private List<String> robots = List.of();
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private PhoenixOptions options;
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandOutput answer;
 
   @Override
@@ -71,7 +71,7 @@ public final class DownCommand implements Callable<Integer> {
     return ExitCode.SUCCESS;
   }
 
-  /** The robots' names; all are checked before any is taken down. */
+  /** The robots' names; all are checked before any robot is shut down. */
   private List<String> names(PhoenixProcess phoenix) throws IOException, ActivationException {
     List<String> known = RobotRemoval.robots(phoenix, PhoenixOptions.TIMEOUT);
     List<String> names = new ArrayList<>();

@@ -15,8 +15,8 @@ import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.lookup.JiniModuleDirectory;
 
 /**
- * Looks for another robot of the same name in the team while one is brought up. It runs beside that
- * and lasts 2 s, so a robot that takes longer to come up is not delayed by it.
+ * Searches the team for another robot of the same name while one is brought up. It runs in parallel
+ * for 2 s, so that it does not delay a robot that takes longer.
  */
 final class DuplicateNameSearch implements AutoCloseable {
 
@@ -33,7 +33,7 @@ final class DuplicateNameSearch implements AutoCloseable {
     this.directory = directory;
   }
 
-  /** Begins to look where the robot's modules will be found. */
+  /** Starts the search in the lookup services of the robot's modules. */
   static DuplicateNameSearch begin(RobotDescription robot) throws IOException {
     String host = HostAddress.resolve(robot.host());
     List<String> groups = HostAddress.isLoopback(host) ? List.of() : robot.lookupGroups();
@@ -42,9 +42,9 @@ final class DuplicateNameSearch implements AutoCloseable {
   }
 
   /**
-   * What was found, as a sentence without a full stop; empty if no other robot has the name.
+   * The result, as a sentence without a full stop; empty if no other robot has the name.
    *
-   * @param own identities of the modules of the robot that was brought up
+   * @param own IDs of the modules of the robot that was brought up
    */
   Optional<String> warning(Set<UUID> own) throws InterruptedException {
     Duration left = SEARCH_TIME.minusNanos(System.nanoTime() - begun);
@@ -67,7 +67,9 @@ final class DuplicateNameSearch implements AutoCloseable {
                     + " may get either: take one of them down and give it another name in its XML");
   }
 
-  /** On this host a lookup service may still list what was there before; then nobody answers. */
+  /**
+   * On this host a lookup service may still list modules of a previous run; these do not answer.
+   */
   private boolean isThere(ModuleListing<Module> listing) {
     String other = listing.host();
     if (!other.equals(host)) {
@@ -75,7 +77,7 @@ final class DuplicateNameSearch implements AutoCloseable {
     }
     try {
       return listing.module().readiness() != null;
-    } catch (RemoteException | RuntimeException e) { // also a foreign proxy's own: no sign of life
+    } catch (RemoteException | RuntimeException e) { // also from a foreign proxy: not alive
       return false;
     }
   }

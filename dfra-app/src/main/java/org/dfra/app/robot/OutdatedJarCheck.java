@@ -13,7 +13,10 @@ import org.dfra.river.bootstrap.PhoenixInventory.ServiceGroup;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.jspecify.annotations.Nullable;
 
-/** Service groups that were started from other jars than this command, such as an older build's. */
+/**
+ * Finds service groups that were started from other jars than this command, such as an older
+ * build's.
+ */
 final class OutdatedJarCheck {
 
   private OutdatedJarCheck() {}
@@ -22,7 +25,7 @@ final class OutdatedJarCheck {
    * A sentence for each group of a robot that runs from other jars.
    *
    * @param robot name of the robot
-   * @param alreadyReported names of groups of which that was said already
+   * @param alreadyReported names of groups that were reported before
    */
   static List<String> warnings(PhoenixProcess phoenix, String robot, Set<String> alreadyReported)
       throws IOException, ActivationException {
@@ -47,15 +50,15 @@ final class OutdatedJarCheck {
   }
 
   /**
-   * Whether a process runs from other jars than those in a folder; false where that is not known.
+   * Whether a process runs from other jars than those in a folder; false if unknown.
    *
-   * @param proc where the system tells of processes
+   * @param proc the folder {@code /proc}
    */
   static boolean runsFromOther(Path proc, long pid, String lib) {
     Path command = proc.resolve(Long.toString(pid)).resolve("cmdline");
     try {
       return pid > 0 && !Files.readString(command).contains(lib + "/");
-    } catch (IOException e) { // it has ended, or the system has no such file
+    } catch (IOException e) { // it has exited, or the system has no such file
       return false;
     }
   }

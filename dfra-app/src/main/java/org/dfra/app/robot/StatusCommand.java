@@ -36,19 +36,19 @@ public final class StatusCommand implements Callable<Integer> {
   private List<Path> xml = List.of();
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private PhoenixOptions options;
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandOutput answer;
 
   /**
-   * A group as it is told of.
+   * A group in the command's output.
    *
-   * @param services its services that run
+   * @param services its running services
    * @param idle its services that do not run: they did not start, crashed or were stopped
-   * @param stopped its effectors that are stopped for an emergency
+   * @param stopped its effectors in emergency stop
    */
   record Group(
       String robot,

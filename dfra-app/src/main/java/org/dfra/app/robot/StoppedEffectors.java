@@ -5,15 +5,15 @@ import java.util.Collection;
 import java.util.List;
 import org.dfra.river.bootstrap.StoredStopStates;
 
-/** The emergency stops of this host's effectors, for people. */
+/** The emergency stops of this host's effectors, as text. */
 final class StoppedEffectors {
 
   private StoppedEffectors() {}
 
   /**
-   * Of those of a robot's modules that are stopped, a sentence each with the remedy.
+   * A sentence with the remedy for each of a robot's modules in emergency stop.
    *
-   * @param state folder of what phoenix keeps
+   * @param state phoenix's state folder
    */
   static List<String> notices(Path state, String robot, Collection<String> modules) {
     return StoredStopStates.latched(state, robot, modules).entrySet().stream()

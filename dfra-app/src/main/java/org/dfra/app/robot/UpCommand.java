@@ -50,21 +50,21 @@ public final class UpCommand implements Callable<Integer> {
       List.of(Path.of(System.getProperty("dfra.root", ""), "config", "robots", "atrv1.xml"));
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private PhoenixOptions options;
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandOutput answer;
 
   /**
-   * What was brought up.
+   * A service that was brought up.
    *
    * @param name {@code robot/module}, or {@code robot/registrar}
    * @param group name of its service group
-   * @param stopped whether it is an effector that is stopped for an emergency
-   * @param step what was done, such as {@code started}, {@code kept} or {@code ended}
-   * @param detail more of it, such as what was changed; may be empty
+   * @param stopped whether it is an effector in emergency stop
+   * @param step the action, such as {@code started}, {@code kept} or {@code ended}
+   * @param detail further information, such as the changes; may be empty
    */
   record BroughtUpService(String name, String group, boolean stopped, String step, String detail) {}
 
@@ -73,7 +73,8 @@ public final class UpCommand implements Callable<Integer> {
     List<RobotDescription> robots = robots();
     PhoenixProcess phoenix = options.lastStarted();
     if (!phoenix.isResponding(PhoenixOptions.TIMEOUT)) {
-      // Its address is in every proxy that brings a module back, so others must reach it too.
+      // Every proxy that reactivates a module contains its address, so other hosts must reach it
+      // too.
       Map.Entry<PhoenixProcess, Process> started =
           options.start(HostAddress.resolve(robots.get(0).host()));
       phoenix = started.getKey();
@@ -158,9 +159,9 @@ public final class UpCommand implements Callable<Integer> {
   }
 
   /**
-   * The robots, read and tried before anything is begun.
+   * The robots, read and validated before any is started.
    *
-   * @throws ConfigurationException naming all that is wrong with any of them
+   * @throws ConfigurationException with all faults of all robots
    */
   private List<RobotDescription> robots() {
     List<RobotDescription> robots = new ArrayList<>();
@@ -185,7 +186,7 @@ public final class UpCommand implements Callable<Integer> {
     return robots;
   }
 
-  /** Two robots of one name on one phoenix would be one, as the last XML says. */
+  /** Two robots of one name on one phoenix would be one, with the last XML. */
   private void requireDifferentNames(List<RobotDescription> robots) {
     Map<String, Path> sources = new HashMap<>();
     for (RobotDescription robot : robots) {

@@ -1,4 +1,4 @@
-/** Brings the robots of this host up and down, and tells how they are. */
+/** Brings the robots of this host up and down, and shows their status. */
 @NullMarked
 package org.dfra.app.robot;
 

@@ -45,7 +45,7 @@ final class RunCommand implements Callable<Integer> {
   private static final Duration STATE_EVERY = Duration.ofSeconds(1);
 
   @Parameters(paramLabel = "WORLD", description = "File that describes the world, in XML.")
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private Path file;
 
   @Option(
@@ -82,7 +82,7 @@ final class RunCommand implements Callable<Integer> {
   private double truthRate = 20;
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandOutput answer;
 
   private final CountDownLatch ended = new CountDownLatch(1);
@@ -129,7 +129,7 @@ final class RunCommand implements Callable<Integer> {
     }
   }
 
-  /** Real time, the time that this process was told of, or that of its own speed. */
+  /** Real time, the time that the parent process passed, or a clock of its own speed. */
   private InstantSource clock() {
     return speed == 1
         ? RobotTime.clock()
@@ -204,7 +204,7 @@ final class RunCommand implements Callable<Integer> {
     return Duration.ofNanos((long) (real.toNanos() * speed));
   }
 
-  /** On a terminal in the last line, again and again; elsewhere people are not told. */
+  /** Updates the last line of a terminal; without a terminal there is no text output. */
   private void answerState(SimulationState state) {
     if (answer.isJson()) {
       answer.line(state, "");

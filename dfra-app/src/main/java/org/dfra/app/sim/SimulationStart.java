@@ -10,14 +10,14 @@ import org.dfra.sim.run.Simulation;
 import org.dfra.sim.world.description.WorldDescription;
 
 /**
- * What {@code ./dfra sim run --json} tells first.
+ * The first output of {@code ./dfra sim run --json}.
  *
  * @param world name of the world
- * @param seed what chance goes by
- * @param dfraTime what {@code DFRA_TIME} is to be for the robots
+ * @param seed random seed
+ * @param dfraTime value of {@code DFRA_TIME} for the robots
  * @param startTime when the world began
  * @param datum where its east and north are 0
- * @param endpoints where the devices are
+ * @param endpoints of the devices
  */
 public record SimulationStart(
     String world,

@@ -10,13 +10,13 @@ import org.dfra.sim.world.GroundTruthPose;
 import org.dfra.sim.world.World;
 
 /**
- * How a simulated world is.
+ * The state of a simulated world.
  *
  * @param time its time
  * @param elapsed simulated time since it began
- * @param robots where each robot truly is
- * @param collisions how many there were so far
- * @param newCollisions those of them that the state before this one did not know
+ * @param robots the robots' true poses
+ * @param collisions number of collisions so far
+ * @param newCollisions those since the previous state
  */
 public record SimulationState(
     Instant time,
@@ -31,7 +31,7 @@ public record SimulationState(
   }
 
   /**
-   * Where a robot truly is.
+   * A robot's true pose.
    *
    * @param robot its name
    * @param east metres from the datum
@@ -44,9 +44,9 @@ public record SimulationState(
       String robot, double east, double north, double up, double yaw, double speed) {}
 
   /**
-   * The state now.
+   * The current state.
    *
-   * @param known how many collisions the last state knew
+   * @param known number of collisions in the previous state
    */
   static SimulationState of(World world, Instant begin, Instant now, int known) {
     List<RobotState> robots =

@@ -1,7 +1,7 @@
 /**
- * {@code ./dfra sim}: simulated worlds, whose devices the real drivers talk to.
+ * {@code ./dfra sim}: simulated worlds with devices for the real drivers.
  *
- * <p>Enter at {@link org.dfra.app.sim.SimCommand}.
+ * <p>Entry point: {@link org.dfra.app.sim.SimCommand}.
  */
 @NullMarked
 package org.dfra.app.sim;

@@ -15,14 +15,14 @@ import org.dfra.river.phoenix.stop.EffectorStopResult;
 import org.dfra.river.phoenix.stop.UnconfirmedGroup;
 
 /**
- * What the phoenixes that were asked say, put together. A phoenix that is configured is believed. A
- * lookup service that discovery found, which may be a stranger's, may name any computer as its own:
- * the word of a phoenix there counts no more than that of a proxy ({@link
+ * The combined reports of the phoenixes that received the stop request. The report of a configured
+ * phoenix is trusted. A discovered lookup service may be foreign, and may claim any computer as its
+ * own: the report of a phoenix there counts no more than that of a proxy ({@link
  * #unconfirmedReason(EffectorStopResult, List)}).
  */
 final class Confirmations {
 
-  /** An effector as a phoenix names it that discovery named: of one identity there may be two. */
+  /** An effector in the report of a discovered phoenix: one ID may occur twice. */
   private record EffectorKey(UUID id, String path) {}
 
   private final List<PhoenixAnswer> answers;
@@ -31,9 +31,7 @@ final class Confirmations {
   private final Set<String> robots = new TreeSet<>();
   private final List<UnconfirmedGroup> unconfirmed = new ArrayList<>();
 
-  /**
-   * @param answers of each phoenix
-   */
+  /** @param answers of each phoenix */
   Confirmations(Collection<PhoenixAnswer> answers) {
     this.answers = List.copyOf(answers);
     for (PhoenixAnswer each : answers) {
@@ -54,33 +52,33 @@ final class Confirmations {
     }
   }
 
-  /** All but one may be false. */
+  /** All but one may be forged. */
   private static EffectorStopResult worse(EffectorStopResult one, EffectorStopResult other) {
     return one.isConfirmed() ? other : one;
   }
 
   /**
-   * What each effector answered to its phoenix, if one is configured that knows it, by its
-   * identity. Of several phoenixes one counts that does not confirm the stop.
+   * The result of each effector that a configured phoenix reports, by its ID. Of several phoenixes,
+   * one that does not confirm the stop counts.
    */
   Map<UUID, EffectorStopResult> stops() {
     return stops;
   }
 
   /**
-   * What phoenixes say of other effectors that discovery named. Of several that give an effector
-   * the same path one counts that does not confirm the stop.
+   * Reports of discovered phoenixes about other effectors. Of several that give an effector the
+   * same path, one that does not confirm the stop counts.
    */
   Collection<EffectorStopResult> discovered() {
     return discovered.values();
   }
 
-  /** Groups that did not answer their phoenix at last. */
+  /** Groups whose last request their phoenix reports as unanswered. */
   List<UnconfirmedGroup> unconfirmed() {
     return unconfirmed;
   }
 
-  /** Where a phoenix may run that did not answer, as {@code host:port}. */
+  /** Addresses where a phoenix may run that did not answer, as {@code host:port}. */
   List<String> unresponsive() {
     return addresses(answers.stream().filter(PhoenixAnswer::isUnresponsive).toList());
   }
@@ -95,8 +93,8 @@ final class Confirmations {
   }
 
   /**
-   * Why the word of an effector's proxy does not count as its stop; empty where it counts, since no
-   * phoenix knows its robot and none that might is silent.
+   * Why the report of an effector's proxy does not count as its stop; empty if it counts, since no
+   * phoenix knows its robot and no phoenix that may know it is unresponsive.
    *
    * @param robot name of the robot that the proxy is registered for
    */
@@ -114,20 +112,19 @@ final class Confirmations {
   }
 
   /**
-   * Why the word of phoenixes that only discovery named does not count as the stop of an effector.
-   * It counts where
+   * Why the report of phoenixes that were only discovered does not count as the stop of an
+   * effector. It counts if
    *
    * <ul>
-   *   <li>no configured phoenix has a robot of that name, and none is silent,
-   *   <li>a lookup service of such a phoenix's own computer lists the effector, and
-   *   <li>for each lookup service that lists its identity, the phoenix of that computer confirms
-   *       the stop too; or, where none runs there that has the robot, the effector's proxy from
-   *       there.
+   * <li>no configured phoenix has a robot of that name, and none is unresponsive,
+   * <li>a lookup service of such a phoenix's own computer lists the effector, and
+   * <li>for each lookup service that lists its identity, the phoenix of that computer confirms the
+   *     stop too; or, if no phoenix with the robot runs there, the effector's proxy from there.
    * </ul>
    *
-   * @param stop what they confirm
+   * @param stop their report
    * @param listings of its identity, one for each lookup service that lists it
-   * @return a clause; empty where it counts
+   * @return a clause; empty if it counts
    */
   Optional<String> unconfirmedReason(EffectorStopResult stop, List<StopMerge.ProxyClaim> listings) {
     return objection(stop, listings)

@@ -17,32 +17,32 @@ import java.util.concurrent.TimeoutException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Calls what lookup services list. Anybody may list what never answers; it keeps nothing else from
- * being called.
+ * Calls the proxies that lookup services list. Any client may register proxies that never answer;
+ * these do not delay the other calls.
  *
  * <pre>
  *   lookup services, round robin --&gt; their robots, round robin --&gt; a robot's calls, in order
- *       --&gt; a place, for a quarter of a second at the most --&gt; the answer, or the end of patience
+ *       --&gt; a slot, for at most a quarter of a second --&gt; the answer, or a timeout
  * </pre>
  *
- * <p>A call begins when it gets one of the places, of which the calls of one lookup service have a
- * part only. A call that takes long goes on without its place. One that is not answered in time is
- * interrupted. The address in a proxy is no source of calls here, since its sender chooses it.
+ * <p>A call starts when it gets a slot; the calls of one lookup service have only a part of the
+ * slots. A long call continues without its slot. A call without an answer in time is interrupted.
+ * Calls are not grouped by the address in a proxy, since its sender chooses it.
  *
- * <p>Threads: {@code dfra-stop}, one for each call under way, and {@code dfra-stop-timer}; from the
- * first call to {@link #close}, which abandons what is still under way.
+ * <p>Threads: {@code dfra-stop}, one for each running call, and {@code dfra-stop-timer}; from the
+ * first call to {@link #close}, which abandons running calls.
  */
 final class FairCallScheduler implements AutoCloseable {
 
   /**
-   * How many calls there may be.
+   * Limits of calls.
    *
-   * @param slots calls that may begin without any having ended
+   * @param slots calls that may start before any has ended
    * @param slotsPerRegistrar of these, for the calls of one lookup service
-   * @param threads calls under way, also those that have lost their place
-   * @param reserved calls under way of each lookup service that begin beyond {@code threads}
-   * @param slotTimeout for how long a call keeps its place
-   * @param maxQueueTime for how long a call waits to begin; then it is not made
+   * @param threads running calls, including those that have lost their slot
+   * @param reserved running calls of each lookup service that may start beyond {@code threads}
+   * @param slotTimeout how long a call keeps its slot
+   * @param maxQueueTime how long a call waits to start; then it is not made
    */
   record Limits(
       int slots,
@@ -52,12 +52,12 @@ final class FairCallScheduler implements AutoCloseable {
       Duration slotTimeout,
       Duration maxQueueTime) {
 
-    /** 512 silent calls of one lookup service begin in a second. */
+    /** Starts 512 unresponsive calls of one lookup service per second. */
     static final Limits DEFAULT =
         new Limits(256, 128, 1024, 16, Duration.ofMillis(250), Duration.ofSeconds(15));
   }
 
-  /** A call could not begin in time. Trying it again is of no use. */
+  /** A call could not start in time. A retry would fail too. */
   static final class NotCalledException extends Exception {
     private static final long serialVersionUID = 1L;
 
@@ -73,7 +73,7 @@ final class FairCallScheduler implements AutoCloseable {
     final CompletableFuture<Outcome> answer = new CompletableFuture<>();
     boolean begun; // guarded by the outer object, like all below
     boolean hasPlace;
-    @Nullable Thread runner; // while it is being made
+    @Nullable Thread runner; // while the call runs
 
     Call(UUID registrar, String robot, Callable<Outcome> code) {
       this.registrar = registrar;
@@ -97,13 +97,11 @@ final class FairCallScheduler implements AutoCloseable {
   private final ScheduledExecutorService timer =
       Executors.newSingleThreadScheduledExecutor(task -> thread(task, "dfra-stop-timer"));
   private final Map<UUID, CallQueue> lanes = new LinkedHashMap<>(); // the next one first
-  private int places; // that are taken; guarded by this, as lanes are
+  private int places; // slots in use; guarded by this
   private int underWay; // guarded by this
   private boolean closed; // guarded by this
 
-  /**
-   * @param patience how long an answer is awaited, from the beginning of its call
-   */
+  /** @param patience timeout of a call, from its start */
   FairCallScheduler(Limits limits, Duration patience) {
     this.limits = limits;
     this.patience = patience;
@@ -117,12 +115,12 @@ final class FairCallScheduler implements AutoCloseable {
   }
 
   /**
-   * Makes a call as soon as there is a place for it.
+   * Makes a call as soon as there is a slot for it.
    *
-   * @param registrar the lookup service that lists what is called
+   * @param registrar the lookup service that lists the called proxy
    * @param robot the robot that it is listed for
-   * @return its answer; a {@link TimeoutException} where there is none in time, a {@link
-   *     NotCalledException} where it could not begin
+   * @return its answer; a {@link TimeoutException} if there is none in time, a {@link
+   *     NotCalledException} if it could not start
    */
   CompletableFuture<Outcome> call(UUID registrar, String robot, Callable<Outcome> code) {
     Call call = new Call(registrar, robot, code);
@@ -145,7 +143,7 @@ final class FairCallScheduler implements AutoCloseable {
     var unused = timer.schedule(task, after.toNanos(), TimeUnit.NANOSECONDS);
   }
 
-  /** Begins as many calls as there are places for. */
+  /** Starts as many calls as there are slots for. */
   private void begin() {
     synchronized (this) {
       @Nullable Call next = closed ? null : next();
@@ -155,7 +153,7 @@ final class FairCallScheduler implements AutoCloseable {
     }
   }
 
-  /** Takes the call that is next, if one may begin. */
+  /** Removes the next call from the queues, if one may start. */
   private @Nullable Call next() {
     if (places >= limits.slots()) {
       return null;
@@ -230,7 +228,7 @@ final class FairCallScheduler implements AutoCloseable {
     }
     synchronized (this) {
       call.runner = null;
-      boolean unused = Thread.interrupted(); // of a call that was given up
+      boolean unused = Thread.interrupted(); // of an abandoned call
       ended(call);
     }
     begin();

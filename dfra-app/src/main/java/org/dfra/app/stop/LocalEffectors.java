@@ -16,22 +16,22 @@ import org.dfra.river.server.effector.EffectorServer;
 
 /**
  * The effectors of this host's robots, which phoenix reaches without any lookup service. Phoenix
- * knows what may run, also under a name that no XML has any more; the XML of the robots that were
- * brought up names what phoenix cannot.
+ * knows the registered services, including those of names that no XML has any more; the XML of the
+ * robots that were brought up names further effectors.
  */
 final class LocalEffectors {
 
-  /** Asks phoenix what is registered. */
+  /** Queries phoenix for its registered services. */
   interface RegisteredServices {
     List<RegisteredService> services() throws IOException, ActivationException;
   }
 
   /**
-   * One of them.
+   * One effector.
    *
    * @param robot name of its robot
    * @param name its name on its robot
-   * @param access how it is reached
+   * @param access to its server
    */
   record LocalEffector(String robot, String name, EffectorAccess access) {
 
@@ -41,10 +41,10 @@ final class LocalEffectors {
     }
   }
 
-  /** How an effector is reached. */
+  /** Access to an effector. */
   interface EffectorAccess {
     /**
-     * Its server, which is started where it does not run.
+     * Its server, which is activated if it does not run.
      *
      * @throws IOException if phoenix does not answer
      * @throws ActivationException if it is not registered, or cannot be started
@@ -58,7 +58,7 @@ final class LocalEffectors {
 
   /**
    * @param known the robots that were brought up on this host, as far as their XML is known
-   * @param wanted which robots it is about, by name
+   * @param wanted the selected robots, by name
    */
   LocalEffectors(
       RegisteredServices phoenix, List<RobotDescription> known, Predicate<String> wanted) {
@@ -68,8 +68,9 @@ final class LocalEffectors {
   }
 
   /**
-   * All of them: what phoenix has registered, and what only the XML names, which is not reached and
-   * says why. A module whose classes are not here is left out: it has to be looked up.
+   * All effectors: those registered with phoenix, and those that only the XML names, which cannot
+   * be reached and report the reason. Omits modules whose classes are missing here: they must be
+   * looked up.
    *
    * @throws IOException if phoenix does not answer and no XML names an effector
    * @throws ActivationException likewise
@@ -99,7 +100,7 @@ final class LocalEffectors {
     return all;
   }
 
-  /** Asked once more where phoenix fails to answer: on a busy computer it may be late. */
+  /** Queried once more if phoenix does not answer: on a loaded computer it may be late. */
   private List<RegisteredService> services() throws IOException, ActivationException {
     try {
       return phoenix.services();
@@ -108,7 +109,7 @@ final class LocalEffectors {
     }
   }
 
-  /** Without what a remote exception appends of its cause. */
+  /** Without the cause that a remote exception appends. */
   private static String reason(Exception failure) {
     return String.valueOf(failure.getMessage()).replaceFirst("(?s);? nested exception is:.*", "");
   }

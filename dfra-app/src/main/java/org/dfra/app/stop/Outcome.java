@@ -7,13 +7,13 @@ import org.dfra.flow.effector.EmergencyStopState;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What has become of one effector that was to be stopped or released.
+ * The outcome for one effector that was to be stopped or released.
  *
  * @param module the effector's path, {@code robot/name}
- * @param result what has become of it
- * @param requester who stopped or released it last, for people; null where that is not known
+ * @param result the result
+ * @param requester who requested its last stop or release, as text; null if unknown
  * @param since when that was, by the effector's clock, UTC; null likewise
- * @param reason what is wrong, a clause; null where nothing is
+ * @param reason of a failure, a clause; null if there is none
  */
 record Outcome(
     String module,
@@ -22,21 +22,21 @@ record Outcome(
     @Nullable Instant since,
     @Nullable String reason) {
 
-  /** What can become of it. */
+  /** The possible results. */
   enum Result {
-    /** It is stopped by this call. */
+    /** This call has stopped it. */
     STOPPED("stopped"),
-    /** It was stopped before, and has been told to come to rest once more. */
+    /** It was stopped before, and has received the stop command once more. */
     ALREADY_STOPPED("was stopped already"),
-    /** It obeys nobody, but its driver could not be told to come to rest yet. */
+    /** It refuses all commands, but its driver could not be stopped yet. */
     DRIVER_NOT_STOPPED("NOT AT REST"),
-    /** Something says that it is stopped, and its phoenix does not confirm that. */
+    /** Its stop was reported, but its phoenix does not confirm that. */
     UNCONFIRMED("DOUBTFUL"),
     /** It was not reached, or not stopped. */
     NOT_STOPPED("NOT STOPPED"),
-    /** It may be commanded again. */
+    /** It accepts commands again. */
     RELEASED("released"),
-    /** There was nothing to release. */
+    /** It was not in emergency stop. */
     WAS_NOT_STOPPED("was not stopped"),
     /** It was not reached, or not released. */
     NOT_RELEASED("NOT RELEASED");
@@ -60,11 +60,11 @@ record Outcome(
   }
 
   /**
-   * Of an effector that was called to stop.
+   * Of a stop call.
    *
-   * @param running for how long this command has run: what is older was stopped before. Both are
-   *     spans, since the clocks of two computers differ.
-   * @param now what it answered
+   * @param running for how long this command has run: an older stop was there before. Both are
+   *     durations, since the clocks of two computers differ.
+   * @param now the effector's answer
    */
   static Outcome ofStop(String module, Duration running, EmergencyStopState now) {
     if (!now.latched()) {
@@ -85,10 +85,10 @@ record Outcome(
   }
 
   /**
-   * Of an effector that was called to release its stop.
+   * Of a release call.
    *
-   * @param by who asked
-   * @param now what it answered
+   * @param by the requester
+   * @param now the effector's answer
    */
   static Outcome ofRelease(String module, String by, EmergencyStopState now) {
     if (now.latched()) {
@@ -103,7 +103,7 @@ record Outcome(
     return new Outcome(module, result, now.requester(), now.since(), now.fault());
   }
 
-  /** The same for people, one line. */
+  /** The same as text output, one line. */
   String inWords() {
     return module
         + ": "
@@ -113,7 +113,7 @@ record Outcome(
         + ".";
   }
 
-  /** Its result for programs, {@code stopped_already} say. */
+  /** Its result in JSON output, for example {@code stopped_already}. */
   String id() {
     return result.name().toLowerCase(Locale.ROOT);
   }

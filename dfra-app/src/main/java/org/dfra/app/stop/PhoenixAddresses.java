@@ -20,30 +20,30 @@ import org.dfra.river.phoenix.stop.StopLocator;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where the phoenixes of known robots run: by configuration (the state folder of this computer, an
- * option, a variable, the hosts of named lookup services) and by discovery (the hosts of the lookup
- * services that were found). Never by an entry, which anybody may register.
+ * The addresses of known robots' phoenixes: by configuration (the state folder of this computer, an
+ * option, a variable, the hosts of named lookup services) and by discovery (the hosts of discovered
+ * lookup services). Lookup entries are never used, since any client may register them.
  *
- * <p>Only {@link #resolve} asks a name service, which may not answer for long; it is called on the
- * thread of one order.
+ * <p>Only {@link #resolve} uses a name service, which may take long; it runs on the thread of one
+ * stop request.
  */
 final class PhoenixAddresses {
 
   private static final String VARIABLE = "DFRA_PHOENIX";
   private static final int LARGEST_PORT = 65535;
 
-  /** Longest name of a computer, RFC 1035. */
+  /** Longest host name, RFC 1035. */
   private static final int LONGEST_HOST = 253;
 
-  /** Asks for the address of a name. */
+  /** Resolves host names. */
   interface NameService {
-    /** The address. May wait. */
+    /** The address. May block. */
     InetAddress address(String name) throws UnknownHostException;
   }
 
-  /** By what a phoenix is known. */
+  /** The source of a phoenix's address. */
   enum Origin {
-    /** It is of the state folder, or the operator named it. */
+    /** The state folder, or the operator's option. */
     NAMED(true) {
       @Override
       boolean isLeftOut(InetAddress address) {
@@ -51,8 +51,9 @@ final class PhoenixAddresses {
       }
     },
     /**
-     * The operator named the lookup service of its computer. That of a loopback address is left
-     * out: where several users or tests simulate robots on one computer, it may be another one's.
+     * The host of a lookup service that the operator named. Loopback addresses are omitted: if
+     * several users or tests simulate robots on one computer, that phoenix may belong to another
+     * user.
      */
     LOCATOR(true) {
       @Override
@@ -61,8 +62,8 @@ final class PhoenixAddresses {
       }
     },
     /**
-     * A lookup service that was found says that it runs there. This computer is left out: nobody
-     * named its other phoenixes.
+     * The claimed host of a discovered lookup service. This computer is omitted: its other
+     * phoenixes were not named.
      */
     DISCOVERY(false) {
       @Override
@@ -77,7 +78,7 @@ final class PhoenixAddresses {
       this.isConfigured = isConfigured;
     }
 
-    /** Whether the operator vouches for it. */
+    /** Whether the operator has configured it. */
     boolean isConfigured() {
       return isConfigured;
     }
@@ -90,8 +91,8 @@ final class PhoenixAddresses {
   private final NameService names;
 
   /**
-   * @param named those of the command line, {@code host} or {@code host:port} each; null for those
-   *     of the environment
+   * @param named addresses of the command line, {@code host} or {@code host:port} each; null for
+   *     those of the environment
    */
   PhoenixAddresses(TeamOptions options, String @Nullable [] named, NameService names) {
     this.options = options;
@@ -100,7 +101,7 @@ final class PhoenixAddresses {
   }
 
   /**
-   * Where a phoenix may run.
+   * The address of a possible phoenix.
    *
    * @param host address or name
    * @param port its TCP port
@@ -118,9 +119,9 @@ final class PhoenixAddresses {
   }
 
   /**
-   * Those that are configured.
+   * The configured addresses.
    *
-   * @param unasked is given a sentence about each that cannot be asked
+   * @param unasked receives a sentence about each address that cannot be queried
    */
   List<Address> configured(Consumer<String> unasked) {
     List<Address> all = new ArrayList<>();
@@ -141,13 +142,13 @@ final class PhoenixAddresses {
     return List.copyOf(all);
   }
 
-  /** That of this computer, where one was ever started with this state folder. */
+  /** The phoenix of this computer, if one was ever started with this state folder. */
   private Optional<Address> local() {
     try {
       if (options.knownRobots().isEmpty() && !Files.exists(options.state().resolve("journal"))) {
         return Optional.empty();
       }
-    } catch (IOException | RuntimeException e) { // the search for local effectors remarks it
+    } catch (IOException | RuntimeException e) { // the search for local effectors reports it
       if (!Files.exists(options.state().resolve("journal"))) {
         return Optional.empty();
       }
@@ -155,13 +156,13 @@ final class PhoenixAddresses {
     try {
       PhoenixProcess phoenix = options.phoenix();
       return Optional.of(new Address(phoenix.host(), phoenix.port()));
-    } catch (IOException | RuntimeException e) { // its address file is damaged, say
+    } catch (IOException | RuntimeException e) { // for example, its address file is damaged
       options.answer().note("phoenix of this host has no readable address: " + e.getMessage());
       return Optional.empty();
     }
   }
 
-  /** Those of the computers of the lookup services that were named, at the usual port. */
+  /** The hosts of the named lookup services, at the default port. */
   List<Address> ofLocators() {
     return options.namedLocators().stream()
         .flatMap(each -> parse(each).stream())
@@ -171,10 +172,10 @@ final class PhoenixAddresses {
   }
 
   /**
-   * That of the computer on which a lookup service runs that was found, at the usual port. Empty
-   * for this computer, and where no computer can have that name.
+   * The host of a discovered lookup service, at the default port. Empty for this computer, and if
+   * the host name is invalid.
    *
-   * @param host where the lookup service says that it runs, an address or a name
+   * @param host that the lookup service claims, an address or a name
    */
   Optional<Address> ofRegistrar(String host) {
     return host.isEmpty() || host.length() > LONGEST_HOST
@@ -182,7 +183,7 @@ final class PhoenixAddresses {
         : at(host, Origin.DISCOVERY);
   }
 
-  /** A name is kept until it is {@link #resolve}. */
+  /** A name is kept until {@link #resolve}. */
   private static Optional<Address> at(String host, Origin origin) {
     return HostAddress.literal(host).filter(origin::isLeftOut).isPresent()
         ? Optional.empty()
@@ -190,9 +191,10 @@ final class PhoenixAddresses {
   }
 
   /**
-   * Where a phoenix is ordered. Where its computer has a name, this may wait for a name service.
+   * Resolves the address of a phoenix. If its computer has a name, this may wait for a name
+   * service.
    *
-   * @return its address; empty where the name is one of this computer, and it is left out
+   * @return its address; empty if the name is one of this computer, and it is omitted
    * @throws java.rmi.UnknownHostException if the name has no address
    */
   Optional<Address> resolve(Address address, Origin origin) throws RemoteException {
@@ -219,7 +221,7 @@ final class PhoenixAddresses {
       String plain = host.startsWith("[") ? host.substring(1, host.length() - 1) : host;
       int port = parsed.getPort();
       return Optional.of(new Address(plain, port < 0 ? StopLocator.DEFAULT_PORT : port));
-    } catch (URISyntaxException e) { // reported by whoever named it
+    } catch (URISyntaxException e) { // reported by the source of the name
       return Optional.empty();
     }
   }

@@ -13,16 +13,16 @@ import org.dfra.river.phoenix.stop.UnconfirmedGroup;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What one phoenix says that was ordered to stop what it runs.
+ * The report of one phoenix that received a stop request.
  *
- * @param address where it was ordered
- * @param isConfigured whether the operator named it, or its computer; otherwise only a lookup
- *     service did that was found
+ * @param address of the request
+ * @param isConfigured whether the operator named it, or its computer; otherwise a discovered lookup
+ *     service did
  * @param isUnresponsive whether a phoenix may run there, and none answered
- * @param stops what each effector answered to it, by its identity: of several answers the last one,
- *     unless an earlier one confirms the stop
+ * @param stops result of each effector, by its ID: of several results the last one, unless an
+ *     earlier one confirms the stop
  * @param robots names of the robots that have a group on it
- * @param unconfirmed groups that did not answer it at last
+ * @param unconfirmed groups that did not answer its last request
  */
 record PhoenixAnswer(
     Address address,
@@ -35,7 +35,7 @@ record PhoenixAnswer(
   /**
    * The answer of a phoenix.
    *
-   * @param reports what it reported, the last report last
+   * @param reports its reports, the last one last
    */
   static PhoenixAnswer of(
       Address address, boolean isConfigured, boolean isSilent, List<StopReport> reports) {
@@ -53,7 +53,7 @@ record PhoenixAnswer(
     return new PhoenixAnswer(address, isConfigured, isSilent, stops, robots, unconfirmed);
   }
 
-  /** Whether it confirms the stop of an effector, under whatever path. */
+  /** Whether it confirms the stop of an effector, under any path. */
   boolean confirms(UUID id) {
     @Nullable EffectorStopResult stop = stops.get(id);
     return stop != null && stop.isConfirmed();

@@ -18,26 +18,26 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Orders every known phoenix to stop what it runs, each on a thread of its own and at once: no
- * lookup service and no proxy is needed for it. Those that are configured are all ordered; of those
- * that only discovery named, {@value #LIMIT}.
+ * Sends a stop request to every known phoenix, each on a thread of its own and in parallel: this
+ * needs no lookup service and no proxy. All configured phoenixes get one, and at most {@value
+ * #LIMIT} of those that were only discovered.
  *
- * <p>A refused connection proves that no phoenix runs there. Anything else but a report is silence,
- * which proves nothing.
+ * <p>A refused connection proves that no phoenix runs there. Any other failure is no answer, which
+ * proves nothing.
  */
 final class PhoenixStopRequests {
 
   private static final Logger LOG = LoggerFactory.getLogger(PhoenixStopRequests.class);
 
-  /** Addresses of discovery that are asked; anybody may announce further ones. */
+  /** Maximum number of discovered addresses; any host may announce further ones. */
   private static final int LIMIT = 64;
 
-  /** How one phoenix is ordered. */
+  /** Sends a stop request to one phoenix. */
   interface StopRequest {
     /**
-     * Stops what is wanted. It may wait for a name service.
+     * Stops the selected effectors. May wait for a name service.
      *
-     * @return what has become of it; null where there is nothing to ask
+     * @return its report; null if the address is not to be queried
      */
     @Nullable StopReport stop() throws RemoteException;
   }
@@ -68,13 +68,13 @@ final class PhoenixStopRequests {
   private final Executor threads;
   private final Consumer<StopReport> reported;
   private final Map<Address, PhoenixRequest> asked = new LinkedHashMap<>(); // guarded by this
-  private @Nullable Address unasked; // the first of those that are too many; guarded by this
+  private @Nullable Address unasked; // the first address beyond the limit; guarded by this
 
   /**
-   * @param repetition how often a phoenix is ordered that is configured and does not answer, and
-   *     how long each order may take; others are ordered twice
-   * @param threads runs each order at once
-   * @param reported is given each report of a configured phoenix as it comes, by any thread
+   * @param repetition retry policy and timeout for configured phoenixes that do not answer; others
+   *     get two requests
+   * @param threads runs each request without delay
+   * @param reported receives each report of a configured phoenix as it arrives, on any thread
    */
   PhoenixStopRequests(RetryPolicy repetition, Executor threads, Consumer<StopReport> reported) {
     this.configured = repetition;
@@ -84,7 +84,7 @@ final class PhoenixStopRequests {
   }
 
   /**
-   * Orders a phoenix, once. Name all that are configured before those of discovery.
+   * Sends a stop request to a phoenix, once. Pass all configured phoenixes before discovered ones.
    *
    * @param isConfigured whether the operator named it, or its computer
    */
@@ -127,7 +127,7 @@ final class PhoenixStopRequests {
                 if (report == null) {
                   return ResponseKind.ABSENT;
                 }
-                synchronized (this) { // also one that comes too late to be awaited
+                synchronized (this) { // also one that arrives after the wait
                   one.reports.add(report);
                 }
                 if (one.isConfigured) {
@@ -142,13 +142,13 @@ final class PhoenixStopRequests {
         .orTimeout(configured.attemptTimeout().toMillis(), TimeUnit.MILLISECONDS);
   }
 
-  /** Is done when every phoenix that was asked by now has answered, or will not. */
+  /** Completes when every phoenix of the requests so far has answered or failed. */
   synchronized CompletableFuture<Void> answered() {
     return CompletableFuture.allOf(
         asked.values().stream().map(each -> each.last).toArray(CompletableFuture<?>[]::new));
   }
 
-  /** Orders those once more that have reported. */
+  /** Sends another request to those that have reported. */
   synchronized void retry() {
     for (PhoenixRequest one : asked.values()) {
       if (!one.reports.isEmpty()) {
@@ -157,7 +157,7 @@ final class PhoenixStopRequests {
     }
   }
 
-  /** What they say by now. */
+  /** Their reports so far. */
   synchronized Confirmations confirmations() {
     List<PhoenixAnswer> answers = new ArrayList<>();
     for (PhoenixRequest one : asked.values()) {
@@ -166,7 +166,7 @@ final class PhoenixStopRequests {
       answers.add(PhoenixAnswer.of(one.address, one.isConfigured, isSilent, one.reports));
     }
     @Nullable Address further = unasked;
-    if (further != null) { // it may run what nobody else confirms
+    if (further != null) { // it may run effectors that no other phoenix confirms
       answers.add(PhoenixAnswer.of(further, false, true, List.of()));
     }
     return new Confirmations(answers);

@@ -12,28 +12,28 @@ import java.util.function.Supplier;
 import org.dfra.river.call.DeadlineExceededException;
 
 /**
- * How often a call is made that fails: twice, and again while there is time where nobody answered.
- * The computer that is called, or the operator's, may be so busy that an answer takes longer than
- * one try has.
+ * The retries of a failed call: two attempts, and more while there is time if there was no answer.
+ * The called computer, or the operator's, may be so loaded that an answer takes longer than one
+ * attempt.
  *
- * @param attemptTimeout for one try
- * @param isTimeLeft whether what has not answered twice is tried again
+ * @param attemptTimeout of one attempt
+ * @param isTimeLeft whether to retry after two unanswered attempts
  */
 record RetryPolicy(Duration attemptTimeout, BooleanSupplier isTimeLeft) {
 
   private static final int MIN_ATTEMPTS = 2;
 
   /**
-   * From the second failure on: where many calls of a peer hang, the next ones fail at once, and
-   * say that they were not answered.
+   * After the second failure: if many calls of a peer hang, the next ones fail immediately as
+   * unanswered.
    */
   static final Duration BACKOFF = Duration.ofMillis(500);
 
   /**
-   * Makes a call, again and again.
+   * Makes a call with retries.
    *
-   * @param once begins one try, which ends by itself
-   * @param isFinal whether a failure is one that no repetition changes
+   * @param once starts one attempt, which ends by itself
+   * @param isFinal whether a failure is permanent
    * @return the first answer, or the last failure
    */
   <T> CompletableFuture<T> run(Supplier<CompletableFuture<T>> once, Predicate<Throwable> isFinal) {
@@ -66,7 +66,7 @@ record RetryPolicy(Duration attemptTimeout, BooleanSupplier isTimeLeft) {
     return cause instanceof TimeoutException || cause instanceof DeadlineExceededException;
   }
 
-  /** What a try has failed with, without the exceptions that futures put around it. */
+  /** The cause of a failed attempt, without the wrapping exceptions of futures. */
   static Throwable cause(Throwable failure) {
     Throwable cause = failure;
     while (cause instanceof CompletionException && cause.getCause() != null) {

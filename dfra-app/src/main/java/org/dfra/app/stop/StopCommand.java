@@ -90,14 +90,14 @@ public final class StopCommand implements Callable<Integer> {
   private String @Nullable [] phoenixes;
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private TeamOptions options;
 
   @Spec
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandSpec spec;
 
-  /** A phoenix that does not answer is given up so much before its try ends. */
+  /** The call to an unresponsive phoenix times out this long before its attempt ends. */
   private static final Duration MARGIN = Duration.ofMillis(200);
 
   private final Set<Outcome> printed = new HashSet<>(); // guarded by itself
@@ -105,7 +105,7 @@ public final class StopCommand implements Callable<Integer> {
   private String by = "";
   private Duration patience = Duration.ZERO;
 
-  /** An effector as programs are told of it. */
+  /** An effector in JSON output. */
   record EffectorView(
       String module,
       String result,
@@ -114,10 +114,10 @@ public final class StopCommand implements Callable<Integer> {
       @Nullable String reason) {}
 
   /**
-   * All that programs are told.
+   * The JSON output.
    *
-   * @param ok whether every effector that is known was stopped, or released
-   * @param effectors what has become of each
+   * @param ok whether every known effector was stopped, or released
+   * @param effectors outcome for each
    * @param unresponsive named lookup services that did not answer, and robots without effectors
    */
   record Report(boolean ok, List<EffectorView> effectors, List<String> unresponsive) {}
@@ -140,14 +140,14 @@ public final class StopCommand implements Callable<Integer> {
       List<String> silent = Collections.synchronizedList(new ArrayList<>());
       PhoenixAddresses addresses = new PhoenixAddresses(options, phoenixes, InetAddress::getByName);
       PhoenixDispatch orders = new PhoenixDispatch(round, addresses);
-      if (!release) { // before all else: it needs no lookup service and no class of others
+      if (!release) { // first of all: it needs no lookup service and no foreign class
         addresses.configured(silent::add).forEach(each -> orders.send(each, Origin.NAMED));
         addresses.ofLocators().forEach(each -> orders.send(each, Origin.LOCATOR));
       }
       round.findLocal(() -> callLocal(round));
       try {
         silent.addAll(callListed(round, orders));
-      } catch (IOException | RuntimeException e) { // what was called or ordered is awaited still
+      } catch (IOException | RuntimeException e) { // still waits for the calls made so far
         LOG.debug("Lookup services cannot be searched.", e);
         silent.add("no lookup service can be looked for: " + e.getMessage());
       }
@@ -170,17 +170,17 @@ public final class StopCommand implements Callable<Integer> {
   }
 
   /**
-   * Who asks, as effectors keep it. An address that is set wrongly keeps nobody from stopping, and
-   * no name service is asked: a name is taken as it is.
+   * The requester, as effectors store it. An invalid address does not prevent the stop, and no name
+   * service is used: a name is taken as it is.
    *
-   * @param user who types the command
+   * @param user who enters the command
    * @param host address or name of this computer, or {@code auto}
    */
   static String requester(String user, String host) {
     try {
       return EmergencyStopState.requesterName(
           user + " at " + HostAddress.resolveWithoutLookup(host));
-    } catch (ConfigurationException e) { // the search for lookup services remarks it
+    } catch (ConfigurationException e) { // the search for lookup services reports it
       return EmergencyStopState.requesterName(user);
     }
   }
@@ -197,7 +197,7 @@ public final class StopCommand implements Callable<Integer> {
     return Outcome.ofStop(path, running(), now);
   }
 
-  /** Whether a phoenix that does not answer is ordered again. */
+  /** Whether to send another request to an unresponsive phoenix. */
   private boolean isTimeLeft() {
     return running().compareTo(patience) < 0;
   }
@@ -207,7 +207,9 @@ public final class StopCommand implements Callable<Integer> {
     return Duration.ofNanos(System.nanoTime() - begun);
   }
 
-  /** On a thread of the round's: phoenix may not answer, and the lookup services must not wait. */
+  /**
+   * On a thread of the dispatcher: phoenix may not answer, and the lookup services must not wait.
+   */
   private void callLocal(StopDispatcher round) {
     Path state = options.state();
     List<RobotDescription> known = List.of();
@@ -235,7 +237,7 @@ public final class StopCommand implements Callable<Integer> {
     }
   }
 
-  /** Orders phoenixes; each is located and called on a thread of its own. */
+  /** Sends requests to phoenixes; each is resolved and called on a thread of its own. */
   private final class PhoenixDispatch {
 
     private final StopDispatcher round;
@@ -247,7 +249,7 @@ public final class StopCommand implements Callable<Integer> {
       this.addresses = addresses;
     }
 
-    /** An address that is wrong fails there, and keeps no other from being ordered. */
+    /** An invalid address fails on that thread, and does not affect the others. */
     void send(Address address, Origin origin) {
       round.requestPhoenix(address, origin.isConfigured(), () -> stop(address, origin));
     }
@@ -262,13 +264,15 @@ public final class StopCommand implements Callable<Integer> {
           .emergencyStop(wanted, by);
     }
 
-    /** Before the round is given the lookup service: its proxies' word counts after that. */
+    /** Before the dispatcher receives the lookup service: its proxies' reports count after that. */
     void sendTo(String registrarHost) {
       addresses.ofRegistrar(registrarHost).ifPresent(each -> send(each, Origin.DISCOVERY));
     }
   }
 
-  /** Calls each as soon as it is read; returns the named lookup services that do not answer. */
+  /**
+   * Calls each proxy as soon as it is read; returns the named lookup services that do not answer.
+   */
   private List<String> callListed(StopDispatcher round, PhoenixDispatch orders)
       throws IOException, InterruptedException {
     List<String> unasked = Collections.synchronizedList(new ArrayList<>());
@@ -292,7 +296,7 @@ public final class StopCommand implements Callable<Integer> {
       List<String> silent = search.awaitRead(patience);
       List<String> named = options.namedLocators();
       List<Outcome> unused =
-          round.awaitOutcomes(); // the search is open while its proxies are called
+          round.awaitOutcomes(); // the search stays open during the calls of its proxies
       unasked.addAll(search.unread());
       silent.stream()
           .filter(each -> named.contains(each.replaceAll("/$", "")))
@@ -326,7 +330,7 @@ public final class StopCommand implements Callable<Integer> {
         .toList();
   }
 
-  /** Once, as soon as it is known. */
+  /** Prints each outcome once, as soon as it is known. */
   private void say(Outcome outcome) {
     CommandOutput answer = options.answer();
     synchronized (printed) {

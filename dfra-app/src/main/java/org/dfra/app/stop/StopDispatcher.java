@@ -26,28 +26,30 @@ import org.dfra.river.phoenix.stop.StopReport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Calls all effectors at once, each on a thread of its own: one that is silent holds up no other,
- * and thousands that are silent, which anybody may register, hold up none for long ({@link
- * FairCallScheduler}). Where a call fails or is not answered in time, it is made once more.
+ * Calls all effectors in parallel, each on a thread of its own: an unresponsive effector does not
+ * delay the others, and thousands of unresponsive ones, which any client may register, cause only a
+ * short delay ({@link FairCallScheduler}). A call that fails or times out is repeated once.
  *
- * <p>An effector may be reached in three ways: by the phoenix of its robot, by its proxy from a
- * lookup service, and on its own host by phoenix's administrator. {@link StopMerge} decides what
- * their answers mean.
+ * <p>An effector can be reached in three ways: by the phoenix of its robot, by its proxy from a
+ * lookup service, and on its own host by phoenix's administrator. {@link StopMerge} combines their
+ * answers.
  *
- * <p>Threads: {@code dfra-stop}, one for each call under way; {@link #close} abandons those that
- * are still not answered.
+ * <p>Threads: {@code dfra-stop}, one for each running call; {@link #close} abandons unanswered
+ * calls.
  */
 final class StopDispatcher implements AutoCloseable {
 
-  /** For one of two tries. A stop waits for its driver for half a second, and writes to a disk. */
+  /**
+   * Of each of two attempts. A stop waits up to half a second for its driver, and writes to a disk.
+   */
   static final Duration ATTEMPT_TIMEOUT = Duration.ofSeconds(3);
 
-  /** How often phoenixes are asked again whose groups have not confirmed. */
+  /** Number of further requests to phoenixes whose groups have not confirmed. */
   private static final int PHOENIX_RETRIES = 2;
 
   private record PendingCall(String path, CompletableFuture<Outcome> outcome) {}
 
-  /** An effector in a lookup service: anybody may list another proxy under its identity. */
+  /** An effector in a lookup service: any client may register another proxy under its ID. */
   private record Listing(UUID id, UUID registrar) {}
 
   private final Result failed;
@@ -63,15 +65,15 @@ final class StopDispatcher implements AutoCloseable {
   private final Map<String, List<PendingCall>> local = new LinkedHashMap<>(); // guarded by this
   private final List<CompletableFuture<Void>> searches = new ArrayList<>(); // guarded by this
   private int questions =
-      PHOENIX_RETRIES; // that are left; by the thread that waits for the outcomes
+      PHOENIX_RETRIES; // remaining retries; used by the thread that waits for the outcomes
 
   /**
-   * @param failed what has become of an effector that was not reached
-   * @param patience for one of two tries
-   * @param isTimeLeft whether a phoenix that has not answered twice is ordered again
-   * @param well is given the outcome of each effector at once that all is well with, by any thread;
-   *     not of those that only {@link #callLocal} reaches
-   * @param merge decides what the answers mean
+   * @param failed the outcome for an effector that was not reached
+   * @param patience timeout of one of two attempts
+   * @param isTimeLeft whether to retry after two unanswered requests to a phoenix
+   * @param well receives the outcome of each successful effector without delay, on any thread;
+   *     except of those that only {@link #callLocal} reaches
+   * @param merge combines the answers
    */
   StopDispatcher(
       Result failed,
@@ -95,10 +97,10 @@ final class StopDispatcher implements AutoCloseable {
   }
 
   /**
-   * Orders a phoenix to stop what it runs; nothing happens where it was ordered already. Name all
-   * that are configured before those of discovery.
+   * Sends a stop request to a phoenix, unless it has received one. Pass all configured phoenixes
+   * before discovered ones.
    *
-   * @param isConfigured whether the operator named it, or its computer: its word counts
+   * @param isConfigured whether the operator named it, or its computer: its report counts
    */
   void requestPhoenix(
       Address address, boolean isConfigured, PhoenixStopRequests.StopRequest order) {
@@ -106,11 +108,11 @@ final class StopDispatcher implements AutoCloseable {
   }
 
   /**
-   * A lookup service was found. Order the phoenix of its computer before this is called: the word
-   * of its proxies is not published before it is known where it runs.
+   * Adds a discovered lookup service. Send the request to the phoenix of its computer before this
+   * call: reports of its proxies are not published before its host is known.
    *
    * @param registrar its service ID
-   * @param host where it says that it runs; each counts where several say to be it
+   * @param host that it claims; if several claim to be it, each counts
    */
   synchronized void registrarFound(UUID registrar, String host) {
     hosts.computeIfAbsent(registrar, unused -> new LinkedHashSet<>()).add(host);
@@ -123,20 +125,20 @@ final class StopDispatcher implements AutoCloseable {
         .forEach(well);
   }
 
-  /** What the phoenixes have confirmed by now. */
+  /** The confirmations of the phoenixes so far. */
   Confirmations confirmations() {
     return phoenixes.confirmations();
   }
 
   /**
-   * Calls an effector that a lookup service holds; nothing happens where it was called already by
-   * what this lookup service holds. What another one holds under that identity is called too: one
-   * of both may be a stranger's, and must not take the other's place.
+   * Calls an effector that a lookup service lists, unless it was called already by the entry of
+   * this lookup service. The entry of another lookup service under that ID is called too: one of
+   * the two may be forged, and must not replace the other.
    *
-   * @param id its identity
+   * @param id its ID
    * @param registrar the lookup service
    * @param path {@code robot/name}
-   * @param call calls it, and says what has become of it
+   * @param call calls it, and returns its outcome
    */
   synchronized void callListed(UUID id, UUID registrar, String path, Callable<Outcome> call) {
     Listing listing = new Listing(id, registrar);
@@ -154,17 +156,17 @@ final class StopDispatcher implements AutoCloseable {
     }
   }
 
-  /** The outcome, if it is well and counts by the proxy's own word. */
+  /** The outcome, if it is successful and the proxy's own report counts. */
   private Optional<Outcome> counted(Listing listing, String path, Outcome outcome) {
     synchronized (this) {
       if (!hosts.containsKey(listing.registrar())) {
-        return Optional.empty(); // it is in the end, if no phoenix there says otherwise
+        return Optional.empty(); // it counts at the end, unless the phoenix there contradicts it
       }
     }
     UUID id = listing.id();
     Confirmations now = phoenixes.confirmations();
     if (now.knows(id, path) || !outcome.result().isWell()) {
-      return Optional.empty(); // it was published as its phoenix reported it, or is in the end
+      return Optional.empty(); // published with its phoenix's report, or at the end
     }
     StopMerge.ProxyClaim claim = new StopMerge.ProxyClaim(id, path, null, outcome);
     return merge.merge(List.of(claim), Map.of(), now).stream()
@@ -173,7 +175,8 @@ final class StopDispatcher implements AutoCloseable {
   }
 
   /**
-   * Looks for the effectors of this host on a thread of its own; each is called as it is found.
+   * Searches for the effectors of this host on a thread of its own; each is called as soon as it is
+   * found.
    *
    * @param search calls {@link #callLocal} for each
    */
@@ -181,7 +184,7 @@ final class StopDispatcher implements AutoCloseable {
     searches.add(
         CompletableFuture.runAsync(search, threads)
             .exceptionally(
-                failure -> { // what is found otherwise is reported all the same
+                failure -> { // effectors found otherwise are still reported
                   callLocal(
                       "the effectors of this host",
                       () -> {
@@ -221,7 +224,7 @@ final class StopDispatcher implements AutoCloseable {
     return answer.orTimeout(patience.toMillis(), TimeUnit.MILLISECONDS);
   }
 
-  /** One line: the causes of remote failures are told on lines of their own. */
+  /** One line: the causes of remote failures are on lines of their own. */
   private String reason(Throwable failure) {
     Throwable cause = RetryPolicy.cause(failure);
     if (cause instanceof TimeoutException) {
@@ -232,15 +235,15 @@ final class StopDispatcher implements AutoCloseable {
   }
 
   /**
-   * Waits for all that were called and tells what has become of each. Phoenixes that have not
-   * confirmed everything are asked again, by the first call only.
+   * Waits for all calls and returns the outcome for each effector. The first call repeats the
+   * requests to phoenixes that have not confirmed everything.
    */
   List<Outcome> awaitOutcomes() {
     List<CompletableFuture<Void>> searching;
     synchronized (this) {
       searching = List.copyOf(searches);
     }
-    searching.forEach(CompletableFuture::join); // what they find is counted
+    searching.forEach(CompletableFuture::join); // effectors that they find count too
     Map<Listing, PendingCall> byLookup;
     Map<String, List<PendingCall>> here;
     Map<UUID, Set<String>> places = new HashMap<>();
@@ -260,7 +263,7 @@ final class StopDispatcher implements AutoCloseable {
     phoenixes.answered().join();
     while (questions > 0 && !phoenixes.confirmations().isComplete()) {
       questions--;
-      phoenixes.retry(); // what was late, or started to be stopped
+      phoenixes.retry(); // late effectors, or those started in order to be stopped
       phoenixes.answered().join();
     }
     return merge.merge(claims, reached, phoenixes.confirmations());

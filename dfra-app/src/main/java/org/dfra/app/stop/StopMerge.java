@@ -16,10 +16,10 @@ import org.dfra.river.phoenix.stop.UnconfirmedGroup;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Decides from all answers what has become of each effector. One counts as stopped when its phoenix
- * confirms it, by either way to it. The word of a proxy that a lookup service holds counts only for
- * robots that no phoenix knows: anybody may have registered it. For the word of a phoenix that only
- * discovery named see {@link Confirmations#unconfirmedReason(EffectorStopResult, List)}.
+ * Combines all answers into the outcome for each effector. An effector counts as stopped when its
+ * phoenix confirms it, by either path to it. The report of a listed proxy counts only for robots
+ * that no phoenix knows: any client may have registered it. For the report of a phoenix that was
+ * only discovered see {@link Confirmations#unconfirmedReason(EffectorStopResult, List)}.
  */
 final class StopMerge {
 
@@ -27,7 +27,7 @@ final class StopMerge {
   private final Supplier<Duration> running;
 
   /**
-   * @param by who stops them, as effectors keep it
+   * @param by the requester, as effectors store it
    * @param running for how long the command has run
    */
   StopMerge(String by, Supplier<Duration> running) {
@@ -36,12 +36,12 @@ final class StopMerge {
   }
 
   /**
-   * What a proxy says that a lookup service holds.
+   * The report of a listed proxy.
    *
-   * @param id the effector's identity
+   * @param id the effector's ID
    * @param path {@code robot/name}
-   * @param host the computer where the lookup service says that it runs; null if it is not known
-   * @param outcome what has become of the effector
+   * @param host the claimed host of the lookup service; null if unknown
+   * @param outcome for the effector
    */
   record ProxyClaim(UUID id, String path, @Nullable String host, Outcome outcome) {
 
@@ -50,7 +50,7 @@ final class StopMerge {
       return robotOf(path);
     }
 
-    /** The other one where all is well with this one. */
+    /** The other one if this one is successful. */
     ProxyClaim orWorse(ProxyClaim other) {
       return outcome.result().isWell() ? other : this;
     }
@@ -67,9 +67,9 @@ final class StopMerge {
   }
 
   /**
-   * What has become of an effector, as it answered its phoenix. It says for how long it has been
-   * stopped: it was stopped already where somebody else did it, or it was before this command
-   * began.
+   * The outcome for an effector by its phoenix's report. The report contains the duration of the
+   * stop: the effector was stopped already if another requester did it, or if it is older than this
+   * command.
    */
   Outcome ofPhoenix(EffectorStopResult stop) {
     @Nullable EmergencyStopState state = stop.state();
@@ -83,10 +83,10 @@ final class StopMerge {
   /**
    * All outcomes.
    *
-   * @param claimed what proxies say, one for each lookup service; where several have one identity
-   *     and path, one counts that is not well: all but one may be strangers'
-   * @param local by path, what this host's effectors say that its phoenix's administrator reached
-   * @param confirmations what phoenixes say
+   * @param claimed reports of proxies, one for each lookup service; of several with one ID and
+   *     path, an unsuccessful one counts: all but one may be forged
+   * @param local by path, reports of this host's effectors that its phoenix's administrator reached
+   * @param confirmations reports of phoenixes
    */
   List<Outcome> merge(
       List<ProxyClaim> claimed, Map<String, List<Outcome>> local, Confirmations confirmations) {
@@ -133,7 +133,7 @@ final class StopMerge {
     return outcomes;
   }
 
-  /** An effector of the group is reported already. */
+  /** Whether an outcome already reports a failure of an effector of the robot. */
   private static boolean isOpen(Outcome outcome, String robot) {
     return !outcome.result().isWell() && outcome.module().startsWith(robot + "/");
   }
@@ -172,7 +172,7 @@ final class StopMerge {
         .orElse(outcome);
   }
 
-  /** Takes the only outcome of that path; several of one name are several effectors. */
+  /** Removes the only outcome with that path; several of one name are several effectors. */
   private static Optional<Outcome> only(String path, Map<String, List<Outcome>> here) {
     @Nullable List<Outcome> all = here.get(path);
     if (all == null || all.size() != 1) {

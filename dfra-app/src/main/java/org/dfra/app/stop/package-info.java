@@ -2,13 +2,13 @@
  * The emergency stop of every robot that can be reached.
  *
  * <pre>
- *   PhoenixAddresses --&gt; PhoenixStopRequests  each phoenix, directly     -+
- *   EffectorSearch   --&gt; FairCallScheduler       each proxy, round robin    -+-&gt; StopMerge --&gt; Outcome
- *   LocalEffectors   --&gt; StopDispatcher       by this host's phoenix     -+
+ *   PhoenixAddresses --&gt; PhoenixStopRequests: each phoenix   -+
+ *   EffectorSearch   --&gt; FairCallScheduler: proxies in turn  -+-&gt; StopMerge --&gt; Outcome
+ *   LocalEffectors   --&gt; StopDispatcher: this host's phoenix -+
  * </pre>
  *
- * <p>Enter at {@link org.dfra.app.stop.StopCommand}; whom it calls, and how often, is {@link
- * org.dfra.app.stop.StopDispatcher}'s.
+ * <p>Entry point: {@link org.dfra.app.stop.StopCommand}; {@link org.dfra.app.stop.StopDispatcher}
+ * schedules the calls.
  */
 @NullMarked
 package org.dfra.app.stop;

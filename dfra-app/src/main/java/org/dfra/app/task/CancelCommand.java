@@ -13,7 +13,7 @@ import picocli.CommandLine.Mixin;
 final class CancelCommand implements Callable<Integer> {
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private TaskRobotOptions searches;
 
   @Override

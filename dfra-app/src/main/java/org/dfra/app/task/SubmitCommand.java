@@ -34,13 +34,13 @@ import picocli.CommandLine.Parameters;
     })
 final class SubmitCommand implements Callable<Integer> {
 
-  /** What there is to do. */
+  /** The available tasks. */
   enum Task {
     RASTER
   }
 
   @Parameters(index = "0", paramLabel = "TASK", description = "What they are to do: raster.")
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private Task task;
 
   @Option(
@@ -49,7 +49,7 @@ final class SubmitCommand implements Callable<Integer> {
       required = true,
       description =
           "The region to search: a GeoJSON file, or corners as in " + GivenRegion.EXAMPLE + ".")
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private String text;
 
   @Option(
@@ -68,7 +68,7 @@ final class SubmitCommand implements Callable<Integer> {
   private @Nullable Double spacing;
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private TaskRobotOptions searches;
 
   @Override
@@ -95,7 +95,7 @@ final class SubmitCommand implements Callable<Integer> {
     return ExitCode.SUCCESS;
   }
 
-  /** Whoever is at something else would refuse; better to know before another has begun. */
+  /** A busy robot would refuse the goal; this check fails before another robot has started. */
   private static void requireIdle(List<ModuleListing<RasterSearch>> robots) throws RemoteException {
     for (ModuleListing<RasterSearch> each : robots) {
       BehaviorStatus status = each.module().status();
@@ -109,7 +109,7 @@ final class SubmitCommand implements Callable<Integer> {
     }
   }
 
-  /** Has all of them begin, or none. */
+  /** Starts all robots, or none. */
   private void begin(List<ModuleListing<RasterSearch>> robots, Region region, LaneSettings lanes)
       throws RemoteException {
     int asked = 0;
@@ -119,7 +119,8 @@ final class SubmitCommand implements Callable<Integer> {
         asked++;
       }
     } catch (RemoteException | RuntimeException e) {
-      // Who did not answer may have begun. Who is at another goal by now is not to lose that.
+      // A robot that did not answer may have started. A robot with another goal by now must keep
+      // it.
       int last = e instanceof RemoteException ? asked : asked - 1;
       for (int i = 0; i <= last; i++) {
         cancel(robots.get(i));

@@ -10,7 +10,7 @@ import org.dfra.app.terminal.ExitCode;
 import org.dfra.behavior.RasterSearch;
 import org.dfra.directory.ModuleListing;
 
-/** Something that is said to each of several robots, after which it is asked how far it is. */
+/** An action on each of several robots, followed by a status query. */
 final class TaskBroadcast {
 
   private final TaskRobotOptions searches;
@@ -19,14 +19,14 @@ final class TaskBroadcast {
     this.searches = searches;
   }
 
-  /** What is said. */
+  /** The action. */
   @FunctionalInterface
   interface SearchAction {
     void apply(RasterSearch search) throws RemoteException;
   }
 
   /**
-   * Says it to all of them, also where one does not answer.
+   * Executes it on all robots, even if one does not answer.
    *
    * @return the exit code
    */
@@ -41,9 +41,9 @@ final class TaskBroadcast {
           tasks.add(TaskView.of(DuplicateRobotNames.displayName(each, all), each));
         } catch (RemoteException | RuntimeException | LinkageError e) {
           if (all.size() == 1 && !(e instanceof RemoteException)) {
-            throw e; // its own refusal is the whole answer
+            throw e; // its own refusal is the complete answer
           }
-          silent++; // the others are to stop all the same
+          silent++; // the other robots must still stop
           searches.answer().note(UnansweredCall.inWords(each.path(), e));
         }
       }

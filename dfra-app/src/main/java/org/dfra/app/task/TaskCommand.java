@@ -2,7 +2,7 @@ package org.dfra.app.task;
 
 import picocli.CommandLine.Command;
 
-/** {@code ./dfra task}: what robots are told to do. */
+/** {@code ./dfra task}: the goals of robots. */
 @Command(
     name = "task",
     description = "Tells robots what to do, and how far they are.",

@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** The robots that a task is for, and where they are looked for. A picocli mix-in. */
+/** The robots for a task, and where they are discovered. A picocli mix-in. */
 final class TaskRobotOptions {
 
   @Option(
@@ -27,26 +27,26 @@ final class TaskRobotOptions {
   private String @Nullable [] robots;
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private TeamOptions options;
 
-  /** How the command answers. */
+  /** The command's output. */
   CommandOutput answer() {
     return options.answer();
   }
 
-  /** Begins to look for them. */
+  /** Starts the discovery. */
   TeamDirectory open() throws java.io.IOException {
     return options.open();
   }
 
   /**
-   * What searches on each of the robots.
+   * The search behavior of each of the robots.
    *
-   * @throws CommandFailure if there is none, or one that was named is not there
+   * @throws CommandFailure if there is none, or a named one was not found
    */
   List<ModuleListing<RasterSearch>> find(TeamDirectory team) throws InterruptedException {
-    List<String> wanted = robotNames(); // it may be refused before anything is awaited
+    List<String> wanted = robotNames(); // it may be rejected before any wait
     return RobotModules.of(
         team,
         ModuleQuery.of(RasterSearch.class),
@@ -55,7 +55,7 @@ final class TaskRobotOptions {
         "bring one up, e.g. ./dfra up config/teams/raster/atrv1.xml");
   }
 
-  /** The names given, each once; none where nothing was said. */
+  /** The distinct names given; empty if none were given. */
   private List<String> robotNames() {
     if (robots == null) {
       return List.of();

@@ -9,7 +9,7 @@ import picocli.CommandLine.Mixin;
 final class TaskStatusCommand implements Callable<Integer> {
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private TaskRobotOptions searches;
 
   @Override

@@ -11,16 +11,16 @@ import org.dfra.behavior.RasterSearch;
 import org.dfra.directory.ModuleListing;
 
 /**
- * How far a robot is.
+ * A robot's progress.
  *
- * @param robot its name; {@code robot@host} where others that are shown have it
- * @param module what pursues the task, {@code robot/module}
- * @param phase what it is at
- * @param progress share of it that is reached, 0 to 1
- * @param waypointsDone waypoints that are dealt with
- * @param waypoints waypoints of the task; 0 where they are not counted
- * @param activity what it does or why it does not, as a clause
- * @param since when it said so, by the robot's clock
+ * @param robot its name; {@code robot@host} if others in the list have it
+ * @param module the behavior that pursues the task, {@code robot/module}
+ * @param phase its phase
+ * @param progress completed share, 0 to 1
+ * @param waypointsDone waypoints that were reached or given up
+ * @param waypoints waypoints of the task; 0 if they are not counted
+ * @param activity its activity or the reason of its inactivity, as a clause
+ * @param since time of that status, by the robot's clock
  */
 record TaskView(
     String robot,
@@ -33,9 +33,9 @@ record TaskView(
     Instant since) {
 
   /**
-   * Asks the robot.
+   * Queries the robot.
    *
-   * @param robot its name, as it is shown
+   * @param robot its displayed name
    */
   static TaskView of(String robot, ModuleListing<RasterSearch> listing) throws RemoteException {
     BehaviorStatus status = listing.module().status();
@@ -50,7 +50,7 @@ record TaskView(
         status.measured());
   }
 
-  /** Answers with these. */
+  /** Prints the views. */
   static void show(CommandOutput answer, List<TaskView> tasks) {
     Table table = new Table("ROBOT", "TASK", "DONE", "IT");
     for (TaskView each : tasks) {

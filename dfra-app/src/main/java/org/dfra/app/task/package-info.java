@@ -1,5 +1,5 @@
 /**
- * The verbs of {@code ./dfra task}: what robots are told to do, and how far they are. Enter at
+ * The subcommands of {@code ./dfra task}: the goals of robots, and their progress. Entry point:
  * {@link org.dfra.app.task.TaskCommand}.
  */
 @NullMarked

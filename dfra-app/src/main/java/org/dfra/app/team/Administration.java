@@ -8,7 +8,7 @@ import org.dfra.directory.ModuleListing;
 import org.dfra.module.Module;
 import org.dfra.river.remote.ModuleAdmin;
 
-/** What administrators may do to modules. */
+/** Administrative access to modules. */
 public final class Administration {
 
   private Administration() {}

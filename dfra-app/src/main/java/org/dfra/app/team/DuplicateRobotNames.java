@@ -19,16 +19,16 @@ import org.dfra.directory.Persona;
 import org.dfra.module.Module;
 
 /**
- * Robots of one name in a team. A robot differs from its namesakes by its host; two on one host,
- * each with a phoenix of its own, by the identities of their modules.
+ * Robots of one name in a team. A host distinguishes them; two robots on one host, each with its
+ * own phoenix, differ in the IDs of their modules.
  */
 public final class DuplicateRobotNames {
 
   private DuplicateRobotNames() {}
 
   /**
-   * The hosts of each name that more than one robot has. A host is there twice where two of the
-   * robots are on it. What no lookup service vouches for does not count: it may be gone.
+   * The hosts for each name that more than one robot has. A host is listed twice if two of the
+   * robots run on it. Stale listings are ignored: those robots may not exist any more.
    */
   public static Map<String, List<String>> of(Collection<? extends ModuleListing<?>> listings) {
     Map<String, Set<String>> hosts = new TreeMap<>();
@@ -56,8 +56,8 @@ public final class DuplicateRobotNames {
   }
 
   /**
-   * A module's robot as a listing shows it, and as it may be named: {@code robot@host} where
-   * another robot of the listing has its name, else its name alone.
+   * The displayed name of a module's robot, which commands accept: {@code robot@host} if another
+   * robot of the listing has its name, else its name alone.
    */
   public static String displayName(
       ModuleListing<?> one, Collection<? extends ModuleListing<?>> listed) {
@@ -86,7 +86,9 @@ public final class DuplicateRobotNames {
     return at < 0 ? text : text.substring(0, at);
   }
 
-  /** Whether a module is where {@code robot@host} says; {@code robot} alone says nothing. */
+  /**
+   * Whether a module is at the place in {@code robot@host}; always true for {@code robot} alone.
+   */
   public static boolean isAtPlace(String text, ModuleListing<?> module) {
     int at = text.indexOf('@');
     return at < 0 || module.host().equals(text.substring(at + 1));
@@ -95,9 +97,9 @@ public final class DuplicateRobotNames {
   /**
    * Modules of one robot.
    *
-   * @param text the robot's name, or {@code robot@host} where several have it
+   * @param text the robot's name, or {@code robot@host} if several have it
    * @param search finds the modules of the robots of a name
-   * @throws CommandFailure if they are of more than one robot
+   * @throws CommandFailure if they belong to more than one robot
    */
   public static <M extends Module> List<ModuleListing<M>> choose(
       String text, Function<String, List<ModuleListing<M>>> search) {
@@ -118,9 +120,9 @@ public final class DuplicateRobotNames {
   /**
    * One robot of the team.
    *
-   * @param text the robot's name, or {@code robot@host} where several have it
-   * @return empty if no robot has that name there
-   * @throws CommandFailure if several robots that lookup services vouch for have it
+   * @param text the robot's name, or {@code robot@host} if several have it
+   * @return empty if there is no such robot
+   * @throws CommandFailure if several currently listed robots have it
    */
   public static Optional<Persona> choose(String text, List<Persona> team) {
     int at = text.indexOf('@');

@@ -3,7 +3,7 @@ package org.dfra.app.team;
 import java.time.Duration;
 import java.time.Instant;
 
-/** When the lookup services last vouched for something, for people. */
+/** When a lookup service last listed something, as text. */
 public final class LastSeen {
 
   private static final Duration TWO_MINUTES = Duration.ofMinutes(2);
@@ -14,7 +14,7 @@ public final class LastSeen {
   /**
    * {@code now}, or {@code stale, 12 s ago}.
    *
-   * @param stale whether no lookup service that answers vouches for it
+   * @param stale whether no responding lookup service lists it
    * @param confirmed when one last did
    */
   public static String of(boolean stale, Instant confirmed) {
@@ -23,7 +23,7 @@ public final class LastSeen {
         : "now";
   }
 
-  /** {@code 12 s}, {@code 5 min} or {@code 3 h}; what is negative is {@code 0 s}. */
+  /** {@code 12 s}, {@code 5 min} or {@code 3 h}; {@code 0 s} for negative durations. */
   public static String formatSpan(Duration span) {
     if (span.compareTo(TWO_MINUTES) < 0) {
       return Math.max(0, span.toSeconds()) + " s";

@@ -7,7 +7,7 @@ import org.dfra.module.Module;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
-/** The module that a command is about, and where it is looked for. A picocli mix-in. */
+/** The module argument of a command, and where the module is discovered. A picocli mix-in. */
 public final class ModuleArgument {
 
   @Parameters(
@@ -19,20 +19,20 @@ public final class ModuleArgument {
   private String name = "";
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private TeamOptions options;
 
-  /** As it was written. */
+  /** The argument's text. */
   public String name() {
     return name;
   }
 
-  /** How the command answers. */
+  /** The command's output. */
   public CommandOutput answer() {
     return options.answer();
   }
 
-  /** Begins to look for it. */
+  /** Starts the discovery. */
   public TeamDirectory open() throws IOException {
     return options.open();
   }

@@ -10,18 +10,18 @@ import org.dfra.module.Module;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A module as people name it: {@code module}, {@code robot/module}, or {@code robot@host/module}
- * where several robots have that name. In place of the host the beginning of the module's service
- * ID tells two on one host apart.
+ * A module's name in commands: {@code module}, {@code robot/module}, or {@code robot@host/module}
+ * if several robots have that name. In place of the host, a prefix of the module's service ID
+ * distinguishes two on one host.
  *
- * @param text as it was written
- * @param robot name of the robot; null where none is named
- * @param place host, or the beginning of a service ID; null where none is named
+ * @param text the argument
+ * @param robot name of the robot; null if not given
+ * @param place host, or a prefix of a service ID; null if not given
  * @param module name of the module
  */
 record ModuleName(String text, @Nullable String robot, @Nullable String place, String module) {
 
-  /** Enough of a service ID to differ from another. */
+  /** Length of a service ID's prefix that is distinct in practice. */
   private static final int ID_LENGTH = 8;
 
   static ModuleName of(String text) {
@@ -38,18 +38,18 @@ record ModuleName(String text, @Nullable String robot, @Nullable String place, S
         text.substring(slash + 1));
   }
 
-  /** Whether a robot's module has these names, wherever it runs. */
+  /** Whether a robot's module has these names, on any host. */
   boolean isOf(String ofRobot, String ofModule) {
     return module.equals(ofModule) && (robot == null || robot.equals(ofRobot));
   }
 
-  /** What is looked for, wherever it runs. */
+  /** The query for it, on any host. */
   ModuleQuery<Module> query() {
     ModuleQuery<Module> named = ModuleQuery.of(Module.class).name(module);
     return robot == null ? named : named.robot(robot);
   }
 
-  /** Those of the modules found that are at the named place; all where none is named. */
+  /** The found modules at the given place; all if none is given. */
   List<ModuleListing<Module>> at(List<ModuleListing<Module>> found) {
     @Nullable String wanted = place;
     return wanted == null
@@ -64,11 +64,10 @@ record ModuleName(String text, @Nullable String robot, @Nullable String place, S
   }
 
   /**
-   * The one that is meant. What no lookup service vouches for counts only where nothing else is
-   * there.
+   * The selected module. Stale listings count only if there is no current one.
    *
-   * @param found all that have the names, at least one of which is at the named place
-   * @throws CommandFailure if it is more than one
+   * @param found all that have the names, at least one of which is at the given place
+   * @throws CommandFailure if it is ambiguous
    */
   ModuleListing<Module> choose(List<ModuleListing<Module>> found) {
     List<ModuleListing<Module>> here = at(found);
@@ -88,7 +87,7 @@ record ModuleName(String text, @Nullable String robot, @Nullable String place, S
                 .collect(Collectors.joining(", ")));
   }
 
-  /** As short as tells it from the others. */
+  /** The shortest name that distinguishes it from the others. */
   private static String fullName(
       ModuleListing<Module> listing, List<ModuleListing<Module>> others) {
     boolean isAlone =

@@ -12,29 +12,32 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Function;
 
-/** Asks several modules the same question at once, so that a silent one holds up no other. */
+/**
+ * Sends the same query to several modules in parallel, so that an unresponsive one does not delay
+ * the others.
+ */
 public final class ParallelQuery {
 
   private ParallelQuery() {}
 
-  /** What counts as the answer of one that gave none. */
+  /** Creates the result for a failed query. */
   @FunctionalInterface
   public interface Fallback<A> {
     /**
-     * @param cause an {@link ExecutionException} by what the call failed with, or a {@link
-     *     TimeoutException} where it did not end in time
+     * @param cause an {@link ExecutionException} with the failure of the call, or a {@link
+     *     TimeoutException} if it did not end in time
      */
     A of(Throwable cause);
   }
 
   /**
-   * Asks, each on a thread of its own.
+   * Runs the queries, each on a thread of its own.
    *
-   * @param asked who is asked
-   * @param question asks one of them
-   * @param failure what counts as the answer of one that gave none
-   * @param deadline how long the answers are awaited, all together
-   * @return the answers in the order of those asked
+   * @param asked the queried objects
+   * @param question queries one of them
+   * @param failure creates the result of a failed query
+   * @param deadline timeout for all answers together
+   * @return the answers in the order of the queried objects
    */
   public static <M, A> List<A> ask(
       List<M> asked, Function<M, Callable<A>> question, Fallback<A> failure, Duration deadline)

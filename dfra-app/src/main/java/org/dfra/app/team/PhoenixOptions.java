@@ -17,16 +17,16 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.Spec.Target;
 
-/** Where the phoenix of this host answers. A picocli mix-in. */
+/** The options for the address of this host's phoenix. A picocli mix-in. */
 public final class PhoenixOptions {
 
-  /** How long phoenix may take to start or to end. */
+  /** Timeout for phoenix to start or to end. */
   public static final Duration TIMEOUT = Duration.ofSeconds(30);
 
   private static final String ADDRESS = "phoenix.address";
   private static final int DEFAULT_PORT = 1198;
 
-  /** Phoenix has no RMI registry where no port is named: any user finds phoenix through it. */
+  /** By default phoenix has no RMI registry, which would make phoenix accessible to any user. */
   static final int REGISTRY_PORT = -1;
 
   private static final int LAST_PORT = 65_535;
@@ -45,25 +45,25 @@ public final class PhoenixOptions {
   private int registryPort = REGISTRY_PORT;
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private StateOption state;
 
   @Spec(Target.MIXEE)
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandSpec spec;
 
-  /** The folder of what phoenix keeps. */
+  /** Phoenix's state folder. */
   public Path state() {
     return state.folder();
   }
 
-  /** The phoenix that was last started with this state; whether it answers is another question. */
+  /** The phoenix that was last started with this state folder, whether it runs or not. */
   public PhoenixProcess lastStarted() throws IOException {
     PhoenixProcess last = lastStarted(state(), registryPort);
     return at(last.host(), last.port());
   }
 
-  /** The phoenix that was last started with this state, where no port is named. */
+  /** The phoenix that was last started with this state folder, if no port is given. */
   static PhoenixProcess lastStarted(Path state, int registryPort) throws IOException {
     Path file = state.resolve(ADDRESS);
     if (!Files.exists(file)) {
@@ -79,10 +79,10 @@ public final class PhoenixOptions {
   }
 
   /**
-   * The phoenix that answers.
+   * The running phoenix.
    *
-   * @throws CommandFailure if none does
-   * @throws java.rmi.AccessException if it is another user's
+   * @throws CommandFailure if it does not answer
+   * @throws java.rmi.AccessException if it belongs to another user
    */
   public PhoenixProcess requireRunning() throws IOException {
     PhoenixProcess phoenix = lastStarted();
@@ -100,7 +100,7 @@ public final class PhoenixOptions {
   }
 
   /**
-   * Starts a phoenix whose proxies carry this host, and notes its address for later commands.
+   * Starts a phoenix whose proxies contain this host, and stores its address for later commands.
    *
    * @return it, and its process
    */
@@ -111,7 +111,7 @@ public final class PhoenixOptions {
     return Map.entry(phoenix, process);
   }
 
-  /** Notes the process of a phoenix that answers, for a service manager that watches it. */
+  /** Writes the process ID of a running phoenix, for a service manager that supervises it. */
   public void writePidFile(PhoenixProcess phoenix) throws IOException {
     OptionalLong pid = phoenix.pid();
     if (pid.isPresent()) {

@@ -10,23 +10,21 @@ import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.module.Module;
 
-/** The one module of a kind that each robot has, of the robots that a user names. */
+/** The single module of a kind of each robot that a user names. */
 public final class RobotModules {
 
   private RobotModules() {}
 
   /**
-   * Finds them; those that are not there yet are waited for until the command's waiting time is
-   * over.
+   * Finds them; waits for missing ones until the command's timeout.
    *
    * @param any all of the kind
-   * @param robots names, as {@link DuplicateRobotNames#choose} takes them; all robots where there
-   *     is none
-   * @param kind for people, e.g. {@code recruitment agent}
-   * @param remedy what to type where no robot has one, e.g. {@code ./dfra persona list shows the
+   * @param robots names, as {@link DuplicateRobotNames#choose} takes them; all robots if empty
+   * @param kind as text, e.g. {@code recruitment agent}
+   * @param remedy what to enter if no robot has one, e.g. {@code ./dfra persona list shows the
    *     robots}
-   * @return in the order of the names; by path where there are none
-   * @throws CommandFailure if there is none, or a robot that was named has none
+   * @return in the order of the names; by path if there are none
+   * @throws CommandFailure if there is none, or a named robot has none
    */
   public static <M extends Module> List<ModuleListing<M>> of(
       TeamDirectory team, ModuleQuery<M> any, List<String> robots, String kind, String remedy)

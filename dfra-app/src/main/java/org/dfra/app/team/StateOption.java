@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
-/** Where phoenix keeps what it knows on this host. A picocli mix-in. */
+/** The option for phoenix's state folder on this host. A picocli mix-in. */
 public final class StateOption {
 
   @Option(
@@ -24,7 +24,7 @@ public final class StateOption {
         : Path.of(variable).toAbsolutePath();
   }
 
-  /** What the shell means by ~; Java's user.home may be another folder. */
+  /** The shell's meaning of ~; Java's user.home may be another folder. */
   private static String home() {
     String home = System.getenv("HOME");
     return home == null || home.isBlank() ? System.getProperty("user.home") : home;

@@ -22,17 +22,17 @@ import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.lookup.UnreadableModule;
 
 /**
- * The team's robots, as one command sees them. The command waits for lookup services and modules
- * until its own time is over, which begins here: a robot that is starting is found as soon as it is
- * there. Closing it ends the search.
+ * The team's robots, as one command discovers them. The command waits for lookup services and
+ * modules until its timeout, which starts here: a starting robot is found as soon as it registers.
+ * Closing it ends the discovery.
  */
 public final class TeamDirectory implements AutoCloseable {
 
-  /** Registrars that multicast reaches answer at once; this is for a busy one. */
+  /** Registrars answer multicast immediately; this allows for a loaded one. */
   private static final Duration NAMESAKES = Duration.ofMillis(500);
 
   private final JiniModuleDirectory directory;
-  private final long end; // of the command's waiting time, by System.nanoTime
+  private final long end; // the command's deadline, by System.nanoTime
   private final CommandOutput answer;
   private final String asked;
   private final Set<String> remarked = new HashSet<>();
@@ -45,8 +45,8 @@ public final class TeamDirectory implements AutoCloseable {
   }
 
   /**
-   * The directory, once everybody at hand was asked. People are told of locators where nobody
-   * answered.
+   * The directory, after all known registrars were queried. Prints a note about named locators that
+   * do not answer.
    *
    * @throws CommandFailure if no lookup service was found at all
    */
@@ -66,15 +66,15 @@ public final class TeamDirectory implements AutoCloseable {
     return directory;
   }
 
-  /** What is left of the command's waiting time; never negative. */
+  /** The remaining time until the command's deadline; never negative. */
   private Duration remainingTime() {
     return Duration.ofNanos(Math.max(0, end - System.nanoTime()));
   }
 
   /**
-   * The modules that match, once one of them is meant or the command's waiting time is over.
+   * The modules that match, after one of them is selected or at the command's deadline.
    *
-   * @param isMeant which of those that match are waited for
+   * @param isMeant which matching modules end the wait
    */
   public <M extends Module> List<ModuleListing<M>> await(
       ModuleQuery<M> query, Predicate<ModuleListing<M>> isMeant) throws InterruptedException {
@@ -108,12 +108,11 @@ public final class TeamDirectory implements AutoCloseable {
   }
 
   /**
-   * The module of that name, which is waited for until the command's waiting time is over. Other
-   * robots may have the same name, so one that is found at once is not taken before others had a
-   * moment to be found too.
+   * The module of that name; waits for it until the command's deadline. Since other robots may have
+   * the same name, it allows a moment to discover them after the first match.
    *
-   * @param text {@code robot/module}, {@code robot@host/module} where several robots have that
-   *     name, or the module alone where only one robot has it
+   * @param text {@code robot/module}, {@code robot@host/module} if several robots have that name,
+   *     or the module alone if only one robot has it
    * @throws CommandFailure if there is none, or more than one
    */
   public ModuleListing<Module> module(String text) throws InterruptedException {
@@ -153,7 +152,7 @@ public final class TeamDirectory implements AutoCloseable {
         "; ./dfra module list shows what there is");
   }
 
-  /** Says on the side which of the robots that are found share a name. */
+  /** Prints a note about discovered robots that share a name. */
   public void noteDuplicateNames() {
     DuplicateRobotNames.of(directory.find(ModuleQuery.of(Module.class)))
         .forEach(
@@ -165,7 +164,7 @@ public final class TeamDirectory implements AutoCloseable {
                         + "@HOST/MODULE"));
   }
 
-  /** Says on the side which modules are listed differently by several lookup services. */
+  /** Prints a note about modules that several lookup services list differently. */
   public void noteConflicts() {
     directory.conflicts().forEach(each -> answer.note(each.describe()));
   }
@@ -176,7 +175,7 @@ public final class TeamDirectory implements AutoCloseable {
     }
   }
 
-  /** Says why a module that is there cannot be used here. */
+  /** Fails with the reason why a discovered module cannot be used here. */
   private void refuseUnreadable(ModuleName name) {
     for (UnreadableModule each : directory.unreadableModules()) {
       if (name.isOf(each.robot(), each.name())) {
@@ -186,7 +185,7 @@ public final class TeamDirectory implements AutoCloseable {
     }
   }
 
-  /** Without their robots, as they may be written too. */
+  /** Without their robots, as the user may enter them too. */
   private static List<String> withoutRobots(List<String> paths) {
     return paths.stream().map(path -> path.substring(path.indexOf('/') + 1)).distinct().toList();
   }

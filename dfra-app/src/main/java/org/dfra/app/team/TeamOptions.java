@@ -30,17 +30,17 @@ import picocli.CommandLine.Spec;
 import picocli.CommandLine.Spec.Target;
 
 /**
- * Where a command looks for the team's lookup services. A picocli mix-in.
+ * The options for the discovery of the team's lookup services. A picocli mix-in.
  *
- * <p>It asks the registrars of the robots that were brought up on this host, those at the locators,
- * and by multicast those of the discovery groups.
+ * <p>It queries the registrars of the robots that were brought up on this host, those at the
+ * locators, and by multicast those of the discovery groups.
  */
 public final class TeamOptions {
 
-  /** What is asked by multicast unless something else is said. */
+  /** The default discovery group. */
   static final String DEFAULT_TEAM = "field";
 
-  /** How long answers are awaited unless something else is said, seconds. */
+  /** The default timeout, seconds. */
   private static final String DEFAULT_WAIT = "2";
 
   @Option(
@@ -73,41 +73,41 @@ public final class TeamOptions {
   private @Nullable Double wait;
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private StateOption state;
 
   @Mixin
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandOutput answer;
 
   @Spec(Target.MIXEE)
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandSpec spec;
 
-  /** How the command that looks there answers. */
+  /** The output of the command. */
   public CommandOutput answer() {
     return answer;
   }
 
-  /** Begins to look. */
+  /** Starts the discovery. */
   public TeamDirectory open() throws IOException {
     return new TeamDirectory(directory(), timeout(), answer, whatIsAsked(groups(), locators()));
   }
 
-  /** A directory of the lookup services that are asked. */
+  /** A directory of the selected lookup services. */
   public JiniModuleDirectory directory() throws IOException {
-    timeout(); // refused before anything is begun
+    timeout(); // rejected before any discovery
     return new JiniModuleDirectory(here(), groups(), new ArrayList<>(locators()));
   }
 
   /**
-   * Looks in the same lookup services for effectors, for an emergency: what is set wrongly is
-   * remarked and left out, and everything else is asked all the same. No name service is asked
-   * before it begins: names of this computer are taken as they are.
+   * Searches the same lookup services for effectors, for an emergency: invalid settings are
+   * reported and ignored. It starts without a name service: names of this computer are taken as
+   * they are.
    *
-   * @param robots whose effectors are wanted, by name; all if empty
-   * @param listener is given what is found
-   * @param unasked is given a sentence about each named lookup service that cannot be asked
+   * @param robots whose effectors are selected, by name; all if empty
+   * @param listener is notified of the effectors found
+   * @param unasked receives a sentence about each named lookup service that cannot be queried
    */
   public EffectorSearch emergencySearch(
       List<String> robots, EffectorSearch.Listener listener, Consumer<String> unasked)
@@ -119,7 +119,7 @@ public final class TeamOptions {
         known.add(robot.name());
         try {
           addLocator(robot, locators, HostAddress::resolveWithoutLookup);
-        } catch (ConfigurationException e) { // its address is no longer this computer's, say
+        } catch (ConfigurationException e) { // e.g. no longer an address of this host
           answer.note(
               "the lookup service of robot " + robot.name() + " is not asked: " + e.getMessage());
         }
@@ -143,7 +143,7 @@ public final class TeamOptions {
     return new EffectorSearch(groups(), new ArrayList<>(locators), robots, known, listener);
   }
 
-  /** As {@link #timeout}, for an emergency: what is set wrongly is remarked and left out. */
+  /** As {@link #timeout}, for an emergency: an invalid setting is reported and ignored. */
   public Duration emergencyTimeout() {
     try {
       return timeout();
@@ -171,17 +171,17 @@ public final class TeamOptions {
             registrar -> all.add("jini://" + resolve.apply(robot.host()) + ":" + registrar.port()));
   }
 
-  /** The address at which others call this computer back, modules as well as lookup services. */
+  /** The address for calls from modules and lookup services to this computer. */
   private String here() {
     String wanted = hostSetting();
     String here = HostAddress.resolve(wanted);
     if (!wanted.equals(HostAddress.AUTO)) {
-      System.setProperty(CallbackHost.PROPERTY, here); // modules call listeners back there too
+      System.setProperty(CallbackHost.PROPERTY, here); // modules call listeners at this address too
     }
     return here;
   }
 
-  /** How long answers are awaited. */
+  /** The timeout for answers. */
   public Duration timeout() {
     if (wait != null) {
       return seconds(wait, "--wait=" + wait);
@@ -206,22 +206,22 @@ public final class TeamOptions {
         spec.commandLine(), source + " is not a number of seconds from 0 to 3600");
   }
 
-  /** The discovery groups that are asked by multicast; none if empty. */
+  /** The discovery groups for multicast; none if empty. */
   public List<String> groups() {
     return words(either(team, "DFRA_TEAM", DEFAULT_TEAM));
   }
 
-  /** The address or name of this computer that is wanted, or {@code auto}. */
+  /** The configured address or name of this computer, or {@code auto}. */
   public String hostSetting() {
     return either(host, "DFRA_HOST", HostAddress.AUTO);
   }
 
-  /** The folder of what phoenix keeps on this host. */
+  /** Phoenix's state folder on this host. */
   public Path state() {
     return state.folder();
   }
 
-  /** The phoenix of this host that was last started; whether it answers is another question. */
+  /** The phoenix of this host that was last started, whether it runs or not. */
   public PhoenixProcess phoenix() throws IOException {
     return PhoenixOptions.lastStarted(state(), PhoenixOptions.REGISTRY_PORT);
   }
@@ -231,7 +231,7 @@ public final class TeamOptions {
     return new RobotDescriptionStore(state()).all();
   }
 
-  /** The registrars that were named by option or variable, as {@code jini://host:port}. */
+  /** The registrars named by option or variable, as {@code jini://host:port}. */
   public List<String> namedLocators() {
     List<String> named =
         words(locators == null ? either(null, "DFRA_LOCATORS", "") : String.join(",", locators));

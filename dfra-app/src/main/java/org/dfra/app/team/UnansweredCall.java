@@ -6,8 +6,8 @@ import org.dfra.module.NotReadyException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Names a module that gave no answer, so that the others can be listed all the same. Its proxy is
- * code of its own robot, and may fail in any way.
+ * Describes a module that gave no answer, so that the others can still be listed. Its proxy is code
+ * of its own robot, and may fail in any way.
  */
 public final class UnansweredCall {
 
@@ -17,11 +17,11 @@ public final class UnansweredCall {
    * A clause of one line.
    *
    * @param path the module's path, {@code robot/name}
-   * @param failure what its call ended with
+   * @param failure of its call
    */
   public static String inWords(String path, Throwable failure) {
     if (failure instanceof CommandFailure) {
-      return String.valueOf(failure.getMessage()); // which names it
+      return String.valueOf(failure.getMessage()); // which contains its name
     }
     boolean isSilent = failure instanceof RemoteException || failure instanceof NotReadyException;
     return path

@@ -11,19 +11,19 @@ import org.dfra.module.Readiness;
 import org.dfra.persona.ModuleAttributes;
 
 /**
- * A module that does not serve, and why.
+ * A module that is not ready, with the reason.
  *
  * @param id its service ID
  * @param path {@code robot/name}
- * @param state its state as the lookup services know it
- * @param reason why, as the rest of a sentence
+ * @param state its state in the lookup services
+ * @param reason as the rest of a sentence
  */
 public record UnreadyModule(UUID id, String path, Readiness state, String reason) {
 
   /**
-   * Asks all modules of a list that do not serve why, at once; stale ones are left out.
+   * Queries all modules of a list that are not ready for the reason, in parallel; omits stale ones.
    *
-   * @param deadline how long the answers are awaited, all together
+   * @param deadline timeout for all answers together
    */
   public static List<UnreadyModule> query(
       List<? extends ModuleListing<?>> modules, Duration deadline) throws InterruptedException {
@@ -43,7 +43,7 @@ public record UnreadyModule(UUID id, String path, Readiness state, String reason
     List<UnreadyModule> all = new ArrayList<>();
     for (int i = 0; i < asked.size(); i++) {
       ModuleListing<?> module = asked.get(i);
-      // Else it has come to serve meanwhile.
+      // Otherwise it has become ready meanwhile.
       reasons
           .get(i)
           .ifPresent(
@@ -65,7 +65,7 @@ public record UnreadyModule(UUID id, String path, Readiness state, String reason
         : "it does not say why (" + root(cause) + ")";
   }
 
-  /** In one line; one of an older version, say, does not know the question. */
+  /** In one line; for example, a module of an older version does not support the query. */
   private static String root(Throwable failure) {
     Throwable root = failure;
     while (root.getCause() != null) {

@@ -1,4 +1,4 @@
-/** Where a command finds robots: the team's lookup services, and the phoenix of this host. */
+/** Discovery of robots for commands: the team's lookup services, and the phoenix of this host. */
 @NullMarked
 package org.dfra.app.team;
 

@@ -1,6 +1,6 @@
 package org.dfra.app.terminal;
 
-/** A command that cannot go on: one sentence for the user, and the status to end with. */
+/** A failure of a command: one sentence for the user, and the exit status. */
 public final class CommandFailure extends RuntimeException {
 
   private static final long serialVersionUID = 1L;
@@ -9,7 +9,7 @@ public final class CommandFailure extends RuntimeException {
 
   /**
    * @param exitCode one of {@link ExitCode}
-   * @param sentence what is wrong, where, and what to do
+   * @param sentence the fault, its place, and the remedy
    */
   public CommandFailure(int exitCode, String sentence) {
     super(sentence);
@@ -21,7 +21,7 @@ public final class CommandFailure extends RuntimeException {
     this.exitCode = exitCode;
   }
 
-  /** The status to end with. */
+  /** The exit status. */
   public int exitCode() {
     return exitCode;
   }

@@ -3,8 +3,8 @@ package org.dfra.app.terminal;
 import java.io.PrintWriter;
 
 /**
- * As what the command line was called: {@code ./dfra} in a checkout, {@code dfra} where it is
- * installed. Every text is written for the checkout.
+ * The name with which the command line was called: {@code ./dfra} in a checkout, {@code dfra} in an
+ * installation. All texts are written for the checkout.
  */
 public final class CommandName {
 
@@ -15,12 +15,12 @@ public final class CommandName {
 
   private CommandName() {}
 
-  /** Whether this is no checkout but what was installed from one. */
+  /** Whether this is an installation and not a checkout. */
   public static boolean isInstalled() {
     return !name().equals(IN_CHECKOUT);
   }
 
-  /** Writes hints on what to type as they are typed here. */
+  /** Replaces command names in printed hints by the actual name. */
   public static PrintWriter replacingName(PrintWriter plain) {
     return isInstalled() ? new Renaming(plain, name()) : plain;
   }
@@ -29,7 +29,7 @@ public final class CommandName {
     return System.getProperty(PROPERTY, IN_CHECKOUT);
   }
 
-  /** A text that is written at once is renamed as a whole. */
+  /** A text is renamed if it is written in one call. */
   static final class Renaming extends PrintWriter {
 
     private final String name;

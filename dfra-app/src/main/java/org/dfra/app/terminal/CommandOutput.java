@@ -17,10 +17,10 @@ import picocli.CommandLine.Spec;
 import picocli.CommandLine.Spec.Target;
 
 /**
- * How a command answers: for people, or with {@code --json} for programs. A picocli mix-in.
+ * The output of a command: text, or with {@code --json} JSON. A picocli mix-in.
  *
- * <p>What people see is made {@linkplain PrintableText printable} here: text from other computers
- * can neither control the terminal nor begin a line.
+ * <p>This class makes text output {@linkplain PrintableText printable}: text from other computers
+ * can neither control the terminal nor start a line.
  */
 public final class CommandOutput {
 
@@ -28,19 +28,19 @@ public final class CommandOutput {
   private boolean json;
 
   @Spec(Target.MIXEE)
-  @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandSpec spec;
 
-  /** Whether a program is asking. */
+  /** Whether the output is JSON. */
   public boolean isJson() {
     return json;
   }
 
   /**
-   * Gives a value: as JSON, or as a table.
+   * Prints a value: as JSON, or as a table.
    *
-   * @param value what the table tells, for programs
-   * @param emptyMessage what people are told when there are no rows
+   * @param value the table's content, for JSON
+   * @param emptyMessage the text if there are no rows
    */
   public void table(List<?> value, Table table, String emptyMessage) {
     if (json) {
@@ -63,7 +63,7 @@ public final class CommandOutput {
     return isColoured() ? StatusHighlighter.highlight(line) : line;
   }
 
-  /** Gives a value: as JSON, or as indented lines. */
+  /** Prints a value: as JSON, or as indented lines. */
   public void details(Object value) {
     if (json) {
       out().println(Json.pretty(value));
@@ -73,7 +73,7 @@ public final class CommandOutput {
     out().flush();
   }
 
-  /** Lines as a terminal shows them: no wider than it is, each going on below where it began. */
+  /** Lines wrapped to the width of the terminal, with hanging indents. */
   private List<String> shown(List<String> lines) {
     int columns = Terminal.textColumns();
     return lines.stream()
@@ -84,9 +84,9 @@ public final class CommandOutput {
   }
 
   /**
-   * Gives a value: as JSON, or as a sentence.
+   * Prints a value: as JSON, or as a sentence.
    *
-   * @param value what the sentence tells, for programs
+   * @param value the sentence's content, for JSON
    */
   public void sentence(Object value, String sentence) {
     out().println(json ? Json.pretty(value) : ConsoleMessages.wrapped(sentence));
@@ -94,9 +94,9 @@ public final class CommandOutput {
   }
 
   /**
-   * Gives a value: as JSON, or as lines.
+   * Prints a value: as JSON, or as lines.
    *
-   * @param value what the lines tell, for programs
+   * @param value the lines' content, for JSON
    */
   public void lines(Object value, List<String> lines) {
     if (json) {
@@ -108,31 +108,31 @@ public final class CommandOutput {
   }
 
   /**
-   * Gives lines as they are, for people.
+   * Prints unchanged lines as text.
    *
-   * @param lines folded, coloured, and composed of {@linkplain PrintableText printable} texts
+   * @param lines wrapped, coloured, and composed of {@linkplain PrintableText printable} texts
    */
   public void preformatted(List<String> lines) {
     lines.forEach(out()::println);
     out().flush();
   }
 
-  /** Whether somebody still reads the answer; nobody does where it goes to a pipe that closed. */
+  /** Whether the output is still open; it is not if it is a pipe whose reader has closed. */
   public boolean isOutputOpen() {
     return !out().checkError() && !System.out.checkError(); // the first hides the second's errors
   }
 
-  /** Gives one of many values, on one line each. */
+  /** Prints one of many values, on one line each. */
   public void line(Object value, String line) {
     out().println(json ? Json.line(value) : ConsoleMessages.wrapped(line));
     out().flush();
   }
 
   /**
-   * What was written on the command line as a value of a type: a text, a number, a name of an
-   * enumeration, a duration in seconds, an instant in ISO 8601, or anything else in JSON.
+   * Parses a command-line argument as a value of a type: a text, a number, a name of an
+   * enumeration, a duration in seconds, an instant in ISO 8601, or any other type as JSON.
    *
-   * @throws IllegalArgumentException if it is no such value
+   * @throws IllegalArgumentException if it is not such a value
    */
   public static Object parseValue(String text, Type type) {
     if (type == String.class) {
@@ -171,9 +171,7 @@ public final class CommandOutput {
             + e.getOriginalMessage();
   }
 
-  /**
-   * Which part of a record is wrong, such as {@code place.latitude}; empty where that is unknown.
-   */
+  /** The path of the invalid part of a record, such as {@code place.latitude}; empty if unknown. */
   private static String within(JsonProcessingException e) {
     return e instanceof JsonMappingException mapping
         ? mapping.getPath().stream()
@@ -195,7 +193,7 @@ public final class CommandOutput {
     return type instanceof Class<?> c ? c.getSimpleName() : type.getTypeName();
   }
 
-  /** Tells people something on the side; a program is not told. */
+  /** Prints a note on standard error; with JSON output it prints nothing. */
   public void note(String sentence) {
     if (!json) {
       PrintWriter err = spec.commandLine().getErr();

@@ -5,8 +5,8 @@ import java.util.List;
 import org.dfra.text.PrintableText;
 
 /**
- * Sentences as this process writes them: {@linkplain PrintableText printable}, and no wider than
- * the terminal. What goes on below is indented, so that no text of another computer begins a line.
+ * Messages of this process: {@linkplain PrintableText printable}, and no wider than the terminal.
+ * Continuation lines are indented, so that no text of another computer starts a line.
  */
 public final class ConsoleMessages {
 
@@ -15,19 +15,19 @@ public final class ConsoleMessages {
 
   private ConsoleMessages() {}
 
-  /** A sentence of an answer, without the end of its last line. */
+  /** A sentence of the output, without the end of its last line. */
   public static String wrapped(String sentence) {
     return folded(PrintableText.line(sentence), MARGIN);
   }
 
-  /** A sentence beside the answer, behind {@value #PREFIX}. */
+  /** A note beside the output, after {@value #PREFIX}. */
   public static String prefixed(String sentence) {
     return folded(PREFIX + PrintableText.line(sentence), PREFIX.length());
   }
 
   /**
-   * The same of a text whose lines this program composed, such as the faults of a configuration:
-   * those below the first are indented.
+   * The same for a text whose lines this program composed, such as the faults of a configuration:
+   * lines after the first are indented.
    */
   public static String prefixedLines(String text) {
     List<String> lines = new ArrayList<>();

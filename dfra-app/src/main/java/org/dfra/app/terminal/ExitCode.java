@@ -1,18 +1,18 @@
 package org.dfra.app.terminal;
 
-/** The statuses with which {@code ./dfra} ends. They never change their meaning. */
+/** The exit statuses of {@code ./dfra}. They never change their meaning. */
 public final class ExitCode {
 
-  /** All went well. */
+  /** Success. */
   public static final int SUCCESS = 0;
 
-  /** What was asked could not be done. */
+  /** The request failed. */
   public static final int FAILED = 1;
 
-  /** It was asked wrongly: an unknown verb, option or value. */
+  /** A usage error: an unknown subcommand, option or value. */
   public static final int USAGE_ERROR = 2;
 
-  /** There is no such robot or module, or nothing answers the query. */
+  /** There is no such robot or module, or none matches the query. */
   public static final int NOT_FOUND = 3;
 
   /** The module or phoenix is known but did not answer in time. */

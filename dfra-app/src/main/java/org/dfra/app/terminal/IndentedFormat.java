@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** Any value as indented lines {@code name: value}, for people. */
+/** Any value as indented lines {@code name: value}, for text output. */
 final class IndentedFormat {
 
   private static final String INDENT = "  ";
@@ -29,8 +29,8 @@ final class IndentedFormat {
   }
 
   /**
-   * A line of it in so many columns. What does not fit goes on below, further to the right than the
-   * next line's name can begin.
+   * A line wrapped at these columns. Continuation lines are indented further than the next line's
+   * name can be.
    */
   static List<String> folded(String line, int columns) {
     String text = line.stripLeading();
@@ -82,12 +82,12 @@ final class IndentedFormat {
     return true;
   }
 
-  /** Whether it is so many numbers, a scan's say, that nobody reads them one by one. */
+  /** Whether it has so many numbers, such as a scan, that they are summarised. */
   static boolean isLong(JsonNode value) {
     return value.isArray() && value.size() > LONGEST_LIST && value.get(0).isNumber();
   }
 
-  /** {@code 361 numbers, 0.52 to 7.98}; those that are not finite are counted, not compared. */
+  /** {@code 361 numbers, 0.52 to 7.98}; numbers that are not finite are only counted. */
   private static String summary(JsonNode numbers) {
     double least = Double.POSITIVE_INFINITY;
     double most = Double.NEGATIVE_INFINITY;

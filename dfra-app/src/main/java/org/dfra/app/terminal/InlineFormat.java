@@ -9,9 +9,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Any value on one line, for people: {@code mode FIX_3D, satellites tracked 9}. Numbers have seven
- * decimals, of which the last one is a hundredth of a metre in a latitude, or more where they are
- * small; programs get all of them.
+ * Any value on one line, for text output: {@code mode FIX_3D, satellites tracked 9}. Numbers have
+ * seven decimals, of which the last one is about 0.01 m in a latitude, or more if they are small;
+ * JSON output has full precision.
  */
 public final class InlineFormat {
 
@@ -20,7 +20,7 @@ public final class InlineFormat {
 
   private InlineFormat() {}
 
-  /** What is not known is left out. */
+  /** Omits unknown values. */
   public static String of(Object value) {
     return text(Json.tree(value));
   }

@@ -21,9 +21,9 @@ import java.time.Duration;
 import org.dfra.text.PrintableText;
 
 /**
- * Values as JSON: a record as an object, an instant in ISO 8601 in UTC, a duration in seconds, what
- * is absent as null, and so is a number that is not known (NaN). What is not {@linkplain
- * PrintableText printable} in a text is escaped: the answer may go to a terminal, too.
+ * Values as JSON: a record as an object, an instant in ISO 8601 in UTC, a duration in seconds, an
+ * absent value or an unknown number (NaN) as null. Characters in a text that are not {@linkplain
+ * PrintableText printable} are escaped: the output may go to a terminal, too.
  */
 final class Json {
 
@@ -45,7 +45,7 @@ final class Json {
   /**
    * Reads a value of a type.
    *
-   * @throws JsonProcessingException if the text is no such value
+   * @throws JsonProcessingException if the text is not such a value
    */
   static Object read(String text, Type type) throws JsonProcessingException {
     return MAPPER.readValue(text, MAPPER.constructType(type));
@@ -76,7 +76,7 @@ final class Json {
     }
   }
 
-  /** A number that is not known is NaN in DFRA's records; JSON has no such number. */
+  /** An unknown number is NaN in DFRA's records; JSON has no NaN. */
   private static final class Known extends StdSerializer<Double> {
 
     private static final long serialVersionUID = 1L;
@@ -96,7 +96,7 @@ final class Json {
     }
   }
 
-  /** Durations as seconds, since that is the unit of every other time span. */
+  /** Durations as seconds, like all other durations. */
   private static final class Durations extends SimpleModule {
 
     private static final long serialVersionUID = 1L;

@@ -5,39 +5,38 @@ import java.util.List;
 import java.util.function.Supplier;
 
 /**
- * Lines at the bottom of a terminal that are drawn anew in place, while other text scrolls above
- * them. It writes nothing itself: what its methods return is to be printed, at once and in order.
+ * Lines at the bottom of a terminal that are redrawn in place, while other text scrolls above them.
+ * It prints nothing itself: the caller must print the results of its methods immediately and in
+ * order.
  *
- * <p>The cursor always rests below the last line and stays visible, and each piece of text leaves
- * the terminal as it was: so there is nothing to restore, also where the process is killed.
+ * <p>The cursor always stays below the last line and visible, and each piece of text leaves the
+ * terminal's modes unchanged: nothing has to be restored, even if the process is killed.
  *
- * <p>Not safe for use by several threads.
+ * <p>Not thread-safe.
  */
 public final class LiveBlock {
 
-  private static final String DISABLE_WRAP = "\u001b[?7l"; // no going on in the next line
+  private static final String DISABLE_WRAP = "\u001b[?7l"; // disables line wrapping
   private static final String ENABLE_WRAP = "\u001b[?7h";
   private static final String MORE = "…";
 
   private final Supplier<Terminal.Size> size;
-  private List<String> lines = List.of(); // as they are to be shown
-  private List<String> drawn = List.of(); // lines that are there now
+  private List<String> lines = List.of(); // the lines to be shown
+  private List<String> drawn = List.of(); // number of lines currently drawn
 
-  /**
-   * @param size of the terminal, asked for at each drawing
-   */
+  /** @param size of the terminal, queried at each drawing */
   public LiveBlock(Supplier<Terminal.Size> size) {
     this.size = size;
   }
 
-  /** What draws these lines in place of the last ones. */
+  /** The output that draws these lines in place of the last ones. */
   public String draw(List<String> fresh) {
     lines = List.copyOf(fresh);
     return erased() + shown();
   }
 
   /**
-   * What writes text above the block.
+   * The output that prints text above the block.
    *
    * @param text whole lines, each with its end
    */
@@ -50,15 +49,15 @@ public final class LiveBlock {
     return !drawn.isEmpty();
   }
 
-  /** What is drawn stays for good; what comes next comes below. */
+  /** Makes the drawn lines permanent; further output is printed below. */
   public void freeze() {
     lines = List.of();
     drawn = List.of();
   }
 
   /**
-   * Goes up over what was drawn and clears it. A terminal that was made narrower has folded lines
-   * that do not fit any more, so they take more of its rows than they did.
+   * Moves the cursor up over the drawn lines and clears them. A terminal that has become narrower
+   * has wrapped long lines, so they take more rows than before.
    */
   private String erased() {
     int columns = size.get().columns();
@@ -69,7 +68,7 @@ public final class LiveBlock {
     return rows == 0 ? "" : "\u001b[" + rows + "A\u001b[J";
   }
 
-  /** No more than the terminal has room for: what has scrolled off cannot be drawn anew. */
+  /** At most as many lines as the terminal has: lines that have scrolled off cannot be redrawn. */
   private String shown() {
     Terminal.Size room = size.get();
     List<String> fitting = new ArrayList<>();
@@ -85,8 +84,8 @@ public final class LiveBlock {
   }
 
   /**
-   * A line that is no wider than so many columns; where something is left out, an ellipsis stands
-   * for it. Each character is taken to be one column wide.
+   * A line cut at these columns; an ellipsis replaces the omitted text. Each character is assumed
+   * to be one column wide.
    */
   public static String cut(String line, int columns) {
     String text = line.stripTrailing();

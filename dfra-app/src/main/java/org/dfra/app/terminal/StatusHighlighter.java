@@ -6,8 +6,8 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Help.Ansi;
 
 /**
- * Colours the words that say how something is: good ones green, bad ones red. A line is coloured
- * after it was laid out, since codes take no columns. In {@code stale: no} the word is a name.
+ * Colours status words: good ones green, bad ones red. A line is coloured after its layout, since
+ * escape codes take no columns. In {@code stale: no} the word is a name.
  */
 public final class StatusHighlighter {
 
@@ -23,8 +23,8 @@ public final class StatusHighlighter {
   private StatusHighlighter() {}
 
   /**
-   * Whether this process may write colours: only to a terminal, and not where {@code NO_COLOR} is
-   * set or the terminal is {@code dumb}.
+   * Whether this process may print colours: only to a terminal, and not if {@code NO_COLOR} is set
+   * or the terminal is {@code dumb}.
    */
   public static boolean isEnabled() {
     return isEnabled(Ansi.AUTO.enabled(), System.getenv("NO_COLOR"), System.getenv("TERM"));
@@ -34,7 +34,7 @@ public final class StatusHighlighter {
     return isTerminal && (noColor == null || noColor.isEmpty()) && !"dumb".equals(term);
   }
 
-  /** The line with its states coloured. */
+  /** The line with its status words coloured. */
   public static String highlight(String line) {
     Matcher word = WORDS.matcher(line);
     return word.replaceAll(found -> (found.group(1) != null ? GREEN : RED) + found.group() + PLAIN);

@@ -8,16 +8,16 @@ import java.util.stream.IntStream;
 import org.dfra.text.PrintableText;
 
 /**
- * Rows under headings, each column as wide as its widest cell. Where that is wider than the
- * terminal, the widest columns are folded by word; where words are too long even for that, each row
- * becomes a paragraph, with a line for each cell. No word is ever broken.
+ * Rows under headings, each column as wide as its widest cell. If that is wider than the terminal,
+ * the widest columns are wrapped at words; if words are too long even for that, each row becomes a
+ * paragraph, with a line for each cell. No word is ever broken.
  */
 public final class Table {
 
   private static final String GAP = "  ";
   private static final int WIDEST = 60;
 
-  /** Most of a cell that is shown, in UTF-16 code units. */
+  /** Maximum length of a cell, in UTF-16 code units. */
   private static final int LONGEST_CELL = 2_000;
 
   private final List<String> headings;
@@ -69,7 +69,7 @@ public final class Table {
     return lines;
   }
 
-  /** What the widest cell of each column takes; a word longer than the limit counts. */
+  /** The width of the widest cell of each column; a word longer than the limit counts fully. */
   private int[] widths(ToIntFunction<String> measure, int limit) {
     return IntStream.range(0, headings.size())
         .map(
@@ -92,7 +92,7 @@ public final class Table {
     return Arrays.stream(widths).sum() + GAP.length() * (widths.length - 1);
   }
 
-  /** The widest column that can be narrower; -1 where none can. */
+  /** The widest column that can be narrower; -1 if there is none. */
   private static int foldable(int[] widths, int[] least) {
     int widest = -1;
     for (int i = 0; i < widths.length; i++) {
@@ -126,8 +126,8 @@ public final class Table {
   }
 
   /**
-   * A first cell, whose further lines begin to the right of the margin where there is room: part of
-   * a name must not be mistaken for a line of its own.
+   * A first cell, whose continuation lines are indented if there is space: part of a name must not
+   * look like a separate line.
    */
   private static List<String> indented(String cell, int width) {
     List<String> pieces = TextWrap.wrap(cell, width);
@@ -143,7 +143,7 @@ public final class Table {
     return lines;
   }
 
-  /** Each cell in a line of its own, behind its heading; the headings' line stays the first. */
+  /** Each cell in a line of its own, after its heading; the headings' line stays the first. */
   private List<String> paragraphs(int columns) {
     int name = headings.stream().mapToInt(TextWrap::width).max().orElse(0);
     int room = Math.max(1, columns - name - GAP.length());

@@ -13,30 +13,30 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Help.Ansi;
 
 /**
- * The terminal that this process writes to. Its size is asked for again every {@value #MILLIS} ms,
- * since people drag windows. Not safe for use by several threads.
+ * The terminal that this process writes to. Its size is queried again every {@value #MILLIS} ms,
+ * since users resize windows. Not thread-safe.
  */
 public final class Terminal implements Supplier<Terminal.Size> {
 
-  private static final int MILLIS = 150; // what is drawn anew by a wrong size leaves ghosts
+  private static final int MILLIS = 150; // redrawing with a wrong size leaves artefacts
   private static final long STTY_TIMEOUT_MILLIS = 500;
   private static final Pattern STTY = Pattern.compile("\\s*(\\d{1,5})\\s+(\\d{1,5})\\s*");
 
   /**
-   * How much it shows.
+   * Its size.
    *
    * @param columns characters in a line
    * @param rows lines
    */
   public record Size(int columns, int rows) {
 
-    /** What a terminal has that does not say. */
+    /** The size of a terminal that does not report it. */
     public static final Size DEFAULT = new Size(80, 24);
 
-    /** More than anything that is shown. */
+    /** More than any output needs. */
     public static final Size UNLIMITED = new Size(Integer.MAX_VALUE, Integer.MAX_VALUE);
 
-    /** Refuses a terminal that shows nothing. */
+    /** Rejects a size of zero. */
     public Size {
       if (columns < 1 || rows < 1) {
         throw new IllegalArgumentException(
@@ -44,7 +44,7 @@ public final class Terminal implements Supplier<Terminal.Size> {
       }
     }
 
-    /** What {@code stty size} answered, rows first; nothing where it does not know either. */
+    /** The output of {@code stty size}, rows first; empty if it does not know the size either. */
     public static Optional<Size> read(String answer) {
       Matcher numbers = STTY.matcher(answer);
       if (!numbers.matches()) {
@@ -61,14 +61,14 @@ public final class Terminal implements Supplier<Terminal.Size> {
   private Optional<Size> last = Optional.empty();
   private long asked;
 
-  /** The one that this process was started in. */
+  /** The terminal in which this process was started. */
   public Terminal() {
     this(System::nanoTime, Terminal::stty);
   }
 
   /**
-   * @param nanos a clock that only differences are taken of, in nanoseconds
-   * @param stty answers as {@code stty size} does
+   * @param nanos a monotonic clock with any origin, in nanoseconds
+   * @param stty output of {@code stty size}
    */
   Terminal(LongSupplier nanos, Supplier<String> stty) {
     this.nanos = nanos;
@@ -76,16 +76,16 @@ public final class Terminal implements Supplier<Terminal.Size> {
   }
 
   /**
-   * Whether lines that were written can be written anew: not into a file or a pipe, and not where
-   * {@code NO_COLOR} is set or the terminal is {@code dumb}.
+   * Whether printed lines can be redrawn: not in a file or a pipe, and not if {@code NO_COLOR} is
+   * set or the terminal is {@code dumb}.
    */
   public static boolean canRedraw() {
     return StatusHighlighter.isEnabled();
   }
 
   /**
-   * How wide a table may be: what {@code COLUMNS} says, or the terminal; {@link Size#DEFAULT} in a
-   * file or a pipe.
+   * Maximum width of a table: the value of {@code COLUMNS}, or the terminal's; {@link Size#DEFAULT}
+   * in a file or a pipe.
    */
   public static int columns() {
     return columns(
@@ -93,14 +93,14 @@ public final class Terminal implements Supplier<Terminal.Size> {
   }
 
   /**
-   * How wide a sentence may be: as wide as the terminal, and however wide in a file or a pipe,
-   * where other programs look for it.
+   * Maximum width of a sentence: the terminal's width; unlimited in a file or a pipe, where other
+   * programs search for it.
    */
   public static int textColumns() {
     return isTerminal() ? columns() : Size.UNLIMITED.columns();
   }
 
-  /** Whether this process writes to a terminal, whatever that can show. */
+  /** Whether this process writes to a terminal, whatever its capabilities. */
   public static boolean isTerminal() {
     return Ansi.AUTO.enabled() || (System.getenv("NO_COLOR") != null && System.console() != null);
   }
@@ -121,7 +121,7 @@ public final class Terminal implements Supplier<Terminal.Size> {
     return last.orElseThrow();
   }
 
-  /** Nothing where there is no such program, no terminal, or no answer in time. */
+  /** Empty if there is no such program, no terminal, or no answer in time. */
   private static String stty() {
     try {
       Process process =
@@ -135,7 +135,7 @@ public final class Terminal implements Supplier<Terminal.Size> {
       }
       return new String(process.getInputStream().readAllBytes(), StandardCharsets.US_ASCII);
     } catch (IOException e) {
-      return ""; // the usual size does
+      return ""; // the default size applies
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return "";

@@ -5,11 +5,11 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
 
-/** Text in columns. Each character is taken to be one column wide. */
+/** Text in columns. Each character is assumed to be one column wide. */
 public final class TextWrap {
 
   /**
-   * Where a line may end: not between a number and its unit, and not within what is typed. Half of
+   * Possible line breaks: not between a number and its unit, and not within commands. Half of
    * {@code ./dfra stop --release atrv1}, copied from one line, would release every robot.
    */
   public static final Pattern BREAK =
@@ -17,13 +17,13 @@ public final class TextWrap {
           "(?<!\\./dfra)(?<!\\./dfra [a-z]{1,12})(?<! --[a-z-]{1,16})(?<!\\bEMERGENCY)"
               + " (?!(?:s|ms|µs|ns|Hz|m|°)\\b|%|--[a-z]|(?<=\\d )(?:[kMG]B|W|V|rad)\\b)");
 
-  /** What a line has at least, however far it begins to the right. */
+  /** Minimum width of a line, however far it is indented. */
   private static final int NARROWEST = 20;
 
-  /** A path of a file, perhaps in quotation marks. */
+  /** A file path, perhaps in quotation marks. */
   private static final Pattern PATH = Pattern.compile("^[\"'(]?(?:\\.{0,2}/|~/)");
 
-  /** After these a word may be broken that is longer than a line. */
+  /** A word that is longer than a line may be broken after these. */
   private static final String BREAK_AFTER = "/\\[](){},;:=@&|.-_$";
 
   private TextWrap() {}
@@ -33,16 +33,16 @@ public final class TextWrap {
     return Character.codePointCount(text, 0, text.length());
   }
 
-  /** A text with blanks behind it, so many columns wide or wider. */
+  /** A text padded with blanks to at least these columns. */
   public static String padded(String text, int columns) {
     return text + " ".repeat(Math.max(0, columns - width(text)));
   }
 
   /**
-   * A text broken at blanks. A word is never broken, so that it can be copied: one that is longer
-   * has a line for itself.
+   * A text wrapped at blanks. A word is never broken, so that it can be copied: a longer word has a
+   * line for itself.
    *
-   * @param columns most of a line
+   * @param columns maximum width of a line
    */
   public static List<String> wrap(String text, int columns) {
     if (width(text) <= columns) {
@@ -62,9 +62,8 @@ public final class TextWrap {
   }
 
   /**
-   * A sentence broken at blanks, of which none of its lines is wider: words that are longer, such
-   * as the endpoints that a failed call tells of, are broken too. A path of a file is not, so that
-   * it can be copied.
+   * A sentence wrapped at blanks, with no wider line: longer words, such as the endpoints in the
+   * message of a failed call, are broken too. A file path is not, so that it can be copied.
    *
    * @param first columns of the first line
    * @param columns of all others, 1 or more
@@ -88,7 +87,7 @@ public final class TextWrap {
     return lines;
   }
 
-  /** Ends after a mark where there is one in its second half. */
+  /** Ends after a punctuation mark if there is one in its second half. */
   private static List<String> pieces(String word, int columns) {
     if (PATH.matcher(word).find()) {
       return List.of(word);
@@ -111,11 +110,10 @@ public final class TextWrap {
   }
 
   /**
-   * A line broken at blanks; what does not fit goes on below, further to the right than the line
-   * begins.
+   * A line wrapped at blanks, with a hanging indent.
    *
-   * @param columns most of a line
-   * @param indent where the lines below begin; less where so few columns would be left
+   * @param columns maximum width of a line
+   * @param indent of the continuation lines; less if too few columns would be left
    */
   public static List<String> hangingIndent(String line, int columns, int indent) {
     if (width(line) <= columns) {

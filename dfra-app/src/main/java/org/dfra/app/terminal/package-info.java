@@ -1,6 +1,5 @@
 /**
- * What a command says: tables and paragraphs for people, JSON for programs, and the status it ends
- * with.
+ * The output of a command: tables and paragraphs as text, JSON for programs, and the exit status.
  */
 @NullMarked
 package org.dfra.app.terminal;

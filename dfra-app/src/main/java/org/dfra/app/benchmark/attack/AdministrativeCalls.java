@@ -4,12 +4,12 @@ import org.dfra.module.LogLevel;
 import org.dfra.river.remote.effector.RemoteDriveEffector;
 
 /**
- * Calls what only the robot's own computer may: changes a parameter and the log level, and releases
- * an emergency stop.
+ * Makes calls that only the robot's own computer may make: sets a parameter and the log level, and
+ * releases an emergency stop.
  */
 public final class AdministrativeCalls extends AttackTask {
 
-  /** As every task is made. */
+  /** Called by {@code TaskMain} by reflection. */
   public AdministrativeCalls() {}
 
   @Override

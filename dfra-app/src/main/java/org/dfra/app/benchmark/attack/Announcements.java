@@ -11,8 +11,8 @@ import net.jini.core.constraint.InvocationConstraints;
 import net.jini.core.lookup.ServiceID;
 
 /**
- * Announces lookup services by multicast, each with a fresh identity. No datagram leaves this
- * computer. For one thread.
+ * Announces lookup services by multicast, each with a new identity. The datagrams do not leave this
+ * computer. Not thread-safe.
  */
 final class Announcements {
 
@@ -23,7 +23,7 @@ final class Announcements {
   private final String[] groups;
 
   /**
-   * @param groups of which each lookup service claims to be a member
+   * @param groups that each lookup service claims to be a member of
    * @throws IOException if multicast cannot be used
    */
   Announcements(String[] groups) throws IOException {
@@ -33,11 +33,11 @@ final class Announcements {
   }
 
   /**
-   * Announces one.
+   * Announces one lookup service.
    *
-   * @param host where it claims to be
+   * @param host that it claims
    * @param port for unicast discovery
-   * @return how many datagrams were sent
+   * @return number of datagrams sent
    * @throws IOException if one cannot be sent
    */
   int send(String host, int port) throws IOException {

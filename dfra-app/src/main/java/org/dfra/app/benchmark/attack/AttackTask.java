@@ -20,10 +20,10 @@ import org.dfra.river.remote.effector.RemoteDriveEffector;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An attack that is repeated until its input has a line or ends, and done once at least. It prints
- * {@code begins}, {@code refused REASON} when the robot refuses something for the first time, and
- * at the end its {@linkplain MeasuredValueLines own figures} and {@code done CALLS REFUSED REASON},
- * the reason being that of the last refusal.
+ * An attack that is repeated until standard input has a line or ends, and executed at least once.
+ * It prints {@code begins}, {@code refused REASON} at the robot's first refusal, and at the end its
+ * {@linkplain MeasuredValueLines own measurements} and {@code done CALLS REFUSED REASON} with the
+ * reason of the last refusal.
  *
  * <p>Its arguments are those of {@link Target#arguments}. One thread attacks; another reads the
  * input.
@@ -31,15 +31,15 @@ import org.jspecify.annotations.Nullable;
 public abstract class AttackTask implements Task {
 
   /**
-   * A robot and where it is attacked from.
+   * A robot and the address from which it is attacked.
    *
    * @param source the attacker's address
    * @param host the robot's address
    * @param registrarPort port of its registrar for unicast discovery
    * @param classPort port of its class server
-   * @param phoenixPort port of its phoenix; 0 where it has none
-   * @param groupLock the lock file of one of phoenix's groups; empty where there is none
-   * @param folder an empty folder that the attacker may write into; empty where it needs none
+   * @param phoenixPort port of its phoenix; 0 if it has none
+   * @param groupLock the lock file of one of phoenix's groups; empty if there is none
+   * @param folder an empty folder that the attacker may write to; empty if it needs none
    */
   public record Target(
       String source,
@@ -90,11 +90,11 @@ public abstract class AttackTask implements Task {
       return SourceBoundProxies.registrar(host, registrarPort, sockets());
     }
 
-    /** How the registrar holds the robot's drive. */
+    /** The registrar's service item of the robot's drive. */
     ServiceItem drive() throws IOException {
       Class<?>[] types = {DriveEffector.class};
       ModuleEntry robots = new ModuleEntry();
-      robots.robot = HonestRobot.NAME; // and no fake of another robot
+      robots.robot = HonestRobot.NAME; // and not a fake of another robot
       ServiceTemplate honest = new ServiceTemplate(null, types, new Entry[] {robots});
       ServiceItem[] found = registrar().lookup(honest, 1).items;
       if (found.length == 0 || found[0].service == null) {
@@ -113,10 +113,10 @@ public abstract class AttackTask implements Task {
   private static final Duration PATIENCE = Duration.ofSeconds(10);
 
   private volatile boolean stopping;
-  private long calls; // by the attacking thread, as the others
+  private long calls; // used by the attacking thread only, like the others
   private long refused;
   private @Nullable Exception refusal;
-  private @Nullable PrintStream lines; // from the beginning of the attack on
+  private @Nullable PrintStream lines; // from the start of the attack
 
   /** For subclasses. */
   protected AttackTask() {}
@@ -142,33 +142,33 @@ public abstract class AttackTask implements Task {
     try {
       int unused = System.in.read();
     } catch (IOException e) {
-      e.printStackTrace(); // then it ends too
+      e.printStackTrace(); // at end of input the attack ends too
     }
     stopping = true;
   }
 
   /**
-   * Finds what is needed.
+   * Looks up the objects that the attack needs.
    *
    * @throws Exception if the robot is not found
    */
   protected void prepare(Target target) throws Exception {}
 
   /**
-   * Does it once.
+   * Executes the attack once.
    *
-   * @throws Exception if the attack itself fails; {@link #attempt} counts what the robot refuses
+   * @throws Exception if the attack itself fails; {@link #attempt} counts the robot's refusals
    */
   protected abstract void attack(Target target) throws Exception;
 
   /**
-   * Does what is to be done once, after the robot's wheels were measured.
+   * Finishes the attack, after the robot's wheels were measured.
    *
-   * @throws Exception if it shows that the attack did not reach the robot
+   * @throws Exception if the attack did not reach the robot
    */
   protected void end(Target target) throws Exception {}
 
-  /** What it measured itself, at its end. */
+  /** Its own measurements at the end. */
   protected List<MeasuredValue> figures() {
     return List.of();
   }
@@ -178,21 +178,21 @@ public abstract class AttackTask implements Task {
     return stopping;
   }
 
-  /** Makes a call, and counts it, and whether it was refused. */
+  /** Makes a call, counts it, and counts a refusal. */
   protected final <R> @Nullable R attempt(Callable<R> call) {
     calls++;
     try {
       return call.call();
-    } catch (Exception e) { // of whatever kind: kept, and printed at the end
+    } catch (Exception e) { // of any type: kept, and printed at the end
       refusedBy(e);
       return null;
     }
   }
 
   /**
-   * Counts a call that was refused and that {@link #attempt} did not make.
+   * Counts a refused call that {@link #attempt} did not make.
    *
-   * @param what was refused
+   * @param what the refused call
    */
   protected final void countRefused(String what) {
     calls++;
@@ -207,10 +207,10 @@ public abstract class AttackTask implements Task {
   }
 
   /**
-   * Sends a request that was written by hand.
+   * Sends a hand-written request.
    *
    * @param proxy of the called object
-   * @throws RemoteException if it was refused, or not answered
+   * @throws RemoteException if it was refused or not answered
    * @throws IOException if it cannot be sent
    */
   protected static RawCall.Answer send(Object proxy, byte[] request)

@@ -13,8 +13,8 @@ import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.phoenix.GroupStatus;
 
 /**
- * A phoenix in a process of its own, with one group in another, which has a registrar. Both outlive
- * this process; whoever started it ends them.
+ * A phoenix in a separate process, with one group in another process, which has a registrar. Both
+ * outlive this process; the caller must end them.
  */
 final class AttackedPhoenix {
 
@@ -24,9 +24,9 @@ final class AttackedPhoenix {
   private final PhoenixProcess phoenix;
 
   /**
-   * Starts nothing yet.
+   * Starts no process yet.
    *
-   * @param state folder of its state, which is made
+   * @param state folder of its state; created here
    * @throws IOException if there is no free port
    */
   AttackedPhoenix(Path state) throws IOException {
@@ -36,7 +36,7 @@ final class AttackedPhoenix {
   /**
    * Starts it and waits until it answers.
    *
-   * @return its process number
+   * @return its process ID
    * @throws IOException if it does not start
    */
   long start() throws IOException {
@@ -75,7 +75,7 @@ final class AttackedPhoenix {
   }
 
   /**
-   * How many groups it has.
+   * Number of its groups.
    *
    * @throws IOException if it does not answer
    */

@@ -13,8 +13,8 @@ import java.rmi.MarshalledObject;
 import java.util.List;
 
 /**
- * A server that answers unicast discovery with bombs, one after the other, a number of times, and
- * then lets its clients speak with an honest lookup service.
+ * A server that answers unicast discovery with a given number of malicious responses, then relays
+ * its clients to an honest lookup service.
  *
  * <p>One thread serves one client after the other, until {@link #close}.
  */
@@ -33,9 +33,9 @@ public final class BombServer implements AutoCloseable {
   /**
    * Starts it.
    *
-   * @param host where it and the honest lookup service listen
-   * @param honestPort the honest one's port for unicast discovery
-   * @param count how many bombs are thrown before it is honest
+   * @param host address of this server and of the honest lookup service
+   * @param honestPort the honest service's port for unicast discovery
+   * @param count number of malicious responses before it relays
    * @throws IOException if it cannot listen there
    */
   public BombServer(String host, int honestPort, List<byte[]> bombs, int count) throws IOException {
@@ -49,17 +49,17 @@ public final class BombServer implements AutoCloseable {
     thread.start();
   }
 
-  /** A small answer that claims as many groups as there can be. */
+  /** A small response that claims the maximum number of groups. */
   public static byte[] claimOfGroups() throws IOException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
       out.writeObject(new MarshalledObject<>(null));
-      out.writeInt(Integer.MAX_VALUE - 8); // the longest array that a virtual machine makes
+      out.writeInt(Integer.MAX_VALUE - 8); // the longest array that a JVM allocates
     }
     return bytes.toByteArray();
   }
 
-  /** A small answer whose lookup service is an array of 4 million numbers, as it claims. */
+  /** A small response that claims that its lookup service is an array of 4 million numbers. */
   public static byte[] claimOfNumbers() throws IOException {
     long[] some = new long[3];
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
@@ -68,7 +68,7 @@ public final class BombServer implements AutoCloseable {
       out.writeInt(0);
     }
     byte[] answer = bytes.toByteArray();
-    byte[] length = {0x78, 0x70, 0, 0, 0, 3}; // the class ends, and its length follows
+    byte[] length = {0x78, 0x70, 0, 0, 0, 3}; // end of class, array length
     for (int at = 0; at + length.length <= answer.length; at++) {
       if (ByteBuffer.wrap(answer, at, length.length).equals(ByteBuffer.wrap(length))) {
         ByteBuffer unused = ByteBuffer.wrap(answer).putInt(at + 2, (4 << 20) - 1);
@@ -78,7 +78,7 @@ public final class BombServer implements AutoCloseable {
     throw new IllegalStateException("an array's length was not found in its bytes");
   }
 
-  /** Where it is found: {@code jini://host:port}. */
+  /** Its locator: {@code jini://host:port}. */
   public String locator() {
     return "jini://" + host + ":" + server.getLocalPort();
   }
@@ -88,7 +88,7 @@ public final class BombServer implements AutoCloseable {
     return server.getLocalPort();
   }
 
-  /** How many bombs were thrown. */
+  /** Number of malicious responses sent. */
   public int sentCount() {
     return thrown;
   }
@@ -108,13 +108,13 @@ public final class BombServer implements AutoCloseable {
         }
       } catch (IOException e) {
         if (!server.isClosed()) {
-          System.err.println("a client of discovery ended early: " + e); // it may
+          System.err.println("a client of discovery ended early: " + e); // optional
         }
       }
     }
   }
 
-  /** The request of version 1, which is the client's, is a number and nothing more. */
+  /** The client sends a request of version 1, which consists of one number. */
   private void relay(byte[] request, OutputStream back) throws IOException {
     try (Socket to = new Socket(host, honestPort)) {
       to.setSoTimeout(SOCKET_MILLIS);
@@ -123,7 +123,7 @@ public final class BombServer implements AutoCloseable {
     }
   }
 
-  /** A connection that is closed with bytes unread would be reset. */
+  /** Closing a connection with unread bytes would reset it. */
   private static void awaitEnd(InputStream in) throws IOException {
     while (in.read() >= 0) {
       continue;

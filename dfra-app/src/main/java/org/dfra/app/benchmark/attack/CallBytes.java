@@ -14,13 +14,13 @@ import org.jspecify.annotations.Nullable;
  *
  * <pre>
  *   00         version of the protocol
- *   00         no integrity wanted
+ *   00         no integrity required
  *   ac ed ...  an object stream: the method's hash, then its arguments
  * </pre>
  */
 public final class CallBytes {
 
-  /** The version of the protocol, and that no integrity is wanted. */
+  /** The protocol version, without integrity. */
   private static final byte[] OPENING = {0, 0};
 
   private CallBytes() {}
@@ -29,16 +29,16 @@ public final class CallBytes {
   @FunctionalInterface
   public interface Arguments {
     /**
-     * Writes them, or anything else.
+     * Writes the arguments, valid or not.
      *
-     * @param out where the method's hash is written already; it annotates classes as River does
+     * @param out stream after the method's hash; it annotates classes as River does
      * @throws IOException if they cannot be written
      */
     void write(ObjectOutputStream out) throws IOException;
   }
 
   /**
-   * An honest call.
+   * A valid call.
    *
    * @param arguments one for each of the method's parameters
    * @throws IOException if one of them cannot be written
@@ -59,7 +59,7 @@ public final class CallBytes {
   }
 
   /**
-   * A call with arguments that need not fit the method.
+   * A call with arguments that need not match the method.
    *
    * @throws IOException if they cannot be written
    */
@@ -68,7 +68,7 @@ public final class CallBytes {
   }
 
   /**
-   * A call of what may be no method at all.
+   * A call with any method hash.
    *
    * @param hash the method's hash
    * @throws IOException if the arguments cannot be written

@@ -8,11 +8,11 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Announces lookup services by multicast that answer unicast discovery with {@linkplain BombServer
- * bombs}: a few hundred bytes that claim more than the robot's memory holds. No datagram leaves
- * this computer.
+ * malicious responses}: a few hundred bytes that claim more memory than the robot has. The
+ * datagrams do not leave this computer.
  *
- * <p>An answer that was read counts as a refused call. One that is believed costs the robot its
- * memory, and so its process.
+ * <p>A rejected response counts as a refused call. An accepted one exhausts the robot's memory and
+ * ends its process.
  */
 public final class DiscoveryBombs extends AttackTask {
 
@@ -23,7 +23,7 @@ public final class DiscoveryBombs extends AttackTask {
   private @Nullable Announcements announcements;
   private int counted;
 
-  /** As every task is made. */
+  /** Called by {@code TaskMain} by reflection. */
   public DiscoveryBombs() {}
 
   @Override
@@ -61,7 +61,7 @@ public final class DiscoveryBombs extends AttackTask {
   /**
    * {@inheritDoc}
    *
-   * @throws IOException if the robot never asked one of the servers: then it was not attacked
+   * @throws IOException if the robot contacted none of the servers: then it was not attacked
    */
   @Override
   protected void end(Target target) throws IOException {

@@ -6,8 +6,8 @@ import net.jini.core.lookup.ServiceItem;
 import net.jini.core.lookup.ServiceRegistrar;
 
 /**
- * Registers fakes with the robot's registrar: under the identity of the robot's drive, and under
- * thousands of fresh ones, with what the registrar says of the drive.
+ * Registers fake modules with the robot's registrar: with the service ID of the robot's drive, and
+ * with thousands of new ones, with the drive's attributes.
  */
 public final class FakeModules extends AttackTask {
 
@@ -17,7 +17,7 @@ public final class FakeModules extends AttackTask {
   private final Random random = new Random(66);
   private int registered;
 
-  /** As every task is made. */
+  /** Called by {@code TaskMain} by reflection. */
   public FakeModules() {}
 
   @Override

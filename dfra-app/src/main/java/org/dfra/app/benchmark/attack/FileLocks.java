@@ -10,18 +10,18 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Locks on files, held until this process ends. A lock for reading needs no right but to read, and
- * keeps everybody else from a lock for writing. For one thread.
+ * Locks on files, held until this process ends. A shared lock needs only read permission, and keeps
+ * other processes from an exclusive lock. Not thread-safe.
  */
 public final class FileLocks {
 
   private final Map<Path, FileLock> held = new LinkedHashMap<>();
 
-  /** None yet. */
+  /** Holds no lock yet. */
   public FileLocks() {}
 
   /**
-   * Takes the lock of a file, unless it is held already.
+   * Acquires the lock of a file, unless it is held already.
    *
    * @return false if another process holds it
    * @throws IOException if the file cannot be read
@@ -44,7 +44,7 @@ public final class FileLocks {
     }
   }
 
-  /** How many are held. */
+  /** Number of locks held. */
   public int count() {
     return held.size();
   }

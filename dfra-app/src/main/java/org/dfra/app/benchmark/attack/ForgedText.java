@@ -10,9 +10,9 @@ import org.dfra.persona.Attributes;
 import org.dfra.river.entry.Entries;
 
 /**
- * Registers a module and a robot all of whose texts would control a terminal, and checks what an
- * operator's commands print meanwhile. The commands run on the attacker's core: their virtual
- * machines would disturb the robot more than the attack does.
+ * Registers a module and a robot whose texts all contain terminal control characters, and checks
+ * the output of an operator's commands meanwhile. The commands run on the attacker's core: their
+ * JVMs would load the robot more than the attack does.
  */
 public final class ForgedText extends OperatorVisibleAttack {
 
@@ -31,7 +31,7 @@ public final class ForgedText extends OperatorVisibleAttack {
   private boolean isRegistered;
   private int next;
 
-  /** As every task is made. */
+  /** Called by {@code TaskMain} by reflection. */
   public ForgedText() {}
 
   @Override
@@ -40,7 +40,7 @@ public final class ForgedText extends OperatorVisibleAttack {
     terminal().run(COMMANDS.get(next++ % COMMANDS.size()));
   }
 
-  /** Again and again, which renews both leases. */
+  /** Repeats the registration, which renews both leases. */
   private void register(ServiceRegistrar registrar) {
     List<Attributes> persona = List.of(HostileModule.persona());
     ServiceItem first =

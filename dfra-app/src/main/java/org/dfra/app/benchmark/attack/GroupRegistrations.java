@@ -11,8 +11,8 @@ import org.dfra.app.measurement.MeasuredValue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Registers a group with a class path of the attacker's at the robot's phoenix, under each identity
- * that everybody knows and under random ones, and has its program run where that succeeds.
+ * Registers a group with the attacker's class path at the robot's phoenix, under each well-known
+ * identity and under random ones, and activates its program where that succeeds.
  */
 public final class GroupRegistrations extends AttackTask {
 
@@ -20,7 +20,7 @@ public final class GroupRegistrations extends AttackTask {
   private Path marker = Path.of("");
   private int registered;
 
-  /** As every task is made. */
+  /** Called by {@code TaskMain} by reflection. */
   public GroupRegistrations() {}
 
   @Override

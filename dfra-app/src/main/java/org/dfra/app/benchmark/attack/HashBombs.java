@@ -17,20 +17,20 @@ import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.remote.effector.RemoteDriveEffector;
 
 /**
- * Calls a method of the drive that strangers may call with arguments that cost much to read: nested
- * sets, whose hash codes are computed again at every level, and a table whose keys all have the
- * same hash code. Of an administrative method the arguments would not be read.
+ * Calls a public method of the drive with arguments that are expensive to deserialize: nested sets,
+ * whose hash codes are computed again at every level, and a table whose keys all have the same hash
+ * code. The server does not read the arguments of an administrative method.
  */
 public final class HashBombs extends AttackTask {
 
   private static final int NESTED = 3_000;
   private static final int KEYS = 10_000;
-  private static final int PAIRS = 14; // of characters: 16384 texts with one hash code
-  private static final long STACK = 512L << 20; // to write what is nested so deeply
+  private static final int PAIRS = 14; // characters: 16384 strings with one hash code
+  private static final long STACK = 512L << 20; // stack size to serialize the deep nesting
 
   private final List<byte[]> bombs = new ArrayList<>();
 
-  /** As every task is made. */
+  /** Called by {@code TaskMain} by reflection. */
   public HashBombs() {}
 
   @Override
@@ -67,7 +67,7 @@ public final class HashBombs extends AttackTask {
     return outer;
   }
 
-  /** The keys get their hash code after they were put, so that only the reader pays. */
+  /** The keys get their hash codes after insertion, so that only the receiver pays. */
   private static Object collidingKeys() {
     Map<List<Object>, String> table = new HashMap<>();
     List<List<Object>> keys = new ArrayList<>();

@@ -32,11 +32,11 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A robot of the team {@code raster} with its registrar, a class server without jars and the
- * simulated field around it, in one process. It prints {@code registrar PORT classes PORT}, and to
- * each line of its input how its wheels move: {@code wheels MOVED CRUISED}, microseconds of the
+ * simulated field around it, in one process. It prints {@code registrar PORT classes PORT}, and for
+ * each line of its input the wheels' state: {@code wheels MOVED CRUISED}, microseconds since the
  * epoch when they last moved at all and when they last moved at {@link #CRUISE}.
  *
- * <p>Two things that robots elsewhere have, it has where its arguments say so:
+ * <p>Arguments enable two optional parts:
  *
  * <pre>
  *   search           searches for lookup services by multicast that does not leave this computer
@@ -45,33 +45,33 @@ import org.jspecify.annotations.Nullable;
  *                    with "groups COUNT" of that phoenix.
  * </pre>
  *
- * <p>Besides the robot's own threads one looks how fast the robot truly is, {@value #RATE} times a
- * second.
+ * <p>Besides the robot's own threads, one thread samples the robot's true speed, {@value #RATE}
+ * times a second.
  */
 public final class HonestRobot implements Task {
 
   /** The robot's name. */
   static final String NAME = "atrv1";
 
-  /** Where it listens. */
+  /** The host address that it listens on. */
   static final String HOST = "127.0.0.1";
 
-  /** An argument: that it searches by multicast. */
+  /** Argument: the robot discovers by multicast. */
   public static final String SEARCH = "search";
 
-  /** How an argument begins: that it has a phoenix, and the folder of its state. */
+  /** Prefix of an argument: start a phoenix; the folder of its state follows. */
   public static final String PHOENIX = "phoenix=";
 
-  /** A line of its input: how many groups its phoenix has. */
+  /** Input line: print the number of phoenix's groups. */
   public static final String GROUPS = "groups";
 
   /** The speed at which the operator drives, metres per second. */
   static final double CRUISE = 0.3;
 
-  /** From here on, as a part of {@link #CRUISE}, it counts as slower. */
+  /** Below this fraction of {@link #CRUISE}, the robot counts as slower. */
   private static final double SLOWER = 0.9;
 
-  /** Metres per second; below, wheels count as stopped. */
+  /** Metres per second; below, the wheels count as stopped. */
   private static final double STOPPED = 0.01;
 
   private static final int RATE = 200; // hertz
@@ -88,7 +88,7 @@ public final class HonestRobot implements Task {
   private volatile Instant cruised = Instant.EPOCH;
   private @Nullable AttackedPhoenix phoenix;
 
-  /** As every task is made. */
+  /** Called by {@code TaskMain} by reflection. */
   public HonestRobot() {}
 
   /** Arguments: those of the class. */
@@ -112,7 +112,7 @@ public final class HonestRobot implements Task {
         classes.start();
         watch(simulation.world().groundTruth(), clock);
         if (wanted.contains(SEARCH)) {
-          MulticastSearch unused = // its threads keep it until the process ends
+          MulticastSearch unused = // its threads keep it reachable until the process ends
               LocalMulticast.search(robot.description().lookupGroups(), new IgnoringListener());
         }
         out.println("registrar " + robot.registrar().port() + " classes " + classes.port());
@@ -139,7 +139,7 @@ public final class HonestRobot implements Task {
         : "wheels " + micros(moved) + " " + micros(cruised);
   }
 
-  /** The robot is found by its own registrar; what else is found does not matter here. */
+  /** The robot is found by its own registrar; other discovered registrars do not matter here. */
   private static final class IgnoringListener implements MulticastSearch.Listener {
 
     @Override
@@ -176,7 +176,7 @@ public final class HonestRobot implements Task {
     thread.start();
   }
 
-  /** Microseconds of the epoch. */
+  /** Microseconds since the epoch. */
   static long micros(Instant time) {
     return ChronoUnit.MICROS.between(Instant.EPOCH, time);
   }

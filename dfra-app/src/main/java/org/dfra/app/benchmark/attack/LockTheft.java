@@ -9,8 +9,8 @@ import org.dfra.river.phoenix.PhoenixIdentities;
 
 /**
  * Takes the locks of phoenix's private files, as another user of the robot's computer: a group
- * whose lock is held cannot be started again. That it can take locks at all is shown by one on a
- * file of its own.
+ * whose lock is held cannot be restarted. A lock on a file of its own proves that it can take locks
+ * at all.
  */
 public final class LockTheft extends AttackTask {
 
@@ -19,7 +19,7 @@ public final class LockTheft extends AttackTask {
   private final FileLocks locks = new FileLocks();
   private List<Path> wanted = List.of();
 
-  /** As every task is made. */
+  /** Called by {@code TaskMain} by reflection. */
   public LockTheft() {}
 
   @Override

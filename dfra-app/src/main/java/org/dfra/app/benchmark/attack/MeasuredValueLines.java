@@ -4,7 +4,7 @@ import java.util.List;
 import org.dfra.app.measurement.MeasuredValue;
 
 /**
- * Figures that an attack has measured itself, as lines for the process that started it:
+ * Measurements of an attack, as lines for the process that started it:
  *
  * <pre>
  *   figure MEASURED MOST UNIT WHAT      the unit of a plain number is -
@@ -18,7 +18,7 @@ public final class MeasuredValueLines {
 
   private MeasuredValueLines() {}
 
-  /** A figure as a line. */
+  /** A measurement as a line. */
   public static String write(MeasuredValue figure) {
     return BEGINNING
         + figure.value()
@@ -31,9 +31,9 @@ public final class MeasuredValueLines {
   }
 
   /**
-   * The figures among a process's lines.
+   * The measurements among a process's lines.
    *
-   * @throws IllegalArgumentException if a line begins as one and is none
+   * @throws IllegalArgumentException if a line starts like a measurement but is malformed
    */
   public static List<MeasuredValue> read(List<String> lines) {
     return lines.stream()

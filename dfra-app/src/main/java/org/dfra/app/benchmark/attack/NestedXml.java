@@ -20,12 +20,13 @@ import org.dfra.river.entry.Entries;
 import org.dfra.sim.world.file.WorldXml;
 
 /**
- * Gives those who read XML a robot and a world whose elements are nested 200 000 deep, and measures
- * the CPU time until each is refused. Nothing reads XML from the network, so this reads the files
- * as {@code ./dfra up} and {@code ./dfra sim run} do, in its own process on the attacker's core.
+ * Gives the XML parsers a robot and a world whose elements are nested 200 000 deep, and measures
+ * the CPU time until each is rejected. No XML is read from the network, so this attack reads the
+ * files as {@code ./dfra up} and {@code ./dfra sim run} do, in its own process on the attacker's
+ * core.
  *
- * <p>At the end it registers an effector whose stop, so its attributes say, was ordered by somebody
- * with U+009B in the name, which begins a terminal's control sequence, and lists it as an operator
+ * <p>At the end it registers an effector whose attributes report an emergency stop by a requester
+ * with U+009B in the name, which starts a terminal control sequence, and lists it as an operator
  * does.
  */
 public final class NestedXml extends OperatorVisibleAttack {
@@ -45,10 +46,10 @@ public final class NestedXml extends OperatorVisibleAttack {
   private long longest; // nanoseconds of CPU time
   private int accepted;
 
-  /** As every task is made. */
+  /** Called by {@code TaskMain} by reflection. */
   public NestedXml() {}
 
-  /** Honest files are read first, so that classes are loaded, as they are in a robot. */
+  /** Valid files are read first, so that classes are loaded, as in a robot. */
   @Override
   protected void prepare(Target target) throws IOException {
     var unused = WorldXml.read(HonestRobot.WORLD);
@@ -68,7 +69,7 @@ public final class NestedXml extends OperatorVisibleAttack {
                 "</world>"));
   }
 
-  /** A document whose second line has all that is nested. */
+  /** A document whose second line contains all nested elements. */
   private static String nested(String root, String element, String end) {
     return root
         + "\n"

@@ -1,13 +1,13 @@
 package org.dfra.app.benchmark.attack;
 
-/** Keeps its core busy and leaves the robot alone: what attacks are compared with. */
+/** Keeps its core busy and does not access the robot: the baseline for the attacks. */
 public final class NeutralLoad extends AttackTask {
 
   private static final int STEPS = 1_000_000;
 
   private long state = 1;
 
-  /** As every task is made. */
+  /** Called by {@code TaskMain} by reflection. */
   public NeutralLoad() {}
 
   @Override
@@ -15,7 +15,7 @@ public final class NeutralLoad extends AttackTask {
     for (int i = 0; i < STEPS; i++) {
       state = state * 6_364_136_223_846_793_005L + 1_442_695_040_888_963_407L;
     }
-    if (state == 0) { // never: the compiler must not drop the loop
+    if (state == 0) { // never true: prevents dead-code elimination of the loop
       System.err.println("the state is 0");
     }
   }

@@ -39,17 +39,17 @@ import org.dfra.sim.world.shape.Vertex;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The operator of an {@link HonestRobot}: starts its search, listens to it, and does what the lines
- * of its input say:
+ * The operator of an {@link HonestRobot}: starts its search, subscribes to it, and executes the
+ * commands on its input:
  *
  * <pre>
- *   listen SECONDS  calls the drive for so long: "calls COUNT FAILED P50 P99 RECEIVED", the
+ *   listen SECONDS  calls the drive for this time: "calls COUNT FAILED P50 P99 RECEIVED", the
  *                   latencies in microseconds
  *   fall silent     ends the search, drives on, and then sends no more commands: "silent TIME"
  *   stop            drives on, and then stops the robot for an emergency: "stopped TIME"
  * </pre>
  *
- * Times are microseconds of the epoch; {@code listen} may be used before the other two only.
+ * Times are microseconds since the epoch; {@code listen} must precede the other two.
  */
 public final class Operator implements Task {
 
@@ -64,7 +64,7 @@ public final class Operator implements Task {
 
   private @Nullable CommandLease lease;
 
-  /** As every task is made. */
+  /** Called by {@code TaskMain} by reflection. */
   public Operator() {}
 
   /** Argument: the registrar's port. */
@@ -98,7 +98,7 @@ public final class Operator implements Task {
         .module();
   }
 
-  /** Modules become ready one after the other, and refuse a goal until then. */
+  /** Modules become ready one after the other, and refuse goals until then. */
   private static void begin(RasterSearch search) throws Exception {
     WorldDescription world = WorldXml.read(WORLD);
     LocalFrame frame = new LocalFrame(world.datum());
@@ -124,7 +124,7 @@ public final class Operator implements Task {
     if (line.equals("fall silent")) {
       search.cancel();
       CommandLease held = command(drive);
-      lease = held; // open, so that silence ends the driving and not the lease
+      lease = held; // long, so that the command timeout ends the driving and not the lease
       return "silent " + HonestRobot.micros(driveOn(drive, held));
     }
     if (line.equals("stop")) {
@@ -150,7 +150,7 @@ public final class Operator implements Task {
       long began = System.nanoTime();
       try {
         var unused = drive.driveState();
-      } catch (RemoteException | NotReadyException e) { // it counts, with the time it took
+      } catch (RemoteException | NotReadyException e) { // counted, with the time it took
         failed++;
       }
       latencies.add((System.nanoTime() - began) / 1e3);
@@ -166,7 +166,7 @@ public final class Operator implements Task {
             listening.received() - received);
   }
 
-  /** The search gives its command back soon after it was cancelled. */
+  /** The search releases its command lease soon after it was cancelled. */
   private static CommandLease command(DriveEffector drive) throws Exception {
     long end = System.nanoTime() + PATIENCE.toNanos();
     while (true) {
@@ -182,8 +182,8 @@ public final class Operator implements Task {
   }
 
   /**
-   * Drives on for a while and returns when the last command was sent that was answered. One without
-   * an answer is repeated by the next.
+   * Drives on for a while and returns the time of the last acknowledged command. An unanswered
+   * command is repeated by the next one.
    */
   private static Instant driveOn(DriveEffector drive, CommandLease held) throws Exception {
     drive.execute(held.key(), new Brake(false));

@@ -12,16 +12,16 @@ import org.dfra.river.bootstrap.JvmCommand;
 import org.dfra.text.PrintableText;
 
 /**
- * Runs commands of {@code ./dfra} as an operator of the attacked robot, each in a process of its
- * own, and checks what they print. For one thread.
+ * Runs commands of {@code ./dfra} as an operator of the attacked robot, each in a separate process,
+ * and checks their output. Not thread-safe.
  */
 final class OperatorTerminal {
 
   private static final String WAIT =
-      "20"; // seconds for answers; used up only where something is missing
+      "20"; // timeout in seconds; reached only if something is missing
   private static final long PATIENCE_SECONDS = 60;
 
-  /** Else a character that the terminal's encoding lacks would be printed as a question mark. */
+  /** Otherwise a character outside the terminal's encoding would be printed as a question mark. */
   private static final List<String> ENCODING =
       List.of(
           "-Dfile.encoding=UTF-8",
@@ -66,10 +66,10 @@ final class OperatorTerminal {
   }
 
   /**
-   * Makes sure that the commands have listed what the attacker registered: one that lists nothing
-   * proves nothing.
+   * Makes sure that the commands have listed the attacker's registration: an empty listing proves
+   * nothing.
    *
-   * @param text as commands show it
+   * @param text as commands print it
    * @throws IOException if it was never printed
    */
   void requireShown(String text) throws IOException {
@@ -82,7 +82,7 @@ final class OperatorTerminal {
     }
   }
 
-  /** What was counted. */
+  /** The counts. */
   List<MeasuredValue> figures() {
     return check.figures();
   }

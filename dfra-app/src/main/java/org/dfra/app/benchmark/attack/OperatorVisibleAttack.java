@@ -3,7 +3,7 @@ package org.dfra.app.benchmark.attack;
 import java.io.IOException;
 import org.jspecify.annotations.Nullable;
 
-/** An attack whose effect an operator may see, who runs commands meanwhile. */
+/** An attack whose effect may be visible to an operator. It runs commands meanwhile. */
 abstract class OperatorVisibleAttack extends AttackTask {
 
   private @Nullable OperatorTerminal terminal;
@@ -13,7 +13,7 @@ abstract class OperatorVisibleAttack extends AttackTask {
     terminal = new OperatorTerminal(target);
   }
 
-  /** The operator's terminal, once prepared. */
+  /** The operator's terminal, after preparation. */
   final OperatorTerminal terminal() {
     OperatorTerminal made = terminal;
     if (made == null) {

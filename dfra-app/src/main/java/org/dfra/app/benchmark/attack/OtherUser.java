@@ -14,18 +14,17 @@ import java.util.stream.Stream;
 import org.dfra.river.bootstrap.JvmCommand;
 
 /**
- * The user {@code nobody} on the robot's own computer, who has no rights. Only root can start
+ * The user {@code nobody} on the robot's own computer, without permissions. Only root can start
  * processes as another user.
  *
- * <p>The classes of a build are often where only their own user reads them, so {@code nobody} gets
- * links to them, or copies.
+ * <p>Often only the owner can read the classes of a build, so {@code nobody} gets links or copies.
  */
 public final class OtherUser {
 
   /** As the system writes it. */
   public static final String NAME = "nobody";
 
-  /** What is missing where {@link #find} finds none. */
+  /** The missing requirement if {@link #find} returns empty. */
   public static final String NEEDS =
       "root and setpriv, and java and a temporary folder that user " + NAME + " may use";
 
@@ -41,10 +40,9 @@ public final class OtherUser {
   }
 
   /**
-   * The user; empty where this process cannot start others as that user.
+   * The user; empty if this process cannot start others as that user.
    *
-   * @param folder an empty folder for the classes; everybody may read it and the one that it is in
-   *     afterwards
+   * @param folder an empty folder for the classes; it and its parent become readable by all users
    * @throws IOException if the classes cannot be copied, or a command of the user does not end
    */
   public static Optional<OtherUser> find(Path folder) throws IOException, InterruptedException {
@@ -64,9 +62,9 @@ public final class OtherUser {
   }
 
   /**
-   * Lets everybody write into a folder.
+   * Makes a folder writable by all users.
    *
-   * @throws IOException if it is not this user's
+   * @throws IOException if it is not owned by this user
    */
   public static void share(Path folder) throws IOException {
     Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("rwxrwxrwx"));
@@ -89,7 +87,7 @@ public final class OtherUser {
       return process.exitValue() == 0;
     } catch (IOException e) {
       if (e.getMessage() != null && e.getMessage().contains("No such file")) {
-        return false; // there is no setpriv here
+        return false; // setpriv is not installed
       }
       throw e;
     }
@@ -118,7 +116,9 @@ public final class OtherUser {
     return TaskProcess.start(command, options, task, args);
   }
 
-  /** Paths that this user can read, after those that it perhaps cannot. */
+  /**
+   * JVM options with class paths that this user can read; unreadable entries are copied or linked.
+   */
   private static List<String> options(Path folder) throws IOException {
     List<String> options = new ArrayList<>();
     List<String> own = JvmCommand.options();
@@ -169,7 +169,7 @@ public final class OtherUser {
         Files.createLink(to, from);
         return;
       }
-    } catch (FileSystemException e) { // on another disk
+    } catch (FileSystemException e) { // on another file system
       Files.deleteIfExists(to);
     }
     Files.copy(from, to);

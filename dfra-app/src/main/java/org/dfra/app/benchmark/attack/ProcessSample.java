@@ -10,11 +10,11 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What a virtual machine uses at a moment.
+ * The resource use of a JVM at one time.
  *
- * @param threads its threads, those of the virtual machine itself included
+ * @param threads its threads, including those of the JVM itself
  * @param cpu its CPU time since it started, user and system
- * @param heapBytes bytes of objects that are in use, after a full collection
+ * @param heapBytes bytes of live objects after a full collection
  */
 public record ProcessSample(int threads, Duration cpu, long heapBytes) {
 
@@ -23,12 +23,12 @@ public record ProcessSample(int threads, Duration cpu, long heapBytes) {
   private static final Pattern TOTAL = Pattern.compile("(?m)^Total\\s+\\d+\\s+(\\d+)\\s*$");
 
   /**
-   * Takes one. The virtual machine collects its garbage for it; threads and CPU time are read
+   * Takes a sample. The JVM performs a full garbage collection; threads and CPU time are read
    * before.
    *
    * @param pid the process
-   * @throws IOException if it is no virtual machine of this user, has ended, or this Java has no
-   *     {@code jcmd}
+   * @throws IOException if it is not a JVM of this user, has ended, or this Java has no {@code
+   *     jcmd}
    */
   public static ProcessSample of(long pid) throws IOException, InterruptedException {
     int threads = threads(pid);
@@ -37,10 +37,10 @@ public record ProcessSample(int threads, Duration cpu, long heapBytes) {
   }
 
   /**
-   * Takes one of several processes and adds them up.
+   * Takes a sample of each process and adds them.
    *
-   * @param pids virtual machines, as {@link #of(long)} takes them
-   * @throws IOException as there
+   * @param pids JVMs, as for {@link #of(long)}
+   * @throws IOException as for {@link #of(long)}
    */
   public static ProcessSample of(List<Long> pids) throws IOException, InterruptedException {
     ProcessSample sum = new ProcessSample(0, Duration.ZERO, 0);
@@ -53,10 +53,10 @@ public record ProcessSample(int threads, Duration cpu, long heapBytes) {
     return sum;
   }
 
-  /** How many threads a process has now. */
+  /** Current number of threads of a process. */
   public static int threads(long pid) throws IOException, InterruptedException {
     Path status = Path.of("/proc", Long.toString(pid), "status");
-    if (!Files.exists(Path.of("/proc/self/status"))) { // no Linux
+    if (!Files.exists(Path.of("/proc/self/status"))) { // not Linux
       return Math.toIntExact(THREAD.matcher(jcmd(pid, "Thread.print")).results().count());
     }
     Matcher matcher = THREADS.matcher(Files.readString(status));
@@ -66,14 +66,14 @@ public record ProcessSample(int threads, Duration cpu, long heapBytes) {
     return Integer.parseInt(matcher.group(1));
   }
 
-  /** The CPU time that a process has used since it started. */
+  /** CPU time of a process since it started. */
   public static Duration cpu(long pid) throws IOException {
     return ProcessHandle.of(pid)
         .flatMap(process -> process.info().totalCpuDuration())
         .orElseThrow(() -> new IOException("process " + pid + " has ended, or is another user's"));
   }
 
-  /** The CPU time that several processes have used since they started, added up. */
+  /** Total CPU time of several processes since they started. */
   public static Duration cpu(List<Long> pids) throws IOException {
     Duration sum = Duration.ZERO;
     for (long each : pids) {
@@ -82,7 +82,7 @@ public record ProcessSample(int threads, Duration cpu, long heapBytes) {
     return sum;
   }
 
-  /** Bytes of a virtual machine's objects after a full collection. */
+  /** Bytes of a JVM's live objects after a full collection. */
   public static long heapBytes(long pid) throws IOException, InterruptedException {
     String histogram = jcmd(pid, "GC.class_histogram");
     Matcher matcher = TOTAL.matcher(histogram);

@@ -25,8 +25,8 @@ import org.dfra.river.call.ResurrectingHandler;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One JERI request whose bytes the caller writes: whole, cut in the midst, or left unfinished for
- * as long as this is open.
+ * One JERI request whose bytes the caller writes: complete, truncated, or left unfinished while
+ * this is open.
  *
  * <pre>{@code
  * try (RawCall call = RawCall.to(proxy)) {
@@ -35,7 +35,7 @@ import org.jspecify.annotations.Nullable;
  * }
  * }</pre>
  *
- * <p>For one thread.
+ * <p>Not thread-safe.
  */
 public final class RawCall implements AutoCloseable {
 
@@ -62,16 +62,16 @@ public final class RawCall implements AutoCloseable {
     NO_SUCH_OBJECT,
     /** The server or its transport ended the request without an answer. */
     ABORTED,
-    /** No answer within the patience; the request was aborted then. */
+    /** No answer within the timeout; the request was aborted. */
     SILENT
   }
 
   /**
-   * What came back.
+   * The response.
    *
    * @param status how the request ended
    * @param bytes the object stream after the status
-   * @param failure why there is no answer; null if there is one
+   * @param failure why there is no response; null if there is one
    */
   public record Answer(Status status, byte[] bytes, @Nullable IOException failure) {
 
@@ -98,9 +98,9 @@ public final class RawCall implements AutoCloseable {
   /**
    * Opens a request to the object of a proxy.
    *
-   * @param proxy a stock JERI proxy, one of DFRA's, or one that resurrects its object
-   * @throws IOException if its server cannot be connected to
-   * @throws IllegalArgumentException if it is no such proxy
+   * @param proxy a stock JERI proxy, one of DFRA's, or one that reactivates its object
+   * @throws IOException if it cannot connect to the server
+   * @throws IllegalArgumentException if it is not such a proxy
    */
   public static RawCall to(Object proxy) throws IOException {
     return to(endpoint(proxy));
@@ -109,7 +109,7 @@ public final class RawCall implements AutoCloseable {
   /**
    * Opens a request to an object.
    *
-   * @throws IOException if its server cannot be connected to
+   * @throws IOException if it cannot connect to the server
    */
   public static RawCall to(ObjectEndpoint target) throws IOException {
     OutboundRequestIterator attempts = target.newCall(InvocationConstraints.EMPTY);
@@ -117,7 +117,7 @@ public final class RawCall implements AutoCloseable {
       try {
         return new RawCall(target, attempts.next());
       } catch (IOException e) {
-        if (!attempts.hasNext()) { // a connection from before may have ended
+        if (!attempts.hasNext()) { // a pooled connection may have ended
           throw e;
         }
       }
@@ -125,9 +125,9 @@ public final class RawCall implements AutoCloseable {
   }
 
   /**
-   * Where the object of a proxy is exported, and under which identity.
+   * The endpoint and the identity of a proxy's object.
    *
-   * @throws IllegalArgumentException if it is no proxy of JERI
+   * @throws IllegalArgumentException if it is not a JERI proxy
    */
   public static ObjectEndpoint endpoint(@Nullable Object proxy) {
     if (proxy != null && Proxy.isProxyClass(proxy.getClass())) {
@@ -155,9 +155,9 @@ public final class RawCall implements AutoCloseable {
   }
 
   /**
-   * Sends the first of these bytes now, without finishing the request.
+   * Sends the first {@code length} of these bytes now, without finishing the request.
    *
-   * @param length how many of them
+   * @param length number of bytes
    * @throws IOException if the server ended the request
    */
   public RawCall send(byte[] bytes, int length) throws IOException {
@@ -168,9 +168,9 @@ public final class RawCall implements AutoCloseable {
   }
 
   /**
-   * Says that the request has no more bytes, and awaits the answer.
+   * Finishes the request and waits for the response.
    *
-   * @param patience how long; the request is aborted then
+   * @param patience timeout, after which the request is aborted
    * @throws InterruptedException if this thread is interrupted while it waits
    */
   public Answer finish(Duration patience) throws InterruptedException {

@@ -12,8 +12,8 @@ import org.dfra.app.measurement.MeasuredValue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Takes the robot's registrar out of its groups, so that nobody finds it there, and then destroys
- * it, again and again.
+ * Repeatedly removes the robot's registrar from its groups, so that it is no longer discovered
+ * there, and then destroys it.
  */
 public final class RegistrarChanges extends AttackTask {
 
@@ -25,7 +25,7 @@ public final class RegistrarChanges extends AttackTask {
   private int destroyed;
   private int gone;
 
-  /** As every task is made. */
+  /** Called by {@code TaskMain} by reflection. */
   public RegistrarChanges() {}
 
   @Override
@@ -57,12 +57,12 @@ public final class RegistrarChanges extends AttackTask {
     return true;
   }
 
-  /** Looks whether the registrar is there, and in its groups. */
+  /** Checks whether the registrar runs, and is in its groups. */
   @Override
   protected void end(Target target) {
     try {
       gone = groups(target.registrar()).equals(groups) ? 0 : 1;
-    } catch (IOException e) { // nothing answers there
+    } catch (IOException e) { // no server answers there
       gone = 1;
     }
   }

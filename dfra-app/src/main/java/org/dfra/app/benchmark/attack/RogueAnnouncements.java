@@ -4,8 +4,8 @@ import java.util.Random;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Announces a hundred lookup services a second, by multicast, each another one at a port of the
- * attacker's where nobody answers. No datagram leaves this computer.
+ * Announces a hundred different lookup services per second by multicast, at a port of the attacker
+ * where no server answers. The datagrams do not leave this computer.
  */
 public final class RogueAnnouncements extends AttackTask {
 
@@ -16,7 +16,7 @@ public final class RogueAnnouncements extends AttackTask {
   private final Random random = new Random(66);
   private @Nullable Announcements announcements;
 
-  /** As every task is made. */
+  /** Called by {@code TaskMain} by reflection. */
   public RogueAnnouncements() {}
 
   @Override

@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
 
-/** Sends requests to the robot's class server whose headers never end, a byte at a time. */
+/** Sends requests with endless headers to the robot's class server, one byte at a time. */
 public final class SlowHeaders extends AttackTask {
 
   private static final int CONNECTIONS = 64;
@@ -17,7 +17,7 @@ public final class SlowHeaders extends AttackTask {
 
   private final List<Socket> open = new ArrayList<>();
 
-  /** As every task is made. */
+  /** Called by {@code TaskMain} by reflection. */
   public SlowHeaders() {}
 
   @Override

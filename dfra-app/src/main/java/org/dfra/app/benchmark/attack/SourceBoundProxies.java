@@ -16,9 +16,8 @@ import net.jini.jeri.tcp.TcpEndpoint;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Proxies that call from an address of the attacker's choice: a stock proxy is written and read
- * again, and every JERI endpoint within it gets other sockets on the way. Nothing else about it
- * changes.
+ * Proxies that call from an address of the attacker's choice: a stock proxy is serialized and
+ * deserialized, and every JERI endpoint in it gets other sockets. The rest of it is unchanged.
  */
 public final class SourceBoundProxies {
 
@@ -27,9 +26,9 @@ public final class SourceBoundProxies {
   /**
    * The same proxy with other sockets.
    *
-   * @param proxy a JERI proxy, or any serializable object that has some within
-   * @param sockets what its calls connect with from now on
-   * @throws IOException if it cannot be written, or read by its own class loader
+   * @param proxy a JERI proxy, or any serializable object that contains some
+   * @param sockets for its calls
+   * @throws IOException if it cannot be serialized, or deserialized by its own class loader
    */
   public static <T> T of(T proxy, SourceSockets sockets) throws IOException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
@@ -47,12 +46,12 @@ public final class SourceBoundProxies {
   }
 
   /**
-   * The remote proxy within a smart proxy, such as a module's: the outermost that implements a
-   * remote interface.
+   * The remote proxy in a smart proxy, such as a module's: the outermost that implements a remote
+   * interface.
    *
    * @param proxy a serializable object
    * @param type the remote interface
-   * @throws IOException if the object cannot be written, or has no such proxy
+   * @throws IOException if the object cannot be serialized, or contains no such proxy
    */
   public static <R> R remote(Object proxy, Class<R> type) throws IOException {
     try (ProxySearch out = new ProxySearch(type)) {
@@ -82,7 +81,7 @@ public final class SourceBoundProxies {
     }
   }
 
-  /** Writes an object with other sockets in its endpoints. */
+  /** Serializes an object with other sockets in its endpoints. */
   private static final class EndpointWriter extends ObjectOutputStream {
 
     private final SourceSockets sockets;
@@ -101,7 +100,7 @@ public final class SourceBoundProxies {
     }
   }
 
-  /** Looks at what is written, and keeps the first proxy of a kind. */
+  /** Serializes an object and keeps the first proxy of a type. */
   private static final class ProxySearch extends ObjectOutputStream {
 
     private final Class<?> type;
@@ -126,7 +125,7 @@ public final class SourceBoundProxies {
     }
   }
 
-  /** Reads with the class loader of what was written. */
+  /** Deserializes with the class loader of the original object. */
   private static final class CopyReader extends ObjectInputStream {
 
     private final @Nullable ClassLoader loader;
@@ -142,7 +141,7 @@ public final class SourceBoundProxies {
       try {
         return Class.forName(described.getName(), false, loader);
       } catch (ClassNotFoundException e) {
-        return super.resolveClass(described); // a primitive type, or one of the attacker's own
+        return super.resolveClass(described); // a primitive type, or one of the attacker's types
       }
     }
   }

@@ -15,13 +15,12 @@ import org.dfra.river.call.Endpoints;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Sockets whose connections leave from one address of this computer. Linux has all of 127.0.0.0/8
- * as its own, so that a process can appear to a server as another computer than the one on which
- * both run.
+ * Sockets whose connections leave from one address of this computer. Linux assigns all of
+ * 127.0.0.0/8 to the loopback, so that a process can appear to a server as another computer.
  *
  * <p>JERI shares a connection between calls to equal endpoints, which have equal socket factories.
- * Those of {@link #from} with the same address are equal; {@link #unshared} equals no other, so
- * that calls through it have connections of their own.
+ * Factories of {@link #from} with the same address are equal; a factory of {@link #unshared} equals
+ * no other, so that its calls use separate connections.
  */
 public final class SourceSockets extends SocketFactory implements Serializable {
 
@@ -30,7 +29,7 @@ public final class SourceSockets extends SocketFactory implements Serializable {
   private static final AtomicInteger LAST = new AtomicInteger();
 
   private final String source;
-  private final int number; // of the group of connections; 0 is the one of from
+  private final int number; // ID of the connection group; 0 is the group of from
 
   private SourceSockets(String source, int number) {
     this.source = source;
@@ -40,7 +39,7 @@ public final class SourceSockets extends SocketFactory implements Serializable {
   /**
    * Sockets that connect from an address.
    *
-   * @param source one of this computer's addresses; what binds a socket fails if it is not
+   * @param source one of this computer's addresses; otherwise binding a socket fails
    */
   public static SourceSockets from(String source) {
     return new SourceSockets(source, 0);
@@ -63,7 +62,7 @@ public final class SourceSockets extends SocketFactory implements Serializable {
 
   /**
    * A stock endpoint to export the attacker's own objects on. It listens on the address, at a port
-   * of the system's choice.
+   * that the system chooses.
    */
   public ServerEndpoint serverEndpoint() {
     return TcpServerEndpoint.getInstance(source, 0, null, serverSockets());
@@ -84,14 +83,14 @@ public final class SourceSockets extends SocketFactory implements Serializable {
     return connected(new InetSocketAddress(host, port));
   }
 
-  /** Connects from the address of this factory, whatever the caller asks for. */
+  /** Connects from the address of this factory, whatever the caller requests. */
   @Override
   public Socket createSocket(String host, int port, InetAddress from, int fromPort)
       throws IOException {
     return createSocket(host, port);
   }
 
-  /** Connects from the address of this factory, whatever the caller asks for. */
+  /** Connects from the address of this factory, whatever the caller requests. */
   @Override
   public Socket createSocket(InetAddress host, int port, InetAddress from, int fromPort)
       throws IOException {

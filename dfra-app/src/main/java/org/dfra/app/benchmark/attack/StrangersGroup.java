@@ -21,14 +21,14 @@ import org.dfra.river.phoenix.PhoenixAdmin;
 import org.dfra.river.phoenix.PhoenixIdentities;
 
 /**
- * A group with a class path of the attacker's: if phoenix registers it and activates an object in
- * it, a program of the attacker's runs as phoenix's user, and makes a file.
+ * A group with the attacker's class path: if phoenix registers it and activates an object in it,
+ * the attacker's program runs as phoenix's user and creates a file.
  */
 public final class StrangersGroup {
 
   /**
-   * Identities that everybody knows: those of the activation system and the monitor in former
-   * versions, and the activator's.
+   * Well-known identities: those of the activation system and the monitor in former versions, and
+   * the activator's.
    */
   public static final List<Uuid> KNOWN =
       List.of(
@@ -42,11 +42,11 @@ public final class StrangersGroup {
   private final ActivationGroupDesc group;
 
   /**
-   * Writes the program; nothing is sent.
+   * Writes the program; sends nothing.
    *
-   * @param phoenix where phoenix listens
-   * @param folder for the program, which phoenix's user may read
-   * @param marker the file that the program makes
+   * @param phoenix endpoint of phoenix
+   * @param folder for the program; phoenix's user can read it
+   * @param marker the file that the program creates
    * @throws IOException if the program cannot be written
    */
   public StrangersGroup(Endpoint phoenix, Path folder, Path marker) throws IOException {
@@ -70,7 +70,7 @@ public final class StrangersGroup {
   }
 
   /**
-   * How many groups phoenix has, as it says under an identity.
+   * Number of phoenix's groups, as reported under an identity.
    *
    * @throws RemoteException if it does not answer under this identity
    */

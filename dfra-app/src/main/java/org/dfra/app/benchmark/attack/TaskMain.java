@@ -6,7 +6,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** Runs a {@link Task} in a process of its own, which ends with the process that started it. */
+/** Runs a {@link Task} in a separate process, which ends with the process that started it. */
 final class TaskMain {
 
   private static final int FAILED = 1;

@@ -13,8 +13,8 @@ import org.dfra.river.bootstrap.JvmCommand;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A {@link Task} in a process of its own, with this virtual machine's class path. Its lines are
- * read as they come and kept.
+ * A {@link Task} in a separate process, with this JVM's class path. Its lines are read and kept as
+ * they are printed.
  *
  * <p>Two threads read its output and its log until it ends. Thread-safe.
  */
@@ -28,9 +28,9 @@ public final class TaskProcess implements AutoCloseable {
   private final Process process;
   private final List<String> lines = new ArrayList<>(); // guarded by this
   private final StringBuilder log = new StringBuilder(); // guarded by itself
-  private int next; // guarded by this: the first line that was not awaited yet
-  private boolean ended; // guarded by this: whether no more lines come
-  private @Nullable ProcessHandle daemon; // guarded by this; see endsWithThis
+  private int next; // guarded by this: index of the next line to await
+  private boolean ended; // guarded by this: whether the output has ended
+  private @Nullable ProcessHandle daemon; // guarded by this; see killWithThis
   private @Nullable Thread lastResort; // guarded by this
 
   private TaskProcess(String name, Process process) {
@@ -41,7 +41,7 @@ public final class TaskProcess implements AutoCloseable {
   /**
    * Starts a task.
    *
-   * @param args what it is given
+   * @param args for the task
    * @throws IOException if there is no such program
    */
   public static TaskProcess start(Class<? extends Task> task, String... args) throws IOException {
@@ -53,9 +53,9 @@ public final class TaskProcess implements AutoCloseable {
    *
    * @param prefix a program that becomes the task's process, with its arguments, such as {@code
    *     taskset -c 0} or {@code ip netns exec NAME}; empty for none
-   * @param options further options of the virtual machine; a later one counts, so that {@code
-   *     -Xmx1g} replaces the 128 MB that a task has otherwise
-   * @param args what it is given
+   * @param options further JVM options; a later one takes precedence, so that {@code -Xmx1g}
+   *     replaces the default of 128 MB
+   * @param args for the task
    * @throws IOException if there is no such program
    */
   public static TaskProcess start(
@@ -121,12 +121,12 @@ public final class TaskProcess implements AutoCloseable {
   }
 
   /**
-   * The next line that begins with these characters; lines before it are skipped.
+   * The next line with this prefix; skips the lines before it.
    *
-   * @param beginning how it begins; empty for any line
-   * @param patience how long it may take
-   * @throws IOException if there is none in time or the process ends before; its message has the
-   *     log
+   * @param beginning the prefix; empty for any line
+   * @param patience timeout
+   * @throws IOException if there is none before the timeout or the process ends before; its message
+   *     contains the log
    */
   public synchronized String awaitLine(String beginning, Duration patience)
       throws IOException, InterruptedException {
@@ -166,23 +166,23 @@ public final class TaskProcess implements AutoCloseable {
     return List.copyOf(lines);
   }
 
-  /** What it logged so far; of a long log the end. */
+  /** Its log so far; of a long log the end. */
   public String log() {
     synchronized (log) {
       return log.toString();
     }
   }
 
-  /** Its process number. */
+  /** Its process ID. */
   public long pid() {
     return process.pid();
   }
 
   /**
-   * Has a process that the task started end with this one, and with this virtual machine, together
-   * with all that it started: a daemon such as phoenix, which outlives who starts it. At most one.
+   * Makes a process that the task started end with this one, and with this JVM, together with all
+   * its child processes: a daemon such as phoenix, which outlives its parent process. At most one.
    *
-   * @param pid its process number
+   * @param pid its process ID
    * @throws IOException if there is no such process
    */
   public synchronized void killWithThis(long pid) throws IOException {
@@ -197,7 +197,7 @@ public final class TaskProcess implements AutoCloseable {
     lastResort = hook;
   }
 
-  /** What it started comes last: until then it would be started again. */
+  /** Its child processes come last: otherwise it would restart them. */
   private static List<ProcessHandle> killAll(ProcessHandle daemon) {
     List<ProcessHandle> all = Stream.concat(Stream.of(daemon), daemon.descendants()).toList();
     all.forEach(ProcessHandle::destroyForcibly);
@@ -227,8 +227,9 @@ public final class TaskProcess implements AutoCloseable {
   /**
    * Waits until it ends by itself.
    *
+   * @param patience timeout
    * @return its exit code
-   * @throws IOException if it still runs then; its message has the log
+   * @throws IOException if it still runs then; its message contains the log
    */
   public int awaitEnd(Duration patience) throws IOException, InterruptedException {
     if (!process.waitFor(patience.toMillis(), TimeUnit.MILLISECONDS)) {
@@ -239,7 +240,7 @@ public final class TaskProcess implements AutoCloseable {
     return process.exitValue();
   }
 
-  /** Ends this process, with -9, and its daemon where it has one; no other. Idempotent. */
+  /** Kills this process with SIGKILL, and its daemon if it has one. Idempotent. */
   @Override
   public void close() throws InterruptedException {
     process.destroyForcibly();

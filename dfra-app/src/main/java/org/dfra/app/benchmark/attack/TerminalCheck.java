@@ -5,14 +5,14 @@ import java.util.regex.Pattern;
 import org.dfra.app.measurement.MeasuredValue;
 
 /**
- * Looks at what an operator's command printed while {@linkplain HostileModule hostile text} was
- * listed, and counts the lines that would control a terminal or mislead its reader. For one thread.
+ * Checks the output of operator commands while {@linkplain HostileModule hostile text} was listed,
+ * and counts the lines that would control a terminal or mislead its reader. Not thread-safe.
  */
 public final class TerminalCheck {
 
   /**
-   * Characters that control a terminal, reverse the direction of writing or end lines; the end of a
-   * line as commands write it is none of them.
+   * Characters that control a terminal, reverse the text direction or end lines, except the line
+   * separator that commands print.
    */
   public static final Pattern CONTROL = Pattern.compile("[\\p{Cc}\\p{Cf}\\p{Zl}\\p{Zp}&&[^\n]]");
 
@@ -21,11 +21,11 @@ public final class TerminalCheck {
   private int controlling;
   private int forged;
 
-  /** Nothing was printed yet. */
+  /** Contains no output yet. */
   public TerminalCheck() {}
 
   /**
-   * Adds what a command printed.
+   * Adds a command's output.
    *
    * @param printed all of it, with lines that end in a line feed
    */
@@ -43,12 +43,12 @@ public final class TerminalCheck {
     return all.indexOf(text) >= 0;
   }
 
-  /** All that was printed, as it was. */
+  /** All output, unchanged. */
   public String printed() {
     return all.toString();
   }
 
-  /** How many lines were printed, and how many of them no operator should see. */
+  /** The number of lines, and the number of those that an operator must not see. */
   public List<MeasuredValue> figures() {
     return List.of(
         new MeasuredValue("lines of the operator's output", lines, Double.POSITIVE_INFINITY, ""),

@@ -10,13 +10,13 @@ import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.remote.effector.RemoteDriveEffector;
 
 /**
- * Opens thousands of requests over few connections and never finishes one. They call a method that
- * strangers may call: a request for an administrative one is refused before it is complete.
+ * Opens thousands of requests over few connections and finishes none. They call a public method:
+ * the server refuses a request for an administrative method before it is complete.
  */
 public final class UnfinishedRequests extends AttackTask {
 
   private static final int CONNECTIONS = 25;
-  private static final int REQUESTS = 120; // over each; JERI allows 128
+  private static final int REQUESTS = 120; // per connection; JERI allows 128
   private static final long AGAIN_MILLIS = 20;
   private static final Duration LEASE = Duration.ofSeconds(5); // never granted
 
@@ -24,7 +24,7 @@ public final class UnfinishedRequests extends AttackTask {
   private final Deque<RawCall> open = new ArrayDeque<>();
   private byte[] bytes = {};
 
-  /** As every task is made. */
+  /** Called by {@code TaskMain} by reflection. */
   public UnfinishedRequests() {}
 
   @Override
@@ -37,7 +37,7 @@ public final class UnfinishedRequests extends AttackTask {
     }
   }
 
-  /** Opens as many as there may be, and then replaces the oldest, as fast as it may. */
+  /** Opens the maximum number of requests, and then replaces the oldest as fast as possible. */
   @Override
   protected void attack(Target target) {
     for (RemoteDriveEffector each : connections) {

@@ -1,18 +1,18 @@
 /**
- * What an attacker on the robot's network can do without a key, as programs: the benchmark {@code
- * attack} and the tests of {@code org.dfra.attack} run them against robots of their own.
+ * Attacks that need only access to the robot's network and no key, as programs: the benchmark
+ * {@code attack} and the tests of {@code org.dfra.attack} run them against their own robots.
  *
  * <pre>
  *   TaskProcess --starts--&gt; TaskMain --runs--&gt; Task
  *                              | SourceSockets: connects from the attacker's address
- *                              | Rebased: stock proxies that use these sockets
- *                              | RawCall + CallBytes: requests written by hand
- *   OtherUser --starts--&gt; the same, as a user without rights
+ *                              | SourceBoundProxies: stock proxies that use these sockets
+ *                              | RawCall + CallBytes: requests that are hand-written
+ *   OtherUser --starts--&gt; the same, as an unprivileged user
  *   ProcessSample: threads, CPU time and heap of the attacked processes
- *   MeasuredValueLines: what an attack has measured itself, such as by a TerminalCheck
+ *   MeasuredValueLines: an attack's own measurements, such as by a TerminalCheck
  * </pre>
  *
- * <p>Enter at {@link org.dfra.app.benchmark.attack.TaskProcess}.
+ * <p>Entry point: {@link org.dfra.app.benchmark.attack.TaskProcess}.
  */
 @NullMarked
 package org.dfra.app.benchmark.attack;

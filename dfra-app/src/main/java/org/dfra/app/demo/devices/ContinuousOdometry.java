@@ -4,19 +4,19 @@ import org.dfra.flow.sensor.Odometry;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Odometry that goes on where it was when its driver has died and begins to count anew. What the
- * wheels rolled meanwhile is counted by nobody. Safe for use by several threads.
+ * Odometry that stays continuous when its driver process dies and counts from zero again. The
+ * motion of the wheels in between is lost. Thread-safe.
  */
 final class ContinuousOdometry {
 
   private long life = -1; // guarded by this: of the driver
   private @Nullable Odometry pose; // guarded by this
-  private double[] base = {0, 0, 0}; // guarded by this: x, y, yaw of where the count began
+  private double[] base = {0, 0, 0}; // guarded by this: x, y, yaw where the count started
 
   /**
-   * Takes the next count and tells where the robot is by all of them.
+   * Adds the next count and returns the pose by all counts.
    *
-   * @param epoch which of its driver's lives it is from
+   * @param epoch the driver's epoch that it is from
    */
   synchronized Odometry next(Odometry counted, long epoch) {
     if (epoch != life) {
@@ -38,12 +38,12 @@ final class ContinuousOdometry {
     return pose;
   }
 
-  /** Where the robot is; null while nothing was counted. */
+  /** The robot's pose; null before the first count. */
   synchronized @Nullable Odometry pose() {
     return pose;
   }
 
-  /** The pose whose composition with this one is the origin. */
+  /** The inverse pose: composed with this pose it gives the origin. */
   private static double[] inverse(Odometry pose) {
     double cos = Math.cos(pose.yaw());
     double sin = Math.sin(pose.yaw());
@@ -52,7 +52,7 @@ final class ContinuousOdometry {
     };
   }
 
-  /** First {@code in}, then {@code then} in its frame. */
+  /** The pose {@code then}, given in the frame of pose {@code in}. */
   private static double[] compose(double[] in, double[] then) {
     double cos = Math.cos(in[2]);
     double sin = Math.sin(in[2]);

@@ -19,7 +19,7 @@ import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
 import org.dfra.module.Module;
 
-/** A subscription to every device's readings. */
+/** A subscription to the readings of each device. */
 final class DeviceRecorders implements AutoCloseable {
 
   final StreamLog<DriveState> drive;
@@ -32,16 +32,16 @@ final class DeviceRecorders implements AutoCloseable {
   final StreamLog<CameraImage> thermal;
   final StreamLog<BatteryState> battery;
 
-  /** Where the robot is by odometry, whatever became of its driver. */
+  /** The robot's pose by odometry, across restarts of its driver. */
   final ContinuousOdometry track = new ContinuousOdometry();
 
-  /** The scans themselves, for the map; every one that came. */
+  /** All received scans, for the map. */
   final ScanMap map = new ScanMap();
 
   private final Instant begin;
 
   /**
-   * Subscribes to all of them.
+   * Subscribes to all devices.
    *
    * @param datum of the field, where east and north are 0
    */
@@ -148,12 +148,12 @@ final class DeviceRecorders implements AutoCloseable {
     return new double[] {image.size()};
   }
 
-  /** All of them, in the order in which they are told. */
+  /** All recorders, in publication order. */
   List<StreamLog<?>> all() {
     return List.of(drive, odometry, gps, laser, gyro, panTilt, camera, thermal, battery);
   }
 
-  /** Writes a CSV for each. */
+  /** Writes a CSV file for each. */
   void write(Path folder) throws IOException {
     for (StreamLog<?> each : all()) {
       each.write(folder.resolve(each.path().replace('/', '-') + ".csv"));

@@ -32,9 +32,8 @@ import org.dfra.river.lookup.JiniModuleDirectory;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One robot in a simulated world: its devices are found by what they can do, a script drives it
- * around a square, the process that drives is killed on the way, and everything that was seen goes
- * into a report.
+ * One robot in a simulated world: a client finds its devices by capability, a script drives it
+ * around a square, the drive's process is killed on one side, and all readings go into a report.
  */
 public final class DevicesDemo implements Demo {
 
@@ -45,7 +44,7 @@ public final class DevicesDemo implements Demo {
   private static final int STANDING_RATES = 200; // readings of the gyro
   private static final double HEAD_SPEED = 1; // rad/s
 
-  /** The side, counted from 0, on whose middle the drive is killed. */
+  /** The side, counted from 0, in whose middle the drive is killed. */
   private static final int KILL_SIDE = 1;
 
   private final ProgressReporter tell;
@@ -53,9 +52,7 @@ public final class DevicesDemo implements Demo {
   private @Nullable Instant killed;
   private @Nullable Instant lastCommand;
 
-  /**
-   * @param report the folder of its report
-   */
+  /** @param report the folder of its report */
   public DevicesDemo(ProgressReporter narration, Path report) {
     this.tell = narration;
     this.report = report;
@@ -202,7 +199,7 @@ public final class DevicesDemo implements Demo {
     return photos;
   }
 
-  /** An image that was begun after this was called. */
+  /** An image that was exposed after this call. */
   private static CameraImage next(StreamLog<CameraImage> camera) throws Exception {
     CameraImage unused = await(camera, camera.count());
     return await(camera, camera.count());

@@ -23,7 +23,7 @@ import org.dfra.app.plot.PathPanel;
 import org.dfra.app.plot.Series;
 import org.dfra.flow.sensor.CameraImage;
 
-/** Writes what was seen: a page with plots of every stream, and every number as CSV. */
+/** Writes the recordings: a page with plots of every stream, and every number as CSV. */
 final class DevicesReport {
 
   private static final Axis TIME = Axis.of("time", "s");
@@ -34,7 +34,7 @@ final class DevicesReport {
   private final HtmlReport html;
 
   /**
-   * @param begin when the demonstration began
+   * @param begin when the demonstration started
    * @param killed when the drive's group was killed
    */
   DevicesReport(DeviceRecorders streams, GroundTruthTrack truth, Instant begin, Instant killed) {
@@ -47,7 +47,7 @@ final class DevicesReport {
   /**
    * Writes it.
    *
-   * @param photos that were taken with the head turned, each with its caption
+   * @param photos images taken with the head turned, each with its caption
    * @return the file to open
    */
   Path write(Path folder, List<MeasuredValue> figures, List<CapturedImage> photos, Path truthCsv)
@@ -80,7 +80,7 @@ final class DevicesReport {
   }
 
   /**
-   * An image that was taken on the way.
+   * An image taken during the run.
    *
    * @param caption what it shows
    */
@@ -179,7 +179,9 @@ final class DevicesReport {
     html.table(List.of("Module", "Readings", "Came", "Rate", "Longest gap", "Lost events"), rows);
   }
 
-  /** As an image that any browser shows: heat is stretched from its coldest to its warmest. */
+  /**
+   * As an image for browsers: a thermal image is stretched from its coldest to its warmest value.
+   */
   private static byte[] png(CameraImage image) throws IOException {
     BufferedImage decoded = ImageIO.read(new ByteArrayInputStream(image.data()));
     if (decoded == null) {

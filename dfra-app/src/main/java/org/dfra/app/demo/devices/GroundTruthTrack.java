@@ -9,12 +9,12 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** Where a robot truly was, as {@code ./dfra sim run --truth} wrote it. Immutable. */
+/** A robot's ground-truth trajectory, as written by {@code ./dfra sim run --truth}. Immutable. */
 final class GroundTruthTrack {
 
   private static final int COLUMNS = 9;
 
-  /** Slower than this it stands, metres per second. */
+  /** Below this speed the robot counts as stopped, metres per second. */
   private static final double STANDS = 0.01;
 
   private record Pose(Instant time, double east, double north, double yaw, double speed) {}
@@ -27,7 +27,7 @@ final class GroundTruthTrack {
     this.begin = begin;
   }
 
-  /** Reads what is there by now, of one robot. */
+  /** Reads the poses of one robot that have been written so far. */
   static GroundTruthTrack read(Path file, String robot, Instant begin) throws IOException {
     List<Pose> poses = new ArrayList<>();
     for (String line : Files.readAllLines(file)) {
@@ -48,7 +48,7 @@ final class GroundTruthTrack {
     return new GroundTruthTrack(poses, begin);
   }
 
-  /** The first time from a moment on at which the robot stood; null where it has not yet. */
+  /** The first time after a moment at which the robot is stopped; null if there is none yet. */
   @Nullable Instant stoppedSince(Instant moment) {
     return poses.stream()
         .filter(pose -> !pose.time().isBefore(moment) && pose.speed() < STANDS)
@@ -57,7 +57,7 @@ final class GroundTruthTrack {
         .orElse(null);
   }
 
-  /** How fast it was at the last time before a moment, metres per second. */
+  /** Its speed at the last sample before a moment, metres per second. */
   double speedAt(Instant moment) {
     double speed = 0;
     for (Pose pose : poses) {
@@ -69,7 +69,7 @@ final class GroundTruthTrack {
     return speed;
   }
 
-  /** Seconds since the beginning. */
+  /** Seconds since the start. */
   double[] seconds() {
     return poses.stream()
         .mapToDouble(pose -> Duration.between(begin, pose.time()).toNanos() / 1e9)
@@ -88,7 +88,7 @@ final class GroundTruthTrack {
     return poses.stream().mapToDouble(Pose::speed).toArray();
   }
 
-  /** Distance from its first place to its last, metres. */
+  /** Distance between its first and its last position, metres. */
   double closingError() {
     Pose first = poses.get(0);
     Pose last = poses.get(poses.size() - 1);
@@ -96,7 +96,8 @@ final class GroundTruthTrack {
   }
 
   /**
-   * Where its first pose puts a point of the frame in which it started, as {@code {east, north}}.
+   * Transforms points from the frame in which the robot started, by its first true pose, to {@code
+   * {east, north}}.
    */
   double[][] place(double[] x, double[] y) {
     Pose first = poses.get(0);

@@ -14,8 +14,8 @@ import org.dfra.flow.sensor.AngularRateSensor;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How far the robot has turned since it began, by its gyro: the rates added up, less the gyro's
- * bias, which is their mean while the robot stands at the beginning.
+ * The robot's rotation since the start, integrated from the gyro's yaw rate. The gyro's bias is
+ * subtracted: the mean rate while the robot is stopped at the start.
  */
 final class Heading implements ModuleListener, AutoCloseable {
 
@@ -52,10 +52,10 @@ final class Heading implements ModuleListener, AutoCloseable {
   }
 
   /**
-   * The robot has stood until now: what the gyro said was its bias.
+   * Ends the calibration: the robot was stopped until now, so the mean rate is the bias.
    *
    * @return it, radians per second
-   * @throws IllegalStateException if the gyro has said nothing
+   * @throws IllegalStateException if the gyro has published nothing
    */
   synchronized double calibrate() {
     if (count == 0) {
@@ -66,12 +66,12 @@ final class Heading implements ModuleListener, AutoCloseable {
     return mean;
   }
 
-  /** How many rates have come before it was calibrated. */
+  /** Number of rates received before the calibration. */
   synchronized int stationarySamples() {
     return count;
   }
 
-  /** Radians since it was calibrated, to the left is +, not wrapped. */
+  /** Radians since the calibration, positive to the left, not wrapped. */
   synchronized double heading() {
     return heading;
   }

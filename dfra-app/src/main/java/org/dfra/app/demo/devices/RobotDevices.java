@@ -22,16 +22,16 @@ import org.dfra.persona.PanTiltAttributes;
 import org.dfra.persona.RangeAttributes;
 import org.dfra.persona.SensorAttributes;
 
-/** What the demonstration needs of a robot, asked for by what it can do: never by name. */
+/** The robot's devices that the demonstration needs, queried by capability and never by name. */
 final class RobotDevices {
 
-  /** Every question, in the order in which they are told. */
+  /** All queries, in the order in which they are printed. */
   private final List<Question<?>> questions = new ArrayList<>();
 
   private final ModuleDirectory directory;
 
   /**
-   * A question for one device.
+   * A query for one device.
    *
    * @param need what is needed, in words
    */
@@ -99,12 +99,12 @@ final class RobotDevices {
     return question;
   }
 
-  /** Every question. */
+  /** All queries. */
   List<Question<?>> questions() {
     return questions;
   }
 
-  /** Whether every question has an answer that works. */
+  /** Whether every query matches a working device. */
   boolean areAllAnswered() throws Exception {
     for (Question<?> each : questions) {
       if (listings(each).stream().noneMatch(RobotDevices::works)) {
@@ -126,7 +126,7 @@ final class RobotDevices {
     return directory.find(question.query());
   }
 
-  /** The first that answers a question. */
+  /** The first module that matches a query. */
   <M extends Module> ModuleListing<M> one(Question<M> question) throws Exception {
     return listings(question).stream()
         .filter(RobotDevices::works)

@@ -8,12 +8,12 @@ import org.dfra.geometry.Transform;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where laser beams ended, by the odometry at that time: in the frame in which the robot started.
- * Safe for use by several threads.
+ * End points of the laser beams, by the odometry at that time, in the frame in which the robot
+ * started. Thread-safe.
  */
 final class ScanMap {
 
-  /** One beam in so many, of one scan in so many: enough to see walls by. */
+  /** One beam in this many, of one scan in this many: enough to show walls. */
   private static final int BEAMS = 3;
 
   private static final int SCANS = 3;
@@ -23,17 +23,17 @@ final class ScanMap {
   private Transform mount = Transform.IDENTITY; // guarded by this
   private int scans; // guarded by this
 
-  /** Where the laser is mounted on the robot. */
+  /** The mounting pose of the laser on the robot. */
   synchronized void mounted(Transform on) {
     mount = on;
   }
 
-  /** The robot is there now. */
+  /** Sets the robot's current pose. */
   synchronized void at(Odometry now) {
     pose = now;
   }
 
-  /** Takes a scan from where the robot is now. */
+  /** Adds a scan taken from the current pose. */
   synchronized void add(RangeScan scan) {
     @Nullable Odometry at = pose;
     if (at == null || scans++ % SCANS != 0) {
@@ -51,7 +51,7 @@ final class ScanMap {
     }
   }
 
-  /** Every point as {@code {x, y}}, metres. */
+  /** All points as {@code {x, y}}, metres. */
   synchronized double[][] points() {
     return new double[][] {
       points.stream().mapToDouble(point -> point[0]).toArray(),

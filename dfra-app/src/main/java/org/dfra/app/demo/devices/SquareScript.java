@@ -16,9 +16,9 @@ import org.dfra.module.NotReadyException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Drives a square: straight on by odometry, around the corner by gyro. It commands the drive each
- * time that odometry comes; where that or the drive falls silent, it waits for them, takes the
- * command anew, and goes on where it was.
+ * Drives a square: straight by odometry, around the corner by gyro. It sends a drive command for
+ * each odometry reading. When readings stop or the drive does not respond, it waits for them,
+ * acquires a new command lease, and continues on the same side.
  */
 final class SquareScript {
 
@@ -35,13 +35,13 @@ final class SquareScript {
   private static final Duration SILENCE = Duration.ofMillis(500);
   private static final Duration PATIENCE = Duration.ofSeconds(30);
 
-  /** Is told how far it is. */
+  /** Is notified of the progress. */
   @FunctionalInterface
   interface Progress {
 
     /**
      * @param side counted from 0
-     * @param metres on this side so far
+     * @param metres driven on this side so far
      */
     void on(int side, double metres) throws Exception;
   }
@@ -71,7 +71,7 @@ final class SquareScript {
     this.progress = progress;
   }
 
-  /** Drives it, from beginning to end. */
+  /** Drives the whole square. */
   void run() throws Exception {
     takeCommand();
     try {
@@ -86,12 +86,12 @@ final class SquareScript {
     }
   }
 
-  /** When the last command was sent that the drive took. */
+  /** When the last command that the drive accepted was sent. */
   Instant lastCommand() {
     return lastCommand;
   }
 
-  /** How often it had to take the command anew. */
+  /** How often it had to acquire a new command lease. */
   int resumptions() {
     return resumptions;
   }
@@ -135,14 +135,14 @@ final class SquareScript {
     }
   }
 
-  /** Where the robot is when the next count has come; null where none comes. */
+  /** The robot's pose at the next odometry reading; null on a timeout. */
   private @Nullable Odometry nextPose() throws InterruptedException {
     @Nullable Odometry counted = odometry.next(seen, SILENCE);
     seen = odometry.count();
     return counted == null ? null : track.pose();
   }
 
-  /** Whether the drive has taken it. */
+  /** Whether the drive has accepted the command. */
   private boolean command(Velocity velocity) throws Exception {
     CommandLease held = lease;
     if (held == null) {
@@ -153,7 +153,7 @@ final class SquareScript {
       drive.execute(held.key(), velocity);
       lastCommand = now;
       return true;
-    } catch (BrakeEngagedException e) { // by a person, or by a controller that was switched off
+    } catch (BrakeEngagedException e) { // by an operator, or by a controller that was switched off
       throw e;
     } catch (CommandRefusedException | NotReadyException | RemoteException e) {
       resume();
@@ -161,7 +161,7 @@ final class SquareScript {
     }
   }
 
-  /** The drive was lost, or its odometry: waits for it and takes the command anew. */
+  /** The drive or its odometry was lost: waits for it and acquires a new command lease. */
   private void resume() throws Exception {
     if (lease != null) {
       lease.close();
@@ -190,7 +190,7 @@ final class SquareScript {
           | NotReadyException
           | RemoteException e) {
         why = e;
-        odometry.next(odometry.count(), SILENCE); // it comes again when the drive does
+        odometry.next(odometry.count(), SILENCE); // it returns together with the drive
       }
     }
     throw new IOException("nobody could take the command of the drive again", why);

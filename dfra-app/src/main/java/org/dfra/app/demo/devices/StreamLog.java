@@ -23,8 +23,8 @@ import org.dfra.module.Module;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a module told in the course of the demonstration: numbers over time, and its last reading. A
- * listener as any other: that readings come again after a failure is the subscription's work.
+ * The readings of one module during the demonstration: columns of numbers over time, and the last
+ * reading. It is an ordinary listener: the subscription itself recovers after a failure.
  *
  * @param <R> type of the readings
  */
@@ -32,15 +32,15 @@ final class StreamLog<R extends Reading> implements ModuleListener, AutoCloseabl
 
   private static final int DEPTH = 200;
 
-  /** A line is broken where readings were so much farther apart than usual. */
+  /** The plotted line is interrupted where the interval exceeds the usual one by this factor. */
   private static final double GAP = 5;
 
-  /** Takes a reading's numbers. */
+  /** Extracts numbers from a reading. */
   @FunctionalInterface
   interface ColumnExtractor<R> {
 
     /**
-     * @param epoch which of its module's lives the reading is from
+     * @param epoch the module's epoch that the reading is from
      * @return a number for each column
      */
     double[] of(R reading, long epoch);
@@ -59,10 +59,10 @@ final class StreamLog<R extends Reading> implements ModuleListener, AutoCloseabl
   private @Nullable Subscription subscription;
 
   /**
-   * @param path the module's, {@code robot/name}
-   * @param columns what the numbers are, with their units: {@code speed_mps}
-   * @param numbers takes a reading's numbers, one for each column
-   * @param begin when the demonstration began; times are seconds since then
+   * @param path the module's path, {@code robot/name}
+   * @param columns names of the columns, with units: {@code speed_mps}
+   * @param numbers extracts a reading's numbers, one for each column
+   * @param begin when the demonstration started; times are seconds since then
    */
   StreamLog(
       String path, Class<R> type, List<String> columns, ColumnExtractor<R> numbers, Instant begin) {
@@ -73,7 +73,7 @@ final class StreamLog<R extends Reading> implements ModuleListener, AutoCloseabl
     this.begin = begin;
   }
 
-  /** Begins to listen. */
+  /** Subscribes. */
   StreamLog<R> subscribeTo(Module module) throws RemoteException {
     subscription =
         module.subscribe(this, DeliveryPolicy.keepLast(DEPTH).withKinds(EventKind.READING));
@@ -106,12 +106,12 @@ final class StreamLog<R extends Reading> implements ModuleListener, AutoCloseabl
     return type.getSimpleName();
   }
 
-  /** How many readings have come. */
+  /** Number of readings received. */
   synchronized long count() {
     return count;
   }
 
-  /** How many did not. */
+  /** Number of readings lost. */
   long lost() {
     return subscription == null ? 0 : subscription.lost();
   }
@@ -122,9 +122,9 @@ final class StreamLog<R extends Reading> implements ModuleListener, AutoCloseabl
   }
 
   /**
-   * Waits for the reading after the one of that number; null where none comes in time.
+   * Waits for the reading after the given number; null on a timeout.
    *
-   * @param before of how many the caller knows
+   * @param before number of readings that the caller knows
    */
   synchronized @Nullable R next(long before, Duration patience) throws InterruptedException {
     long end = System.nanoTime() + patience.toNanos();
@@ -138,7 +138,7 @@ final class StreamLog<R extends Reading> implements ModuleListener, AutoCloseabl
     return last;
   }
 
-  /** Readings per second, of the first to the last; 0 where fewer than two came. */
+  /** Readings per second, from the first to the last; 0 for fewer than two. */
   synchronized double rate() {
     if (rows.size() < 2) {
       return 0;
@@ -156,7 +156,7 @@ final class StreamLog<R extends Reading> implements ModuleListener, AutoCloseabl
     return longest;
   }
 
-  /** A column over time as {@code {times, values}}; not a number in the midst of each gap. */
+  /** A column over time as {@code {times, values}}; NaN in the middle of each gap. */
   synchronized double[][] series(String column) {
     int index = columns.indexOf(column);
     if (index < 0) {

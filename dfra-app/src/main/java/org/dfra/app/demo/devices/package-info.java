@@ -1,5 +1,5 @@
 /**
- * {@code ./dfra demo devices}: one robot in a simulated world, all its devices at work.
+ * {@code ./dfra demo devices}: one robot in a simulated world with all its devices.
  *
  * <pre>
  *   sim run --bytes--&gt; drivers --events--&gt; StreamLog --&gt; DevicesReport

@@ -35,8 +35,8 @@ import org.dfra.river.call.DeadlineExceededException;
 import org.dfra.river.phoenix.GroupStatus;
 
 /**
- * The foundation: a receiver is found by what it can do, and neither the death of its virtual
- * machine nor that of phoenix takes it away from its client.
+ * The foundation: a client finds a receiver by capability, and keeps using it after the process of
+ * the receiver, or of phoenix, was killed.
  */
 public final class FoundationDemo implements Demo {
 
@@ -46,7 +46,7 @@ public final class FoundationDemo implements Demo {
 
   private final ProgressReporter tell;
 
-  /** Told by the narration. */
+  /** {@code tell} reports the progress. */
   public FoundationDemo(ProgressReporter narration) {
     this.tell = narration;
   }
@@ -136,7 +136,7 @@ public final class FoundationDemo implements Demo {
     tell.figure("GPS group killed to same proxy answering", healed, Duration.ofSeconds(3));
   }
 
-  /** The last fix; a receiver that has just come back has none for a moment. */
+  /** The last fix; a receiver that has just restarted has none for a moment. */
   private static GpsFix fixFrom(GPSSensor gps) throws RemoteException {
     gps.awaitReadiness(PATIENCE);
     return gps.fix();
@@ -153,7 +153,7 @@ public final class FoundationDemo implements Demo {
       while (true) {
         ProgressReporter.Stopwatch watch = tell.stopwatch();
         try {
-          gps.fix(); // the signal reaches a busy machine's threads a moment after it was sent
+          gps.fix(); // on a loaded machine the signal takes effect a moment later
         } catch (DeadlineExceededException e) {
           tell.say(
               "Process %d was stopped. The call ended after %s: %s.",
@@ -178,7 +178,7 @@ public final class FoundationDemo implements Demo {
     tell.chapter("activating an object in a living group", "Activation itself");
     ActivationSystem system = host.phoenix().system();
     ActivationGroupID group = gpsGroup(host);
-    beacon(system, group).pid(); // loads the beacon's classes
+    beacon(system, group).pid(); // loads the classes of the PID service
     ActivationID id = register(system, group);
     ProgressReporter.Stopwatch watch = tell.stopwatch();
     long pid = ((PidService) id.activate(false)).pid();

@@ -11,15 +11,16 @@ import org.dfra.river.call.ResurrectingExporter;
 import org.dfra.river.server.Exporters;
 
 /**
- * The smallest activatable object: it needs no device, so it shows what activation itself costs.
+ * The smallest activatable object: it needs no device, so that it shows the cost of activation
+ * itself.
  */
 public interface PidService extends Remote {
 
-  /** The process that the beacon stands in. */
+  /** The ID of the process that the service runs in. */
   @Idempotent
   long pid() throws RemoteException;
 
-  /** The beacon's server. */
+  /** The server of the PID service. */
   final class Server implements PidService, ProxyAccessor {
 
     private static final long DEADLINE_MILLIS = 2000;

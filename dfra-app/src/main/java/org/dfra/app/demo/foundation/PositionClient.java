@@ -12,8 +12,8 @@ import org.dfra.module.Readiness;
 import org.dfra.river.lookup.JiniModuleDirectory;
 
 /**
- * A client that knows one interface, {@link GPSSensor}, and where to look for lookup services:
- * neither the robot's name, nor the receiver's make, nor where it runs.
+ * A client that knows one interface, {@link GPSSensor}, and the locators of lookup services:
+ * neither the robot's name, nor the receiver's make, nor its host.
  */
 final class PositionClient implements AutoCloseable {
 
@@ -37,12 +37,12 @@ final class PositionClient implements AutoCloseable {
     return new PositionClient(directory, gps);
   }
 
-  /** The proxy; always the same one. */
+  /** The proxy; always the same instance. */
   GPSSensor gps() {
     return gps;
   }
 
-  /** Waits for the receiver's first fix and reads it, by remote calls. */
+  /** Waits for the receiver's first fix, polling by remote calls. */
   GpsFix position(Duration patience) throws RemoteException {
     Readiness readiness = gps.awaitReadiness(patience);
     if (!readiness.serves()) {

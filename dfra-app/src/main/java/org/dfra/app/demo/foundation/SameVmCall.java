@@ -13,7 +13,7 @@ import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.river.proxy.LocalModuleRegistry;
 import org.dfra.river.proxy.sensor.GPSProxy;
 
-/** What a smart proxy costs in the virtual machine of its own module. */
+/** Measures the cost of a smart proxy in the JVM of its own module. */
 final class SameVmCall {
 
   private static final int ROUNDS = 60;
@@ -25,16 +25,16 @@ final class SameVmCall {
   /** Medians over rounds of calls, in nanoseconds per call. */
   record Result(double directNanos, double proxyNanos, double remoteNanos) {}
 
-  /** One question, asked of a receiver. */
+  /** A call on a receiver. */
   private interface TimedCall {
     double ask() throws RemoteException;
   }
 
   /**
-   * Runs a receiver's driver in this virtual machine and asks it, directly and through a proxy.
+   * Runs a receiver's driver in this JVM and calls it directly and through a proxy.
    *
-   * @param remote the proxy of a module elsewhere, for comparison
-   * @param link where the receiver is
+   * @param remote the proxy of a module in another process, for comparison
+   * @param link to the receiver
    */
   static Result measure(GPSSensor remote, String link) throws RemoteException {
     GPSProxy elsewhere = (GPSProxy) remote;
@@ -53,7 +53,7 @@ final class SameVmCall {
         GPSSensor proxy = new GPSProxy(elsewhere.server(), id, here.identification());
         double[] direct = new double[ROUNDS];
         double[] through = new double[ROUNDS];
-        for (int round = 0; round < ROUNDS; round++) { // in turn, so that both meet the same noise
+        for (int round = 0; round < ROUNDS; round++) { // in turn: noise affects both equally
           direct[round] = nanos(CALLS, () -> here.fix().speed());
           through[round] = nanos(CALLS, () -> proxy.fix().speed());
         }

@@ -1,4 +1,4 @@
-/** {@code ./dfra demo foundation}: a receiver found by what it can do, and back after kill -9. */
+/** {@code ./dfra demo foundation}: finds a receiver by capability, and recovers after kill -9. */
 @NullMarked
 package org.dfra.app.demo.foundation;
 

@@ -5,24 +5,24 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /**
- * What this computer can do now, with all its processors, as a share of the one that the
- * demonstrations were tried on: two processors, otherwise idle. Other programs that run take their
- * part of it.
+ * The current speed of this computer, with all its processors, relative to the reference computer
+ * of the demonstrations: two processors, otherwise idle. Other running programs reduce it.
  */
 public final class CpuSpeed {
 
-  /** Rounds in a second there, of both processors together. */
+  /** Rounds per second of the reference computer, both processors together. */
   private static final double REFERENCE = 9_000;
 
-  private static final int WORDS = 1 << 15; // 256 KiB: more than the first cache, as programs are
-  private static final long WARM_UP = TimeUnit.MILLISECONDS.toNanos(200); // the compiler's
+  private static final int WORDS = 1 << 15; // 256 KiB: more than the L1 cache, like real programs
+  private static final long WARM_UP = TimeUnit.MILLISECONDS.toNanos(200); // JIT warm-up
   private static final long MEASURED = TimeUnit.MILLISECONDS.toNanos(150);
-  private static final int TIMES = 3; // the best counts: one may be disturbed by chance
+  private static final int TIMES = 3; // the best round counts: others may be disturbed
 
   private CpuSpeed() {}
 
   /**
-   * Measures it, for two thirds of a second; 1 is as much as the reference, 0 if it is interrupted.
+   * Measures it for two thirds of a second; 1 is the speed of the reference, 0 if it is
+   * interrupted.
    */
   public static double relativeToReference() {
     List<Worker> workers = new ArrayList<>();
@@ -38,7 +38,7 @@ public final class CpuSpeed {
         rounds += worker.rate;
       }
     } catch (InterruptedException e) {
-      Thread.currentThread().interrupt(); // whoever asked ends, and the threads by themselves
+      Thread.currentThread().interrupt(); // the caller is ending; the threads end by themselves
       return 0;
     }
     return rounds / REFERENCE;
@@ -47,8 +47,8 @@ public final class CpuSpeed {
   /** Keeps one processor busy. */
   private static final class Worker extends Thread {
     private final long[] words = new long[WORDS];
-    private double rate; // rounds in a second; read when the thread has ended
-    private long sum; // so that the work is not left out
+    private double rate; // rounds per second; read after the thread has ended
+    private long sum; // prevents dead-code elimination
 
     Worker() {
       super("dfra-power");
@@ -66,7 +66,7 @@ public final class CpuSpeed {
       }
     }
 
-    /** Rounds in a second. */
+    /** Rounds per second. */
     private double work(long nanos) {
       long began = System.nanoTime();
       long rounds = 0;
@@ -79,7 +79,7 @@ public final class CpuSpeed {
       return 1e9 * rounds / taken;
     }
 
-    /** Mixes numbers, each step by what the last one found somewhere else. */
+    /** Mixes numbers; each step depends on the result of the last at another address. */
     private void round() {
       long at = sum;
       for (int i = 0; i < WORDS; i++) {

@@ -4,9 +4,9 @@ package org.dfra.app.demo.harness;
 public interface Demo {
 
   /**
-   * Runs it from beginning to end and clears everything away.
+   * Runs it from beginning to end and cleans up.
    *
-   * @return whether every step went well; what did not has been told
+   * @return whether every step succeeded; failures have been reported
    */
   boolean run();
 }

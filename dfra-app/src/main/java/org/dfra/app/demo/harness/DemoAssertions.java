@@ -6,14 +6,14 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 
-/** What a demonstration insists on. */
+/** The assertions of a demonstration. */
 public final class DemoAssertions {
 
   private static final long LOOK_AGAIN_NANOS = TimeUnit.MILLISECONDS.toNanos(5);
 
   private DemoAssertions() {}
 
-  /** Fails with the sentence where something is not so. */
+  /** Fails with the message unless the condition holds. */
   public static void require(boolean condition, String otherwise) throws IOException {
     if (!condition) {
       throw new IOException(otherwise);
@@ -21,10 +21,10 @@ public final class DemoAssertions {
   }
 
   /**
-   * Waits until something is so. It looks every 5 ms, since what is waited for here is in other
-   * processes or tells nobody of its changes.
+   * Waits until a condition holds. Polls every 5 ms, since the state belongs to other processes or
+   * has no change notification.
    *
-   * @param what is waited for, as the end of "… did not happen"
+   * @param what the condition, as the end of "… did not happen"
    */
   public static void await(String what, Duration patience, Callable<Boolean> condition)
       throws Exception {
@@ -33,7 +33,7 @@ public final class DemoAssertions {
     }
   }
 
-  /** The same, for what may well not be: tells whether it was so in time. */
+  /** Waits likewise, without failing: returns whether the condition held in time. */
   public static boolean holdsWithin(Duration patience, Callable<Boolean> condition)
       throws Exception {
     long end = System.nanoTime() + patience.toNanos();

@@ -18,12 +18,12 @@ import org.dfra.river.bootstrap.JvmCommand;
 import org.dfra.sim.device.ReceiverEmulatorMain;
 
 /**
- * What a demonstration stands on: a temporary folder, emulated receivers, hosts, and the certainty
- * that all of it is gone afterwards.
+ * The environment of a demonstration: a temporary folder, emulated receivers and hosts. All of them
+ * are removed at the end.
  */
 public final class DemoEnvironment implements AutoCloseable {
 
-  /** The address of everything here. */
+  /** The IP address of everything here. */
   public static final String ADDRESS = "127.0.0.1";
 
   private static final Duration PATIENCE = Duration.ofSeconds(30);
@@ -45,13 +45,13 @@ public final class DemoEnvironment implements AutoCloseable {
     return folder;
   }
 
-  /** Keeps the folder, so that somebody can read the logs. */
+  /** Keeps the folder, so that the user can read the logs. */
   public void keepFolder() {
     keepFolder = true;
   }
 
   /**
-   * A further computer, on which nothing runs yet.
+   * Adds a host, on which nothing runs yet.
    *
    * @param name of its folder
    */
@@ -61,7 +61,7 @@ public final class DemoEnvironment implements AutoCloseable {
     return host;
   }
 
-  /** Has a process ended with the stage. */
+  /** Ends this process with the environment. */
   public synchronized void remember(ProcessHandle process) {
     if (!started.contains(process)) {
       started.add(process);
@@ -69,13 +69,13 @@ public final class DemoEnvironment implements AutoCloseable {
   }
 
   /**
-   * Starts emulated M12+ receivers, each in a process of its own.
+   * Starts emulated M12+ receivers, each in a separate process.
    *
    * @return their links, in the same order
    */
   public List<String> startReceivers(List<GeoPosition> positions) throws IOException {
     List<Process> begun = new ArrayList<>();
-    for (GeoPosition position : positions) { // all at once: a JVM takes its time
+    for (GeoPosition position : positions) { // in parallel: a JVM starts slowly
       begun.add(startReceiver(position));
     }
     List<String> links = new ArrayList<>();
@@ -100,9 +100,9 @@ public final class DemoEnvironment implements AutoCloseable {
   }
 
   /**
-   * Starts a virtual machine that stands for devices: it is switched off last.
+   * Starts a JVM that emulates devices: it ends last.
    *
-   * @param name of its log, which takes what it says on standard error
+   * @param name of its log, which contains its standard error
    * @param arguments the main class and its arguments
    */
   public Process startJvm(String name, List<String> arguments) throws IOException {
@@ -124,7 +124,7 @@ public final class DemoEnvironment implements AutoCloseable {
     }
   }
 
-  /** Waits until a process is gone. */
+  /** Waits until a process has exited. */
   public static void awaitEnd(ProcessHandle process) throws IOException, InterruptedException {
     try {
       process.onExit().get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
@@ -133,7 +133,7 @@ public final class DemoEnvironment implements AutoCloseable {
     }
   }
 
-  /** Takes everything down as an operator would; the devices are switched off last. */
+  /** Shuts everything down as an operator would; the devices end last. */
   public void shutDown() throws IOException, InterruptedException {
     for (Host host : hosts) {
       host.shutDown();
@@ -144,17 +144,17 @@ public final class DemoEnvironment implements AutoCloseable {
     }
   }
 
-  /** Processes of this stage that still run. */
+  /** Processes of this environment that still run. */
   public List<Long> runningProcesses() {
     return started.stream().filter(ProcessHandle::isAlive).map(ProcessHandle::pid).toList();
   }
 
-  /** How many processes this stage has seen. */
+  /** Number of processes that this environment has had. */
   public int processCount() {
     return started.size();
   }
 
-  /** Ends whatever still runs and removes the folder, unless it is kept. Idempotent. */
+  /** Ends all running processes and removes the folder, unless it is kept. Idempotent. */
   @Override
   public synchronized void close() throws IOException {
     if (closed) {

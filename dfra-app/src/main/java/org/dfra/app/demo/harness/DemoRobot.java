@@ -14,7 +14,7 @@ import org.dfra.core.host.FreePorts;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.phoenix.GroupStatus;
 
-/** A robot of a team in {@code config/teams}, on a host of its own. */
+/** A robot of a team in {@code config/teams}, on its own host. */
 public final class DemoRobot {
 
   private final Host host;
@@ -28,7 +28,7 @@ public final class DemoRobot {
   }
 
   /**
-   * Reads the robot's description; nothing is started.
+   * Reads the robot's description; starts nothing.
    *
    * @param team the folder of its team, under {@code config/teams}
    * @param name the robot's
@@ -42,13 +42,13 @@ public final class DemoRobot {
   }
 
   /**
-   * Reads the robot's description, wherever it is; nothing is started.
+   * Reads the robot's description from any path; starts nothing.
    *
    * @param xml the description, which takes its ports and links from variables as those in {@code
    *     config/teams} do
    * @param name the robot's
    * @param links to its devices, by the device's name
-   * @param adapt makes of the description the one that is used
+   * @param adapt changes the description before use
    */
   public static DemoRobot of(
       DemoEnvironment stage,
@@ -63,8 +63,8 @@ public final class DemoRobot {
   }
 
   /**
-   * Reads a robot's description, as one on this computer among others: its registrar and its class
-   * server are at free ports of the loopback.
+   * Reads a robot's description for use beside other robots on this computer: its registrar and its
+   * class server get free ports of the loopback.
    *
    * @param xml the description, which takes its ports and links from variables as those in {@code
    *     config/teams} do
@@ -84,16 +84,15 @@ public final class DemoRobot {
   }
 
   /**
-   * The same robot, whose modules are found through these registrars too, as those of a team are
-   * where multicast does not go.
+   * The same robot, with further registrars for its modules, like a team without multicast.
    *
-   * @param registrars of all robots of the team, as {@link #locator} tells them
+   * @param registrars of all robots of the team, as {@link #locator} returns them
    */
   public DemoRobot withRegistrars(List<String> registrars) {
     return new DemoRobot(host, robot.withRegistrars(registrars), locator);
   }
 
-  /** Starts its phoenix and everything on it. */
+  /** Starts its phoenix and all its groups. */
   public List<RobotBootstrap.ServiceReference> bringUp() throws IOException, ActivationException {
     ProcessHandle unused = host.startPhoenix();
     return bootstrap().up();
@@ -116,7 +115,7 @@ public final class DemoRobot {
     return new RobotBootstrap(host.phoenix(), robot);
   }
 
-  /** Where its own registrar is found. */
+  /** The locator of its own registrar. */
   public String locator() {
     return locator;
   }

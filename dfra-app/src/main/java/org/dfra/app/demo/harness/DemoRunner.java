@@ -7,27 +7,27 @@ import org.dfra.core.log.LogLevelControl;
 import org.dfra.module.LogLevel;
 
 /**
- * Plays a demonstration, usually on a stage of its own: what fails is told with the step in which
- * it did, figures end in a table, and whatever happens, everything is cleared away.
+ * Runs a demonstration, usually in its own environment: reports a failure with the step in which it
+ * happened, prints a table of measurements at the end, and always cleans up.
  */
 public final class DemoRunner {
 
   private DemoRunner() {}
 
-  /** What is played. */
+  /** A demonstration in an environment. */
   public interface EnvironmentDemo {
     void on(DemoEnvironment stage) throws Exception;
   }
 
-  /** What is played without a stage. */
+  /** A demonstration without an environment. */
   public interface StandaloneDemo {
     void play() throws Exception;
   }
 
   /**
-   * Plays it.
+   * Runs it.
    *
-   * @return whether every step went well; figures that are not as wanted are no failure here
+   * @return whether every step succeeded; missed targets are not failures here
    */
   public static boolean run(ProgressReporter tell, EnvironmentDemo play) {
     try (DemoEnvironment stage = new DemoEnvironment()) {
@@ -51,9 +51,9 @@ public final class DemoRunner {
   }
 
   /**
-   * Plays what clears away by itself whatever it starts.
+   * Runs a demonstration that cleans up its own processes.
    *
-   * @return whether every step went well; figures that are not as wanted are no failure here
+   * @return whether every step succeeded; missed targets are not failures here
    */
   public static boolean runStandalone(ProgressReporter tell, StandaloneDemo piece) {
     quietenLogs();
@@ -61,7 +61,7 @@ public final class DemoRunner {
       piece.play();
       tell.table();
       return true;
-    } catch (Exception e) { // whatever goes wrong is what the demonstration has to tell
+    } catch (Exception e) { // reports any failure of the demonstration
       tell.freezeLive();
       tell.heading("FAILED while " + tell.step());
       tell.say("%s", e.toString());
@@ -69,12 +69,15 @@ public final class DemoRunner {
     }
   }
 
-  /** Leaves the log to errors, unless somebody wants more: a demonstration tells itself. */
+  /**
+   * Limits the log to errors, unless the user has set a level: a demonstration reports its own
+   * progress.
+   */
   private static void quietenLogs() {
     if (System.getenv(LogbackSetup.LEVEL) == null) {
       LogLevelControl.service().set("org.dfra", LogLevel.ERROR);
       LogLevelControl.service()
-          .set("dfra", LogLevel.ERROR); // modules, where they run in this process
+          .set("dfra", LogLevel.ERROR); // modules, if they run in this process
     }
   }
 

@@ -13,8 +13,8 @@ import org.dfra.river.phoenix.GroupStatus;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One of the computers of a demonstration, which all are this one: a phoenix and the service groups
- * under it. It shares neither a process nor a file with the others.
+ * A simulated host of a demonstration on this computer: a phoenix and its service groups. It shares
+ * neither a process nor a file with the other hosts.
  */
 public final class Host {
 
@@ -26,12 +26,12 @@ public final class Host {
   private final Set<ProcessHandle> groupProcesses = ConcurrentHashMap.newKeySet();
 
   /**
-   * @param stage remembers the processes
-   * @param folder the host's own
+   * @param stage records the processes
+   * @param folder the host's own folder
    */
   public Host(DemoEnvironment stage, Path folder) throws IOException {
     this.stage = stage;
-    PrivateFiles.makeFolder(folder); // before anything else that is kept in it makes it
+    PrivateFiles.makeFolder(folder); // before other files in it create it
     this.phoenix = new PhoenixProcess(DemoEnvironment.ADDRESS, FreePorts.allocate(), -1, folder);
   }
 
@@ -47,7 +47,7 @@ public final class Host {
     return process;
   }
 
-  /** Kills phoenix with -9 and waits until it is gone. */
+  /** Kills phoenix with SIGKILL and waits until it has exited. */
   public void killPhoenix() throws IOException, InterruptedException {
     if (running == null) {
       throw new IllegalStateException("phoenix was not started");
@@ -56,12 +56,12 @@ public final class Host {
     DemoEnvironment.awaitEnd(running);
   }
 
-  /** Kills a process with -9, and does not wait. */
+  /** Sends SIGKILL to a process and does not wait. */
   public void kill(long pid) throws IOException, InterruptedException {
     stage.signal("KILL", pid);
   }
 
-  /** The status of the group whose name ends so. */
+  /** The status of the group whose name has this suffix. */
   public GroupStatus group(String ending) throws IOException {
     return groups().stream()
         .filter(group -> group.name().endsWith(ending))
@@ -69,7 +69,7 @@ public final class Host {
         .orElseThrow(() -> new IOException("phoenix knows no group " + ending));
   }
 
-  /** Every group's status; their processes are remembered for the end. */
+  /** The status of each group; records their processes for cleaning up. */
   public List<GroupStatus> groups() throws IOException {
     List<GroupStatus> groups = phoenix.admin().groupStatus();
     groups.stream()
@@ -83,7 +83,7 @@ public final class Host {
     return groups;
   }
 
-  /** Ends phoenix and its groups, as an operator would; where phoenix is dead, its groups alone. */
+  /** Ends phoenix and its groups, as an operator would; if phoenix is dead, its groups alone. */
   public void shutDown() throws IOException {
     if (running != null && !running.isAlive()) {
       groupProcesses.forEach(ProcessHandle::destroyForcibly);
@@ -93,12 +93,12 @@ public final class Host {
     phoenix.shutdown(PATIENCE);
   }
 
-  /** Remembers the processes of the groups, where phoenix can still tell them. */
+  /** Records the processes of the groups, while phoenix can still report them. */
   public void rememberGroups() {
     try {
       List<GroupStatus> unused = groups();
     } catch (IOException e) {
-      // Phoenix is down already: what it ran is remembered from before.
+      // Phoenix is down already: its processes were recorded before.
       assert !phoenix.isResponding();
     }
   }

@@ -16,11 +16,11 @@ import org.dfra.app.terminal.TextWrap;
 import org.dfra.text.PrintableText;
 
 /**
- * What a demonstration says, each sentence with the time since it began, and what it measured. Safe
- * for use by several threads.
+ * Reports the progress of a demonstration, each sentence with the time since the start, and its
+ * measurements. Thread-safe.
  *
- * <p>On a terminal, lines at the end can be drawn anew, {@link #redraw}, while all else is written
- * above them, until they are to stay as they are, {@link #freezeLive}.
+ * <p>On a terminal, live lines at the end can be redrawn, {@link #redraw}, while other text is
+ * printed above them, until {@link #freezeLive} makes them permanent.
  */
 public final class ProgressReporter {
 
@@ -29,15 +29,15 @@ public final class ProgressReporter {
 
   private static final String INDENT = " ".repeat(11);
 
-  /** Tables are wider than sentences, so they begin further left. */
+  /** Tables are wider than sentences, so their margin is smaller. */
   private static final String MARGIN = " ".repeat(4);
 
-  /** What is drawn anew is wide too, and set off from what scrolls. */
+  /** The live block is wide too, and indented to differ from the scrolling text. */
   private static final String BLOCK_MARGIN = " ";
 
   private static final String END = System.lineSeparator();
 
-  /** Columns of a table where there is no terminal. */
+  /** Columns of a table without a terminal. */
   private static final int TABLE = Terminal.Size.DEFAULT.columns();
 
   private final PrintWriter out;
@@ -51,26 +51,24 @@ public final class ProgressReporter {
   private volatile String step = "setting the stage";
   private boolean spaced; // the last line was empty; guarded by this
 
-  /**
-   * @param nanos a clock that only differences are taken of, in nanoseconds
-   */
+  /** @param nanos a monotonic clock with any origin, in nanoseconds */
   public ProgressReporter(PrintWriter out, LongSupplier nanos) {
     this(out, nanos, false);
   }
 
   /**
-   * @param nanos a clock that only differences are taken of, in nanoseconds
-   * @param isTerminal whether lines that were written can be written anew
+   * @param nanos a monotonic clock with any origin, in nanoseconds
+   * @param isTerminal whether printed lines can be redrawn
    */
   public ProgressReporter(PrintWriter out, LongSupplier nanos, boolean isTerminal) {
     this(out, nanos, isTerminal, () -> Terminal.Size.UNLIMITED);
   }
 
   /**
-   * @param nanos a clock that only differences are taken of, in nanoseconds
-   * @param isTerminal whether lines that were written can be written anew
-   * @param size of the terminal, also where nothing can be written anew; sentences are broken and
-   *     lines that are drawn anew are cut there
+   * @param nanos a monotonic clock with any origin, in nanoseconds
+   * @param isTerminal whether printed lines can be redrawn
+   * @param size of the terminal, also if lines cannot be redrawn; sentences are wrapped and live
+   *     lines are cut at its width
    */
   public ProgressReporter(
       PrintWriter out, LongSupplier nanos, boolean isTerminal, Supplier<Terminal.Size> size) {
@@ -78,8 +76,8 @@ public final class ProgressReporter {
   }
 
   /**
-   * @param isColoured whether {@code FAILED} and the like have colours; only where it {@linkplain
-   *     StatusHighlighter#isEnabled is wanted}
+   * @param isColoured whether {@code FAILED} and the like are coloured; only if {@linkplain
+   *     StatusHighlighter#isEnabled colour is enabled}
    */
   ProgressReporter(
       PrintWriter out,
@@ -102,22 +100,22 @@ public final class ProgressReporter {
     heading(title);
   }
 
-  /** Begins a step within a chapter, so that it can be named should it fail. */
+  /** Starts a step within a chapter; a failure report names it. */
   public void step(String doing) {
     step = doing;
   }
 
-  /** What is being done, such as "killing phoenix". */
+  /** The current step, such as "killing phoenix". */
   public String step() {
     return step;
   }
 
-  /** Whether lines that were written can be written anew: {@link #redraw} does. */
+  /** Whether printed lines can be redrawn by {@link #redraw}. */
   public boolean isTerminal() {
     return isTerminal;
   }
 
-  /** What speaks to whoever has started this process, in the terminal if there is one. */
+  /** Reports to the user who started this process, on the terminal if there is one. */
   public static ProgressReporter to(PrintWriter out) {
     Supplier<Terminal.Size> size =
         Terminal.isTerminal() ? new Terminal() : () -> Terminal.Size.UNLIMITED;
@@ -126,8 +124,8 @@ public final class ProgressReporter {
   }
 
   /**
-   * Shows lines at the end, in place of those that were shown so before. What is said meanwhile is
-   * written above them. What is too wide for the terminal is cut there.
+   * Shows live lines at the end, in place of the previous ones. Other text is printed above them.
+   * Lines are cut at the width of the terminal.
    */
   public synchronized void redraw(List<String> lines) {
     out.print(
@@ -135,7 +133,7 @@ public final class ProgressReporter {
     out.flush();
   }
 
-  /** What was drawn last stays; what is said from here on comes below. */
+  /** Makes the live lines permanent; further text is printed below. */
   public synchronized void freezeLive() {
     if (block.isDrawn()) {
       block.freeze();
@@ -151,7 +149,7 @@ public final class ProgressReporter {
     }
   }
 
-  /** A sentence; the format is {@link String#format}'s. */
+  /** A sentence; format as in {@link String#format}. */
   public synchronized void say(String format, Object... arguments) {
     String time = String.format(Locale.ROOT, "%8.3f s  ", elapsed() / 1e9);
     int columns = width() - INDENT.length();
@@ -172,13 +170,13 @@ public final class ProgressReporter {
     show(table.lines(columns() - MARGIN.length()));
   }
 
-  /** How wide a table may be; a terminal without colours has a width, too. */
+  /** Maximum width of a table; a terminal without colours has a width, too. */
   public int columns() {
     int columns = size.get().columns();
     return isTerminal || columns < Terminal.Size.UNLIMITED.columns() ? columns : TABLE;
   }
 
-  /** Lines under a sentence, as they are, such as those of a table, with a blank one after. */
+  /** Unformatted lines under a sentence, such as those of a table, with a blank line after. */
   public synchronized void show(List<String> lines) {
     StringBuilder text = new StringBuilder();
     lines.forEach(
@@ -197,7 +195,7 @@ public final class ProgressReporter {
     }
   }
 
-  /** A sentence; it may have been written in several lines. */
+  /** A sentence; its source may have several lines. */
   private static String printable(String text) {
     return PrintableText.line(text.strip().replaceAll("[ \\t]*\\R[ \\t]*", " "));
   }
@@ -206,7 +204,7 @@ public final class ProgressReporter {
     return isColoured ? StatusHighlighter.highlight(line) : line;
   }
 
-  /** An empty line, unless the last one was. */
+  /** A blank line, unless the last line was blank. */
   public synchronized void blank() {
     if (!spaced) {
       print(END);
@@ -214,7 +212,7 @@ public final class ProgressReporter {
     }
   }
 
-  /** Writes whole lines, in one piece. */
+  /** Writes complete lines in one call. */
   private void print(String text) {
     out.print(block.printAbove(text));
     out.flush();
@@ -232,28 +230,30 @@ public final class ProgressReporter {
     Duration elapsed();
   }
 
-  /** Notes a figure for the table at the end. */
+  /** Records a value for the table at the end. */
   public void figure(String what, double measured, double limit, String unit) {
     figures.add(new MeasuredValue(what, measured, limit, unit));
   }
 
-  /** Notes a duration in seconds. */
+  /** Records a duration in seconds. */
   public void figure(String what, Duration measured, Duration limit) {
     figure(what, measured.toNanos() / 1e9, limit.toNanos() / 1e9, "s");
   }
 
-  /** Notes a time that must be kept on every computer, such as that in which a robot stops. */
+  /**
+   * Records a time limit that applies on every computer, such as the time in which a robot stops.
+   */
   public void requirement(String what, Duration measured, Duration limit) {
     figures.add(
         new MeasuredValue(what, measured.toNanos() / 1e9, limit.toNanos() / 1e9, "s").asRequired());
   }
 
-  /** What was measured until now. */
+  /** The measurements so far. */
   public RunMeasurements figures() {
     return figures;
   }
 
-  /** Prints the table of figures. */
+  /** Prints the table of measurements. */
   public synchronized void table() {
     heading("Measured");
     for (MeasuredValue each : figures.all()) {

@@ -4,12 +4,12 @@ import java.time.Duration;
 import java.util.Locale;
 import org.dfra.geometry.GeoPosition;
 
-/** How quantities are written for people. */
+/** Quantities as text output. */
 public final class QuantityText {
 
   private QuantityText() {}
 
-  /** In seconds, or in milliseconds where it is below 0.1 s. */
+  /** In seconds, or in milliseconds if below 0.1 s. */
   public static String seconds(Duration duration) {
     double seconds = duration.toNanos() / 1e9;
     return seconds < 0.1
@@ -17,12 +17,12 @@ public final class QuantityText {
         : String.format(Locale.ROOT, "%.2f s", seconds);
   }
 
-  /** A number of things, such as {@code 1 reading} or {@code 2 readings}. */
+  /** A count with its noun, such as {@code 1 reading} or {@code 2 readings}. */
   public static String count(long number, String thing) {
     return number + " " + thing + (number == 1 ? "" : "s");
   }
 
-  /** Latitude and longitude in degrees, to some 0.1 m. */
+  /** Latitude and longitude in degrees, to about 0.1 m. */
   public static String place(GeoPosition at) {
     return String.format(
         Locale.ROOT,

@@ -13,22 +13,22 @@ import java.util.function.LongSupplier;
 import org.dfra.river.phoenix.GroupStatus;
 
 /**
- * When each step of a recovery was seen first, so that one that takes too long can be distinguished
- * from the others. Real time. A thread of its own looks ten times a second, since whoever answers
- * may be slow then: a step is seen no more exactly than that. Safe for use by several threads.
+ * Records when each step of a recovery was first observed, so that a slow step can be distinguished
+ * from the others. Real time. A separate thread polls ten times a second, since the queried
+ * processes may be slow then; the resolution is limited to that period. Thread-safe.
  */
 public final class RecoverySteps implements AutoCloseable {
 
-  /** Between the end of one look and the next. */
+  /** Between the end of one poll and the next. */
   private static final Duration PERIOD = Duration.ofMillis(100);
 
-  /** After that nobody looks any more. */
+  /** Polling ends after this time. */
   private static final Duration LONGEST = Duration.ofMinutes(2);
 
-  /** Whether a step has been taken. */
+  /** Condition of a completed step. */
   @FunctionalInterface
   public interface Step {
-    /** Answers soon, and changes nothing: a call to what is dead would bring it back. */
+    /** Returns quickly, and changes nothing: a call to a dead service would reactivate it. */
     boolean isTaken() throws IOException;
   }
 
@@ -45,7 +45,7 @@ public final class RecoverySteps implements AutoCloseable {
     return thread;
   }
 
-  /** Begins to measure. */
+  /** Starts the measurement. */
   public RecoverySteps() {
     this(System::nanoTime);
   }
@@ -56,7 +56,7 @@ public final class RecoverySteps implements AutoCloseable {
   }
 
   /**
-   * The steps of a service group whose process is killed now.
+   * The recovery steps of a service group whose process is killed now.
    *
    * @param group the group's name without the robot's
    * @param process that is killed
@@ -77,13 +77,13 @@ public final class RecoverySteps implements AutoCloseable {
     return isNew(status, before) && status.state() == GroupStatus.State.ACTIVE;
   }
 
-  /** One more, which may be taken before those that were named earlier. */
+  /** Adds a step, which may complete before earlier ones. */
   public synchronized RecoverySteps step(String name, Step step) {
     open.put(name, step);
     return this;
   }
 
-  /** Looks at them from now on, until all are taken, this is closed or two minutes have passed. */
+  /** Polls from now on, until all steps are complete, this is closed or two minutes have passed. */
   public RecoverySteps watch() {
     long period = PERIOD.toNanos();
     looks.scheduleWithFixedDelay(this::lookOrEnd, 0, period, TimeUnit.NANOSECONDS);
@@ -97,7 +97,7 @@ public final class RecoverySteps implements AutoCloseable {
     }
   }
 
-  /** Looks which steps have been taken since the last look. */
+  /** Records the steps completed since the last poll. */
   void look() {
     for (Map.Entry<String, Step> each : stillOpen().entrySet()) {
       if (isTaken(each.getValue())) {
@@ -114,7 +114,7 @@ public final class RecoverySteps implements AutoCloseable {
     try {
       return step.isTaken();
     } catch (IOException e) {
-      return false; // whoever knows does not answer yet, and is asked again
+      return false; // the service does not answer yet, and is polled again
     }
   }
 
@@ -123,14 +123,15 @@ public final class RecoverySteps implements AutoCloseable {
     taken.put(step, Duration.ofNanos(nanos.getAsLong() - begin));
   }
 
-  /** Nobody looks any more. */
+  /** Ends the polling. */
   @Override
   public void close() {
     looks.shutdownNow();
   }
 
   /**
-   * The steps in the order they were seen, then those that were not: {@code noticed 0.1 s, ...}.
+   * The steps in the order of their completion, then the incomplete ones: {@code noticed 0.1 s,
+   * ...}.
    */
   @Override
   public synchronized String toString() {

@@ -20,7 +20,7 @@ import org.dfra.app.terminal.CommandOutput;
 import org.dfra.sim.run.DeviceEndpoint;
 import org.dfra.sim.world.Collision;
 
-/** A simulated world in a process of its own: {@code ./dfra sim run}. */
+/** A simulated world in a separate process: {@code ./dfra sim run}. */
 public final class SimulationProcess {
 
   private static final long PATIENCE_SECONDS = 30;
@@ -29,7 +29,7 @@ public final class SimulationProcess {
   private final SimulationStart beginning;
   private final Path truth;
   private final ProcessHandle process;
-  private final List<String> states; // as they were told
+  private final List<String> states; // in the order they were reported
 
   private SimulationProcess(
       SimulationStart beginning, Path truth, ProcessHandle process, List<String> states) {
@@ -53,7 +53,7 @@ public final class SimulationProcess {
   /**
    * Starts it and waits until its devices answer.
    *
-   * @param world the file that describes it
+   * @param world its description file
    * @param options further ones of {@code ./dfra sim run}
    */
   public static SimulationProcess start(DemoEnvironment stage, Path world, List<String> options)
@@ -81,7 +81,7 @@ public final class SimulationProcess {
     }
   }
 
-  /** Takes what it tells, so that the process never waits for us. */
+  /** Reads its output, so that the process never blocks. */
   private static void drain(Process process, CompletableFuture<String> first, List<String> states) {
     try (BufferedReader out = process.inputReader(StandardCharsets.UTF_8)) {
       String line = out.readLine();
@@ -103,7 +103,7 @@ public final class SimulationProcess {
     return process.isAlive();
   }
 
-  /** What robots ran into, as they did, up to a second ago. */
+  /** Collisions of robots in order of time, except those of the last second. */
   public List<Collision> collisions() {
     return states.stream()
         .flatMap(
@@ -113,7 +113,7 @@ public final class SimulationProcess {
         .toList();
   }
 
-  /** What it said when it began. */
+  /** The message that it printed at its start. */
   public SimulationStart startMessage() {
     return beginning;
   }
@@ -126,7 +126,7 @@ public final class SimulationProcess {
   }
 
   /**
-   * The file in which it writes where every robot truly is, {@value #TRUTH_RATE} times a second.
+   * The file to which it writes the true pose of every robot, {@value #TRUTH_RATE} times a second.
    */
   public Path truth() {
     return truth;

@@ -1,6 +1,6 @@
 /**
- * What every demonstration stands on: processes that are gone afterwards, hosts, robots, and the
- * voice that tells. Enter at {@link org.dfra.app.demo.harness.DemoRunner}.
+ * The common base of all demonstrations: the environment, which ends its processes, hosts, robots,
+ * and the progress reports. Entry point: {@link org.dfra.app.demo.harness.DemoRunner}.
  */
 @NullMarked
 package org.dfra.app.demo.harness;

@@ -16,14 +16,15 @@ import org.dfra.sim.world.shape.Polygon;
 import org.dfra.sim.world.shape.Vertex;
 
 /**
- * A world drawn from above, in a frame of whoever draws it: east to the right, north up, metres.
+ * A map of a world from above, in a frame that the caller chooses: east to the right, north up,
+ * metres.
  */
 public final class FieldMap {
 
-  /** To the right of every map. */
+  /** The horizontal axis of every map. */
   public static final Axis EAST = Axis.of("east", "m");
 
-  /** Upwards on every map. */
+  /** The vertical axis of every map. */
   public static final Axis NORTH = Axis.of("north", "m");
 
   private final WorldDescription described;
@@ -31,8 +32,8 @@ public final class FieldMap {
   private final LocalFrame frame;
 
   /**
-   * @param world what stands where
-   * @param frame what is drawn is in it
+   * @param world the obstacles and their positions
+   * @param frame the frame of the map
    */
   public FieldMap(WorldDescription world, LocalFrame frame) {
     this.described = world;
@@ -41,11 +42,11 @@ public final class FieldMap {
   }
 
   /**
-   * Where robots went, above what is given and below what stands there. A ring is where one
-   * started, a square where it ended.
+   * The robots' paths, above the given series and below the obstacles. A ring marks the start, a
+   * square the end.
    *
-   * @param ground what lies below everything
-   * @param ways of each robot {@code {east, north}}, in the frame that is drawn in
+   * @param ground series below everything
+   * @param ways of each robot {@code {east, north}}, in the frame of the map
    */
   public PathPanel paths(List<Series> ground, Map<String, double[][]> ways) {
     PathPanel panel = new PathPanel("", EAST, NORTH).add(ground.toArray(Series[]::new));
@@ -53,7 +54,7 @@ public final class FieldMap {
     return panel.add(obstacles());
   }
 
-  /** The whole of the world's ground, to be drawn first. */
+  /** The whole ground of the world, to be drawn first. */
   public Series ground() {
     double east = described.ground().sizeEast();
     double north = described.ground().sizeNorth();
@@ -83,7 +84,7 @@ public final class FieldMap {
     return all.toArray(Series[]::new);
   }
 
-  /** A filled polygon by its corners, in the frame that is drawn in. */
+  /** A filled polygon by its corners, in the frame of the map. */
   public static Series outline(String name, List<LocalPosition> corners) {
     return Series.area(
         name,

@@ -6,12 +6,12 @@ import java.util.Locale;
 import org.dfra.app.plot.HtmlReport;
 import org.dfra.app.raster.MissionEvent;
 
-/** What happened on the way, numbered from 1: figures show the numbers, and this the rest. */
+/** Events during the run, numbered from 1: figures show the numbers, this list the texts. */
 public final class MissionEventList {
 
   private MissionEventList() {}
 
-  /** Adds the list, unless nothing happened. */
+  /** Adds the list, unless it is empty. */
   public static void addTo(List<MissionEvent> marks, HtmlReport html) {
     List<List<String>> rows = new ArrayList<>();
     for (MissionEvent each : marks) {

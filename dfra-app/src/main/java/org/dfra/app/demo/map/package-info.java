@@ -1,6 +1,6 @@
 /**
- * Maps for the reports of demonstrations that move on a field: what stands there, where robots
- * truly went, and what happened where. Enter at {@link org.dfra.app.demo.map.FieldMap}.
+ * Maps for the reports of demonstrations that move on a field: obstacles, the robots' true paths,
+ * and the places of events. Entry point: {@link org.dfra.app.demo.map.FieldMap}.
  */
 @NullMarked
 package org.dfra.app.demo.map;

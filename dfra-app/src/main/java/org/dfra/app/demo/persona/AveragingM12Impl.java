@@ -26,9 +26,9 @@ import org.dfra.persona.PoseAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The newer version of a driver that the demonstration changes to: an M12+ whose positions are the
- * mean of the last {@value #POSITIONS}, for a robot that stands. Parameters and attributes are
- * those of {@link M12PlusImpl}, which does the talking.
+ * A newer version of a driver, to which the demonstration changes: an M12+ whose positions are the
+ * mean of the last {@value #POSITIONS}, for a robot that is stopped. Parameters and attributes are
+ * those of {@link M12PlusImpl}, which communicates with the device.
  */
 public final class AveragingM12Impl extends SensorImpl implements GPSSensor {
 
@@ -48,7 +48,7 @@ public final class AveragingM12Impl extends SensorImpl implements GPSSensor {
         "1.1",
         List.of("GpsFix", "LocationReading", "TimeReading"),
         List.of());
-    // History and event numbers are this module's; the driver below keeps its own to itself.
+    // History and event numbers are this module's; the wrapped driver keeps its own.
     this.receiver =
         new M12PlusImpl(
             new ModuleContext(
@@ -111,7 +111,7 @@ public final class AveragingM12Impl extends SensorImpl implements GPSSensor {
     publish(averaged);
   }
 
-  /** Of positions some metres apart, and not at the antimeridian, the mean of each coordinate. */
+  /** The mean of each coordinate, for positions some metres apart and not at the antimeridian. */
   private GeoPosition mean() {
     return new GeoPosition(
         last.stream().mapToDouble(GeoPosition::latitude).average().orElseThrow(),

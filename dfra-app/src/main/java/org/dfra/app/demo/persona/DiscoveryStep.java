@@ -19,12 +19,12 @@ import org.dfra.persona.GpsReceiverAttributes;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.persona.SensorAttributes;
 
-/** Robots and a client meet: what they show, and what can be asked for. */
+/** A client discovers robots: their attributes, and queries over them. */
 final class DiscoveryStep {
 
   private static final Duration PATIENCE = Duration.ofSeconds(60);
 
-  /** What this demonstration asks for, without a robot's name or a receiver's make. */
+  /** The query of this demonstration, without a robot's name or a receiver's make. */
   static final ModuleQuery<LocationSensor> CAPABLE_SENSORS =
       ModuleQuery.of(LocationSensor.class)
           .where(SensorAttributes.class, "maxRate", Condition.atLeast(1))
@@ -39,10 +39,10 @@ final class DiscoveryStep {
   }
 
   /**
-   * Waits for the robots and prints what they show.
+   * Waits for the robots and prints their attributes.
    *
-   * @param robots how many
-   * @param modules how many of each
+   * @param robots number of robots
+   * @param modules number of modules of each
    */
   void awaitRobots(int robots, int modules, ProgressReporter.Stopwatch sinceColdStart)
       throws Exception {
@@ -78,7 +78,7 @@ final class DiscoveryStep {
         .isPresent();
   }
 
-  /** Asks by capability. */
+  /** Queries by capability. */
   void ask() throws Exception {
     tell.chapter("asking by capability", "It asks by what is needed, not by name");
     List<ModuleListing<LocationSensor>> found = directory.find(CAPABLE_SENSORS);

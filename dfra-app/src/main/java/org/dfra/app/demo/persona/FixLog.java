@@ -17,12 +17,12 @@ import org.dfra.event.Subscription;
 import org.dfra.flow.sensor.GPSSensor;
 
 /**
- * A client's subscription to one receiver, with the time and the number of each of its readings.
- * Nothing in it looks after failures: that the readings come again is the subscription's work.
+ * A client's subscription to one receiver, with the time and the number of each of its readings. It
+ * contains no code for failures: the subscription itself recovers.
  */
 final class FixLog implements AutoCloseable {
 
-  /** Events kept for the client while it is busy; it never is for so long. */
+  /** Length of the client's event queue; it never fills. */
   private static final int DEPTH = 20;
 
   private final ModuleListing<GPSSensor> listing;
@@ -40,10 +40,10 @@ final class FixLog implements AutoCloseable {
   }
 
   /**
-   * A reading that has come.
+   * A received reading.
    *
-   * @param nanos when, by {@link System#nanoTime}
-   * @param life which of the receiver's lives it is from; each start of its server begins one
+   * @param nanos arrival time by {@link System#nanoTime}
+   * @param life the receiver's epoch; each start of its server begins one
    * @param number its number among all of the receiver's readings
    */
   record Arrival(long nanos, long life, long number) {}
@@ -65,7 +65,7 @@ final class FixLog implements AutoCloseable {
     return listing.path();
   }
 
-  /** Name of the module, which is that of its service group in these robots too. */
+  /** Name of the module, which is also that of its service group in these robots. */
   String module() {
     return listing.name();
   }
@@ -78,13 +78,13 @@ final class FixLog implements AutoCloseable {
     return subscription;
   }
 
-  /** The next reading to come. */
+  /** The next reading. */
   Arrival next(Duration patience) throws IOException, InterruptedException {
     long now = System.nanoTime();
     return first(each -> each.nanos() - now > 0, patience);
   }
 
-  /** The first reading of a later life than this. */
+  /** The first reading of a later epoch than this. */
   Arrival firstAfterLife(long life, Duration patience) throws IOException, InterruptedException {
     return first(each -> each.life() > life, patience);
   }
@@ -109,7 +109,7 @@ final class FixLog implements AutoCloseable {
     }
   }
 
-  /** Begins to look at the readings from now on. */
+  /** Starts a recording period with the next reading. */
   RecordingPeriod begin() {
     return new RecordingPeriod(System.nanoTime(), subscription.lost());
   }
@@ -124,13 +124,13 @@ final class FixLog implements AutoCloseable {
       this.lostBefore = lostBefore;
     }
 
-    /** Waits for so many readings. */
+    /** Waits for this number of readings. */
     void await(int readings, Duration patience) throws Exception {
       DemoAssertions.await(
           readings + " readings of " + path(), patience, () -> end().readings() >= readings);
     }
 
-    /** How many came, how far apart at the most, and how many did not come, until now. */
+    /** Number of readings, longest interval, and number of lost events, until now. */
     Summary end() {
       long now = System.nanoTime();
       long[] times;
@@ -152,11 +152,11 @@ final class FixLog implements AutoCloseable {
   }
 
   /**
-   * What came in a stretch of time.
+   * The summary of a period.
    *
    * @param path of the receiver
-   * @param readings that came
-   * @param rate at which they came, in hertz; 0 where fewer than two did
+   * @param readings number of readings received
+   * @param rate of the readings, in hertz; 0 for fewer than two
    * @param longestWait without a reading
    * @param lost events, readings or others, that were missing in the numbers
    */

@@ -23,14 +23,14 @@ import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.lookup.JiniModuleDirectory;
 
 /**
- * The distributed layer whole: two robots show what they can do, and a client goes on using them
- * while their processes are killed, stopped, replaced and removed.
+ * The complete distributed layer: two robots publish their capabilities, and a client keeps using
+ * them while their processes are killed, suspended, replaced and removed.
  */
 public final class PersonaDemo implements Demo {
 
   private static final int RECEIVERS = 2; // on each robot
 
-  /** The four antennas, and that of the module that is added; some metres apart. */
+  /** The four antennas, and that of the added module; some metres apart. */
   private static final List<GeoPosition> ANTENNAS =
       List.of(
           new GeoPosition(27.950603, -82.457200, 14.5),
@@ -41,7 +41,7 @@ public final class PersonaDemo implements Demo {
 
   private final ProgressReporter tell;
 
-  /** Told by the narration. */
+  /** {@code tell} reports the progress. */
   public PersonaDemo(ProgressReporter narration) {
     this.tell = narration;
   }
@@ -90,7 +90,7 @@ public final class PersonaDemo implements Demo {
     return DemoRobot.of(stage, "field", name, Map.of("gps_front", front, "gps_rear", rear));
   }
 
-  /** Both at once, as on two computers. */
+  /** Both in parallel, as on two computers. */
   private void bringUp(List<DemoRobot> robots) throws Exception {
     tell.step("bringing the robots up");
     ProgressReporter.Stopwatch watch = tell.stopwatch();

@@ -17,21 +17,19 @@ import org.dfra.persona.ModuleAttributes;
 import org.dfra.persona.PersonaAttributes;
 import org.dfra.persona.SensorAttributes;
 
-/**
- * What robots show of themselves, laid out for people. It asks nobody: it is all in the listing.
- */
+/** The attributes of robots as text output. It makes no calls: all data are in the listing. */
 final class PersonaSheet {
 
   private static final String LABEL = "  %-13s%s";
   private static final String TABLE = "  %s";
 
-  /** Columns before a line of a table: these, and those of what is shown under a sentence. */
+  /** Columns before a line of a table: these, and the indent below a sentence. */
   private static final int MARGIN = 6;
 
   private PersonaSheet() {}
 
   /**
-   * The whole of a robot.
+   * A complete robot.
    *
    * @param columns of the terminal
    */
@@ -51,7 +49,7 @@ final class PersonaSheet {
     return lines;
   }
 
-  /** A robot in one line: name, role, and whether that is fresh. */
+  /** A robot in one line: name, role, and whether the listing is stale. */
   static String headline(Persona persona, Instant now) {
     String state =
         persona.stale()

@@ -24,7 +24,7 @@ import org.dfra.lease.ModuleLease;
 import org.dfra.module.Readiness;
 import org.dfra.persona.ModuleAttributes;
 
-/** A receiver's process is killed: under a subscription and a lease, and under a call. */
+/** A receiver's process is killed: under a subscription and a lease, and during a call. */
 final class ReceiverKillStep {
 
   private static final Duration PATIENCE = Duration.ofSeconds(30);
@@ -33,7 +33,7 @@ final class ReceiverKillStep {
   /** The subscription and the lease. */
   private static final int CLIENTS = 2;
 
-  /** A call that lasts so much longer than others do has not been answered by a living server. */
+  /** A call that lasts this much longer than usual has not been answered by a living server. */
   private static final Duration UNANSWERED = Duration.ofMillis(300);
 
   private final ProgressReporter tell;
@@ -49,7 +49,7 @@ final class ReceiverKillStep {
     this.directory = directory;
   }
 
-  /** Kills the process of a receiver that somebody listens to and holds a lease on. */
+  /** Kills the process of a receiver that has a listener and a lease. */
   void underASubscription(FixLog log) throws Exception {
     tell.chapter("killing a receiver", "kill -9 of a receiver's process, while a client listens");
     try (ModuleLease lease = log.gps().acquireLease(LEASE)) {
@@ -96,7 +96,7 @@ final class ReceiverKillStep {
     }
   }
 
-  /** Waits until the receiver that was started after a moment says that it has both clients. */
+  /** Waits until the receiver that restarted after a moment reports both clients. */
   private void awaitClients(FixLog log, Instant after) throws Exception {
     ModuleQuery<GPSSensor> query =
         ModuleQuery.of(GPSSensor.class).robot(robot.name()).name(log.module());
@@ -113,7 +113,7 @@ final class ReceiverKillStep {
                             && each.activated().isAfter(after)));
   }
 
-  /** Kills the process of the receiver that a call has been sent to and that has not answered. */
+  /** Kills the receiver's process during a call that it has not answered. */
   void underACall() throws Exception {
     tell.chapter("killing a receiver under a call", "kill -9 under a call");
     awaitAllReady();
@@ -147,14 +147,14 @@ final class ReceiverKillStep {
     awaitAllReady();
   }
 
-  /** A call that a stopped process has not answered. */
+  /** A call that a suspended process has not answered. */
   private static Future<LocationReading> inFlight(ExecutorService caller, LocationSensor any)
       throws Exception {
     long end = System.nanoTime() + PATIENCE.toNanos();
     while (System.nanoTime() - end < 0) {
       Future<LocationReading> call = caller.submit(any::location);
       try {
-        // The signal reaches a busy machine's threads a moment after it was sent.
+        // On a loaded machine the signal takes effect a moment later.
         LocationReading unused = call.get(UNANSWERED.toMillis(), TimeUnit.MILLISECONDS);
       } catch (TimeoutException e) {
         return call;

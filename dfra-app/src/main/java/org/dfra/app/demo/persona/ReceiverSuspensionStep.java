@@ -12,12 +12,15 @@ import org.dfra.app.demo.harness.ProgressReporter;
 import org.dfra.app.demo.harness.QuantityText;
 import org.dfra.app.terminal.Table;
 
-/** A receiver's process is stopped: it is reported, and nobody else waits for it. */
+/**
+ * A receiver's process is suspended: the subscription reports it, and other clients are not
+ * delayed.
+ */
 final class ReceiverSuspensionStep {
 
   private static final Duration PATIENCE = Duration.ofSeconds(30);
 
-  /** So many readings of the others show that they go on. */
+  /** This number of readings shows that the others continue. */
   private static final int ENOUGH = 5;
 
   private final ProgressReporter tell;
@@ -31,10 +34,10 @@ final class ReceiverSuspensionStep {
   }
 
   /**
-   * Stops a receiver's process and lets it go on.
+   * Suspends a receiver's process and resumes it.
    *
    * @param stopped the subscription to it
-   * @param others subscriptions that should not suffer
+   * @param others subscriptions that should not be affected
    */
   void play(FixLog stopped, List<FixLog> others) throws Exception {
     tell.chapter("stopping a receiver", "kill -STOP: a process falls silent");

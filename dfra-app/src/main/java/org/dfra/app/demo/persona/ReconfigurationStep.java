@@ -20,7 +20,7 @@ import org.dfra.directory.ModuleQuery;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.persona.ModuleAttributes;
 
-/** A module is added to a robot that works, replaced by a newer version, and removed. */
+/** A module is added to a working robot, replaced by a newer version, and removed. */
 final class ReconfigurationStep {
 
   private static final Duration PATIENCE = Duration.ofSeconds(30);
@@ -42,9 +42,9 @@ final class ReconfigurationStep {
   /**
    * Changes the robot.
    *
-   * @param link to the receiver that is added
-   * @param model the module that it is like, and whose process it joins
-   * @param logs subscriptions that should not notice anything
+   * @param link to the added receiver
+   * @param model the module that it copies, and whose process it joins
+   * @param logs subscriptions that should not be affected
    */
   void play(String link, String model, List<FixLog> logs) throws Exception {
     tell.chapter("adding a module", "The robot is changed while it works");
@@ -93,14 +93,14 @@ final class ReconfigurationStep {
     reportOthers(stretches);
   }
 
-  /** Waits until every subscription has had so many readings. */
+  /** Waits until every subscription has received this number of readings. */
   private static void await(List<FixLog.RecordingPeriod> stretches, int readings) throws Exception {
     for (FixLog.RecordingPeriod each : stretches) {
       each.await(readings, PATIENCE);
     }
   }
 
-  /** Waits for the module with this driver to work. */
+  /** Waits until the module with this driver is ready. */
   private ModuleListing<GPSSensor> await(ModuleDescription module) throws Exception {
     ModuleQuery<GPSSensor> exactly =
         query.where(ModuleAttributes.class, "driver", Condition.equalTo(module.driverClass()));

@@ -16,7 +16,7 @@ import org.dfra.directory.ModuleDirectory;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.Persona;
 
-/** A robot's registrar dies, and nothing is there to bring it back: the robot is shown as stale. */
+/** A robot's registrar dies, and no process restarts it: the robot is listed as stale. */
 final class RegistrarOutageStep {
 
   private static final Duration PATIENCE = Duration.ofSeconds(30);
@@ -35,7 +35,7 @@ final class RegistrarOutageStep {
   }
 
   /**
-   * Kills the registrar and who would bring it back, and starts the latter again.
+   * Kills the registrar and the phoenix that would restart it, and starts phoenix again.
    *
    * @param log the subscription to a receiver of the robot
    */

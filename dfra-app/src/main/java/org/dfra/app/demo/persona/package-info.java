@@ -1,4 +1,4 @@
-/** {@code ./dfra demo persona}: modules found by what they can do, kept through failures. */
+/** {@code ./dfra demo persona}: modules found by capability and kept through failures. */
 @NullMarked
 package org.dfra.app.demo.persona;
 

@@ -10,7 +10,7 @@ import org.dfra.app.raster.MissionResult;
 import org.dfra.app.raster.MissionResult.RobotMissionResult;
 import org.dfra.app.raster.ModuleReadings.Advice;
 
-/** Which fuzzy rules spoke loudest, and how often. */
+/** The fuzzy rules that dominated, and how often. */
 final class DominantRules {
 
   private DominantRules() {}
@@ -35,9 +35,9 @@ final class DominantRules {
   /**
    * The most frequent ones.
    *
-   * @param most how many
-   * @return headings, then a row for each rule: how often it was the loudest of each robot's, how
-   *     strongly it applied then, and what it says
+   * @param most number of rules
+   * @return headings, then a row for each rule: how often it was the strongest for each robot, its
+   *     strength then, and its text
    */
   static List<List<String>> table(MissionResult flight, int most) {
     Map<String, Count> counts = new HashMap<>();

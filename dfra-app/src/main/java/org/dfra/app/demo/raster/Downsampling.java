@@ -6,15 +6,15 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 
 /**
- * Columns of numbers for plots, thinned so that a figure holds no more points than it can show. The
- * CSV files have them all.
+ * Columns of numbers for plots, downsampled to what a figure can show. The CSV files have all
+ * numbers.
  */
 final class Downsampling {
 
   private Downsampling() {}
 
   /**
-   * One of so many, and the last.
+   * Every n-th sample, and the last.
    *
    * @return {@code {x, y}}
    */
@@ -28,14 +28,14 @@ final class Downsampling {
     };
   }
 
-  /** How the numbers of one bin become one. */
+  /** How the numbers of one bin are aggregated. */
   enum Bin {
     MIN,
     MEAN
   }
 
   /**
-   * One number for each bin of time in which there is any; where there is none, the line breaks.
+   * One number for each bin of time that has any; an empty bin interrupts the line.
    *
    * @param width of a bin, seconds
    * @return {@code {time, number}}; a bin's time is its middle

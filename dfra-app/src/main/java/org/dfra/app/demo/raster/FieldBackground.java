@@ -8,7 +8,7 @@ import org.dfra.app.raster.Scenario;
 import org.dfra.behaviors.raster.Lane;
 import org.dfra.geometry.LocalFrame;
 
-/** The region that is searched and its lanes, as series in the region's frame. */
+/** The searched region and its lanes, as series in the region's frame. */
 final class FieldBackground {
 
   private FieldBackground() {}

@@ -17,8 +17,8 @@ import org.dfra.behaviors.raster.RasterPlan;
 import org.dfra.geometry.LocalPosition;
 
 /**
- * Tells how a search goes on while it does: on a terminal a block that is redrawn every second,
- * elsewhere a sentence every ten. Confined to the thread that runs the search.
+ * Reports the progress of a search: on a terminal as a block that is redrawn every second,
+ * elsewhere as a sentence every ten seconds. Confined to the thread that runs the search.
  */
 final class LiveProgress implements MissionListener {
 
@@ -34,9 +34,7 @@ final class LiveProgress implements MissionListener {
   private double clearance = Double.POSITIVE_INFINITY;
   private long reported;
 
-  /**
-   * @param nanos a clock of real time, of which only differences are taken
-   */
+  /** @param nanos a monotonic real-time clock with any origin */
   LiveProgress(ProgressReporter tell, LongSupplier nanos, Scenario scenario) {
     this.tell = tell;
     this.nanos = nanos;

@@ -10,14 +10,14 @@ import org.dfra.app.raster.RobotSeparation;
 import org.dfra.app.raster.Scores;
 
 /**
- * The table of what a search is measured by, a column for each robot.
+ * The table of a search's metrics, a column for each robot.
  *
  * @param headings of the columns
- * @param rows of as many cells each
+ * @param rows each with as many cells
  */
 record MetricsTable(List<String> headings, List<List<String>> rows) {
 
-  /** One of what others measured with real robots: {@code facts} of the literature. */
+  /** A result that others published for real robots: {@code facts} of the literature. */
   private record Published(String who, double mean, String over) {}
 
   private static final List<Published> PUBLISHED =
@@ -27,7 +27,7 @@ record MetricsTable(List<String> headings, List<List<String>> rows) {
           new Published("ICR, odometry alone", 0.42, "40.5 m"));
 
   /**
-   * Of a whole search.
+   * Metrics of a whole search.
    *
    * @param scores of the robots, in their order
    * @param together share of the region that at least one of them saw
@@ -59,7 +59,7 @@ record MetricsTable(List<String> headings, List<List<String>> rows) {
     return new MetricsTable(headings, rows);
   }
 
-  /** What the first robot told of the others: of each, what it told last. */
+  /** The first robot's last report about each other robot. */
   private static void team(List<List<String>> rows, MissionResult flight) {
     if (flight.robots().size() < 2) {
       return;
@@ -96,7 +96,7 @@ record MetricsTable(List<String> headings, List<List<String>> rows) {
     return row;
   }
 
-  /** How far others were off, beside how far these robots were. */
+  /** Published cross-track errors, beside those of these robots. */
   static MetricsTable besidePublished(MissionResult flight, List<Scores> scores) {
     List<List<String>> rows = new ArrayList<>();
     for (int i = 0; i < scores.size(); i++) {

@@ -7,12 +7,12 @@ import org.dfra.app.raster.Scenario;
 import org.dfra.app.raster.embedded.EmbeddedMission;
 import org.dfra.app.raster.process.ProcessMission;
 
-/** The ways in which a search can be run. The only place that knows them all. */
+/** The modes in which a search can be run. The only class that knows all of them. */
 final class MissionModes {
 
   private MissionModes() {}
 
-  /** In which mode a search is run, and what that means, in sentences. */
+  /** The mode of a search, explained in sentences. */
   static String meaning(Mission mission) {
     return switch (mission.mode()) {
       case "local" ->
@@ -36,9 +36,10 @@ final class MissionModes {
   }
 
   /**
-   * The way that is asked for. In processes some are killed on the way, where there are two robots.
+   * The mission of the selected mode. In processes some are killed during the search, if there are
+   * two robots.
    *
-   * @param figures take what a mission measures of itself
+   * @param figures receive the mission's own measurements
    */
   static Mission of(RasterSetup setup, RunMeasurements figures) {
     Scenario scenario = setup.scenario();

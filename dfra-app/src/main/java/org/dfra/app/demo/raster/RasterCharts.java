@@ -31,21 +31,21 @@ import org.dfra.app.raster.Scores;
 import org.dfra.behaviors.raster.CoverageMap;
 import org.dfra.behaviors.raster.RasterPlan;
 
-/** The figures of a search: what was where, and when. */
+/** The figures of a search over place and time. */
 final class RasterCharts {
 
-  /** Least clearance that is wanted, metres. */
+  /** Target of the minimum clearance, metres. */
   static final double LEAST_CLEARANCE = 0.3;
 
   private static final Axis TIME = Axis.of("time", "s");
   private static final Axis EAST = FieldMap.EAST;
   private static final Axis NORTH = FieldMap.NORTH;
-  private static final int EACH = 5; // samples of a path: two in a second
+  private static final int EACH = 5; // samples of a path: two per second
   private static final double BIN = 1; // seconds
   private static final int HIGH = 250; // pixels of a panel over time
   private static final int MAP = 470; // pixels of a map beside another
 
-  /** Names that have the same colours in every figure; there is nothing in them to draw. */
+  /** Names that have the same colours in every figure; the series have no data. */
   private static final Series TRULY = Series.line("truly", new double[0], new double[0]);
 
   private static final Series BELIEVED =
@@ -63,7 +63,7 @@ final class RasterCharts {
     this.ground = FieldBackground.of(scenario);
   }
 
-  /** Where all robots truly went. */
+  /** The true paths of all robots. */
   Page paths() {
     Map<String, double[][]> ways = new LinkedHashMap<>();
     for (RobotMissionResult robot : flight.robots()) {
@@ -73,7 +73,7 @@ final class RasterCharts {
     return new Page("Where they truly went").row(800, map.paths(ground, ways));
   }
 
-  /** For each robot where it was, where it believed it was, and what its receivers said. */
+  /** For each robot its true, estimated and received positions. */
   Page estimates() {
     List<Panel> panels = new ArrayList<>();
     for (RobotMissionResult robot : flight.robots()) {
@@ -85,7 +85,7 @@ final class RasterCharts {
       panels.add(
           new PathPanel(robot.robot(), EAST, NORTH)
               .add(ground.toArray(Series[]::new))
-              .add(TRULY, BELIEVED) // first of all names, so with the colours of other figures
+              .add(TRULY, BELIEVED) // first, so that colours match others
               .add(Series.points("GPS fixes", fixes[0], fixes[1]).faint())
               .addPath(Series.line(BELIEVED.name(), believed[0], believed[1]))
               .addPath(Series.line(TRULY.name(), way[0], way[1]))
@@ -94,7 +94,7 @@ final class RasterCharts {
     return rows("Where each was, and believed it was", MAP + 40, panels);
   }
 
-  /** What each robot saw of the region. */
+  /** The area that each robot saw of the region. */
   Page coverage() {
     List<Panel> panels = new ArrayList<>();
     for (int i = 0; i < flight.robots().size(); i++) {
@@ -127,7 +127,7 @@ final class RasterCharts {
         .toArray(double[][]::new);
   }
 
-  /** How much room there was. */
+  /** The clearance over time. */
   Page clearance() {
     LinePanel room =
         new LinePanel("From body to the nearest thing", TIME, Axis.of("clearance", "m"))
@@ -143,7 +143,7 @@ final class RasterCharts {
     return page;
   }
 
-  /** Samples of all robots are of the same moments. */
+  /** Samples of all robots have the same times. */
   private LinePanel bodyDistance() {
     ClearanceCalculator bodies = new ClearanceCalculator(scenario.world());
     LinePanel panel = new LinePanel("From body to body", TIME, Axis.of("distance", "m"));
@@ -167,7 +167,7 @@ final class RasterCharts {
     return panel;
   }
 
-  /** What the first robot told of the others, and the truth. */
+  /** The separation that the first robot reported, and the true one. */
   private LinePanel separation() {
     LinePanel panel = new LinePanel("From base to base", TIME, Axis.of("distance", "m"));
     RobotMissionResult first = flight.robots().get(0);
@@ -186,7 +186,7 @@ final class RasterCharts {
     return panel;
   }
 
-  /** How far each was off its lanes. */
+  /** The cross-track error of each robot. */
   Page crossTrack() {
     Page page = new Page("Off the lanes, left is +; turns are left out");
     for (int i = 0; i < flight.robots().size(); i++) {
@@ -210,7 +210,7 @@ final class RasterCharts {
     return page;
   }
 
-  /** What the rules were told, and what they advised. */
+  /** The inputs and outputs of the fuzzy rules. */
   Page fuzzy() {
     LinePanel room = new LinePanel("Room they saw", TIME, Axis.of("least", "m"));
     LinePanel speed = new LinePanel("Speed they advised", TIME, Axis.of("speed", "m/s"));
@@ -234,7 +234,7 @@ final class RasterCharts {
     return marked(panel, each -> true);
   }
 
-  /** With the number of each in the list of all that happened; what came after, at the end. */
+  /** Marks each event with its number in the list of events; later events are marked at the end. */
   private LinePanel marked(LinePanel panel, Predicate<MissionEvent> shown) {
     for (int i = 0; i < flight.events().size(); i++) {
       MissionEvent each = flight.events().get(i);
@@ -251,7 +251,7 @@ final class RasterCharts {
     return Series.line(name, points[0], points[1]);
   }
 
-  /** Two panels in a row; one alone has it for itself. */
+  /** Two panels in a row; a single panel takes the whole row. */
   private static Page rows(String title, int height, List<Panel> panels) {
     Page page = new Page(title);
     for (int i = 0; i < panels.size(); i += 2) {

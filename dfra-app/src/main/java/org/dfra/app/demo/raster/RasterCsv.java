@@ -18,16 +18,14 @@ import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalPosition;
 
 /**
- * Every number of a search as CSV. Times are seconds of the robots' time since the search began;
- * places are metres east and north of the region's centre.
+ * All numbers of a search as CSV. Times are seconds on the robots' clock since the search began;
+ * positions are metres east and north of the region's centre.
  */
 final class RasterCsv {
 
   private final Path folder;
 
-  /**
-   * @param folder in which the files are written; it is there
-   */
+  /** @param folder for the files; it exists */
   RasterCsv(Path folder) {
     this.folder = folder;
   }

@@ -17,14 +17,14 @@ import org.dfra.app.terminal.Table;
 import org.dfra.behaviors.raster.RasterPlan;
 
 /**
- * An operator's region becomes lanes; robots search it, each the other way round than the one
- * before it, so that they meet; and what became of it goes into a report.
+ * Plans lanes for an operator's region; robots search it, each in the opposite direction to the one
+ * before it, so that they meet; writes a report of the results.
  */
 public final class RasterDemo implements Demo {
 
   /**
-   * Where a robot goes around a post, or its receivers drift, it leaves some ground to the other; a
-   * small region is mostly edge.
+   * A robot that goes around a post, or whose receiver drifts, leaves some ground to the other;
+   * edges make up most of a small region.
    */
   private static final double MOST_UNSEEN = 0.05;
 
@@ -43,10 +43,10 @@ public final class RasterDemo implements Demo {
   }
 
   /**
-   * The demonstration that the options ask for; nothing is started.
+   * The demonstration for these options; starts nothing.
    *
    * @param report the folder of its report
-   * @throws RuntimeException if they ask for what cannot be; the message is for the user
+   * @throws RuntimeException if the options are invalid; the message is for the user
    */
   public static RasterDemo of(ProgressReporter narration, RasterOptions options, Path report) {
     return new RasterDemo(narration, RasterSetup.of(options), report);
@@ -118,7 +118,7 @@ public final class RasterDemo implements Demo {
     tell.figure("robots that did not come to the end of their lanes", unfinished, 0, "");
     tell.figure("collisions", flight.collisions().size(), 0, "");
     tell.figure(
-        "least clearance short of 0.3 m", // a figure is to be small
+        "least clearance short of 0.3 m", // targets of measured values are upper limits
         Math.max(0, RasterCharts.LEAST_CLEARANCE - clearance),
         0,
         "m");

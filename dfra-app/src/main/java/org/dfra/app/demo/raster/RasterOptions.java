@@ -6,7 +6,7 @@ import org.dfra.app.raster.LaneSettings;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
-/** What can be said of a search by raster on the command line. A picocli mix-in. */
+/** The command-line options of a search by raster. A picocli mix-in. */
 public final class RasterOptions {
 
   @Option(
@@ -71,7 +71,7 @@ public final class RasterOptions {
       description = "Raster: the world's XML (default config/worlds/raster.xml).")
   @Nullable Path world;
 
-  /** Seconds of the robots' time in a second; nothing where it was not said. */
+  /** Seconds of the robots' clock per second; empty if not given. */
   public Optional<Double> speed() {
     return Optional.ofNullable(speed);
   }

@@ -17,7 +17,10 @@ import org.dfra.app.raster.Scenario;
 import org.dfra.app.raster.Scores;
 import org.dfra.behaviors.raster.RasterPlan;
 
-/** Writes what a search was: a page with figures and tables, each figure as SVG, all as CSV. */
+/**
+ * Writes the report of a search: a page with figures and tables, each figure as SVG, all numbers as
+ * CSV.
+ */
 final class RasterReport {
 
   private static final int RULES = 10;
@@ -29,9 +32,9 @@ final class RasterReport {
   private final RunMeasurements measured;
 
   /**
-   * @param mode in which it was run, and what that means
+   * @param mode in which it was run, and its explanation
    * @param scores of the robots, in their order
-   * @param measured what decides how well it went
+   * @param measured values that decide whether it passed
    */
   RasterReport(
       Scenario scenario,
@@ -164,7 +167,7 @@ final class RasterReport {
     }
   }
 
-  /** What a caption adds where something happened. */
+  /** The caption's note about numbered events. */
   private String numbered() {
     return flight.events().isEmpty() ? "" : " The numbers are those of what happened on the way.";
   }

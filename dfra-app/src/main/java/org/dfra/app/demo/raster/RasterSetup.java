@@ -28,24 +28,24 @@ import org.dfra.sim.world.file.WorldXml;
 import org.dfra.sim.world.shape.Vertex;
 
 /**
- * A search that was asked for and can be begun: whatever is wrong with it was said.
+ * A validated search that is ready to start: all errors have been reported.
  *
- * @param scenario what is to be searched, and by whom
+ * @param scenario the region and the robots
  * @param world the file of the world; its seed is the scenario's, not always the file's
- * @param mode the way in which it is wanted
- * @param pace how fast the robots' time goes
- * @param longest robots' time after which it is given up
+ * @param mode the selected mode
+ * @param pace speed of the robots' clock
+ * @param longest timeout of the search, robots' clock
  */
 public record RasterSetup(
     Scenario scenario, Path world, Mode mode, SimulationSpeed pace, Duration longest) {
 
-  /** Ways to run a search. */
+  /** Modes of running a search. */
   enum Mode {
     /** In processes under phoenix. */
     PROCESSES,
-    /** In one virtual machine, with lookup services. */
+    /** In one JVM, with lookup services. */
     EMBEDDED,
-    /** In one virtual machine, in lock-step. */
+    /** In one JVM, in lock-step. */
     LOCAL
   }
 
@@ -56,14 +56,14 @@ public record RasterSetup(
 
   private static final Duration TO_BEGIN = Duration.ofMinutes(10);
 
-  /** Metres per second, a quarter of what a robot that nothing hinders drives. */
+  /** Metres per second, a quarter of an unobstructed robot's speed. */
   private static final double SLOWEST = 0.15;
 
   /**
-   * What the options ask for.
+   * The setup for these options.
    *
-   * @throws CommandFailure if a number is none that can be, or the world has no robots for it
-   * @throws org.dfra.core.config.ConfigurationException if a file is not what it should be
+   * @throws CommandFailure if a number is out of range, or the world has no robots for it
+   * @throws org.dfra.core.config.ConfigurationException if a file is invalid
    * @throws GoalRefusedException if the region cannot be searched
    */
   static RasterSetup of(RasterOptions options) {
@@ -104,7 +104,7 @@ public record RasterSetup(
     if (options.region != null) {
       return GivenRegion.parse(options.region);
     } else if (options.world == null && mode == Mode.PROCESSES) {
-      return GivenRegion.parse(MIDDLE.toString()); // all of it would take six minutes
+      return GivenRegion.parse(MIDDLE.toString()); // the whole field would take six minutes
     }
     return new GivenRegion(worldRegion(world), file + ": ");
   }
@@ -138,7 +138,7 @@ public record RasterSetup(
     return Region.of(corners);
   }
 
-  /** The XML of each robot of the world, tried. */
+  /** The XML of each robot of the world, validated. */
   private static List<Path> team(WorldDescription world) {
     List<Path> team = new ArrayList<>();
     for (VehicleDescription each : world.vehicles()) {

@@ -7,27 +7,27 @@ import org.dfra.app.demo.harness.CpuSpeed;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How fast the robots' time goes. In processes, where nobody says it, so fast as the computer can
- * keep up with: robots stop when their percepts are late.
+ * The speed of the robots' clock. In processes, by default, as fast as the computer can sustain:
+ * robots stop when their percepts are late.
  *
- * @param speed seconds of the robots' time in a second
- * @param slowdownReason why it goes slower than usual, a sentence; nothing where it does not
+ * @param speed seconds of the robots' clock per second
+ * @param slowdownReason why it is slower than usual, a sentence; empty if it is not
  */
 record SimulationSpeed(double speed, Optional<String> slowdownReason) {
 
-  /** In one virtual machine, where nobody says another. */
+  /** Default in one JVM. */
   static final String DEFAULT_IN_ONE_JVM = "5";
 
-  /** In processes likewise: a dozen of them have two processors busy then for nine tenths. */
+  /** Default in processes: a dozen of them load two processors to 90 %. */
   static final String IN_PROCESSES = "2.5";
 
-  /** Below this even that is taken to be too much. */
+  /** Below this speed of the computer, even the default is too fast. */
   private static final double MIN_CPU_SPEED = 0.6;
 
   /**
-   * @param asked what the user asked for, where that is said
-   * @param cpuSpeed of this computer, as a share of {@link CpuSpeed}'s; asked for only where it
-   *     counts
+   * @param asked the speed that the user requested, if any
+   * @param cpuSpeed of this computer, relative to the reference of {@link CpuSpeed}; evaluated only
+   *     if needed
    */
   static SimulationSpeed of(
       @Nullable Double asked, RasterSetup.Mode mode, DoubleSupplier cpuSpeed) {

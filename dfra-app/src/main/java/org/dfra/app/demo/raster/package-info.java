@@ -1,10 +1,10 @@
 /**
- * {@code ./dfra demo raster}: an operator's region becomes lanes, and robots search it.
+ * {@code ./dfra demo raster}: plans lanes for an operator's region, and robots search it.
  *
  * <pre>
- *   command line --RasterOptions--&gt; RasterSetup --MissionModes--&gt; Mission --At--&gt; LiveProgress
+ *   command line --RasterOptions--&gt; RasterSetup --MissionModes--&gt; Mission --&gt; LiveProgress
  *                                                                    |
- *                                    RasterReport &lt;--Scores-- Flight-'
+ *                              RasterReport &lt;--Scores-- MissionResult--'
  * </pre>
  */
 @NullMarked

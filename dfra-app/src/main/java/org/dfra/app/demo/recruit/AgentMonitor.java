@@ -32,12 +32,12 @@ import org.dfra.recruit.message.SentMessage;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Hears what the agents of a team tell, and says it. Agents are listened to as they appear. Safe
- * for use by several threads.
+ * Receives the status of a team's recruitment agents and reports it. Subscribes to agents as they
+ * appear. Thread-safe.
  */
 final class AgentMonitor implements AutoCloseable, DirectoryListener<RecruitmentAgent> {
 
-  /** Readings kept for us while we are slow, of each agent. */
+  /** Queue length of each subscription, while this process is slow. */
   private static final int DEPTH = 512;
 
   private final ProgressReporter tell;
@@ -51,13 +51,11 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
   private final Set<String> cutOff = new TreeSet<>(); // robots; guarded by this
   private boolean isOver; // guarded by this
 
-  /** What was done to a robot, which its agent does not tell. */
+  /** An event of a robot that its agent does not publish. */
   record OperatorEvent(Instant time, String robot, String what) {}
 
-  /**
-   * @param began the robots' time that others are told as seconds since
-   */
-  @SuppressWarnings("this-escape") // nothing is told before the watch is
+  /** @param began the robots' time to which reported seconds are relative */
+  @SuppressWarnings("this-escape") // no events before the registration
   AgentMonitor(ModuleDirectory directory, ProgressReporter tell, Instant began) {
     this.tell = tell;
     this.began = began;
@@ -68,7 +66,7 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
   public synchronized void matched(ModuleListing<RecruitmentAgent> listing) {
     String robot = listing.robot();
     if (isOver || subscriptions.containsKey(robot)) {
-      return; // its subscription registers itself anew
+      return; // its subscription registers itself again
     }
     try {
       subscriptions.put(
@@ -118,13 +116,13 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
     }
   }
 
-  /** Whose, and when by the robots' time. */
+  /** The robot's name, and the time on the robots' clock. */
   private String moment(String robot, RecruitmentStatus now) {
     double seconds = Duration.between(began, now.measured()).toMillis() / 1000.0;
     return String.format(Locale.ROOT, "%s, after %.0f s", robot, seconds);
   }
 
-  /** What is another than before. */
+  /** The phases that differ from before. */
   private static String phases(@Nullable RecruitmentStatus last, RecruitmentStatus now) {
     List<String> phases = new ArrayList<>();
     if (now.requesterPhase() != (last == null ? RequesterPhase.IDLE : last.requesterPhase())) {
@@ -136,18 +134,18 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
     return String.join(" and ", phases);
   }
 
-  /** Notes what is done to a robot now. */
+  /** Records an event of a robot now. */
   synchronized void note(Instant now, String robot, String what) {
     noted.add(new OperatorEvent(now, robot, what));
   }
 
-  /** Notes that a robot dies now: from here on it helps nobody, whatever it told last. */
+  /** Records that a robot dies now: from here on it helps no robot, whatever its last status. */
   synchronized void noteDeath(Instant now, String robot, String what) {
     note(now, robot, what);
     deaths.put(robot, now);
   }
 
-  /** Notes that a robot's agent can, or cannot, be reached from now on. */
+  /** Records whether a robot's agent can be reached from now on. */
   synchronized void noteReachable(Instant now, String robot, boolean canBe) {
     if (canBe) {
       cutOff.remove(robot);
@@ -158,22 +156,22 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
     }
   }
 
-  /** Whether it was noted that a robot has died. */
+  /** Whether the robot's death was recorded. */
   synchronized boolean isDead(String robot) {
     return deaths.containsKey(robot);
   }
 
-  /** Whether it was noted that a robot cannot be reached, for now. */
+  /** Whether the robot is recorded as unreachable for now. */
   synchronized boolean isCutOff(String robot) {
     return cutOff.contains(robot);
   }
 
-  /** What was noted, as it was. */
+  /** The recorded events in order of time. */
   synchronized List<OperatorEvent> noted() {
     return List.copyOf(noted);
   }
 
-  /** Robots whose agents are listened to. */
+  /** Robots whose agents have been subscribed to. */
   synchronized Set<String> listening() {
     return Set.copyOf(subscriptions.keySet());
   }
@@ -198,7 +196,7 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
         .collect(Collectors.toSet());
   }
 
-  /** What that robot told last; nothing where it has told nothing. */
+  /** The last status of that robot; empty if there is none. */
   synchronized Optional<RecruitmentStatus> last(String robot) {
     return Optional.ofNullable(received.get(robot)).map(AgentMonitor::last);
   }
@@ -207,29 +205,29 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
     return all.get(all.size() - 1);
   }
 
-  /** All that was told, by robot, as it was told. */
+  /** All statuses by robot, in the order received. */
   synchronized Map<String, List<RecruitmentStatus>> statuses() {
     Map<String, List<RecruitmentStatus>> copy = new TreeMap<>();
     received.forEach((robot, all) -> copy.put(robot, List.copyOf(all)));
     return copy;
   }
 
-  /** All letters that were sent, as they were told. */
+  /** All messages that agents sent, in the order reported. */
   synchronized List<SentMessage> messages() {
     return List.copyOf(letters);
   }
 
-  /** For how many seconds of the robots' time two helped at once, as each dated it. */
+  /** For how many seconds of the robots' time two helped at once, by the time stamps of each. */
   synchronized double overlapSeconds() {
     return overlapSeconds(received, deaths);
   }
 
-  /** From when to when a robot was committed to help. */
+  /** Interval during which a robot was committed to help. */
   private record Span(String robot, Instant from, Instant to) {}
 
   /**
-   * The same of what was told, by robot. Whose end of helping was not told helped until it died, or
-   * else until the last that anybody told.
+   * The same from statuses, by robot. A robot that did not report the end of its help is taken to
+   * have helped until it died, or else until the last status of any robot.
    *
    * @param deaths when a robot died, by robot
    */

@@ -27,34 +27,34 @@ import org.dfra.geometry.LocalPosition;
 import org.dfra.module.NotReadyException;
 
 /**
- * What robots do until they are called, and go on with afterwards. What the searches tell is kept.
- * Safe for use by several threads.
+ * The work of the robots until they are recruited, which they resume afterwards. Keeps the status
+ * of the searches. Thread-safe.
  */
 final class BackgroundSearches implements AutoCloseable {
 
-  /** How long a search is usually awaited. */
+  /** Usual timeout for a search. */
   static final Duration PATIENCE = Duration.ofSeconds(120);
 
-  /** Metres; so narrow that nobody is at the end of its search before the last call. */
+  /** Metres; so narrow that no search ends before the last call. */
   private static final double SWATH = 0.85;
 
   private static final double WIDTH = 13.5; // to the east, metres
   private static final double DEPTH = 8; // to the north, metres
 
-  /** Readings kept for us while we are slow, of each search. */
+  /** Queue length of each subscription, while this process is slow. */
   private static final int KEPT = 512;
 
   private final ProgressReporter tell;
   private final ModuleDirectory directory;
   private final LocalFrame frame;
   private final Duration patience;
-  private final Map<String, RasterSearch> under = new TreeMap<>(); // way, by robot; guarded by this
+  private final Map<String, RasterSearch> under = new TreeMap<>(); // path by robot; guarded by this
   private final Map<String, Subscription> subscriptions = new TreeMap<>(); // guarded by this
   private final Map<String, List<BehaviorStatus>> received = new TreeMap<>(); // guarded by this
 
   /**
    * @param frame the world's
-   * @param patience for how long a search is awaited, real time
+   * @param patience timeout for a search, real time
    */
   BackgroundSearches(
       ProgressReporter tell, ModuleDirectory directory, LocalFrame frame, Duration patience) {
@@ -65,7 +65,7 @@ final class BackgroundSearches implements AutoCloseable {
   }
 
   /**
-   * Has a robot search a rectangle by raster.
+   * Starts a robot's search of a rectangle by raster.
    *
    * @param west of its south-western corner, metres in the world's frame
    * @param south likewise
@@ -112,13 +112,13 @@ final class BackgroundSearches implements AutoCloseable {
     return List.copyOf(received.getOrDefault(robot, List.of()));
   }
 
-  /** What a robot's search told last; nothing where it has none, or told nothing. */
+  /** The last status of a robot's search; empty if there is none. */
   synchronized Optional<BehaviorStatus> last(String robot) {
     List<BehaviorStatus> all = received.getOrDefault(robot, List.of());
     return all.isEmpty() ? Optional.empty() : Optional.of(all.get(all.size() - 1));
   }
 
-  /** That robot is no more. */
+  /** The robot no longer exists. */
   void forget(String robot) {
     Subscription ending;
     synchronized (this) {
@@ -131,11 +131,11 @@ final class BackgroundSearches implements AutoCloseable {
   }
 
   /**
-   * Judges whether each that was recruited had been searching and went on with that search, says
-   * so, and ends all searches. Who has to do more of it yet is given time.
+   * Checks whether each recruited robot had been searching and resumed that search, reports the
+   * result, and ends all searches. A robot that has yet to make progress is given time.
    *
-   * @param recruited what the agents of those told that were called away, as they told it, by robot
-   * @return what is wrong, by robot
+   * @param recruited statuses of the agents of recruited robots, in the order received, by robot
+   * @return the faults, by robot
    */
   Map<String, ResumptionFault> end(Map<String, List<RecruitmentStatus>> recruited)
       throws Exception {
@@ -165,7 +165,7 @@ final class BackgroundSearches implements AutoCloseable {
     return faults;
   }
 
-  /** Whether waiting for it changes nothing any more. */
+  /** Whether waiting for it cannot change the result any more. */
   private boolean isDecided(String robot, List<RecruitmentStatus> agent) {
     Optional<ResumptionFault> fault = ResumptionCheck.fault(agent, statuses(robot));
     boolean isOver =

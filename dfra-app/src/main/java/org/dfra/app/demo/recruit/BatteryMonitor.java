@@ -17,10 +17,7 @@ import org.dfra.flow.sensor.BatterySensor;
 import org.dfra.flow.sensor.BatteryState;
 import org.jspecify.annotations.Nullable;
 
-/**
- * How much charge the robots of a team have left, as their batteries tell it. Safe for use by
- * several threads.
- */
+/** The battery charge of a team's robots, as their batteries publish it. Thread-safe. */
 final class BatteryMonitor implements AutoCloseable, DirectoryListener<BatterySensor> {
 
   private static final double HERTZ = 1;
@@ -30,8 +27,8 @@ final class BatteryMonitor implements AutoCloseable, DirectoryListener<BatterySe
   private final Map<String, Double> charges = new TreeMap<>(); // by robot; guarded by this
   private boolean isOver; // guarded by this
 
-  /** Listens to batteries as they appear. */
-  @SuppressWarnings("this-escape") // nothing is told before the watch is
+  /** Subscribes to batteries as they appear. */
+  @SuppressWarnings("this-escape") // no events before the registration
   BatteryMonitor(ModuleDirectory directory) {
     this.watch = directory.listen(ModuleQuery.of(BatterySensor.class), this);
   }
@@ -40,7 +37,7 @@ final class BatteryMonitor implements AutoCloseable, DirectoryListener<BatterySe
   public synchronized void matched(ModuleListing<BatterySensor> listing) {
     String robot = listing.robot();
     if (isOver || subscriptions.containsKey(robot)) {
-      return; // its subscription registers itself anew
+      return; // its subscription registers itself again
     }
     try {
       subscriptions.put(
@@ -51,7 +48,7 @@ final class BatteryMonitor implements AutoCloseable, DirectoryListener<BatterySe
                   delivery -> received(robot, delivery),
                   DeliveryPolicy.latestReading().withMaxRate(HERTZ)));
     } catch (RemoteException e) {
-      charges.remove(robot); // not known, as the table says
+      charges.remove(robot); // not known, as the table shows
     }
   }
 
@@ -67,7 +64,7 @@ final class BatteryMonitor implements AutoCloseable, DirectoryListener<BatterySe
     }
   }
 
-  /** Charge left, 0 to 1; null where it is not known. */
+  /** Charge left, 0 to 1; null if not known. */
   synchronized @Nullable Double charge(String robot) {
     return charges.get(robot);
   }

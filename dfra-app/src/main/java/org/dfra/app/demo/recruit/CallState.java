@@ -16,17 +16,17 @@ import org.dfra.recruit.message.SentMessage;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How a call is going, by the letters that were sent.
+ * The state of a call, derived from the messages sent.
  *
- * @param requester who calls
+ * @param requester the calling robot
  * @param number counts the calls of all robots from 1
  * @param place where help is needed
- * @param since when the first letter of it was sent, by its sender's clock
- * @param chosen who is to come, or has come; null where nobody was chosen yet
- * @param lost who was chosen before and did not come, or left
+ * @param since when its first message was sent, by its sender's clock
+ * @param chosen the chosen helper, travelling or arrived; null before the choice
+ * @param lost helpers that were chosen before and did not come, or left
  * @param rounds how often HELP was sent
- * @param messages how many were sent, one to all counted as one
- * @param leaseEnd when the lease ends that the chosen one has granted, by its clock; null before
+ * @param messages number of messages; one to all counts as one
+ * @param leaseEnd end of the lease that the chosen helper has granted, by its clock; null before
  */
 record CallState(
     String requester,
@@ -44,7 +44,7 @@ record CallState(
   }
 
   /**
-   * The call that a robot has made last; nothing where it has made none.
+   * The last call of a robot; empty if it has made none.
    *
    * @param all conversations, the first first
    */
@@ -60,7 +60,7 @@ record CallState(
     return one.call() == other.call();
   }
 
-  /** Of one call, with an attempt at least; each attempt chooses anew. */
+  /** One call with at least one attempt; each attempt makes a new choice. */
   private static CallState of(List<Attempt> attempts) {
     Attempt last = attempts.get(attempts.size() - 1);
     Set<String> winners = new LinkedHashSet<>();
@@ -97,7 +97,7 @@ record CallState(
         stay);
   }
 
-  /** For how many seconds it has been under way at that time. */
+  /** Its duration until that time, seconds. */
   double seconds(Instant now) {
     return Duration.between(since, now).toMillis() / 1000.0;
   }

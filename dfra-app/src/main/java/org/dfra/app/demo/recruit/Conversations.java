@@ -12,17 +12,17 @@ import org.dfra.recruit.message.RecruitmentMessage.Help;
 import org.dfra.recruit.message.SentMessage;
 import org.jspecify.annotations.Nullable;
 
-/** Letters sorted into conversations, with names for people: a call, and which attempt at it. */
+/** Messages sorted into conversations with readable names: a call, and an attempt at it. */
 final class Conversations {
 
   /**
-   * What was said in one.
+   * One conversation.
    *
    * @param call counts the calls of all robots from 1
-   * @param attempt counts the conversations about that call from 1: who is late is replaced in the
-   *     next
-   * @param begun when its first letter was sent, by its sender's clock
-   * @param messages as they were sent, at least one
+   * @param attempt counts the conversations of that call from 1: the next one replaces a late
+   *     helper
+   * @param begun when its first message was sent, by its sender's clock
+   * @param messages in the order sent, at least one
    */
   record Attempt(
       String requester,
@@ -40,7 +40,7 @@ final class Conversations {
 
   private Conversations() {}
 
-  /** All of them as they were begun; a call after another is one with another place or purpose. */
+  /** All conversations in the order of their start; a new call has another place or purpose. */
   static List<Attempt> of(List<SentMessage> letters) {
     Map<Conversation, List<SentMessage>> sorted = new LinkedHashMap<>();
     letters.stream()

@@ -16,13 +16,14 @@ import org.dfra.geometry.LocalPosition;
 import org.dfra.sim.world.GroundTruthPose;
 
 /**
- * What happened, in its order, and where: what agents told held against where robots truly were.
+ * The events of the demonstration in order, with places: statuses of agents, compared with the
+ * robots' true positions.
  */
 final class DemoTimeline {
 
   /**
-   * @param mark what happened
-   * @param east where, metres in the world's frame
+   * @param mark the event
+   * @param east its place, metres in the world's frame
    * @param north likewise
    */
   record Event(MissionEvent mark, double east, double north) {}
@@ -33,7 +34,7 @@ final class DemoTimeline {
   private final TrueTrajectories ways;
 
   /**
-   * @param began the robots' time that all is told as seconds since
+   * @param began the robots' time to which reported seconds are relative
    * @param frame the world's
    */
   DemoTimeline(Instant began, LocalFrame frame, AgentMonitor witness, TrueTrajectories ways) {
@@ -48,12 +49,12 @@ final class DemoTimeline {
     return Duration.between(began, time).toMillis() / 1000.0;
   }
 
-  /** Where something is that was told by latitude and longitude. */
+  /** Transforms latitude and longitude to the world's frame. */
   LocalPosition place(GeoPosition place) {
     return frame.toLocal(place);
   }
 
-  /** All, the first first. */
+  /** All events, the first first. */
   List<Event> events() {
     List<Event> all = new ArrayList<>();
     for (Attempt each : Conversations.of(witness.messages())) {
@@ -106,17 +107,17 @@ final class DemoTimeline {
     return new MissionEvent(seconds(time), robot, what);
   }
 
-  /** What each robot told of itself, as it was told. */
+  /** The statuses of each robot, in the order received. */
   Map<String, List<RecruitmentStatus>> statuses() {
     return witness.statuses();
   }
 
-  /** What was said. */
+  /** The conversations. */
   List<Attempt> conversations() {
     return Conversations.of(witness.messages());
   }
 
-  /** Where robots truly went. */
+  /** The robots' true paths. */
   Map<String, double[][]> trajectories() {
     return ways.all();
   }

@@ -16,10 +16,10 @@ import org.dfra.app.demo.harness.ProgressReporter;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
 
-/** What one robot asks of its agent, and what comes of it. */
+/** The help requests of one robot to its agent, and their results. */
 final class HelpRequester {
 
-  /** How long anything is awaited, real time. */
+  /** Timeout of all waits, real time. */
   static final Duration PATIENCE = Duration.ofSeconds(120);
 
   private final ProgressReporter tell;
@@ -45,7 +45,10 @@ final class HelpRequester {
     this.frame = frame;
   }
 
-  /** Waits until the agent has found the others: until then it answers that nobody is there. */
+  /**
+   * Waits until the agent has found the others: until then it answers that there are no other
+   * robots.
+   */
   void awaitOthers(HelpCall impossible) throws Exception {
     tell.step("waiting until " + requester + " sees the others");
     DemoAssertions.await(
@@ -54,7 +57,7 @@ final class HelpRequester {
         () -> refusal(impossible).filter(why -> !why.endsWith("nobody is there")).isPresent());
   }
 
-  /** Calls for what cannot be had. */
+  /** Makes an impossible call and checks that it is refused. */
   void requireRefused(HelpCall call) throws IOException {
     LocalPosition at = frame.toLocal(call.position());
     Optional<String> why = refusal(call);
@@ -75,7 +78,7 @@ final class HelpRequester {
     }
   }
 
-  /** Calls, and waits until somebody is on its way who is not one of those. */
+  /** Calls, and waits until a helper is travelling that is not one of those. */
   String call(HelpCall call, Set<String> others) throws Exception {
     tell.step("calling for help");
     AtomicReference<String> refused = new AtomicReference<>("it has not answered");
@@ -88,7 +91,7 @@ final class HelpRequester {
                 return true;
               } catch (HelpCallRejectedException e) {
                 refused.set(String.valueOf(e.getMessage()));
-                return false; // it has not seen the others yet, or its last call is not over
+                return false; // it has not discovered the others yet, or its last call is not over
               }
             });
     DemoAssertions.require(calls, requester + " cannot call for help: " + refused.get());
@@ -99,7 +102,7 @@ final class HelpRequester {
     return awaitTravelling(others);
   }
 
-  /** Waits until somebody is on its way who is not one of those. */
+  /** Waits until a helper is travelling that is not one of those. */
   String awaitTravelling(Set<String> others) throws Exception {
     tell.step("waiting for a helper");
     DemoAssertions.await(
@@ -107,7 +110,7 @@ final class HelpRequester {
     return witness.committed(others).orElseThrow();
   }
 
-  /** Waits until somebody helps, who need not be the one that was on its way first. */
+  /** Waits until a robot helps; it may differ from the one that travelled first. */
   String awaitArrival() throws Exception {
     await(RequesterPhase.BEING_HELPED);
     String helper = witness.last(requester).orElseThrow().helperRobot();
@@ -116,7 +119,7 @@ final class HelpRequester {
     return String.valueOf(helper);
   }
 
-  /** Lets the helper go. */
+  /** Releases the helper. */
   void release(String helper) throws Exception {
     tell.say("%s has seen enough and releases %s.", requester, helper);
     agent.release();
@@ -124,7 +127,7 @@ final class HelpRequester {
     await(RequesterPhase.IDLE);
   }
 
-  /** Waits until another robot's agent tells that. */
+  /** Waits until another robot's agent reports that phase. */
   void await(String robot, ResponderPhase phase) throws Exception {
     tell.step("waiting until " + robot + " is " + phase);
     DemoAssertions.await(
@@ -133,7 +136,7 @@ final class HelpRequester {
         () -> witness.last(robot).filter(each -> each.responderPhase() == phase).isPresent());
   }
 
-  /** Waits until the requester's agent tells that. */
+  /** Waits until the requester's agent reports that phase. */
   void await(RequesterPhase phase) throws Exception {
     tell.step("waiting until " + requester + " is " + phase);
     DemoAssertions.await(

@@ -24,14 +24,14 @@ import org.dfra.sim.world.GroundTruthPose;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Shows on a terminal what the team is at, twice a second, by a thread of its own, {@code
- * dfra-demo-live}. Where there is no terminal it does nothing: the narration tells enough.
+ * Shows on a terminal what each robot is doing, twice a second, by a thread of its own, {@code
+ * dfra-demo-live}. Without a terminal it does nothing: the progress reports suffice.
  */
 final class LiveView implements AutoCloseable {
 
   private static final long PERIOD_MILLIS = 500;
 
-  /** Higher than this a robot flies, metres above the ground. */
+  /** Above this height a robot counts as flying, metres above the ground. */
   private static final double FLIES = 0.5;
 
   private final ProgressReporter tell;
@@ -42,13 +42,13 @@ final class LiveView implements AutoCloseable {
   private final AgentMonitor witness;
   private final BackgroundSearches searches;
   private final TrueTrajectories ways;
-  private final @Nullable BatteryMonitor batteries; // null where there is no terminal
+  private final @Nullable BatteryMonitor batteries; // null without a terminal
   private final @Nullable ScheduledExecutorService thread; // likewise
   private boolean isOver; // guarded by this
 
   /**
    * @param robots from the first line to the last
-   * @param began the robots' time that the demonstration began at
+   * @param began the robots' time at the start of the demonstration
    * @param clock the robots'
    * @param frame the world's
    */
@@ -96,7 +96,7 @@ final class LiveView implements AutoCloseable {
     }
     try {
       tell.redraw(SnapshotLines.of(now(), tell.columns() - 1));
-    } catch (RuntimeException e) { // the demonstration goes on without it
+    } catch (RuntimeException e) { // the demonstration continues without it
       tell.redraw(List.of("", "What the team is at cannot be shown: " + e));
     }
   }
@@ -159,7 +159,7 @@ final class LiveView implements AutoCloseable {
     return witness.listening().contains(name) ? Availability.PRESENT : Availability.ABSENT;
   }
 
-  /** {@inheritDoc} What was at last stays on the terminal. */
+  /** {@inheritDoc} The last lines stay on the terminal. */
   @Override
   public synchronized void close() {
     if (thread == null || batteries == null || isOver) {

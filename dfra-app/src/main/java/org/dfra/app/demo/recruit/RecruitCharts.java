@@ -22,12 +22,12 @@ import org.dfra.recruit.message.RecruitmentMessage.ResponderId;
 import org.dfra.recruit.message.SentMessage;
 import org.dfra.sim.world.description.WorldDescription;
 
-/** The figures of the demonstration: where all went, who told whom what, and shame over time. */
+/** The figures of the demonstration: paths, message sequence charts, and shame over time. */
 final class RecruitCharts {
 
   private static final int MAP = 860; // pixels high
   private static final int SHAME = 340;
-  private static final double SPARE = 1.05; // so much longer is an axis than what it shows
+  private static final double SPARE = 1.05; // an axis is longer than its data by this factor
 
   private final List<String> robots;
   private final WorldDescription world;
@@ -36,7 +36,7 @@ final class RecruitCharts {
 
   /**
    * @param robots from left to right in the charts
-   * @param world in which they are
+   * @param world of the robots
    */
   RecruitCharts(List<String> robots, WorldDescription world, DemoTimeline chronicle) {
     this.robots = List.copyOf(robots);
@@ -45,7 +45,7 @@ final class RecruitCharts {
     this.events = chronicle.events();
   }
 
-  /** Where all robots truly went, and what happened where. */
+  /** The true paths of all robots, and the places of events. */
   Page map() {
     FieldMap map = new FieldMap(world, new LocalFrame(world.datum()));
     PathPanel panel = map.paths(List.of(map.ground()), chronicle.trajectories());
@@ -79,7 +79,7 @@ final class RecruitCharts {
         chronicle.seconds(reported.begun()));
   }
 
-  /** As the protocol names it. */
+  /** The message type's name in the protocol. */
   private static String text(RecruitmentMessage message) {
     String name =
         message
@@ -99,7 +99,7 @@ final class RecruitCharts {
     return name;
   }
 
-  /** How much each was moved to help. */
+  /** The shame of each robot over time. */
   Page shame() {
     double end =
         Math.max(

@@ -24,9 +24,9 @@ import org.dfra.sim.world.description.WorldDescription;
 import org.dfra.sim.world.file.WorldXml;
 
 /**
- * A UAV flies over what somebody should look at from near and calls for help, and ground robots
+ * A UAV flies over targets that need inspection from near and calls for help, and ground robots
  * come by their own behaviours: one stays and is released, one dies on its way and is replaced, and
- * one is left alone by a requester that cannot be reached, and frees itself.
+ * one loses contact with an unreachable requester and frees itself.
  */
 public final class RecruitDemo implements Demo {
 
@@ -47,12 +47,12 @@ public final class RecruitDemo implements Demo {
   }
 
   /**
-   * The demonstration; nothing is started.
+   * The demonstration; starts nothing.
    *
-   * @param speed seconds of the robots' time in a second, {@value #SLOWEST} to {@value #FASTEST};
-   *     nothing for {@value #SPEED}
+   * @param speed seconds of the robots' time per second, {@value #SLOWEST} to {@value #FASTEST};
+   *     empty for {@value #SPEED}
    * @param report the folder of its report
-   * @throws CommandFailure if the speed is none that can be
+   * @throws CommandFailure if the speed is out of range
    */
   public static RecruitDemo of(ProgressReporter narration, Optional<Double> speed, Path report) {
     double wanted = speed.orElse(SPEED);

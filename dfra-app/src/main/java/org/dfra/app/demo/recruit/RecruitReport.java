@@ -14,7 +14,10 @@ import org.dfra.app.plot.HtmlReport;
 import org.dfra.app.plot.Page;
 import org.dfra.geometry.LocalPosition;
 
-/** Writes what was done, said and felt: one file, and each of its figures beside it as SVG. */
+/**
+ * Writes the events, messages and affective state: one file, and each of its figures as a separate
+ * SVG.
+ */
 final class RecruitReport {
 
   private final DemoTimeline chronicle;
@@ -23,8 +26,8 @@ final class RecruitReport {
   private final RunMeasurements measured;
 
   /**
-   * @param speed seconds of the robots' time in a second
-   * @param measured what decides how well it went
+   * @param speed seconds of the robots' time per second
+   * @param measured values that decide whether it passed
    */
   RecruitReport(
       DemoTimeline chronicle, RecruitCharts figures, double speed, RunMeasurements measured) {

@@ -26,7 +26,7 @@ import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
 import org.dfra.sim.world.World;
 
-/** What happens in the demonstration, one after the other. */
+/** The steps of the demonstration. */
 final class RecruitScenario {
 
   private static final String REQUESTER = "uav";
@@ -35,13 +35,13 @@ final class RecruitScenario {
   private static final Duration LOOKED_FOR = Duration.ofMinutes(4);
   private static final Duration LONG_STAY = Duration.ofMinutes(2);
 
-  /** How far a helper has come that dies on its way, metres. */
+  /** Distance after which a travelling helper is killed, metres. */
   private static final double ON_ITS_WAY = 2;
 
   /** After which a helper is released, robots' time. */
   private static final Duration OBSERVED = Duration.ofSeconds(8);
 
-  /** For how long a helper stays that is not released, robots' time. */
+  /** How long a helper stays that is not released, robots' time. */
   private static final Duration SHORT_STAY = Duration.ofSeconds(15);
 
   private final ProgressReporter tell;
@@ -55,7 +55,7 @@ final class RecruitScenario {
   private final BackgroundSearches searches;
 
   /**
-   * @param searches of which none has begun
+   * @param searches none has started
    * @param frame the world's
    * @param clock the robots'
    */

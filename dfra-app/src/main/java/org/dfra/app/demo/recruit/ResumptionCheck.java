@@ -13,21 +13,21 @@ import org.dfra.behavior.BehaviorStatus.Phase;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Judges whether a robot that was recruited had been searching, left that search to help, and went
- * on with the same one until more of it was done. All times are by the robot's clock.
+ * Checks whether a recruited robot had been searching, left that search to help, and resumed the
+ * same search until it made progress. All times are by the robot's clock.
  */
 final class ResumptionCheck {
 
   /**
-   * One time that the robot was away to help.
+   * One period in which the robot was away to help.
    *
-   * @param asked when it had not left its work yet: it offered, or else set out
-   * @param free when it was free again; null where it is not yet
+   * @param asked when it had not left its work yet: it offered, or else departed
+   * @param free when it was free again; null if not yet
    */
   private record Absence(Instant asked, @Nullable Instant free) {}
 
   /**
-   * What is wrong.
+   * A fault.
    *
    * @param hadSearched whether the robot had been searching when it was recruited
    * @param why a clause about the robot
@@ -37,11 +37,10 @@ final class ResumptionCheck {
   private ResumptionCheck() {}
 
   /**
-   * What is wrong the first time that something is; nothing where it resumed each time, and where
-   * it never helped.
+   * The first fault; empty if the robot resumed each time, or never helped.
    *
-   * @param agent what its agent told, as it was told
-   * @param search what its search told, as it was told
+   * @param agent statuses of its agent, in the order received
+   * @param search statuses of its search, in the order received
    */
   static Optional<ResumptionFault> fault(
       List<RecruitmentStatus> agent, List<BehaviorStatus> search) {
@@ -57,7 +56,7 @@ final class ResumptionCheck {
     return apart.stream().flatMap(each -> fault(each, search).stream()).findFirst();
   }
 
-  /** Whether it was called away again before it was back at its search: that is one absence. */
+  /** Whether it was recruited again before it was back at its search: that is one absence. */
   private static boolean isStillAway(Absence before, Absence next, List<BehaviorStatus> search) {
     Instant free = before.free();
     return free != null
@@ -67,7 +66,7 @@ final class ResumptionCheck {
             .noneMatch(each -> each.phase() == Phase.RUNNING);
   }
 
-  /** What was told last at that time. */
+  /** The last status at that time. */
   private static Optional<BehaviorStatus> at(Instant time, List<BehaviorStatus> search) {
     return search.stream()
         .filter(each -> !each.measured().isAfter(time))
@@ -125,8 +124,8 @@ final class ResumptionCheck {
   }
 
   /**
-   * @param same what was told of the search that it left
-   * @param last what was told last, of whichever search
+   * @param same statuses of the search that it left
+   * @param last the last status of any search
    */
   private static Optional<ResumptionFault> wentOn(
       Instant free, List<BehaviorStatus> same, BehaviorStatus last) {

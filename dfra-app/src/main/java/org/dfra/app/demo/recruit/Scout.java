@@ -15,17 +15,17 @@ import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
 
-/** A robot that looks from above, and stays over what somebody should look at from near. */
+/** A robot that observes from above, and hovers over targets that need inspection from near. */
 final class Scout implements AutoCloseable {
 
   private static final Duration PATIENCE = HelpRequester.PATIENCE;
 
-  /** After which it holds its place if this process dies. */
+  /** After which it holds its position if this process dies. */
   private static final Duration LEASE = Duration.ofSeconds(10);
 
   private static final double HEIGHT = 8; // metres above the ground
   private static final double SPEED = 4; // metres per second
-  private static final double NEAR = 1; // metres: it is there
+  private static final double NEAR = 1; // metres: counts as arrived
 
   private final ProgressReporter tell;
   private final String robot;
@@ -58,7 +58,7 @@ final class Scout implements AutoCloseable {
     tell.say("%s takes off, and flies %.0f m above the field.", robot, HEIGHT);
   }
 
-  /** Flies over a place, and stays there. */
+  /** Flies over a place, and hovers there. */
   void lookAt(GeoPosition place) throws Exception {
     LocalPosition on = frame.toLocal(place);
     tell.step("flying " + robot + " over what it has seen");
@@ -90,7 +90,7 @@ final class Scout implements AutoCloseable {
     tell.say("%s is back where it took off.", robot);
   }
 
-  /** {@inheritDoc} Where it flies yet it holds its place. */
+  /** {@inheritDoc} If it still flies, it holds its position. */
   @Override
   public void close() throws Exception {
     lease.close();

@@ -8,12 +8,12 @@ import org.dfra.behavior.BehaviorStatus;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The team at one moment, as far as is known. A null is what nobody has told.
+ * The team at one moment, as far as known. A null is a value that was not reported.
  *
- * @param began when the demonstration did, robots' time
- * @param time of it, robots' time
+ * @param began start of the demonstration, robots' time
+ * @param time of the snapshot, robots' time
  * @param robots each once
- * @param call that is under way; null where nobody calls
+ * @param call the running call; null if there is none
  */
 record Snapshot(Instant began, Instant time, List<Robot> robots, @Nullable CallState call) {
 
@@ -26,15 +26,15 @@ record Snapshot(Instant began, Instant time, List<Robot> robots, @Nullable CallS
     return Duration.between(began, time).toMillis() / 1000.0;
   }
 
-  /** What can become of a robot that its own modules do not tell. */
+  /** Availability of a robot, which its own modules do not report. */
   enum Availability {
-    /** Not seen yet. */
+    /** Not discovered yet. */
     ABSENT,
-    /** At work. */
+    /** Working. */
     PRESENT,
-    /** Its agent hears and says nothing. */
+    /** Its agent neither receives nor sends messages. */
     UNREACHABLE,
-    /** Nothing of it is left but a stopped vehicle. */
+    /** Only its stopped vehicle is left. */
     DEAD
   }
 
@@ -42,12 +42,12 @@ record Snapshot(Instant began, Instant time, List<Robot> robots, @Nullable CallS
    * One robot.
    *
    * @param isFlying whether it is in the air
-   * @param agent what its agent has told last; null where that has not changed yet, or is unknown
-   * @param search what its search has told last; null where it has none
-   * @param distance to where it is needed, metres, as the crow flies; null where it is not under
-   *     way
-   * @param lease seconds of the robots' time for which it yet stays; null where it has granted none
-   * @param charge left, 0 to 1; null where it is not known
+   * @param agent the last status of its agent; null if there is none yet, or it is unknown
+   * @param search the last status of its search; null if it has none
+   * @param distance to the place where help is needed, metres, in a straight line; null unless it
+   *     is travelling
+   * @param lease remaining lease time, seconds of the robots' time; null if it has granted none
+   * @param charge left, 0 to 1; null if not known
    */
   record Robot(
       String name,

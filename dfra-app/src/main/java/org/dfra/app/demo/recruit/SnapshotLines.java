@@ -13,10 +13,10 @@ import org.dfra.behavior.BehaviorStatus;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A team at one moment, as lines: one for each robot and one for the call. Columns are as wide at
- * all moments, so that nothing jumps; with names of five letters a line has 78 characters, and on a
- * terminal with fewer columns the numbers stand in a line of their own. A question mark stands for
- * what is not known, a blank for what there is not.
+ * A team at one moment, as lines: one for each robot and one for the call. Columns have a constant
+ * width, so that the display is stable; with names of five letters a line has 78 characters, and a
+ * narrower terminal shows the numbers in a line of their own. A question mark is an unknown value,
+ * a blank means that there is none.
  */
 final class SnapshotLines {
 
@@ -38,9 +38,9 @@ final class SnapshotLines {
   }
 
   /**
-   * The lines, with an empty one before that sets them off.
+   * The lines, after an empty line as separator.
    *
-   * @param columns most of a line
+   * @param columns maximum width of a line
    */
   static List<String> of(Snapshot now, int columns) {
     int longest = now.robots().stream().mapToInt(each -> each.name().length()).max().orElse(0);
@@ -94,7 +94,7 @@ final class SnapshotLines {
     lines.add((INDENT + numbers).stripTrailing());
   }
 
-  /** What a robot does, of all that is told of it the most urgent. */
+  /** A robot's activity, the most urgent one that it reports. */
   private static String does(Robot robot) {
     RecruitmentStatus agent = robot.agent();
     if (agent != null && agent.responderPhase().isCommitted()) {

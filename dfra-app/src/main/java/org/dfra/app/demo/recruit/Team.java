@@ -20,8 +20,8 @@ import org.dfra.sim.run.DeviceEndpoint;
 import org.dfra.sim.run.Simulation;
 
 /**
- * The robots of the demonstration. Of each, all but its agent is embedded in this virtual machine;
- * its agent's service group is a process under one phoenix for all.
+ * The robots of the demonstration. All modules of a robot except its agent are embedded in this
+ * JVM; its agent's service group is a process under one phoenix for all robots.
  */
 final class Team implements AutoCloseable {
 
@@ -38,7 +38,7 @@ final class Team implements AutoCloseable {
   private final Map<String, RobotDescription> agents = new LinkedHashMap<>();
   private final Map<String, EmbeddedRobot> running = new LinkedHashMap<>();
 
-  /** Reads the descriptions of the robots of that world; nothing is started. */
+  /** Reads the descriptions of the robots of that world; starts nothing. */
   Team(DemoEnvironment stage, Simulation simulation, List<String> names) throws IOException {
     this.stage = stage;
     this.host = stage.host("agents");
@@ -70,7 +70,7 @@ final class Team implements AutoCloseable {
     return new RobotDescription(
         robot.name(),
         robot.host(),
-        List.of(), // by locators only: another team on this machine is none of ours
+        List.of(), // by locators only: excludes other teams on this machine
         locators,
         robot.administration(),
         robot.persona(),
@@ -78,11 +78,11 @@ final class Team implements AutoCloseable {
         robot.source());
   }
 
-  /** Starts the bodies, and then phoenix and the agents. */
+  /** Starts the embedded modules, and then phoenix and the agents. */
   void start() throws Exception {
     for (RobotDescription each : bodies.values()) {
       EmbeddedRobot robot = new EmbeddedRobot(each, host.phoenix().state());
-      running.put(each.name(), robot); // what of it was started ends with it
+      running.put(each.name(), robot); // on failure, ends the parts that were started
       robot.start();
     }
     ProcessHandle unused = host.startPhoenix();
@@ -94,12 +94,12 @@ final class Team implements AutoCloseable {
     }
   }
 
-  /** Where all of it is found. */
+  /** The locators of all registrars. */
   List<String> locators() {
     return locators;
   }
 
-  /** What of each robot is embedded here. */
+  /** The embedded modules of each robot. */
   List<RobotDescription> bodies() {
     return List.copyOf(bodies.values());
   }
@@ -114,7 +114,7 @@ final class Team implements AutoCloseable {
     stage.signal(name, process(robot));
   }
 
-  /** A robot dies on its way: its agent is killed, and its modules and its registrar are gone. */
+  /** Simulates a robot's death: kills its agent, and removes its modules and its registrar. */
   void kill(String robot) throws IOException, InterruptedException {
     signal("KILL", robot);
     EmbeddedRobot body = running.remove(robot);
@@ -123,7 +123,7 @@ final class Team implements AutoCloseable {
     }
   }
 
-  /** {@inheritDoc} The agents end with the stage. */
+  /** {@inheritDoc} The agents end with the environment. */
   @Override
   public void close() throws IOException {
     ResourceCloser ending = new ResourceCloser("the team");

@@ -13,8 +13,8 @@ import org.dfra.sim.world.GroundTruth;
 import org.dfra.sim.world.GroundTruthPose;
 
 /**
- * Where the robots of the demonstration truly go: the world is asked five times a second by a
- * thread of its own, {@code dfra-demo-ways}. Safe for use by several threads.
+ * The true paths of the demonstration's robots: a thread of its own, {@code dfra-demo-ways},
+ * samples the world five times a second. Thread-safe.
  */
 final class TrueTrajectories implements AutoCloseable {
 
@@ -32,16 +32,14 @@ final class TrueTrajectories implements AutoCloseable {
             return made;
           });
 
-  /**
-   * @param clock by which the world goes
-   */
+  /** @param clock the world's clock */
   TrueTrajectories(List<String> robots, GroundTruth truth, InstantSource clock) {
     this.robots = List.copyOf(robots);
     this.truth = truth;
     this.clock = clock;
   }
 
-  /** Begins to ask; the world runs. */
+  /** Starts the sampling; the world runs. */
   void start() {
     look();
     var unused =
@@ -52,7 +50,7 @@ final class TrueTrajectories implements AutoCloseable {
     truth.poses(clock.instant()).forEach(known::add);
   }
 
-  /** Where a robot was at that time, or just before. */
+  /** A robot's position at that time, or just before. */
   synchronized GroundTruthPose at(String robot, Instant time) {
     GroundTruthPose pose = known.at(time).get(robot);
     if (pose == null) {
@@ -61,7 +59,7 @@ final class TrueTrajectories implements AutoCloseable {
     return pose;
   }
 
-  /** How far a robot is from where it was at that time, as the crow flies, metres. */
+  /** Straight-line distance of a robot from its position at that time, metres. */
   synchronized double displacementSince(String robot, Instant time) {
     GroundTruthPose before = at(robot, time);
     GroundTruthPose now = at(robot, known.latestTime());
@@ -69,7 +67,8 @@ final class TrueTrajectories implements AutoCloseable {
   }
 
   /**
-   * Of each robot {@code {east, north}}, metres in the world's frame, in the order of the robots.
+   * The path of each robot {@code {east, north}}, metres in the world's frame, in the order of the
+   * robots.
    */
   synchronized Map<String, double[][]> all() {
     Map<String, double[][]> all = new LinkedHashMap<>();

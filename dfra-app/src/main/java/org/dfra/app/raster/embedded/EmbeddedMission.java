@@ -36,12 +36,12 @@ import org.dfra.sim.run.Simulation;
 import org.dfra.sim.run.Simulation.PortPolicy;
 
 /**
- * A search in one virtual machine, with a real lookup service for each robot: modules are exported,
- * register, and find each other through lookup, drivers read the bytes of emulated devices over
- * TCP, and the robots are told what to do by proxies that were found. The seed fixes the world and
- * its noise, not when which thread has its turn.
+ * A search in one JVM, with a real lookup service for each robot: modules are exported, register,
+ * and find each other through lookup, drivers read the bytes of emulated devices over TCP, and the
+ * robots are commanded through discovered proxies. The seed determines the world and its noise, but
+ * not the scheduling of threads.
  *
- * <p>While it runs, this virtual machine lives by the robots' time; so only one can run at a time.
+ * <p>While it runs, this JVM uses the robots' time; so only one can run at a time.
  */
 public final class EmbeddedMission implements Mission {
 
@@ -53,14 +53,14 @@ public final class EmbeddedMission implements Mission {
   private final RunMeasurements figures;
 
   /**
-   * The registrar of the last robot is ended on the way and comes back; those of the others are
-   * ended in the midst of it, for good.
+   * The registrar of the last robot is stopped during the search and restarted; those of the others
+   * are stopped in the middle of it, permanently.
    *
-   * @param scenario what is searched
-   * @param speed seconds of the robots' time in a real second
-   * @param longest robots' time after which a search is given up
-   * @param adapt makes of each robot's description the one that is used
-   * @param figures takes what is measured
+   * @param scenario the search
+   * @param speed seconds of the robots' time per real second
+   * @param longest timeout of a search, robots' time
+   * @param adapt changes each robot's description before use
+   * @param figures receives the measurements
    */
   public EmbeddedMission(
       Scenario scenario,
@@ -71,7 +71,7 @@ public final class EmbeddedMission implements Mission {
     this(scenario, speed, longest, adapt, defaultFaults(scenario.robots().size()), figures);
   }
 
-  /** The same with other troubles. */
+  /** The same with other faults. */
   EmbeddedMission(
       Scenario scenario,
       double speed,
@@ -116,13 +116,13 @@ public final class EmbeddedMission implements Mission {
     }
   }
 
-  /** Robots that were started; the last ends first. */
+  /** Running robots; the last ends first. */
   private static final class RunningRobots implements AutoCloseable {
     private final Deque<EmbeddedRobot> robots = new ArrayDeque<>();
 
     EmbeddedRobot start(RobotDescription description) throws IOException {
       EmbeddedRobot robot = new EmbeddedRobot(description);
-      robots.push(robot); // what of it was started ends with it, whatever becomes of the rest
+      robots.push(robot); // ends the started parts, whatever happens to the others
       robot.start();
       return robot;
     }

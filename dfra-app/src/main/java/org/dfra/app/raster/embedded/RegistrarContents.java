@@ -10,7 +10,7 @@ import org.dfra.module.Module;
 import org.dfra.river.bootstrap.EmbeddedRobot;
 import org.dfra.river.entry.ModuleEntry;
 
-/** What a registrar lists of a robot. */
+/** The modules of a robot that a registrar lists. */
 final class RegistrarContents {
 
   private RegistrarContents() {}
@@ -22,7 +22,7 @@ final class RegistrarContents {
     own.robot = robot.name();
     ServiceTemplate all = new ServiceTemplate(null, null, new Entry[] {own});
     for (ServiceItem each : robot.registrar().registrar().lookup(all, Integer.MAX_VALUE).items) {
-      if (each.service instanceof Module module) { // null where its class cannot be had
+      if (each.service instanceof Module module) { // null if its class cannot be loaded
         modules.put(each.serviceID.toString(), module);
       }
     }

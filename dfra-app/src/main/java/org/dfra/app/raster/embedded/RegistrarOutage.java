@@ -13,33 +13,35 @@ import org.dfra.river.bootstrap.EmbeddedRobot;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A robot's registrar is ended: whoever knows no other finds the robot no more. It drives on. Later
- * a registrar is started at the same port, which knows nobody, and all modules register again by
- * themselves.
+ * A robot's registrar is stopped: clients that know no other registrar cannot discover the robot.
+ * The robot continues. Later an empty registrar is started at the same port, and all modules
+ * register again by themselves.
  *
  * <pre>
- *   THERE --share done--&gt; ENDING --it has ended--&gt; GONE --more done--&gt; RETURNING --all listed--&gt; OVER
- *                                                   '--for good, the search has ended------------^
+ *   PENDING --share done--&gt; STOPPING --stopped--&gt; DOWN --more done--&gt; RECOVERING
+ *                                                       |                     |
+ *                            permanent, search ended    v                     v all listed
+ *                                                      DONE                  DONE
  * </pre>
  */
 final class RegistrarOutage implements InjectedFault<EmbeddedRobot> {
 
-  /** It is not started again. */
+  /** It is not restarted. */
   static final double NEVER = Double.POSITIVE_INFINITY;
 
-  /** In which the modules are to be listed again, real seconds. */
+  /** Target until the modules are listed again, real seconds. */
   private static final double MOST = 5;
 
   private enum State {
     /** Waits until the robot has done a share of its search. */
     PENDING,
-    /** Waits until the registrar has ended. */
+    /** Waits until the registrar has stopped. */
     STOPPING,
     /** Waits until the robot has done more. */
     DOWN,
     /** Waits until the registrar lists all modules again. */
     RECOVERING,
-    /** It has happened, or never will. */
+    /** The fault has ended, or will not occur. */
     DONE
   }
 
@@ -50,17 +52,17 @@ final class RegistrarOutage implements InjectedFault<EmbeddedRobot> {
       Executors.newSingleThreadExecutor(task -> new Thread(task, "registrar operator"));
   private State state = State.PENDING;
 
-  // known once it is lost
+  // known once it is stopped
   private Set<String> listed = Set.of();
   private double done;
   private Instant lost = Instant.MIN;
   private Instant returned = Instant.MIN;
-  private @Nullable Future<?> work; // the operator's
+  private @Nullable Future<?> work; // the operator's thread
 
   /**
-   * @param robot which one, counted from 0
-   * @param from share of its search after which its registrar is ended
-   * @param to share after which it is started again; {@link #NEVER} if it is not
+   * @param robot its index, from 0
+   * @param from share of its search after which its registrar is stopped
+   * @param to share after which it is restarted; {@link #NEVER} for a permanent outage
    */
   RegistrarOutage(int robot, double from, double to) {
     this.robot = robot;
@@ -123,7 +125,7 @@ final class RegistrarOutage implements InjectedFault<EmbeddedRobot> {
     state = State.STOPPING;
   }
 
-  /** Whether the operator has done what it was told; throws what it threw. */
+  /** Whether the operator's task is complete; rethrows its exception. */
   private boolean isWorkDone() throws Exception {
     Future<?> known = work;
     if (known == null || !known.isDone()) {
@@ -147,7 +149,7 @@ final class RegistrarOutage implements InjectedFault<EmbeddedRobot> {
       MissionContext<EmbeddedRobot> now, SearchingRobot<EmbeddedRobot> victim) throws Exception {
     Set<String> again = RegistrarContents.query(victim.robot()).keySet();
     if (again.size() < listed.size()) {
-      return; // some are on their way
+      return; // some are still registering
     }
     Instant back = now.clock().instant();
     now.recordEvent(

@@ -11,8 +11,8 @@ import org.dfra.sim.world.GroundTruth;
 import org.dfra.sim.world.World;
 
 /**
- * Where robots truly are, asked of a simulated world in this virtual machine a hundred times a
- * second of its time. Confined to one thread.
+ * The true poses of robots, sampled from a simulated world in this JVM a hundred times a second of
+ * its time. Confined to one thread.
  */
 final class SimulatedTruth implements TruthSource {
 
@@ -22,16 +22,14 @@ final class SimulatedTruth implements TruthSource {
   private final InstantSource clock;
   private Instant next;
 
-  /**
-   * @param clock by which the world goes
-   */
+  /** @param clock the world's clock */
   SimulatedTruth(World world, InstantSource clock) {
     this.truth = world.groundTruth();
     this.clock = clock;
     this.next = clock.instant();
   }
 
-  /** Asks for no time to come: devices would be late then. */
+  /** Does not sample future times: that would delay the devices. */
   @Override
   public void readNew(TrueTrajectory way) {
     Instant now = clock.instant();

@@ -1,14 +1,14 @@
 /**
- * A search by raster in one virtual machine, with all of the distributed layer but its processes:
- * real lookup services, modules behind their servers and proxies, devices over TCP.
+ * A search by raster in one JVM, with all of the distributed layer except its processes: real
+ * lookup services, modules behind their servers and proxies, devices over TCP.
  *
  * <pre>
- *   Simulation --truth--&gt; SimulatedTruth --&gt; Watch --&gt; Flight
- *   robots' registrars &lt;--ended, started-- LostRegistrar &lt;--every moment--'
+ *   Simulation --truth--&gt; SimulatedTruth --&gt; MissionMonitor --&gt; MissionResult
+ *   robots' registrars &lt;--stop, start-- RegistrarOutage &lt;--every cycle--'
  * </pre>
  *
- * <p>Enter at {@link org.dfra.app.raster.embedded.EmbeddedMission}; {@link
- * org.dfra.app.raster.monitor} follows the robots.
+ * <p>Entry point: {@link org.dfra.app.raster.embedded.EmbeddedMission}; {@link
+ * org.dfra.app.raster.monitor} monitors the robots.
  */
 @NullMarked
 package org.dfra.app.raster.embedded;

@@ -4,19 +4,19 @@ import org.dfra.core.time.RobotTime;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The robots' time of a search, which this virtual machine lives by until it is closed, and tells
- * those that it starts. There can be only one at a time.
+ * The time of the robots in a search. This JVM uses it until this is closed, and passes it to the
+ * processes that it starts. There can be only one at a time.
  */
 public final class AnnouncedTime implements AutoCloseable {
 
   private final @Nullable String before = System.getProperty(RobotTime.PROPERTY);
 
-  /** From now on it is this one; see {@link RobotTime}. */
+  /** Sets the time; see {@link RobotTime}. */
   public void set(String time) {
     System.setProperty(RobotTime.PROPERTY, time);
   }
 
-  /** It is again what it was before. */
+  /** Restores the previous value. */
   @Override
   public void close() {
     if (before == null) {

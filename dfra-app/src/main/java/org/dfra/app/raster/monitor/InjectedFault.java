@@ -1,13 +1,13 @@
 package org.dfra.app.raster.monitor;
 
 /**
- * Something that goes wrong on the way. Confined to the thread that watches the search.
+ * A fault injected during the search. Confined to the thread that monitors the search.
  *
- * @param <R> what runs a robot
+ * @param <R> the runtime of a robot
  */
 public interface InjectedFault<R> extends AutoCloseable {
 
-  /** One that there is not. */
+  /** No fault. */
   static <R> InjectedFault<R> none() {
     return new InjectedFault<>() {
       @Override
@@ -26,15 +26,15 @@ public interface InjectedFault<R> extends AutoCloseable {
   }
 
   /**
-   * Looks whether it is time, or what has become of it; ten times a second until it is over.
-   * Returns soon.
+   * Checks whether to inject the fault, or its consequences; called ten times a second until it is
+   * over. Returns quickly.
    */
   void update(MissionContext<R> now) throws Exception;
 
-  /** Whether something has gone wrong, or did. */
+  /** Whether the fault has been injected. */
   boolean hasStarted();
 
-  /** Whether it has happened and its consequences were seen, or it can happen no more. */
+  /** Whether the fault and its consequences are over, or it cannot occur any more. */
   boolean isOver();
 
   @Override

@@ -15,17 +15,17 @@ import org.dfra.geometry.LocalPosition;
 import org.dfra.sim.world.GroundTruthPose;
 
 /**
- * A search under way, as those see it who disturb it. Confined to the thread that watches it.
+ * A running search, as seen by injected faults. Confined to the thread that monitors it.
  *
- * @param <R> what runs a robot
- * @param robots in the order in which they were told to search
- * @param truth where they truly are
+ * @param <R> the runtime of a robot
+ * @param robots in the order in which they were started
+ * @param truth their true poses
  * @param clock the robots' time
- * @param speed seconds of that in a real second
+ * @param speed seconds of that per real second
  * @param begin when the search began
  * @param field the world's frame
- * @param measurements takes what is measured
- * @param eventListener takes what happens
+ * @param measurements receives the measurements
+ * @param eventListener receives the events
  */
 public record MissionContext<R>(
     List<SearchingRobot<R>> robots,
@@ -41,24 +41,24 @@ public record MissionContext<R>(
     robots = List.copyOf(robots);
   }
 
-  /** Notes what happened to a robot, and tells it; the format is {@link String#format}'s. */
+  /** Records and reports an event of a robot; the format is {@link String#format}'s. */
   public void recordEvent(
       Instant when, SearchingRobot<R> robot, String format, Object... arguments) {
     String what = String.format(Locale.ROOT, format, arguments);
     eventListener.accept(new MissionEvent(seconds(begin, when), robot.name(), what));
   }
 
-  /** Notes a time that must be kept on every computer, in seconds. */
+  /** Records a time limit that applies on every computer, in seconds. */
   public void requirement(String what, double seconds, double most) {
     measurements.add(new MeasuredValue(what, seconds, most, "s").asRequired());
   }
 
-  /** Notes what was measured, in real seconds. */
+  /** Records a measured time, in real seconds. */
   public void figure(String what, double seconds, double most) {
     measurements.add(new MeasuredValue(what, seconds, most, "s"));
   }
 
-  /** Where a robot truly is now, in the frame of its region. */
+  /** A robot's current true position, in the frame of its region. */
   public LocalPosition truePosition(SearchingRobot<R> robot) throws IOException {
     GroundTruthPose pose = truth.last(robot.name());
     return robot
@@ -68,7 +68,7 @@ public record MissionContext<R>(
         .toLocal(field.toGeo(new LocalPosition(pose.east(), pose.north(), 0)));
   }
 
-  /** From one moment to another, seconds of the robots' time. */
+  /** Time from one moment to another, seconds of the robots' time. */
   public static double seconds(Instant from, Instant to) {
     return Duration.between(from, to).toNanos() / 1e9;
   }

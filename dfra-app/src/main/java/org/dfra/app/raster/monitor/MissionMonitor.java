@@ -28,26 +28,25 @@ import org.dfra.sim.world.Collision;
 import org.dfra.sim.world.GroundTruthPose;
 
 /**
- * Tells robots to search, and follows them: ten times a second of their time it notes where each
- * truly is and what it had told by then, and looks whether something is to go wrong. Confined to
- * one thread.
+ * Starts the robots' search, and monitors it: ten times a second of their time it records the true
+ * pose and the last readings of each, and updates the injected faults. Confined to one thread.
  *
- * @param <R> what runs a robot
+ * @param <R> the runtime of a robot
  */
 public final class MissionMonitor<R> {
 
   private static final Duration SAMPLE = Duration.ofMillis(100);
 
-  /** After which what was told of a moment has come, real seconds. */
+  /** Maximum delay of readings, real seconds. */
   private static final double DELAY = 0.3;
 
-  /** Real time in which the simulation writes something. */
+  /** Real time within which the simulation writes a line. */
   private static final Duration TRUTH_TIMEOUT = Duration.ofSeconds(30);
 
-  /** Real time in which troubles are to be over after the search is. */
+  /** Real time after the search within which faults must be over. */
   private static final Duration FAULT_TIMEOUT = Duration.ofSeconds(60);
 
-  /** What a turn of the control loop may be late, seconds, where time goes as it really does. */
+  /** Maximum lateness of a cycle of the control loop, seconds, at real-time speed. */
   private static final double MAX_CYCLE_LATENESS = 0.010;
 
   private static final long LOOK_AGAIN_NANOS = 5_000_000;
@@ -65,13 +64,13 @@ public final class MissionMonitor<R> {
   private final List<MissionEvent> marks = new ArrayList<>();
 
   /**
-   * @param scenario what is searched
-   * @param source tells where the robots truly are
+   * @param scenario the search
+   * @param source of the robots' true poses
    * @param clock the robots' time
-   * @param speed seconds of that in a real second
-   * @param robots in the order in which they are told to search
-   * @param figures takes what is measured
-   * @param listener is told how it goes on
+   * @param speed seconds of that per real second
+   * @param robots in the order in which they are started
+   * @param figures receives the measurements
+   * @param listener receives the progress
    */
   public MissionMonitor(
       Scenario scenario,
@@ -93,11 +92,11 @@ public final class MissionMonitor<R> {
   }
 
   /**
-   * Follows them to the end.
+   * Monitors them to the end.
    *
-   * @param troubles what goes wrong on the way
-   * @param longest robots' time after which the search is given up
-   * @throws Exception if it cannot be followed to its end; the message says why
+   * @param troubles faults to inject
+   * @param longest timeout of the search, robots' time
+   * @throws Exception if it cannot be monitored to its end; the message names the cause
    */
   public MissionResult run(List<InjectedFault<R>> troubles, Duration longest) throws Exception {
     source.readNew(truth);
@@ -120,8 +119,9 @@ public final class MissionMonitor<R> {
   }
 
   /**
-   * Submits a goal. Nobody else commands the demonstration's robots, so one that pursues a goal
-   * after a lost answer pursues this one; one that does not is asked once more.
+   * Submits a goal. The demonstration's robots have no other clients, so after a lost response a
+   * robot that pursues a goal pursues this one; the goal is submitted once more to a robot that
+   * does not.
    */
   private static void submit(RasterSearch search, RasterGoal goal) throws RemoteException {
     try {
@@ -168,8 +168,8 @@ public final class MissionMonitor<R> {
   }
 
   /**
-   * What has begun to go wrong comes to its end, though nobody searches any more. What has not by
-   * then is told with the search's figures, which stand.
+   * Faults that have started run to their end, after all searches have ended. A fault that does not
+   * end in time is reported with the search's measurements, which are kept.
    */
   private void awaitFaultsDone(MissionContext<R> scene, List<InjectedFault<R>> troubles)
       throws Exception {
@@ -199,7 +199,7 @@ public final class MissionMonitor<R> {
       if (System.nanoTime() - end > 0) {
         throw new IOException("the simulated world stands still at " + known);
       }
-      LockSupport.parkNanos(this, LOOK_AGAIN_NANOS); // it tells nobody that it goes on
+      LockSupport.parkNanos(this, LOOK_AGAIN_NANOS); // it does not report its own progress
       if (Thread.interrupted()) {
         throw new InterruptedException();
       }

@@ -9,7 +9,7 @@ import org.dfra.directory.ModuleQuery;
 import org.dfra.module.Module;
 import org.dfra.persona.ModuleAttributes;
 
-/** When a robot that was started can begin. */
+/** Waits until a started robot is ready. */
 public final class RobotStartup {
 
   private static final Duration PATIENCE = Duration.ofSeconds(90);
@@ -19,7 +19,7 @@ public final class RobotStartup {
   /**
    * Waits until all modules of a robot are found and ready.
    *
-   * @throws Exception if they are not in time; the message names the robot
+   * @throws Exception on a timeout; the message names the robot
    */
   public static void awaitReady(ModuleDirectory directory, RobotDescription robot)
       throws Exception {

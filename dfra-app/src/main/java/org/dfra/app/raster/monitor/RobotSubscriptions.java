@@ -27,23 +27,23 @@ import org.dfra.module.Module;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Subscriptions to what the modules of one robot tell. Readings come late and not in turn, each
- * module's on a thread of its own; they are handed to the robot's log in the order in which they
- * were measured, as far as the owner says. Safe for use by several threads.
+ * Subscriptions to the readings of one robot's modules. Readings arrive delayed and out of order,
+ * each module's on its own thread; they are passed to the robot's log in the order of their
+ * measurement, up to a time that the owner sets. Thread-safe.
  */
 public final class RobotSubscriptions implements AutoCloseable {
 
-  /** Readings kept for us while we are slow, of each module. */
+  /** Queue length of each subscription, while this process is slow. */
   private static final int DEPTH = 256;
 
   private record PendingReading(ModuleListener log, Delivery delivery, Reading reading) {}
 
   /**
-   * A receiver's position that was heard.
+   * A received position.
    *
    * @param receiver the module's name
    * @param measured when, by the robot's time
-   * @param epoch the receiver's life
+   * @param epoch the receiver's epoch
    */
   public record ReceivedPosition(String receiver, Instant measured, long epoch) {}
 
@@ -60,9 +60,7 @@ public final class RobotSubscriptions implements AutoCloseable {
   private BehaviorStatus newest;
   private BehaviorStatus status;
 
-  /**
-   * @param first how far the search is before anything is heard of it
-   */
+  /** @param first status of the search before the first received one */
   RobotSubscriptions(String robot, RobotLog log, BehaviorStatus first) {
     this.robot = robot;
     this.log = log;
@@ -70,7 +68,7 @@ public final class RobotSubscriptions implements AutoCloseable {
     this.status = first;
   }
 
-  /** Listens to all modules of the robot that matter. */
+  /** Subscribes to all relevant modules of the robot. */
   void subscribe(ModuleDirectory directory) throws RemoteException {
     for (Class<? extends Module> kind : RobotLog.RECORDED_KINDS) {
       listen(directory, kind);
@@ -107,7 +105,7 @@ public final class RobotSubscriptions implements AutoCloseable {
     }
   }
 
-  /** Hands on what was measured up to a time. */
+  /** Passes on the readings that were measured up to a time. */
   synchronized void deliverUntil(Instant until) throws RemoteException {
     for (PendingReading next = waiting.peek();
         next != null && !next.reading().measured().isAfter(until);
@@ -121,17 +119,17 @@ public final class RobotSubscriptions implements AutoCloseable {
     }
   }
 
-  /** How far the search was when all that was handed on was measured. */
+  /** Status of the search at the time of the last reading passed on. */
   synchronized BehaviorStatus status() {
     return status;
   }
 
-  /** How far the search is, by what was heard last. */
+  /** The last received status of the search. */
   public synchronized BehaviorStatus latestStatus() {
     return newest;
   }
 
-  /** When the wheels were last told to move before a time; null where they were not. */
+  /** When the wheels last received a command to move before a time; null if there was none. */
   public synchronized @Nullable Instant lastCommand(Instant before) {
     return wheels.stream()
         .filter(state -> !state.velocity().isZero() && !state.measured().isAfter(before))
@@ -140,17 +138,17 @@ public final class RobotSubscriptions implements AutoCloseable {
         .orElse(null);
   }
 
-  /** Positions that the receivers told, as they were heard. */
+  /** Positions of the receivers, in the order received. */
   public synchronized List<ReceivedPosition> positions() {
     return List.copyOf(positions);
   }
 
-  /** Events of a module that were told and not heard. */
+  /** Number of a module's events that were published and not received. */
   public long lost(String module) {
     return subscription(module).lost();
   }
 
-  /** Whether a module that is listened to cannot be reached, as far as is known. */
+  /** Whether the subscription to a module is known to be interrupted. */
   public boolean isInterrupted(String module) {
     return subscription(module).interruptedSince().isPresent();
   }

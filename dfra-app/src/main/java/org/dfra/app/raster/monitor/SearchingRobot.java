@@ -15,14 +15,14 @@ import org.dfra.module.Parameter;
 /**
  * A robot that searches.
  *
- * @param <R> what runs it
+ * @param <R> its runtime
  * @param name the robot's
- * @param robot what runs it
- * @param search what it was told to do
- * @param waypointDriver what it drives by
+ * @param robot its runtime
+ * @param search its goal's behavior
+ * @param waypointDriver its waypoint controller
  * @param plan the lanes it drives
- * @param recorder what is noted of it
- * @param subscriptions what it tells
+ * @param recorder its log
+ * @param subscriptions to its modules
  */
 public record SearchingRobot<R>(
     String name,
@@ -33,13 +33,13 @@ public record SearchingRobot<R>(
     RobotLog recorder,
     RobotSubscriptions subscriptions) {
 
-  /** So much may a share be short of what it stands for. */
+  /** Rounding tolerance of a share. */
   private static final double ROUNDING = 1e-6;
 
   /**
-   * Finds its modules and listens to them.
+   * Finds its modules and subscribes to them.
    *
-   * @param <R> what runs it
+   * @param <R> its runtime
    */
   public static <R> SearchingRobot<R> connect(
       String name, R robot, RasterPlan plan, ModuleDirectory directory) throws IOException {
@@ -47,7 +47,7 @@ public record SearchingRobot<R>(
     RasterSearch search = one(directory, log, RasterSearch.class);
     RobotSubscriptions hearing = new RobotSubscriptions(name, log, search.status());
     hearing.subscribe(directory);
-    // Whichever is known last: what was found before a process died may not find its way back.
+    // The most recently discovered one: a proxy from before a process died may not recover.
     GoToWaypoint driver = directory.proxyFor(log.query(GoToWaypoint.class));
     return new SearchingRobot<>(name, robot, search, driver, plan, log, hearing);
   }
@@ -62,19 +62,19 @@ public record SearchingRobot<R>(
         .module();
   }
 
-  /** Whether its search was begun and is over, by what was heard last. */
+  /** Whether its search was started and has ended, by the last received status. */
   public boolean hasEnded() {
     BehaviorStatus status = subscriptions.latestStatus();
     return status.goal() != null && !status.phase().isUnderWay(); // it has none until it begins
   }
 
-  /** Waypoints that are done, by what was heard last. */
+  /** Waypoints that are done, by the last received status. */
   public int waypoints() {
     BehaviorStatus status = subscriptions.latestStatus();
     return (int) Math.floor(status.completion() * plan.waypoints().size() + ROUNDING);
   }
 
-  /** Whether it is on a lane, and so many metres from both its ends. */
+  /** Whether it is on a lane, and at least this many metres from both its ends. */
   public boolean isOnLane(LocalPosition at, double metres) {
     int done = waypoints();
     for (Lane lane : plan.lanes()) {
@@ -90,9 +90,9 @@ public record SearchingRobot<R>(
   }
 
   /**
-   * Seconds of the robot's time that 99 % of its driver's last turns were late at the most.
+   * The 99th percentile of the lateness of its driver's last cycles, seconds of the robot's time.
    *
-   * @throws IOException if it cannot be asked
+   * @throws IOException if it cannot be queried
    */
   double lateness() throws IOException {
     List<Parameter> parameters = waypointDriver.parameters();

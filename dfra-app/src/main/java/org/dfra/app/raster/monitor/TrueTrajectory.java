@@ -11,17 +11,17 @@ import java.util.TreeMap;
 import org.dfra.sim.world.GroundTruthPose;
 import org.jspecify.annotations.Nullable;
 
-/** Where robots truly were, as far as is known. Confined to one thread. */
+/** The robots' true trajectories, as far as known. Confined to one thread. */
 public final class TrueTrajectory {
 
-  /** Slower than this a robot stands, metres per second. */
+  /** Below this speed a robot counts as stopped, metres per second. */
   private static final double STOPPED_SPEED = 0.01;
 
   private final Map<String, NavigableMap<Instant, GroundTruthPose>> poses =
       new HashMap<>(); // by robot
   private Instant newest = Instant.MIN;
 
-  /** Takes where a robot was, at a time that is not before the last one of any robot. */
+  /** Adds a robot's pose, at a time not before the last one of any robot. */
   public void add(String robot, GroundTruthPose pose) {
     poses.computeIfAbsent(robot, unused -> new TreeMap<>()).put(pose.time(), pose);
     newest = pose.time();
@@ -32,7 +32,7 @@ public final class TrueTrajectory {
     return newest;
   }
 
-  /** Where every robot was, at that time or just before. */
+  /** The pose of every robot at that time or just before. */
   public Map<String, GroundTruthPose> at(Instant time) {
     Map<String, GroundTruthPose> all = new HashMap<>();
     poses.forEach(
@@ -43,13 +43,13 @@ public final class TrueTrajectory {
     return all;
   }
 
-  /** Where a robot was, the first first; nothing of one that is not in the world. */
+  /** A robot's poses, the first first; empty for a robot that is not in the world. */
   public List<GroundTruthPose> of(String robot) {
     @Nullable NavigableMap<Instant, GroundTruthPose> known = poses.get(robot);
     return known == null ? List.of() : List.copyOf(known.values());
   }
 
-  /** Where a robot is, as far as is known. */
+  /** A robot's latest known pose. */
   public GroundTruthPose last(String robot) throws IOException {
     @Nullable NavigableMap<Instant, GroundTruthPose> known = poses.get(robot);
     if (known == null) {
@@ -58,7 +58,7 @@ public final class TrueTrajectory {
     return known.lastEntry().getValue();
   }
 
-  /** The first time from a moment on at which a robot stood; null where it has not yet. */
+  /** The first time after a moment at which a robot is stopped; null if there is none yet. */
   public @Nullable Instant stoppedSince(String robot, Instant moment) {
     @Nullable NavigableMap<Instant, GroundTruthPose> known = poses.get(robot);
     return known == null

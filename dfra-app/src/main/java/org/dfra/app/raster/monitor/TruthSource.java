@@ -4,16 +4,16 @@ import java.io.IOException;
 import java.util.List;
 import org.dfra.sim.world.Collision;
 
-/** Tells where robots truly are while they search. */
+/** A source of the robots' true poses while they search. */
 public interface TruthSource {
 
   /**
-   * Tells what is new since the last time.
+   * Reads the poses since the last call.
    *
-   * @throws IOException if nothing will be new any more; the message says why
+   * @throws IOException if there will be no more; the message names the cause
    */
   void readNew(TrueTrajectory way) throws IOException;
 
-  /** What robots ran into, as they did, up to a second ago. */
+  /** Collisions of robots in order of time, except those of the last second. */
   List<Collision> collisions();
 }

@@ -1,16 +1,16 @@
 /**
- * A search by raster that goes on while time does: robots are told through their proxies to search,
- * listened to, and disturbed on the way.
+ * A search by raster on a running clock: robots are started through their proxies, monitored by
+ * subscriptions, and disturbed by injected faults.
  *
  * <pre>
- *   TruthSource --where they truly are--&gt; TrueTrajectory --.
- *   robots' modules --readings, by subscription--&gt; Hearing --&gt; Watch --&gt; Flight
- *        ^                                               |
- *        '-------what goes wrong------- Trouble &lt;--every moment-'
+ *   TruthSource --true poses--&gt; TrueTrajectory -----------.
+ *   robots' modules --readings--&gt; RobotSubscriptions --&gt; MissionMonitor --&gt; MissionResult
+ *        ^                                                  |
+ *        '------faults------ InjectedFault &lt;--every cycle---'
  * </pre>
  *
- * <p>Enter at {@link org.dfra.app.raster.monitor.MissionMonitor}. What the robots run on is its
- * callers': {@link org.dfra.app.raster.process} and {@link org.dfra.app.raster.embedded}.
+ * <p>Entry point: {@link org.dfra.app.raster.monitor.MissionMonitor}. The callers provide the
+ * robots' runtime: {@link org.dfra.app.raster.process} and {@link org.dfra.app.raster.embedded}.
  */
 @NullMarked
 package org.dfra.app.raster.monitor;

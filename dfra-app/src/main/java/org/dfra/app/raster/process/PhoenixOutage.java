@@ -15,18 +15,20 @@ import org.dfra.river.phoenix.GroupStatus;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A robot's registrar and its phoenix are killed: it is found through another robot's only, and
- * nobody would bring back what dies. It drives on. Later phoenix is started again and takes back
- * what lives.
+ * A robot's registrar and its phoenix are killed: it is found through another robot's registrar
+ * only, and no process restarts its groups. The robot continues. Later phoenix is restarted and
+ * adopts the running groups.
  *
  * <pre>
- *   WHOLE --share done--&gt; CUT_OFF --more done--&gt; RETURNING --phoenix and registrar answer--&gt; OVER
- *                             '--for good, its search has ended-------------------------------^
+ *   PENDING --share done--&gt; DOWN --more done--&gt; RECOVERING
+ *                              |                     |
+ *   permanent, search ended    v                     v phoenix and registrar answer
+ *                             DONE                  DONE
  * </pre>
  */
 final class PhoenixOutage implements InjectedFault<DemoRobot> {
 
-  /** Phoenix is not started again. */
+  /** Phoenix is not restarted. */
   static final double NEVER = Double.POSITIVE_INFINITY;
 
   private static final String LOOKUP = "lookup";
@@ -38,7 +40,7 @@ final class PhoenixOutage implements InjectedFault<DemoRobot> {
     DOWN,
     /** Waits until phoenix has started. */
     RECOVERING,
-    /** It has happened, or never will. */
+    /** The fault has ended, or will not occur. */
     DONE
   }
 
@@ -50,17 +52,17 @@ final class PhoenixOutage implements InjectedFault<DemoRobot> {
       Executors.newSingleThreadExecutor(task -> new Thread(task, "phoenix starter"));
   private State state = State.PENDING;
 
-  // known once it is cut off
+  // known once it is down
   private Map<String, Long> groups = Map.of();
   private double done;
   private Instant cut = Instant.MIN;
   private @Nullable Future<ProcessHandle> phoenix;
 
   /**
-   * @param robot which one, counted from 0
-   * @param from share of its search after which it is cut off
-   * @param to share after which its phoenix is started again; {@link #NEVER} if it is not
-   * @param before comes first
+   * @param robot its index, from 0
+   * @param from share of its search after which phoenix is killed
+   * @param to share after which its phoenix is restarted; {@link #NEVER} for a permanent outage
+   * @param before a fault that comes first
    */
   PhoenixOutage(int robot, double from, double to, InjectedFault<DemoRobot> before) {
     this.robot = robot;
@@ -119,7 +121,7 @@ final class PhoenixOutage implements InjectedFault<DemoRobot> {
       MissionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim, ProcessHandle process)
       throws Exception {
     if (victim.robot().process(LOOKUP) <= 0) {
-      return; // its registrar is being brought back
+      return; // its registrar is restarting
     }
     Map<String, Long> living = processes(victim);
     long others =

@@ -12,36 +12,36 @@ import org.dfra.sim.world.GroundTruthPose;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A process without which a robot cannot drive is killed while it goes along a lane at full speed:
- * nobody is left who could tell the wheels to stop, or nobody who would pass it on. They stand in
- * time all the same; the process comes back, and the robot goes on where it was.
+ * A process that a robot needs to drive is killed while it drives along a lane at full speed: no
+ * process is left to command the wheels to stop, or to forward the command. The wheels still stop
+ * in time; the process is restarted, and the robot resumes at the same place.
  *
  * <pre>
- *   AHEAD --on a lane, fast--&gt; KILLED --wheels stand--&gt; STANDING --it drives again--&gt; OVER
+ *   PENDING --on a lane, fast--&gt; KILLED --wheels stop--&gt; STOPPED --it drives again--&gt; DONE
  * </pre>
  */
 final class ProcessKillOnLane implements InjectedFault<DemoRobot> {
 
-  /** From a lane's ends, metres: in between a robot goes straight on. */
+  /** Distance from a lane's ends, metres: between them a robot drives straight. */
   private static final double MIDST = 1.5;
 
-  /** Slower than this it is not at full speed, metres per second. */
+  /** Below this speed it is not at full speed, metres per second. */
   private static final double FAST = 0.6;
 
-  /** From here on it drives again, metres per second. */
+  /** From this speed on it drives again, metres per second. */
   private static final double DRIVES = 0.3;
 
-  /** Last command to standing, seconds of the robot's time. */
+  /** Maximum time from the last command to the stop, seconds of the robot's time. */
   private static final double MOST = 0.5;
 
   private enum State {
-    /** Waits until the robot is where it is to happen. */
+    /** Waits until the robot is at the place of the fault. */
     PENDING,
-    /** Waits until the wheels stand. */
+    /** Waits until the wheels stop. */
     KILLED,
     /** Waits until the robot drives again. */
     STOPPED,
-    /** It has happened, or never will. */
+    /** The fault has ended, or will not occur. */
     DONE
   }
 
@@ -57,12 +57,12 @@ final class ProcessKillOnLane implements InjectedFault<DemoRobot> {
   private int waypoints;
 
   /**
-   * @param robot which one, counted from 0
+   * @param robot its index, from 0
    * @param group of its service groups
    * @param share of its search after which it is killed
    * @param isCommander whether it commands the wheels, so that the last command is known; else it
-   *     passes commands on, and the last that was heard of need not be the last
-   * @param before comes first
+   *     forwards commands, and the last received one need not be the last
+   * @param before a fault that comes first
    */
   ProcessKillOnLane(
       int robot, String group, double share, boolean isCommander, InjectedFault<DemoRobot> before) {

@@ -35,11 +35,11 @@ import org.dfra.sim.world.description.VehicleDescription;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A search in real processes: the world in one, and for each robot phoenix, its registrar and its
- * service groups. Robots are found through lookup and told what to do by their proxies. The seed
- * fixes the world and its noise, not when which process has its turn.
+ * A search in real processes: one for the world, and for each robot phoenix, its registrar and its
+ * service groups. Robots are discovered through lookup and commanded through their proxies. The
+ * seed determines the world and its noise, but not the scheduling of processes.
  *
- * <p>While it runs, this virtual machine tells those that it starts the robots' time, by {@link
+ * <p>While it runs, this JVM passes the robots' time to the processes that it starts, by {@link
  * RobotTime#PROPERTY}; so only one can run at a time.
  */
 public final class ProcessMission implements Mission {
@@ -53,13 +53,13 @@ public final class ProcessMission implements Mission {
   private final RunMeasurements figures;
 
   /**
-   * @param scenario what is searched; its world's seed counts, the rest of that world is as written
+   * @param scenario the search; its world's seed counts, the rest of that world is as written
    * @param world the file that describes the scenario's world
-   * @param speed seconds of the robots' time in a real second
-   * @param longest robots' time after which a search is given up
-   * @param adapt makes of each robot's description the one that is used
-   * @param troubled whether processes are killed on the way; that needs two robots
-   * @param figures takes what is measured
+   * @param speed seconds of the robots' time per real second
+   * @param longest timeout of a search, robots' time
+   * @param adapt changes each robot's description before use
+   * @param troubled whether processes are killed during the search; that needs two robots
+   * @param figures receives the measurements
    */
   public ProcessMission(
       Scenario scenario,
@@ -76,7 +76,7 @@ public final class ProcessMission implements Mission {
     }
   }
 
-  /** The same with other troubles. */
+  /** The same with other faults. */
   ProcessMission(
       Scenario scenario,
       Path world,
@@ -120,7 +120,7 @@ public final class ProcessMission implements Mission {
         return flight;
       } catch (InterruptedException e) {
         throw e;
-      } catch (Exception e) { // whatever it was, what the processes said of it is in the folder
+      } catch (Exception e) { // whatever the failure, the processes' logs are in the folder
         stage.keepFolder();
         String why = e instanceof IOException ? String.valueOf(e.getMessage()) : e.toString();
         throw new IOException(why + "; the logs are in " + stage.folder(), e);
@@ -187,7 +187,7 @@ public final class ProcessMission implements Mission {
       threads.shutdownNow();
     }
     for (DemoRobot each : robots) {
-      var unused = each.host().groups(); // their processes are ended whatever becomes of phoenix
+      var unused = each.host().groups(); // their processes are ended whatever happens to phoenix
     }
     return robots;
   }

@@ -12,12 +12,12 @@ import org.dfra.app.raster.monitor.SearchingRobot;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The process of one of a robot's receivers is killed. The other goes on; the dead one comes back
- * and is heard again by whoever listened to it.
+ * The process of one of a robot's receivers is killed. The other receiver continues; the dead one
+ * is restarted, and its listeners receive readings again.
  */
 final class ReceiverProcessKill implements InjectedFault<DemoRobot> {
 
-  /** In which a subscription to it is to be back, real seconds. */
+  /** Target until a subscription to it has recovered, real seconds. */
   private static final double MOST = 5;
 
   private final int robot;
@@ -32,7 +32,7 @@ final class ReceiverProcessKill implements InjectedFault<DemoRobot> {
   private long lost;
 
   /**
-   * @param robot which one, counted from 0
+   * @param robot its index, from 0
    * @param receiver the module, alone in a group of its name
    * @param share of its search after which it is killed
    */
@@ -59,7 +59,7 @@ final class ReceiverProcessKill implements InjectedFault<DemoRobot> {
       throws Exception {
     last = last(victim.subscriptions().positions());
     if (last == null) {
-      return; // it is looked at again
+      return; // it is checked again
     }
     long process = victim.robot().process(receiver);
     lost = victim.subscriptions().lost(receiver);
@@ -105,7 +105,7 @@ final class ReceiverProcessKill implements InjectedFault<DemoRobot> {
     RecoverySteps recovery = Objects.requireNonNull(steps);
     recovery.close();
     double took = MissionContext.seconds(since, back.measured()) / now.speed();
-    if (took > MOST) { // so a user sees which part took long
+    if (took > MOST) { // so that a user sees which part took long
       now.recordEvent(
           now.clock().instant(), victim, "%s took %.1f s: %s", receiver, took, recovery);
     }

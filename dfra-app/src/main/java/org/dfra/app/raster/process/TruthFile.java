@@ -13,8 +13,8 @@ import org.dfra.sim.world.Collision;
 import org.dfra.sim.world.GroundTruthPose;
 
 /**
- * Where robots truly are, read from the file that a simulation in another process is writing: a
- * line for each robot and time, the older first. Confined to one thread.
+ * The robots' true poses, read from the file that a simulation in another process writes: a line
+ * for each robot and time, the older first. Confined to one thread.
  */
 final class TruthFile implements TruthSource, Closeable {
 
@@ -22,7 +22,7 @@ final class TruthFile implements TruthSource, Closeable {
 
   private final SimulationProcess simulation;
   private final RandomAccessFile file;
-  private String rest = ""; // a line that is not yet whole
+  private String rest = ""; // an incomplete line
 
   TruthFile(SimulationProcess simulation) throws IOException {
     this.simulation = simulation;

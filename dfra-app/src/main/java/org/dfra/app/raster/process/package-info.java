@@ -1,14 +1,14 @@
 /**
  * A search by raster in real processes: a simulated world, and for each robot phoenix, a registrar
- * and its service groups; and what goes wrong with them on the way.
+ * and its service groups; and the faults injected into them.
  *
  * <pre>
- *   simulation's process --truth.csv--&gt; TruthFile --&gt; Watch --&gt; Flight
- *   robots' groups &lt;--kill -9-- troubles &lt;--every moment--'
+ *   simulation's process --truth.csv--&gt; TruthFile --&gt; MissionMonitor --&gt; MissionResult
+ *   robots' groups &lt;--kill -9-- InjectedFault &lt;--every cycle--'
  * </pre>
  *
- * <p>Enter at {@link org.dfra.app.raster.process.ProcessMission}; {@link
- * org.dfra.app.raster.monitor} follows the robots.
+ * <p>Entry point: {@link org.dfra.app.raster.process.ProcessMission}; {@link
+ * org.dfra.app.raster.monitor} monitors the robots.
  */
 @NullMarked
 package org.dfra.app.raster.process;

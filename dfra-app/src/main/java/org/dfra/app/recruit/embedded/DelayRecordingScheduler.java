@@ -6,7 +6,7 @@ import java.util.function.DoubleConsumer;
 import org.dfra.core.time.ScaledTime;
 import org.dfra.time.Scheduler;
 
-/** A scaled time that notes by how much its tasks are late. */
+/** A scheduler of scaled time that records the lateness of its tasks. */
 final class DelayRecordingScheduler implements Scheduler {
 
   private final ScaledTime time;
@@ -16,7 +16,7 @@ final class DelayRecordingScheduler implements Scheduler {
     this.time = time;
   }
 
-  /** Has somebody told by how many real seconds each task was late, from now on. */
+  /** Sets the listener for the lateness of each task, in real seconds. */
   void setDelayListener(DoubleConsumer listener) {
     late = listener;
   }

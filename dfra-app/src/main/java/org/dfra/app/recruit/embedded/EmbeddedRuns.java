@@ -19,7 +19,7 @@ import org.dfra.recruit.transport.MessageMode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** A part of the experiment's cells over real JERI and remote events, in this virtual machine. */
+/** A part of the experiment's cells over real JERI and remote events, in this JVM. */
 public final class EmbeddedRuns implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(EmbeddedRuns.class);
@@ -35,9 +35,9 @@ public final class EmbeddedRuns implements AutoCloseable {
   private final Map<Integer, Queue<EmbeddedTeam>> free = new ConcurrentHashMap<>(); // by size
 
   /**
-   * @param plan what is the same in every cell
-   * @param parallelRuns how many runs go on at once
-   * @param speed seconds of the agents' time in a real second
+   * @param plan common settings of all cells
+   * @param parallelRuns number of parallel runs
+   * @param speed seconds of the agents' time per real second
    */
   public EmbeddedRuns(ExperimentPlan plan, int parallelRuns, double speed) {
     this.plan = plan;
@@ -45,12 +45,12 @@ public final class EmbeddedRuns implements AutoCloseable {
     this.speed = speed;
   }
 
-  /** The experiment's plan with fewer calls, one after the other sooner. */
+  /** The experiment's plan with fewer calls at shorter intervals. */
   public static ExperimentPlan shorter(ExperimentPlan plan) {
     return plan.with(CALLS, PERIOD, REST);
   }
 
-  /** The cells: two strategies, with few vehicles and more, without loss and with much. */
+  /** The cells: two strategies, with few and more vehicles, without loss and with high loss. */
   public static List<ExperimentCell> cells() {
     List<ExperimentCell> cells = new ArrayList<>();
     for (String strategy : List.of("affective", "greedy")) {
@@ -66,8 +66,8 @@ public final class EmbeddedRuns implements AutoCloseable {
   }
 
   /**
-   * Runs every cell with every seed, small teams first. As many teams as run at once are started
-   * before the first run that counts, and end when no cell is left for them.
+   * Runs every cell with every seed, small teams first. Before the first measured run, it starts as
+   * many teams as there are parallel runs; a team ends when no cell is left for it.
    *
    * @return a result for each cell, in their order
    */
@@ -89,7 +89,7 @@ public final class EmbeddedRuns implements AutoCloseable {
     return cells.stream().map(results::get).toList();
   }
 
-  /** Runs that judge nothing, all at once: teams start, and the machine compiles. */
+  /** Parallel runs that are not measured: teams start, and the JIT compiler warms up. */
   private void warmUp(List<ExperimentCell> cells) throws InterruptedException {
     MessageDelays forgotten = new MessageDelays();
     int each = (atOnce + cells.size() - 1) / cells.size();
@@ -110,15 +110,15 @@ public final class EmbeddedRuns implements AutoCloseable {
     return free.computeIfAbsent(vehicles, size -> new ConcurrentLinkedQueue<>());
   }
 
-  /** One that has rested, or a new one. */
+  /** An idle team, or a new one. */
   private EmbeddedTeam team(int vehicles) throws IOException {
     EmbeddedTeam rested = free(vehicles).poll();
     return rested == null ? new EmbeddedTeam(speed) : rested;
   }
 
   /**
-   * All at once: each waits for answers of its lookup service. What was measured stands, whatever
-   * becomes of them.
+   * Ends all in parallel: each waits for answers of its lookup service. Failures do not affect the
+   * measurements.
    */
   private void end(int vehicles) {
     ResourceCloser ending = new ResourceCloser("the experiment");
@@ -134,7 +134,7 @@ public final class EmbeddedRuns implements AutoCloseable {
         thread.join();
       }
     } catch (InterruptedException e) {
-      Thread.currentThread().interrupt(); // they end all the same
+      Thread.currentThread().interrupt(); // they still end
     }
     try {
       ending.throwIfFailed();
@@ -143,7 +143,7 @@ public final class EmbeddedRuns implements AutoCloseable {
     }
   }
 
-  /** Ends all agents that still serve. */
+  /** Ends all agents. */
   @Override
   public void close() {
     for (int each : free.keySet()) {
@@ -151,7 +151,7 @@ public final class EmbeddedRuns implements AutoCloseable {
     }
   }
 
-  /** For how long letters were on their way in the runs of a cell. */
+  /** The message delays in the runs of a cell. */
   public MessageDelays delays(ExperimentCell cell) {
     return times.computeIfAbsent(cell, each -> new MessageDelays());
   }

@@ -22,9 +22,9 @@ import org.dfra.river.proxy.LocalModuleRegistry;
 import org.dfra.river.server.ModuleActivation;
 
 /**
- * A lookup service and the agents of a team, which are served, join it, and find each other in it
- * by what they can observe. Proxies do not take the short way to an agent here, but the one that
- * they take to one elsewhere. One run at a time uses it.
+ * A lookup service and the agents of a team. The agents are served, join it, and discover each
+ * other in it by their sensors. Proxies do not use the shortcut to an agent in the same JVM, but
+ * call it like a remote one. One run at a time uses it.
  */
 final class EmbeddedTeam implements AutoCloseable {
 
@@ -38,9 +38,9 @@ final class EmbeddedTeam implements AutoCloseable {
   private final Map<String, FieldAgent> agents = new LinkedHashMap<>();
 
   /**
-   * Starts the lookup service; nobody has joined yet.
+   * Starts the lookup service without agents.
    *
-   * @param speed seconds of the agents' time in a real second
+   * @param speed seconds of the agents' time per real second
    */
   EmbeddedTeam(double speed) throws IOException {
     this.time = new ScaledTime(speed, Instant.now());
@@ -50,17 +50,17 @@ final class EmbeddedTeam implements AutoCloseable {
             "a team of agents", new EmbeddedRegistrar(HOST, 0, List.of(), LEASE, Map.of()).start());
   }
 
-  /** Seconds of its agents' time in a real second. */
+  /** Seconds of its agents' time per real second. */
   double speed() {
     return time.speed();
   }
 
-  /** What agents, leases and robots wait by. */
+  /** The timers of agents, leases and robots. */
   DelayRecordingScheduler timers() {
     return timers;
   }
 
-  /** The agent of that robot; it is served from the first time that it is asked for. */
+  /** The agent of that robot; the first call starts to serve it. */
   FieldAgent agent(String robot, Set<String> percepts) throws Exception {
     FieldAgent known = agents.get(robot);
     if (known != null) {
@@ -71,7 +71,7 @@ final class EmbeddedTeam implements AutoCloseable {
     UUID id = UUID.randomUUID();
     serving.serve(activation(robot, seat, id));
     FieldAgent made = Objects.requireNonNull(agents.get(robot), "made when it was served");
-    LocalModuleRegistry.unregister(id, made); // else proxies here would call it as an object
+    LocalModuleRegistry.unregister(id, made); // otherwise calls would be local
     return made;
   }
 
@@ -91,7 +91,7 @@ final class EmbeddedTeam implements AutoCloseable {
         description, id, HOST, List.of(), List.of(serving.registrar().locator()));
   }
 
-  /** Returns when each agent has found all. */
+  /** Returns when each agent has discovered all others. */
   void await() throws Exception {
     for (FieldAgent agent : agents.values()) {
       DemoAssertions.await(
@@ -101,7 +101,7 @@ final class EmbeddedTeam implements AutoCloseable {
     }
   }
 
-  /** The run is over; the agents wait for another. */
+  /** Ends the run; the agents wait for another. */
   void endRun() {
     agents.values().forEach(FieldAgent::leave);
   }

@@ -15,16 +15,16 @@ import org.dfra.recruit.transport.Transport;
 import org.dfra.time.Scheduler;
 
 /**
- * A run over real JERI: the agents of an {@link EmbeddedTeam} write to each other by remote events
- * over the loopback. Letters are lost at their sender, by the same lots as in the simulated
+ * A run over real JERI: the agents of an {@link EmbeddedTeam} exchange messages by remote events
+ * over the loopback. The sender loses messages, by the same random numbers as in the simulated
  * network.
  *
- * <p>Time runs faster than real time, for agents, leases and robots alike; what River and the
- * machine need for a letter does not, and so takes longer by that time.
+ * <p>Time runs faster than real time, for agents, leases and robots alike; the delays of River and
+ * of the machine are real, so they are longer in the scaled time.
  */
 final class EmbeddedVenue implements ExperimentEnvironment {
 
-  private static final int HEAD = 300; // the lots for it
+  private static final int HEAD = 300; // its random numbers
   private static final double LONGEST_HEAD = 0.5; // of a period
 
   private final EmbeddedTeam team;
@@ -35,8 +35,8 @@ final class EmbeddedVenue implements ExperimentEnvironment {
   private final Duration head;
 
   /**
-   * @param team nobody else uses it meanwhile
-   * @param giveBack is given it when the run is over
+   * @param team for exclusive use by this run
+   * @param giveBack receives it after the run
    */
   EmbeddedVenue(
       ExperimentCell cell,
@@ -69,7 +69,7 @@ final class EmbeddedVenue implements ExperimentEnvironment {
     return agent;
   }
 
-  /** Tells when letters are sent that are not lost. */
+  /** Records when messages are sent that are not lost. */
   private final class Stamped implements Transport {
 
     private final Transport real;
@@ -108,7 +108,7 @@ final class EmbeddedVenue implements ExperimentEnvironment {
   @Override
   public void awaitConnected() throws Exception {
     team.await();
-    advance(head); // runs that were begun together do not call together
+    advance(head); // runs that start together do not call together
   }
 
   @Override

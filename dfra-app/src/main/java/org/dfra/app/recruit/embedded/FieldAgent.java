@@ -35,33 +35,33 @@ import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The driver of an agent in the experiment's field, served and found as any: a robot's own {@link
- * Recruiter} and its own way to others, on the body that the experiment gives it instead of a
- * robot's modules. It takes part in one run after the other, and remembers nothing.
+ * The driver of an agent in the experiment's field, served and discovered like any other: a {@link
+ * Recruiter} with its own transport to the others, on the body that the experiment supplies in
+ * place of a robot's modules. It takes part in one run after the other, without memory.
  */
 public final class FieldAgent extends ModuleImpl
     implements RecruitmentAgent, AttributeProvider, ExperimentEnvironment.AgentHandle {
 
-  /** Name of the parameter that tells which seat it takes. */
+  /** Name of the parameter with the agent's slot. */
   static final String SLOT = "seat";
 
-  /** What its persona says, metres per second; nobody asks. */
+  /** The speed in its persona, metres per second; not used. */
   private static final double SPEED = 1;
 
   /**
-   * What a server, which makes it by its class's name, cannot hand it.
+   * Objects that a server cannot pass to the driver, since it creates it by class name.
    *
-   * @param percepts that its persona shows
-   * @param time that it lives by
-   * @param timers what it and its leases wait by
-   * @param made is given the agent
+   * @param percepts in its persona
+   * @param time of the agent
+   * @param timers of the agent and its leases
+   * @param made receives the agent
    */
   record AgentSlot(
       Set<String> percepts, ScaledTime time, Scheduler timers, Consumer<FieldAgent> made) {
 
     private static final Map<String, AgentSlot> FREE = new ConcurrentHashMap<>();
 
-    /** Reserves it; returns what the parameter must say. */
+    /** Reserves it; returns the value for the parameter. */
     String reserve() {
       String key = UUID.randomUUID().toString();
       FREE.put(key, this);
@@ -74,7 +74,7 @@ public final class FieldAgent extends ModuleImpl
     }
   }
 
-  /** Its part in a run. */
+  /** Its participation in a run. */
   private record RunParticipation(Recruiter recruiter, Consumer<MessageEnvelope> onMessage) {}
 
   private final AgentSlot seat;
@@ -82,12 +82,12 @@ public final class FieldAgent extends ModuleImpl
   private final DirectoryTransport transport;
   private volatile @Nullable RunParticipation part;
 
-  /** As every driver is made. */
+  /** Called by the module's server, as for every driver. */
   public FieldAgent(ModuleContext context) {
     this(context, AgentSlot.claim(context));
   }
 
-  @SuppressWarnings("this-escape") // whoever is given it uses it when it is served
+  @SuppressWarnings("this-escape") // the receiver uses it once it is served
   private FieldAgent(ModuleContext context, AgentSlot seat) {
     super(by(seat, context), "an agent in the experiment's field", "DFRA", "1");
     this.seat = seat;
@@ -96,7 +96,7 @@ public final class FieldAgent extends ModuleImpl
     seat.made().accept(this);
   }
 
-  /** The same module in another time: also its leases go by it. */
+  /** The same module context with another time, for its leases too. */
   private static ModuleContext by(AgentSlot seat, ModuleContext context) {
     return new ModuleContext(
         context.robot(),
@@ -112,7 +112,7 @@ public final class FieldAgent extends ModuleImpl
   @Override
   protected void onStart() {
     transitionTo(Readiness.READY);
-    Set<String> unused = known(); // begins to look for them
+    Set<String> unused = known(); // starts the discovery of the others
   }
 
   @Override
@@ -121,23 +121,23 @@ public final class FieldAgent extends ModuleImpl
     transport.close();
   }
 
-  /** Robots whose agents it knows, itself among them. */
+  /** Robots whose agents it has discovered, including its own. */
   Set<String> known() {
     return timed.directory().find(ModuleQuery.of(RecruitmentAgent.class)).stream()
         .map(ModuleListing::robot)
         .collect(Collectors.toSet());
   }
 
-  /** Its way to the others. */
+  /** Its transport to the others. */
   Transport transport() {
     return transport;
   }
 
   /**
-   * Takes part in a run, as a fresh agent.
+   * Joins a run, as an agent without memory.
    *
-   * @param way to the others
-   * @param come is told of each letter that has come
+   * @param way transport to the others
+   * @param come is notified of each received message
    */
   void join(ExperimentEnvironment.AgentSpec member, Transport way, Consumer<MessageEnvelope> come) {
     Recruiter fresh =
@@ -153,7 +153,7 @@ public final class FieldAgent extends ModuleImpl
     fresh.start();
   }
 
-  /** The run is over. */
+  /** Leaves the run. */
   void leave() {
     RunParticipation over = part;
     part = null;
@@ -180,7 +180,7 @@ public final class FieldAgent extends ModuleImpl
     part().recruiter().release();
   }
 
-  /** Nobody stops a body that moves in a simulation. */
+  /** The body in the simulation is never stopped. */
   @Override
   public void resume() {}
 

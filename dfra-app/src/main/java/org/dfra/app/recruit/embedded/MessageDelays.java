@@ -7,19 +7,18 @@ import org.dfra.recruit.message.MessageEnvelope;
 import org.jspecify.annotations.Nullable;
 
 /**
- * For how long letters were on their way, in real time, and how late timers were. A letter is on
- * its way from when its sender has reason to write it, a call, a letter or a timer, until its
- * receiver has it: so what agents compute, which takes no time in the simulation, counts as well.
- * Safe for use by several threads.
+ * Message delays in real time, and the lateness of timers. A message's delay starts with the event
+ * that causes it, a call, a message or a timer, and ends when its receiver has it: so it includes
+ * the agents' computing time, which is zero in the simulation. Thread-safe.
  */
 public final class MessageDelays {
 
   private record Sent(String from, long number, String to) {}
 
-  /** When what its thread does began, by {@link System#nanoTime}. */
+  /** When the thread's current event began, by {@link System#nanoTime}. */
   private static final ThreadLocal<@Nullable Long> BEGAN = new ThreadLocal<>();
 
-  /** Does what an agent has reason to do. What is done within it has the same reason. */
+  /** Runs an agent's reaction to an event. Nested reactions belong to the same event. */
   static void runTimed(Runnable turn) {
     if (BEGAN.get() != null) {
       turn.run();
@@ -33,7 +32,7 @@ public final class MessageDelays {
     }
   }
 
-  /** By one network: robots have the same names in others. */
+  /** The delays in one network: robot names are unique in it only. */
   final class NetworkDelays {
 
     private final Map<Sent, Long> underWay = new ConcurrentHashMap<>();
@@ -47,7 +46,7 @@ public final class MessageDelays {
 
     void came(String to, MessageEnvelope letter) {
       Long at = underWay.remove(new Sent(letter.sender(), letter.number(), to));
-      if (at != null) { // else it came twice
+      if (at != null) { // otherwise it was a duplicate
         delays.add((System.nanoTime() - at) / 1e9);
       }
     }
@@ -61,17 +60,17 @@ public final class MessageDelays {
     return new NetworkDelays();
   }
 
-  /** That a timer was late by so many seconds. */
+  /** Adds a timer's lateness, seconds. */
   void addTimerDelay(double seconds) {
     late.add(seconds);
   }
 
-  /** Of all letters so far, seconds. */
+  /** Delays of all messages so far, seconds. */
   public double[] messageDelays() {
     return delays.stream().mapToDouble(Double::doubleValue).toArray();
   }
 
-  /** Of all timers so far, seconds. */
+  /** Lateness of all timers so far, seconds. */
   public double[] timerDelays() {
     return late.stream().mapToDouble(Double::doubleValue).toArray();
   }
