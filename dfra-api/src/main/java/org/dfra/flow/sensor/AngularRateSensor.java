@@ -3,7 +3,7 @@ package org.dfra.flow.sensor;
 import java.rmi.RemoteException;
 import org.dfra.module.Idempotent;
 
-/** A rate gyro: it feels how fast it turns about its z axis. */
+/** A rate gyro: it measures the angular rate about its z axis. */
 public interface AngularRateSensor extends Sensor {
 
   /**
