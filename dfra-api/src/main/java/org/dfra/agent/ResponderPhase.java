@@ -6,7 +6,7 @@ package org.dfra.agent;
  * <pre>
  *          it accepts: ACCEPT            RESPONDER_ID names it
  *   FREE --------------------&gt; OFFERED -----------------------&gt; TRAVELLING
- *    ^                            |                               |    | is there: ARRIVAL
+ *    ^                            |                               |    | arrived: ARRIVAL
  *    |&lt;--another, no answer-------'     failed, too late, not     |    v
  *    |&lt;---------------------------------- needed any more --------'  ARRIVED
  *    |&lt;--no answer, released-----------------------------------------|  | AGREE: ACK_ACK

@@ -141,7 +141,7 @@ public final class DeliveryPool implements Executor {
     try {
       starter.accept(worker);
       return true;
-    } catch (OutOfMemoryError e) { // no memory for one more thread; others serve, or a later one
+    } catch (OutOfMemoryError e) { // no memory for another thread; others serve, or a later one
       workers.remove(worker);
       LOG.log(Level.WARNING, "deliveries wait for a thread, which is tried again: " + e);
       return false;

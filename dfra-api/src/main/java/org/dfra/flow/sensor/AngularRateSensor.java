@@ -9,7 +9,7 @@ public interface AngularRateSensor extends Sensor {
   /**
    * The last rate measured.
    *
-   * @throws org.dfra.module.NotReadyException if there is none, or none that still counts
+   * @throws org.dfra.module.NotReadyException if there is none, or it is too old
    */
   @Idempotent
   AngularRate rate() throws RemoteException;

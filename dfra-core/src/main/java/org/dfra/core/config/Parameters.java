@@ -106,7 +106,7 @@ public final class Parameters implements Serializable {
     return find(name);
   }
 
-  /** Where the parameter was written. */
+  /** The parameter's place in the configuration. */
   public Optional<Place> place(String name) {
     return Optional.ofNullable(values.get(name)).map(Value::place);
   }
@@ -140,7 +140,7 @@ public final class Parameters implements Serializable {
     return Duration.ofNanos(Math.round(seconds * 1e9));
   }
 
-  /** A complaint about a parameter's value that only the driver can judge. */
+  /** An exception for a parameter's value that only the driver can check. */
   public ConfigurationException fault(String name, String expected, @Nullable Throwable cause) {
     return fault(name, value(name), expected, cause);
   }
@@ -162,7 +162,7 @@ public final class Parameters implements Serializable {
     return Objects.hash(owner, values);
   }
 
-  /** {@code owner {name=text, …}}, without passwords: this may end in a log. */
+  /** {@code owner {name=text, …}}, without passwords: this may be logged. */
   @Override
   public String toString() {
     return values.entrySet().stream()
