@@ -10,16 +10,16 @@ import org.dfra.flow.sensor.CameraImage.Band;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a mine detector is told, see {@link MineDetectorImpl}.
+ * Settings of a mine detector, see {@link MineDetectorImpl}.
  *
  * @param fusionMethod {@code bayes} or {@code dempster-shafer}
- * @param fusion the same at work
+ * @param fusion the same, as object
  * @param rates of the cameras, as measured
- * @param truePositive of both cameras fused, as measured with that method; null where not told
+ * @param truePositive of both cameras fused, as measured with that method; null where not given
  * @param falsePositive likewise
- * @param observationSpacing from look to look, metres
- * @param associationGate how far what belongs to one place may be apart, metres
- * @param minProbability probability from which on it is told
+ * @param observationSpacing between observations, metres
+ * @param associationGate maximum distance of detections of one candidate, metres
+ * @param minProbability minimum probability to report
  */
 record MineDetectorSettings(
     ImageMineDetectorSettings imageDetector,
@@ -102,21 +102,21 @@ record MineDetectorSettings(
     return rates;
   }
 
-  /** There is no rate that would be right for all cameras, so there is none by default. */
+  /** No rate is right for all cameras, so there is no default. */
   private static DetectorRates rates(Parameters told, String band, String when) {
     return new DetectorRates(
         rate(told, band + "_true_positive" + when), rate(told, band + "_false_positive" + when), 1);
   }
 
   private static double rate(Parameters told, String name) {
-    told.text(name); // says so where it is not there
+    told.text(name); // reports an error where it is missing
     return told.number(name, Double.NaN, RAREST, 1 - RAREST);
   }
 
-  /** How often a method of fusion was right and wrong; null where nobody has measured it. */
+  /** Measured rates of a fusion method; null where they are not given. */
   private record MeasuredRates(@Nullable Double truePositive, @Nullable Double falsePositive) {}
 
-  /** Of every method, chosen or not: so that what is written of the other is looked at too. */
+  /** Reads those of every method, so that parameters of the method not chosen are validated too. */
   private static MeasuredRates shares(Parameters told, String method) {
     String name = method.replace('-', '_');
     return new MeasuredRates(
