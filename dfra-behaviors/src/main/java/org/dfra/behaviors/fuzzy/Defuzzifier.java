@@ -2,7 +2,7 @@ package org.dfra.behaviors.fuzzy;
 
 import org.dfra.behaviors.fuzzy.Operators.Defuzzification;
 
-/** Makes a number of a set on a grid. */
+/** Defuzzifies a set sampled on a grid. */
 final class Defuzzifier {
 
   private final Defuzzification method;
@@ -14,11 +14,11 @@ final class Defuzzifier {
   }
 
   /**
-   * The number.
+   * The crisp value.
    *
    * @param x the grid, in ascending order
-   * @param set how far each of its points belongs to the set
-   * @param middle the answer where no point does
+   * @param set membership of each of its points
+   * @param middle result where all memberships are 0
    */
   double defuzzify(double[] x, double[] set, double middle) {
     double area = 0;

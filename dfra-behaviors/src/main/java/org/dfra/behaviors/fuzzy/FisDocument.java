@@ -12,7 +12,7 @@ import org.dfra.core.config.NearestName;
 import org.dfra.core.config.Place;
 import org.jspecify.annotations.Nullable;
 
-/** The lines of a {@code .fis} file under their headings, without comments. */
+/** The lines of a {@code .fis} file by section, without comments. */
 final class FisDocument {
 
   private static final Pattern HEADING = Pattern.compile("\\[(\\w+)\\]");
@@ -28,18 +28,18 @@ final class FisDocument {
   /**
    * One line.
    *
-   * @param key what stands before the {@code =}; empty in a rule
-   * @param value what stands behind it, or the whole line
+   * @param key text before the {@code =}; empty in a rule
+   * @param value text after it, or the whole line
    */
   record FisLine(String key, String value, Place place) {
 
-    /** A complaint about it. */
+    /** An error of this line. */
     ConfigurationException fault(String sentence) {
       return new ConfigurationException(place + ": " + sentence);
     }
   }
 
-  /** What stands under one heading. */
+  /** A section. */
   record Section(String name, Place place, List<FisLine> lines) {
 
     /** The line of a key. */
@@ -67,7 +67,7 @@ final class FisDocument {
       return found;
     }
 
-    /** Complains about a key that is none of these. */
+    /** Reports an error for a key that is none of these. */
     void requireKnown(Collection<String> keys) {
       for (FisLine line : lines) {
         if (!keys.contains(line.key())) {
@@ -148,7 +148,7 @@ final class FisDocument {
     return section;
   }
 
-  /** Complains about sections beyond those that a system of this size has. */
+  /** Reports errors for sections beyond the size of the system. */
   void requireKnown(int inputs, int outputs) {
     for (Section section : sections.values()) {
       Matcher numbered = Pattern.compile("(Input|Output)(\\d{1,6})").matcher(section.name());

@@ -4,12 +4,12 @@ import java.math.BigDecimal;
 import java.util.Arrays;
 import org.dfra.behaviors.fuzzy.FisDocument.FisLine;
 
-/** Numbers as {@code .fis} files write them; whole ones may have decimals that are zero. */
+/** Parses numbers of {@code .fis} files; integers may have zero decimals. */
 final class FisNumberParser {
 
   private FisNumberParser() {}
 
-  /** Numbers parted by blanks or commas. */
+  /** Numbers separated by spaces or commas. */
   static double[] list(FisLine line, String text) {
     String stripped = text.strip();
     return stripped.isEmpty()
@@ -24,7 +24,7 @@ final class FisNumberParser {
       return word.startsWith("-") ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
     }
     try {
-      // Not Double.parseDouble: it also takes "0x1p3", "9f" and "NaN".
+      // Not Double.parseDouble: it also accepts "0x1p3", "9f" and "NaN".
       return new BigDecimal(word).doubleValue();
     } catch (NumberFormatException e) {
       throw line.fault("\"" + word + "\" is not a number");

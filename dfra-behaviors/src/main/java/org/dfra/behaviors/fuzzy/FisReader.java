@@ -20,7 +20,7 @@ import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.NearestName;
 import org.dfra.core.config.Place;
 
-/** Reads {@code .fis} files, as MATLAB and other toolboxes write them. */
+/** Reads {@code .fis} files of MATLAB and other toolboxes. */
 public final class FisReader {
 
   private static final String QUOTED = "\\s*'([^']*)'\\s*";
@@ -40,7 +40,7 @@ public final class FisReader {
   /**
    * Reads a file.
    *
-   * @throws ConfigurationException naming file, line and word of what is wrong
+   * @throws ConfigurationException naming file, line and word of the error
    */
   public static FuzzySystem read(Path file) {
     return parse(text(file), file.toString());
@@ -49,8 +49,8 @@ public final class FisReader {
   /**
    * Reads a text.
    *
-   * @param file what complaints call it
-   * @throws ConfigurationException naming file, line and word of what is wrong
+   * @param file name used in error messages
+   * @throws ConfigurationException naming file, line and word of the error
    */
   public static FuzzySystem parse(String text, String file) {
     return new FisReader(file, FisDocument.of(text, file)).system();
@@ -62,7 +62,7 @@ public final class FisReader {
       try {
         return StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
       } catch (CharacterCodingException e) {
-        return new String(bytes, Charset.forName("windows-1252")); // as old MATLABs write it
+        return new String(bytes, Charset.forName("windows-1252")); // format of old MATLAB versions
       }
     } catch (NoSuchFileException e) {
       throw new ConfigurationException(
@@ -154,7 +154,7 @@ public final class FisReader {
             line.place(), () -> isSet ? set(line, word, numbers) : function(line, word, numbers)));
   }
 
-  /** Old files pad a list of parameters with zeros. */
+  /** Old files pad parameter lists with zeros. */
   private static MembershipFunction set(FisLine line, String word, List<Double> numbers) {
     MembershipFunctionType type =
         MembershipFunctionType.of(word)

@@ -15,7 +15,7 @@ public final class FisWriter {
   private FisWriter() {}
 
   /**
-   * Writes a file, in place of what it held.
+   * Writes a file, replacing its content.
    *
    * @throws IOException if it cannot be written
    */
@@ -26,7 +26,8 @@ public final class FisWriter {
   /**
    * The text of a file.
    *
-   * @throws IllegalArgumentException if a name holds a quote or a line's end, which a file cannot
+   * @throws IllegalArgumentException if a name contains a quote or a line break, which the format
+   *     cannot represent
    */
   public static String text(FuzzySystem system) {
     FisWriter writer = new FisWriter();
@@ -107,7 +108,7 @@ public final class FisWriter {
     return "'" + name + "'";
   }
 
-  /** The shortest text that reads as the same number; 10 rather than 10.0. */
+  /** The shortest text that parses to the same number; 10 rather than 10.0. */
   private static String number(double number) {
     BigDecimal exact = new BigDecimal(Double.toString(number)).stripTrailingZeros();
     return exact.scale() <= 0 && exact.precision() - exact.scale() <= 15

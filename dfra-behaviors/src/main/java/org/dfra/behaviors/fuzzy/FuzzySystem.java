@@ -8,7 +8,7 @@ import java.util.List;
  *
  * @param name its name
  * @param type Mamdani's or Sugeno's
- * @param operators how it reckons
+ * @param operators inference operators
  * @param inputs at least one
  * @param outputs at least one
  * @param rules the rule base
@@ -21,7 +21,7 @@ public record FuzzySystem(
     List<Variable> outputs,
     List<Rule> rules) {
 
-  /** What a rule's consequent is. */
+  /** Type of inference, by the consequents of its rules. */
   public enum Type {
     /** A fuzzy set. */
     MAMDANI,
@@ -30,7 +30,7 @@ public record FuzzySystem(
   }
 
   /**
-   * @throws IllegalArgumentException if something in it does not fit together; the message names it
+   * @throws IllegalArgumentException if its parts are inconsistent; the message names the cause
    */
   public FuzzySystem {
     inputs = List.copyOf(inputs);
@@ -146,7 +146,7 @@ public record FuzzySystem(
   /**
    * Reads a {@code .fis} file.
    *
-   * @throws org.dfra.core.config.ConfigurationException naming file, line and word of what is wrong
+   * @throws org.dfra.core.config.ConfigurationException naming file, line and word of the error
    */
   public static FuzzySystem read(Path file) {
     return FisReader.read(file);

@@ -1,8 +1,8 @@
 package org.dfra.behaviors.fuzzy;
 
 /**
- * Evaluates one fuzzy system. It allocates nothing after its construction; each thread needs one of
- * its own.
+ * Evaluates one fuzzy system. It allocates no memory after construction; use one instance per
+ * thread.
  */
 public abstract sealed class Inference permits MamdaniInference, SugenoInference {
 
@@ -14,16 +14,16 @@ public abstract sealed class Inference permits MamdaniInference, SugenoInference
     this.rules = new RuleBase(system);
   }
 
-  /** What is evaluated. */
+  /** The evaluated system. */
   public FuzzySystem system() {
     return system;
   }
 
   /**
-   * Evaluates the system. Inputs beyond their ranges are taken as they are.
+   * Evaluates the system. Inputs beyond their ranges are not clamped.
    *
    * @param inputs a value for each input, in its own unit
-   * @param outputs takes a value for each output, in its own unit
+   * @param outputs receives a value for each output, in its own unit
    * @throws IllegalArgumentException if the arrays do not fit the system, or an input is not a
    *     number
    */
@@ -49,7 +49,7 @@ public abstract sealed class Inference permits MamdaniInference, SugenoInference
     defuzzify(inputs, rules.fire(inputs), outputs);
   }
 
-  /** The firing strengths of the last evaluation, one for each rule; not to be changed. */
+  /** The firing strengths of the last evaluation, one for each rule; do not modify. */
   public double[] strengths() {
     return rules.strengths();
   }

@@ -4,10 +4,10 @@ import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** What a Sugeno system's rule gives: a constant, or a weighted sum of the inputs. Immutable. */
+/** The consequent of a Sugeno rule: a constant, or a weighted sum of the inputs. Immutable. */
 public final class LinearFunction implements TermFunction {
 
-  /** The type's name where there is nothing but a constant. */
+  /** The type's name of a constant. */
   public static final String CONSTANT = "constant";
 
   /** The type's name of a weighted sum. */
@@ -24,7 +24,7 @@ public final class LinearFunction implements TermFunction {
     }
   }
 
-  /** The same for every input. */
+  /** A constant. */
   public static LinearFunction constant(double value) {
     return new LinearFunction(true, List.of(value));
   }
@@ -32,7 +32,7 @@ public final class LinearFunction implements TermFunction {
   /**
    * A weighted sum.
    *
-   * @param parameters a weight for each input, and at last what is added
+   * @param parameters a weight for each input, then the constant term
    */
   public static LinearFunction linear(List<Double> parameters) {
     if (parameters.isEmpty()) {
@@ -42,7 +42,7 @@ public final class LinearFunction implements TermFunction {
     return new LinearFunction(false, parameters);
   }
 
-  /** Whether it is the same for every input. */
+  /** Whether it is a constant. */
   public boolean isConstant() {
     return constant;
   }
@@ -60,7 +60,7 @@ public final class LinearFunction implements TermFunction {
   /**
    * Its value.
    *
-   * @param inputs as many as it has weights; ignored by a constant
+   * @param inputs one per weight; ignored by a constant
    */
   public double at(double[] inputs) {
     double sum = 0;

@@ -2,7 +2,7 @@ package org.dfra.behaviors.fuzzy;
 
 import java.util.Arrays;
 
-/** Mamdani's inference: each rule gives a fuzzy set; these are put together and made a number. */
+/** Mamdani's inference: each rule gives a fuzzy set; these are aggregated and defuzzified. */
 final class MamdaniInference extends Inference {
 
   private final OutputAggregator[] outputs;

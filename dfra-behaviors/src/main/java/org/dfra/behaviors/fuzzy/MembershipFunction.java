@@ -5,16 +5,16 @@ import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
-/** A fuzzy set over the real numbers: how far each belongs to it. Immutable. */
+/** A fuzzy set over the real numbers. Immutable. */
 public final class MembershipFunction implements TermFunction {
 
   private final MembershipFunctionType type;
   private final double[] parameters;
 
   /**
-   * @param parameters as many as the type has
+   * @param parameters of the type, in its order
    * @throws IllegalArgumentException if there are too many or too few, one is not finite, or they
-   *     do not fit together; the message says what would
+   *     are inconsistent; the message states the rule
    */
   public MembershipFunction(MembershipFunctionType type, List<Double> parameters) {
     this.type = type;
@@ -49,7 +49,7 @@ public final class MembershipFunction implements TermFunction {
     return Arrays.stream(parameters).boxed().toList();
   }
 
-  /** How far x belongs to the set, from 0 to 1. */
+  /** Membership of x, from 0 to 1. */
   public double at(double x) {
     return type.at(x, parameters);
   }

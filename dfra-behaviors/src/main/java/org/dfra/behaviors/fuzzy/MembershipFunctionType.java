@@ -41,7 +41,7 @@ public enum MembershipFunctionType {
       return p[0] <= p[1] && p[2] <= p[3] ? null : "wants a ≤ b and c ≤ d";
     }
   },
-  /** A bell of Gauss around c. */
+  /** A Gaussian around c. */
   GAUSSMF("gaussmf", "σ", "c") {
     @Override
     double at(double x, double[] p) {
@@ -53,7 +53,7 @@ public enum MembershipFunctionType {
       return p[0] != 0 ? null : NO_WIDTH;
     }
   },
-  /** Rises as one bell of Gauss up to c1, falls as another from c2 on. */
+  /** Rises as one Gaussian up to c1, falls as another from c2 on. */
   GAUSS2MF("gauss2mf", "σ1", "c1", "σ2", "c2") {
     @Override
     double at(double x, double[] p) {
@@ -84,7 +84,7 @@ public enum MembershipFunctionType {
       return p[0] != 0 ? null : "wants an a other than 0";
     }
   },
-  /** A sigmoid with its middle at c; a is its steepness, and falls where it is below zero. */
+  /** A sigmoid centred at c; a is its slope; it falls where a is negative. */
   SIGMF("sigmf", "a", "c") {
     @Override
     double at(double x, double[] p) {
@@ -152,10 +152,10 @@ public enum MembershipFunctionType {
     return Arrays.stream(values()).filter(each -> each.word.equals(word)).findFirst();
   }
 
-  /** How far x belongs to the set, from 0 to 1. */
+  /** Membership of x, from 0 to 1. */
   abstract double at(double x, double[] p);
 
-  /** What is wrong with parameters of the right number, or null. */
+  /** The error of parameters of the right number, or null. */
   @Nullable String validationError(double[] p) {
     return null;
   }

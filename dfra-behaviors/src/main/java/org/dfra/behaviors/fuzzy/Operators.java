@@ -4,13 +4,13 @@ import java.util.Locale;
 import java.util.function.DoubleBinaryOperator;
 
 /**
- * How a fuzzy system reckons.
+ * Inference operators of a fuzzy system.
  *
- * @param and joins antecedents that must all hold
- * @param or joins antecedents of which one must hold
- * @param implication cuts or scales a rule's consequent by its firing strength; Mamdani only
- * @param aggregation puts the rules' consequents together; Mamdani only
- * @param defuzzification makes a number of the result
+ * @param and conjunction of antecedents
+ * @param or disjunction of antecedents
+ * @param implication clips or scales a rule's consequent by its firing strength; Mamdani only
+ * @param aggregation combines the rules' consequents; Mamdani only
+ * @param defuzzification converts the result to a crisp value
  */
 public record Operators(
     And and,
@@ -19,19 +19,19 @@ public record Operators(
     Aggregation aggregation,
     Defuzzification defuzzification) {
 
-  /** MATLAB's for a new Mamdani system: min, max, min, max, centroid. */
+  /** MATLAB's defaults for a Mamdani system: min, max, min, max, centroid. */
   public static final Operators MAMDANI =
       new Operators(And.MIN, Or.MAX, Implication.MIN, Aggregation.MAX, Defuzzification.CENTROID);
 
-  /** MATLAB's for a new Sugeno system: prod, probor, prod, sum, wtaver. */
+  /** MATLAB's defaults for a Sugeno system: prod, probor, prod, sum, wtaver. */
   public static final Operators SUGENO =
       new Operators(And.PROD, Or.PROBOR, Implication.PROD, Aggregation.SUM, Defuzzification.WTAVER);
 
-  /** Joins what must all hold. */
+  /** Conjunction. */
   public enum And {
-    /** The least. */
+    /** Minimum. */
     MIN(Math::min),
-    /** The product. */
+    /** Product. */
     PROD(Operators::product);
 
     private final DoubleBinaryOperator operator;
@@ -45,9 +45,9 @@ public record Operators(
     }
   }
 
-  /** Joins what of which one must hold. */
+  /** Disjunction. */
   public enum Or {
-    /** The greatest. */
+    /** Maximum. */
     MAX(Math::max),
     /** The probabilistic or: a + b − a·b. */
     PROBOR(Operators::probabilisticOr);
@@ -63,9 +63,9 @@ public record Operators(
     }
   }
 
-  /** Applies a firing strength, the first, to a membership of a consequent. */
+  /** Applies a firing strength, the first argument, to a membership of a consequent. */
   public enum Implication {
-    /** Cuts it off. */
+    /** Clips it. */
     MIN(Math::min),
     /** Scales it. */
     PROD(Operators::product);
@@ -81,9 +81,9 @@ public record Operators(
     }
   }
 
-  /** Puts consequents together. */
+  /** Aggregation of consequents. */
   public enum Aggregation {
-    /** The greatest. */
+    /** Maximum. */
     MAX(Math::max),
     /** The sum. */
     SUM(Double::sum),
@@ -101,17 +101,17 @@ public record Operators(
     }
   }
 
-  /** Makes a number of the result. */
+  /** Defuzzification. */
   public enum Defuzzification {
     /** Centre of gravity of the aggregated set. */
     CENTROID,
-    /** Where its area is halved. */
+    /** Bisector of its area. */
     BISECTOR,
-    /** Mean of the places where it is highest. */
+    /** Mean of maximum. */
     MOM,
-    /** That of these places whose amount is smallest. */
+    /** Smallest of maximum, by absolute value. */
     SOM,
-    /** That of these places whose amount is largest. */
+    /** Largest of maximum, by absolute value. */
     LOM,
     /** Mean of the rules' results, weighted by their firing strengths; Sugeno only. */
     WTAVER,
@@ -132,7 +132,7 @@ public record Operators(
     return one + other - one * other;
   }
 
-  /** A method's name in a {@code .fis} file. */
+  /** An operator's name in a {@code .fis} file. */
   static String fisName(Enum<?> method) {
     return method.name().toLowerCase(Locale.ROOT);
   }

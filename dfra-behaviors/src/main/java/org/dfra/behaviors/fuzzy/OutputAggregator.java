@@ -6,7 +6,7 @@ import java.util.Map;
 import org.dfra.behaviors.fuzzy.Operators.Aggregation;
 import org.dfra.behaviors.fuzzy.Operators.Implication;
 
-/** The consequents of one output, each sampled on the output's grid once and for all. */
+/** The consequents of one output, each sampled once on the output's grid. */
 final class OutputAggregator {
 
   /** Points of the grid, both ends of the range included. */
@@ -56,7 +56,7 @@ final class OutputAggregator {
     return middle;
   }
 
-  /** The sets of all rules put together, on the grid. */
+  /** The aggregated sets of all rules, on the grid. */
   double[] aggregate(double[] strengths) {
     Arrays.fill(aggregate, 0);
     if (aggregation == Aggregation.MAX) {

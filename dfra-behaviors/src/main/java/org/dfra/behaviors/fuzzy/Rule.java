@@ -3,22 +3,22 @@ package org.dfra.behaviors.fuzzy;
 import java.util.List;
 
 /**
- * A rule of a fuzzy system. Terms are named by their number, from 1; 0 stands for any, and a number
- * below zero for a term's opposite.
+ * A rule of a fuzzy system. Terms are numbered from 1; 0 means any, and a negative number the
+ * complement (NOT) of a term.
  *
  * @param antecedents a term of each input
- * @param consequents a term of each output; 0 leaves that output alone
- * @param weight how much the rule counts, from 0 to 1
- * @param connective how the antecedents are joined
+ * @param consequents a term of each output; 0 does not affect that output
+ * @param weight weight of the rule, from 0 to 1
+ * @param connective between the antecedents
  */
 public record Rule(
     List<Integer> antecedents, List<Integer> consequents, double weight, Connective connective) {
 
-  /** How antecedents are joined. */
+  /** Connective between antecedents. */
   public enum Connective {
-    /** All of them hold. */
+    /** Conjunction. */
     AND,
-    /** One of them holds. */
+    /** Disjunction. */
     OR
   }
 

@@ -2,13 +2,13 @@ package org.dfra.behaviors.fuzzy;
 
 import java.util.List;
 
-/** The antecedents of a system's rules, laid out so that they fire quickly. */
+/** The antecedents of a system's rules, stored for fast evaluation. */
 final class RuleBase {
 
   private final MembershipFunction[] terms; // of all inputs, one after the other
   private final int[] inputOfTerm;
-  private final double[] memberships; // of each term now; then of each term's opposite
-  private final int[][] antecedents; // for each rule, places in memberships
+  private final double[] memberships; // of each term; then of each term's complement
+  private final int[][] antecedents; // for each rule, indices in memberships
   private final boolean[] isOr;
   private final double[] weights;
   private final Operators.And and;
@@ -55,7 +55,7 @@ final class RuleBase {
     return places;
   }
 
-  /** How strongly each rule fires. */
+  /** Firing strength of each rule. */
   double[] fire(double[] inputs) {
     for (int i = 0; i < terms.length; i++) {
       double membership = terms[i].at(inputs[inputOfTerm[i]]);
@@ -73,8 +73,8 @@ final class RuleBase {
   }
 
   private double all(int[] places) {
-    double strength = 1; // where nothing is asked for
-    for (int i = 0; i < places.length && strength > 0; i++) { // nothing raises it from 0
+    double strength = 1; // without a condition
+    for (int i = 0; i < places.length && strength > 0; i++) { // cannot rise from 0
       strength = and.of(strength, memberships[places[i]]);
     }
     return strength;

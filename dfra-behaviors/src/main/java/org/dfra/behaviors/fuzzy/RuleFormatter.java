@@ -6,12 +6,12 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
-/** Rules as people say them: {@code left is close and centre is not away: tr is slow}. */
+/** Formats rules as sentences: {@code left is close and centre is not away: tr is slow}. */
 public final class RuleFormatter {
 
   private final FuzzySystem system;
 
-  /** Those of a system. */
+  /** A formatter for a system's rules. */
   public RuleFormatter(FuzzySystem system) {
     this.system = system;
   }
@@ -49,13 +49,13 @@ public final class RuleFormatter {
         .collect(Collectors.joining(joined));
   }
 
-  /** What a rule says of a variable; not for 0. */
+  /** A rule's condition on a variable; not for 0. */
   public static String termLabel(Variable variable, int term) {
     String word = termLabels(variable).get(Math.abs(term) - 1);
     return term < 0 ? "not " + word : word;
   }
 
-  /** The names of a variable's terms; those that several have, each with its number, from 1. */
+  /** The names of a variable's terms; duplicate names with their number, from 1. */
   public static List<String> termLabels(Variable variable) {
     return distinctLabels(variable.terms().stream().map(Term::name).toList());
   }

@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
 final class SugenoInference extends Inference {
 
   private final @Nullable LinearFunction[][] consequents; // by output and rule; null for none
-  private final double[] defaultOutputs; // what an output is where no rule fires
+  private final double[] defaultOutputs; // output where no rule fires
   private final boolean isMean;
 
   SugenoInference(FuzzySystem system, ToolboxCompatibility engine) {

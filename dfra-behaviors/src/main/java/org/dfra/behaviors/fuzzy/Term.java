@@ -1,9 +1,9 @@
 package org.dfra.behaviors.fuzzy;
 
 /**
- * A word for some of a variable's values, such as {@code close}.
+ * A linguistic term of a variable, such as {@code close}.
  *
- * @param name the word; several terms of a variable may have the same
- * @param function what it stands for
+ * @param name its name; several terms of a variable may share it
+ * @param function its meaning
  */
 public record Term(String name, TermFunction function) {}

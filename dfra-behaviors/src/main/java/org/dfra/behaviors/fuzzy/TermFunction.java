@@ -2,7 +2,7 @@ package org.dfra.behaviors.fuzzy;
 
 import java.util.List;
 
-/** What a term stands for: a fuzzy set, or in a Sugeno system's output a function of the inputs. */
+/** The meaning of a term: a fuzzy set, or in a Sugeno system's output a function of the inputs. */
 public sealed interface TermFunction permits MembershipFunction, LinearFunction {
 
   /** The name of its type in a {@code .fis} file. */

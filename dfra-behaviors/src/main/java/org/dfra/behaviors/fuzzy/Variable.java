@@ -8,7 +8,7 @@ import java.util.List;
  * @param name its name
  * @param low lower end of its range, in its own unit
  * @param high upper end of its range
- * @param terms the words for its values, in the order by which rules number them from 1
+ * @param terms its linguistic terms, in the order in which rules number them from 1
  */
 public record Variable(String name, double low, double high, List<Term> terms) {
 

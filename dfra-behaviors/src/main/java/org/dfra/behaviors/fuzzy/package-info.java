@@ -1,6 +1,6 @@
 /**
- * Fuzzy inference as the MATLAB Fuzzy Logic Toolbox does it: Mamdani and Sugeno systems, read from
- * {@code .fis} files.
+ * Fuzzy inference, compatible with the MATLAB Fuzzy Logic Toolbox: Mamdani and Sugeno systems, read
+ * from {@code .fis} files.
  *
  * <pre>
  *  .fis --FisReader--&gt; FuzzySystem --&gt; Inference: inputs -&gt; memberships -&gt; firing strengths

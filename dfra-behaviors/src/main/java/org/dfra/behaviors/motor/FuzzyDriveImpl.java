@@ -16,15 +16,15 @@ import org.dfra.persona.Attributes;
 import org.dfra.persona.MotorSchemaAttributes;
 
 /**
- * Drives by the rules of a {@code .fis} file; see {@link WaypointController}. It keeps nothing from
- * one question to the next, and tells every answer.
+ * Drives by the rules of a {@code .fis} file; see {@link WaypointController}. It is stateless
+ * between calls and publishes every result.
  *
  * <p>Parameters, read at the start:
  *
  * <ul>
  *   <li>{@code system_file}: the file, required
- *   <li>{@code max_speed}: metres per second that {@code tr} = 1 is, 0.01 to 10; default 0.7
- *   <li>{@code max_turn_rate}: radians per second that {@code rv} = 1 is, 0.01 to 10; default 1
+ *   <li>{@code max_speed}: metres per second at {@code tr} = 1, 0.01 to 10; default 0.7
+ *   <li>{@code max_turn_rate}: radians per second at {@code rv} = 1, 0.01 to 10; default 1
  * </ul>
  */
 public final class FuzzyDriveImpl extends SchemaImpl implements FuzzyDrive {
@@ -36,7 +36,7 @@ public final class FuzzyDriveImpl extends SchemaImpl implements FuzzyDrive {
   /**
    * See {@link org.dfra.core.module.ModuleImpl}.
    *
-   * @throws org.dfra.core.config.ConfigurationException if the file is not what it should be
+   * @throws org.dfra.core.config.ConfigurationException if the file is invalid
    */
   public FuzzyDriveImpl(ModuleContext context) {
     super(

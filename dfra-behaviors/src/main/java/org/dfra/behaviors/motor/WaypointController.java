@@ -13,13 +13,13 @@ import org.dfra.flow.perceptual.Clearance;
 import org.dfra.flow.perceptual.HeadingPercept;
 
 /**
- * A fuzzy system that drives to a waypoint: its inputs and outputs found by name, in whichever
- * order the file has them. Confined to one thread.
+ * A fuzzy controller that drives to a waypoint: it finds its inputs and outputs by name, in any
+ * order. Confined to one thread.
  *
- * <p>Inputs {@code left}, {@code centre}, {@code right}: room in metres; {@code heading_error}:
- * degrees, to the left is +. Outputs {@code tr}: forward speed as a part of the highest, taken
- * between 0 and 1; {@code rv}: turn rate as a part of the highest, between −1 and 1, to the left is
- * +.
+ * <p>Inputs {@code left}, {@code centre}, {@code right}: clearance in metres; {@code
+ * heading_error}: degrees, to the left is +. Outputs {@code tr}: forward speed as a fraction of the
+ * maximum, limited to 0 to 1; {@code rv}: yaw rate as a fraction of the maximum, between −1 and 1,
+ * to the left is +.
  */
 final class WaypointController {
 
@@ -29,18 +29,18 @@ final class WaypointController {
   private final Inference inference;
   private final String method;
   private final List<String> sentences;
-  private final int[] inputs; // where in the file's order
+  private final int[] inputs; // index in the file's order
   private final int[] outputs;
   private final double[] in;
   private final double[] out;
 
   /**
-   * What the rules say.
+   * The controller's output.
    *
-   * @param speedFraction as a part of the highest, 0 to 1
-   * @param yawRateFraction as a part of the highest, −1 to 1
+   * @param speedFraction as a fraction of the maximum, 0 to 1
+   * @param yawRateFraction as a fraction of the maximum, −1 to 1
    * @param reason the rule that fires strongest
-   * @param strength how strongly, 0 to 1
+   * @param strength its firing strength, 0 to 1
    */
   record ControlOutput(
       double speedFraction, double yawRateFraction, String reason, double strength) {}
@@ -48,8 +48,8 @@ final class WaypointController {
   /**
    * Reads the system.
    *
-   * @throws ConfigurationException if the file is no fuzzy system, or lacks a variable; the message
-   *     says which
+   * @throws ConfigurationException if the file is not a fuzzy system, or lacks a variable; the
+   *     message names it
    */
   WaypointController(Path file) {
     FuzzySystem system = FuzzySystem.read(file);
@@ -84,12 +84,12 @@ final class WaypointController {
     return wanted.stream().mapToInt(names::indexOf).toArray();
   }
 
-  /** How it infers: {@code mamdani} or {@code sugeno}. */
+  /** Its type of inference: {@code mamdani} or {@code sugeno}. */
   String inferenceType() {
     return method;
   }
 
-  /** How many rules there are. */
+  /** Number of rules. */
   int ruleCount() {
     return sentences.size();
   }

@@ -1,5 +1,5 @@
 /**
- * Motor schemas: what a robot's percepts advise its effectors to do. Enter at {@link
+ * Motor schemas: from a robot's percepts to recommended effector commands. Enter at {@link
  * org.dfra.behaviors.motor.FuzzyDriveImpl}.
  */
 @NullMarked

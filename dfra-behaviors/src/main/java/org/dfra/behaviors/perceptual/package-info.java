@@ -1,6 +1,6 @@
 /**
- * Perceptual schemas, a room each: what a robot makes of what its sensors tell. None of them knows
- * what is done with it.
+ * Perceptual schemas, one package each: they compute percepts from sensor readings, independently
+ * of their use.
  */
 @NullMarked
 package org.dfra.behaviors.perceptual;

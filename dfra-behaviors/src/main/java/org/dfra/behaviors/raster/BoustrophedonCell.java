@@ -10,19 +10,19 @@ import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.Polygon;
 
 /**
- * Lanes side by side, one in each of some strips in a row, that are driven to and fro without
- * anything in between. Where a notch begins or ends between two strips, so do cells. Source of the
- * idea: H. Choset and P. Pignon, "Coverage path planning: the boustrophedon cellular
- * decomposition", FSR 1997.
+ * Lanes side by side, one in each of some strips in a row, that are driven back and forth without
+ * transit paths. Cells begin and end where a notch of the outline begins or ends between two
+ * strips. Source of the idea: H. Choset and P. Pignon, "Coverage path planning: the boustrophedon
+ * cellular decomposition", FSR 1997.
  *
  * @param lanes from west to east, each of them northward; at least one
  */
 record BoustrophedonCell(List<LaneSegment> lanes) {
 
-  /** How many ways there are to drive it: from either end, beginning at either end of a lane. */
+  /** Number of traversals: from either end, starting at either end of a lane. */
   static final int TRAVERSALS = 4;
 
-  /** The cells of a polygon, those that begin farther west first. */
+  /** The cells of a polygon, ordered by their western ends. */
   static List<BoustrophedonCell> of(Polygon polygon, StripDecomposition lines) {
     List<BoustrophedonCell> cells = new ArrayList<>();
     List<BoustrophedonCell> open = new ArrayList<>(); // one for each lane of the strip
@@ -52,7 +52,10 @@ record BoustrophedonCell(List<LaneSegment> lanes) {
     return cell;
   }
 
-  /** For each lane of a strip, the one before it that leads to no other; -1 where there is none. */
+  /**
+   * For each lane of a strip, its only predecessor, if that has no other successor; -1 where there
+   * is none.
+   */
   private static int[] partners(Polygon polygon, StripDecomposition lines, int strip) {
     List<LaneSegment> west = lines.lanes(strip - 1);
     List<LaneSegment> east = lines.lanes(strip);
@@ -82,7 +85,7 @@ record BoustrophedonCell(List<LaneSegment> lanes) {
     return partners;
   }
 
-  /** The number of the part of the ground that each lane borders. */
+  /** The number of the region part that each lane borders. */
   private static int[] parts(Geometry ground, List<LaneSegment> lanes) {
     int[] parts = new int[lanes.size()];
     for (int i = 0; i < parts.length; i++) {
@@ -101,7 +104,7 @@ record BoustrophedonCell(List<LaneSegment> lanes) {
     return parts;
   }
 
-  /** The one place at which a number is; -1 if it is at none or several. */
+  /** The only index of a number; -1 if it occurs never or several times. */
   private static int only(int[] numbers, int wanted) {
     int found = -1;
     for (int i = 0; i < numbers.length; i++) {
@@ -118,8 +121,8 @@ record BoustrophedonCell(List<LaneSegment> lanes) {
   /**
    * Its lanes in the order and direction in which they are driven.
    *
-   * @param way of {@link #TRAVERSALS}: the least bit set begins in the east, the next one set
-   *     begins southward
+   * @param way traversal, below {@link #TRAVERSALS}: bit 0 set starts in the east, bit 1 set starts
+   *     southward
    */
   List<LaneSegment> traversal(int way) {
     List<LaneSegment> driven = new ArrayList<>();
@@ -131,13 +134,13 @@ record BoustrophedonCell(List<LaneSegment> lanes) {
     return driven;
   }
 
-  /** Where it is entered. */
+  /** Its entry point. */
   Coordinate entry(int way) {
     LaneSegment first = lanes.get((way & 1) == 0 ? 0 : lanes.size() - 1);
     return (way & 2) == 0 ? first.from() : first.to();
   }
 
-  /** Where it is left. */
+  /** Its exit point. */
   Coordinate exit(int way) {
     LaneSegment last = lanes.get((way & 1) == 0 ? lanes.size() - 1 : 0);
     boolean isNorthward = (way & 2) == 0 == (lanes.size() % 2 == 1);

@@ -6,21 +6,21 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * In which order cells are driven, and each from which corner: such that the ways between them are
- * short. The first is the south-westernmost. For an order the best corners are found exactly, stage
- * by stage; orders are tried by turning parts of them round and by moving cells, until nothing
- * shortens it. Always the same for the same cells.
+ * Optimizes the order of cells and the start corner of each, for short transit paths. The first is
+ * the south-westernmost. For a given order the best corners are found exactly, by dynamic
+ * programming; orders are improved by reversing parts and moving cells, until no change shortens
+ * the tour. Deterministic.
  */
 final class CellTour {
 
-  /** A longer part of a tour than this is neither turned nor moved across. */
+  /** Maximum length of a part that is reversed or moved across. */
   private static final int REACH = 24;
 
   private static final double GAIN = 1e-6; // metres
 
   private final List<BoustrophedonCell> cells;
   private final InteriorPathFinder interior;
-  private final double[][] between; // from the exit of a cell's way to the entry of another's
+  private final double[][] between; // from the exit of a cell's traversal to the entry of another's
 
   CellTour(List<BoustrophedonCell> cells, InteriorPathFinder interior) {
     this.cells = cells;
@@ -104,10 +104,10 @@ final class CellTour {
     return Arrays.stream(lengths(order)[order.size() - 1]).min().orElseThrow();
   }
 
-  /** The length of the ways up to each stage, for each way to drive the cell of that stage. */
+  /** Transit length up to each stage, for each traversal of that stage's cell. */
   private double[][] lengths(List<Integer> order) {
     double[][] lengths = new double[order.size()][BoustrophedonCell.TRAVERSALS];
-    // it begins in the west, and northward if that makes no difference
+    // it starts in the west, and northward if both are equal
     lengths[0] = new double[] {0, Double.POSITIVE_INFINITY, GAIN, Double.POSITIVE_INFINITY};
     for (int i = 1; i < lengths.length; i++) {
       for (int way = 0; way < BoustrophedonCell.TRAVERSALS; way++) {

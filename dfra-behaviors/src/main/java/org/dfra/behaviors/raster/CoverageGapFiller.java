@@ -9,26 +9,26 @@ import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.Polygon;
 
 /**
- * What the lanes leave unseen, and the short lanes along the outline that see it.
+ * Finds the gaps in the lanes' coverage, and adds short lanes along the outline that cover them.
  *
  * <pre>
  *      line     edge   outer border of the strip
- *        |     /      |          A point of the polygon sees its strip's line straight across the
- *        |    /.......|          lanes, at half a strip's width at most, and there is a lane; or an
- *        |   /.behind.|          edge of the outline is in between, at less than that. So whatever
- *        |  /.........|          no lane sees lies behind an edge, and who drives along the edge
- *        | /..........|          sees it.
+ *        |     /      |          A point of the polygon either sees its strip's line straight
+ *        |    /.......|          across the lanes, at most half a strip's width away, with a lane
+ *        |   /.behind.|          there; or an edge of the outline is in between, nearer than that.
+ *        |  /.........|          So an area that no lane covers lies behind an edge, and a drive
+ *        | /..........|          along the edge covers it.
  * </pre>
  *
- * <p>Behind each such edge, what lanes near by do not see is cut out exactly; nothing is left most
- * often, and else the shortest part of the edge is taken that sees the rest.
+ * <p>Behind each such edge, the area that nearby lanes do not cover is computed exactly; if it is
+ * not empty, the shortest part of the edge that covers it is added.
  */
 final class CoverageGapFiller {
 
-  /** What lies unseen by no more than this counts as seen, metres. */
+  /** Gaps up to this width count as covered, metres. */
   static final double GRAIN = 5e-7;
 
-  private static final double LEAST_AREA = 1e-9; // square metres: the dust of cutting
+  private static final double LEAST_AREA = 1e-9; // square metres: numerical residue of overlays
   private static final int QUADRANT = 16; // corners of a quarter circle, which lie on it
   private static final int HALVINGS = 20;
 
@@ -36,11 +36,11 @@ final class CoverageGapFiller {
   private final StripDecomposition lines;
   private final double range;
   private final List<List<LaneSegment>> strokes =
-      new ArrayList<>(); // by strip: lanes, then found ones
+      new ArrayList<>(); // by strip: lanes, then added ones
   private final List<LaneSegment> found = new ArrayList<>();
 
   /**
-   * @param range how far to either side the robot sees, metres
+   * @param range of view to either side, metres
    */
   CoverageGapFiller(Polygon polygon, StripDecomposition lines, double range) {
     this.polygon = polygon;
@@ -51,7 +51,7 @@ final class CoverageGapFiller {
     }
   }
 
-  /** The short lanes that are wanted, from west to east. */
+  /** The added short lanes, from west to east. */
   List<LaneSegment> fill() {
     Coordinate[] ring = polygon.getExteriorRing().getCoordinates(); // counter-clockwise
     for (int strip = 0; strip < lines.count(); strip++) {
@@ -84,7 +84,7 @@ final class CoverageGapFiller {
     };
     List<LaneSegment> near = near(corners, strip);
     if (near.stream().anyMatch(stroke -> sees(stroke, corners))) {
-      return; // and nothing is cut, as in most regions hardly anything has to be
+      return; // and skips the overlay, which few regions need
     }
     Geometry unseen = unseen(corners, near);
     for (int i = 0; i < unseen.getNumGeometries(); i++) {
@@ -97,20 +97,21 @@ final class CoverageGapFiller {
     }
   }
 
-  /** The end a of an edge, or where the edge to b enters the strip. */
+  /** The end a of an edge, or the point where the edge to b enters the strip. */
   private static Coordinate clipped(Coordinate a, Coordinate b, double west, double east) {
     double x = Math.max(west, Math.min(east, a.x));
     return x == a.x ? a : new Coordinate(x, a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y));
   }
 
-  /** Whether a stroke sees all that lies between points: the distance to it is convex. */
+  /** Whether a segment covers the convex hull of points: the distance to it is convex. */
   private boolean sees(LaneSegment stroke, Coordinate[] points) {
     return Arrays.stream(points).allMatch(point -> stroke.distance(point) <= range);
   }
 
   /**
-   * Whether one stroke sees all of a part; or several do, where it is but dust of cutting. The tip
-   * of a pointed corner is hardly an area either, and still far from what is seen.
+   * Whether one segment covers a part completely; or several do, where it is only numerical
+   * residue. The tip of an acute corner has a negligible area, too, and still is far from the
+   * covered area.
    */
   private boolean isSeen(Geometry part, List<LaneSegment> near) {
     Coordinate[] points = part.getCoordinates();
@@ -152,7 +153,10 @@ final class CoverageGapFiller {
     return unseen;
   }
 
-  /** The shortest part of an edge that sees all points; those beside the points do for certain. */
+  /**
+   * The shortest part of an edge that covers all points; the parts opposite the points do in any
+   * case.
+   */
   private LaneSegment shortest(Coordinate from, Coordinate to, Coordinate[] points, int strip) {
     double least = 1;
     double most = 0;

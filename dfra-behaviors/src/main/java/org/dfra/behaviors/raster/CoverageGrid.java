@@ -9,21 +9,21 @@ import org.locationtech.jts.geom.Envelope;
 import org.locationtech.jts.geom.Polygon;
 
 /**
- * Counts the passes over each of many small squares. A grid, since the outline of what was seen
- * cannot tell how often it was, and since its time grows with the length of the way only: 5000
- * points take some milliseconds, and cross themselves as often as they like.
+ * Counts the passes over small squares. It uses a grid, since the outline of the seen area does not
+ * contain the number of passes, and since its time grows only with the path length: 5000 points
+ * take some milliseconds, with any number of self-crossings.
  */
 final class CoverageGrid {
 
-  /** So many squares to a swath are enough to count by. */
+  /** Squares per swath for counting. */
   static final double FINENESS = 40;
 
-  /** So many are enough to be looked at. */
+  /** Squares per swath for display. */
   static final double COARSENESS = 12;
 
   private static final double MOST_CELLS = 4e6;
 
-  /** A region that is nowhere thinner than a square has more, also of the coarse ones: 144. */
+  /** A region nowhere thinner than a square has more, even of coarse ones: 144. */
   private static final double LEAST_CELLS = 100;
 
   private final double range;
@@ -32,13 +32,13 @@ final class CoverageGrid {
   private final double south;
   private final int columns;
   private final int rows;
-  private final boolean[] isInside; // by the middle of the square, see fillAlong
+  private final boolean[] isInside; // by the centre of the square, see fillAlong
   private final double[] lastSeen; // metres driven until then
   private final byte[] passes; // 0, 1, or 2 for more
 
   /**
-   * @param swath how wide a strip is seen, metres
-   * @param fineness so many squares are as wide as the swath, if there is room for them
+   * @param swath width, metres
+   * @param fineness squares per swath, limited by memory
    */
   CoverageGrid(Polygon polygon, double swath, double fineness) {
     if (!(swath > 0 && Double.isFinite(swath))) {
@@ -67,7 +67,7 @@ final class CoverageGrid {
     }
   }
 
-  /** How many squares of this row are inside. */
+  /** Number of squares of this row that are inside. */
   private int fill(int row, Coordinate[] ring) {
     int inside = 0;
     double y = south + (row + 0.5) * side;
@@ -92,7 +92,7 @@ final class CoverageGrid {
     return inside;
   }
 
-  /** A region so thin that it passes between the middles of squares is those along its outline. */
+  /** A region so thin that it contains no square's centre consists of those along its outline. */
   private void fillAlong(Coordinate[] ring) {
     for (int i = 1; i < ring.length; i++) {
       Coordinate a = ring[i - 1];
@@ -163,7 +163,7 @@ final class CoverageGrid {
         int at = row * columns + column;
         double east = west + (column + 0.5) * side - from.east();
         double across = east * alongNorth - north * alongEast;
-        double half = Math.sqrt(range * range - across * across); // NaN where out of sight
+        double half = Math.sqrt(range * range - across * across); // NaN where out of view
         double along = east * alongEast + north * alongNorth;
         double enters = Math.max(0, along - half);
         double leaves = Math.min(length, along + half);

@@ -4,18 +4,18 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How often each part of a region was seen: squares in rows from south to north, in each row from
- * west to east.
+ * Number of passes over each part of a region: squares in rows from south to north, in each row
+ * from west to east.
  *
  * @param west side of the westernmost squares, in the region's frame, metres
  * @param south side of the southernmost squares, likewise
  * @param cellSize side of a square, metres
- * @param passes over the middle of each square: 0, 1, or 2 for more; {@link #OUTSIDE} where that is
+ * @param passes over the centre of each square: 0, 1, or 2 for more; {@link #OUTSIDE} where that is
  *     not in the region
  */
 public record CoverageMap(double west, double south, double cellSize, List<List<Integer>> passes) {
 
-  /** Instead of a number of passes. */
+  /** Marks a square outside the region. */
   public static final int OUTSIDE = -1;
 
   public CoverageMap {
@@ -23,7 +23,7 @@ public record CoverageMap(double west, double south, double cellSize, List<List<
   }
 
   /**
-   * What was seen on this way or on another one over the same region.
+   * Merges with another path over the same region.
    *
    * @param other of the same region and swath
    */

@@ -11,19 +11,19 @@ import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Polygon;
 
 /**
- * The ways inside a polygon. The shortest one between two points is straight, or turns only at
- * corners where the outline turns away; so it goes from one that the first point sees to one that
- * the other sees. What is found is kept. Confined to one thread.
+ * Finds shortest paths inside a polygon. The shortest path between two points is straight, or bends
+ * only at reflex corners; so it leads from one visible from the first point to one visible from the
+ * other. It caches results. Confined to one thread.
  */
 final class InteriorPathFinder {
 
   private final LineOfSight sight;
-  private final Coordinate[] turns; // the corners where the outline turns away
-  private final @Nullable ShortestPathTree[] rows; // by the turn that they begin at
+  private final Coordinate[] turns; // the reflex corners
+  private final @Nullable ShortestPathTree[] rows; // by their first corner
   private final Map<Coordinate, int[]> seenFrom = new HashMap<>();
-  private final int[][] neighbours; // the turns that each turn sees; null where nobody has looked
+  private final int[][] neighbours; // the corners visible from each; null where not computed yet
 
-  /** The shortest ways from one turn to all. */
+  /** The shortest paths from one reflex corner to all. */
   private record ShortestPathTree(double[] length, int[] before) {}
 
   InteriorPathFinder(Polygon polygon) {
@@ -45,12 +45,12 @@ final class InteriorPathFinder {
     return turns.toArray(new Coordinate[0]);
   }
 
-  /** The length of the shortest way between two points of the polygon, metres. */
+  /** The length of the shortest path between two points of the polygon, metres. */
   double distance(Coordinate a, Coordinate b) {
     return sight.isClear(a, b) ? a.distance(b) : shortest(a, b).length;
   }
 
-  /** The shortest way between two points of the polygon, both ends included. */
+  /** The shortest path between two points of the polygon, both ends included. */
   List<Coordinate> path(Coordinate a, Coordinate b) {
     if (sight.isClear(a, b)) {
       return List.of(a, b);
@@ -66,7 +66,7 @@ final class InteriorPathFinder {
     return way;
   }
 
-  /** A way by its first and its last turn. */
+  /** A path, by its first and its last corner. */
   private record CornerPath(int first, int last, double length) {}
 
   private CornerPath shortest(Coordinate a, Coordinate b) {

@@ -6,10 +6,10 @@ import org.dfra.geometry.LocalPosition;
 /**
  * A straight lane of a raster, as it is driven.
  *
- * @param from where it begins, in the region's frame, ENU, metres, up 0
- * @param to where it ends, likewise
- * @param leg the same on the earth, WGS84, height 0
- * @param waypoint which of the plan's waypoints it begins at, the first is 0; it ends at the next
+ * @param from start, in the region's frame, ENU, metres, up 0
+ * @param to end, likewise
+ * @param leg the same in WGS84, height 0
+ * @param waypoint index of the plan's waypoint at its start, from 0; it ends at the next
  */
 public record Lane(LocalPosition from, LocalPosition to, Leg leg, int waypoint) {
 

@@ -7,7 +7,7 @@ import org.locationtech.jts.geom.Polygon;
 
 /**
  * The planner's axes: y along the lanes, x across them to the right, origin at the region's centre.
- * East and north where the lanes run northward.
+ * These are east and north where the lanes run northward.
  */
 final class LaneAxes {
 

@@ -5,23 +5,23 @@ import java.util.List;
 import org.locationtech.jts.geom.Coordinate;
 
 /**
- * Strokes in the order in which they are driven, and which way each: such that the ways between
- * them are as short as that order allows. This is found exactly, stroke by stroke from either end,
- * so that it is known of every place what another stroke there would add.
+ * A sequence of lane segments with the direction of each: the directions minimize the transit paths
+ * for that order. They are found exactly, segment by segment from either end, so that the cost of
+ * an insertion is known for every index.
  */
 final class LaneSegmentSequence {
 
-  /** By so much a plan that begins southward must be shorter, metres. */
+  /** Minimum gain of a plan that starts southward, metres. */
   private static final double NORTHWARD_FIRST = 1e-6;
 
   private static final int ROUNDS = 3;
 
-  /** A stroke, and the ways to it from the one before it: one for each direction of both. */
+  /** A segment, and the paths to it from its predecessor: one for each direction of both. */
   private static final class OrderedSegment {
     final LaneSegment stroke;
     final double[] from = new double[4]; // 2 × whether the one before is reversed + whether this is
-    final double[] upTo = new double[2]; // the ways up to it, at least, if it is reversed or not
-    final double[] after = new double[2]; // the ways from it on
+    final double[] upTo = new double[2]; // minimum transit up to it, if it is reversed or not
+    final double[] after = new double[2]; // minimum transit from it on
 
     OrderedSegment(LaneSegment stroke) {
       this.stroke = stroke;
@@ -32,7 +32,7 @@ final class LaneSegmentSequence {
   private final InteriorPathFinder interior;
 
   /**
-   * @param strokes at least one
+   * @param strokes the segments, at least one
    */
   LaneSegmentSequence(List<LaneSegment> strokes, InteriorPathFinder interior) {
     this.interior = interior;
@@ -43,7 +43,7 @@ final class LaneSegmentSequence {
     measure();
   }
 
-  /** Puts strokes where they add least; then takes each out once more, to try it elsewhere. */
+  /** Inserts each segment at its lowest cost; then removes and reinserts each once. */
   void insert(List<LaneSegment> strokes) {
     strokes.forEach(this::insert);
     for (int round = 1; round < ROUNDS; round++) {
@@ -58,7 +58,7 @@ final class LaneSegmentSequence {
     }
   }
 
-  /** All strokes, each in the direction in which it is driven. */
+  /** All segments, each in its direction. */
   List<LaneSegment> segments() {
     List<LaneSegment> driven = new ArrayList<>();
     OrderedSegment first = links.get(0);
@@ -79,7 +79,7 @@ final class LaneSegmentSequence {
     return link.stroke.to().y > link.stroke.from().y;
   }
 
-  /** The length of all ways between strokes, metres. */
+  /** The length of all transit paths, metres. */
   private double length() {
     return Math.min(links.get(0).after[0], links.get(0).after[1]);
   }
@@ -89,7 +89,7 @@ final class LaneSegmentSequence {
     int place = 0;
     for (int i = 0; i <= links.size(); i++) {
       if (isNear(i - 1, stroke) || isNear(i, stroke)) {
-        // straight lines first: they are quickly measured, and no way is shorter
+        // straight lines first: they are fast lower bounds
         if (with(stroke, i, Coordinate::distance) < least) {
           double length = with(stroke, i, interior::distance);
           if (length < least) {
@@ -126,7 +126,7 @@ final class LaneSegmentSequence {
     double distance(Coordinate a, Coordinate b);
   }
 
-  /** The length of all ways if a stroke were put before the one at a place. */
+  /** The length of all transit paths if a segment were inserted before an index. */
   private double with(LaneSegment stroke, int place, DistanceFunction metric) {
     double least = Double.POSITIVE_INFINITY;
     for (int way = 0; way < 2; way++) {

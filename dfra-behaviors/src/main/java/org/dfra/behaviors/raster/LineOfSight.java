@@ -7,16 +7,16 @@ import org.locationtech.jts.operation.buffer.BufferOp;
 import org.locationtech.jts.operation.buffer.BufferParameters;
 
 /**
- * Who sees whom inside a polygon. The polygon is widened by a tenth of a micrometre, so that its
- * own points lie well inside: then a line between two of them lies inside too, unless it crosses an
- * edge, and rounding does not matter.
+ * Visibility tests inside a polygon. The polygon is enlarged by 0.1 µm, so that its own points lie
+ * strictly inside: then a line between two of them lies inside unless it crosses an edge,
+ * regardless of rounding.
  */
 final class LineOfSight {
 
   private static final double SLACK = 1e-7; // metres
   private static final double MITRE_LIMIT = 5;
 
-  private final double[] x; // of the edges' ends, two by two
+  private final double[] x; // of the edges' ends, in pairs
   private final double[] y;
 
   LineOfSight(Polygon polygon) {

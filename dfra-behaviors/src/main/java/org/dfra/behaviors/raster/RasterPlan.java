@@ -11,13 +11,13 @@ import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Polygon;
 
 /**
- * How a region is searched: parallel lanes at even distances, driven to and fro, one after the
+ * The plan of a region search: parallel, evenly spaced lanes, driven back and forth one after the
  * other, with short lanes along the outline where it slants.
  *
- * <p>What is guaranteed, in the plane of the region's frame: every point of the region lies within
- * half a swath of a lane, to a micrometre; lanes and the ways between them lie inside the region,
- * to a micrometre; the reversed plan has the same waypoints backwards. A spacing greater than the
- * region is wide gives one lane along its middle. Immutable.
+ * <p>Guarantees, in the plane of the region's frame: every point of the region lies within half a
+ * swath of a lane, to a micrometre; lanes and transit paths lie inside the region, to a micrometre;
+ * the reversed plan has the same waypoints in reverse order. A spacing greater than the region's
+ * width gives one lane along its middle. Immutable.
  */
 public final class RasterPlan {
 
@@ -55,9 +55,10 @@ public final class RasterPlan {
   }
 
   /**
-   * Plans what a goal asks for, with lanes to the north and back.
+   * Plans for a goal, with lanes to the north and back.
    *
-   * @throws org.dfra.behavior.GoalRefusedException if its region is none, or needs too many lanes
+   * @throws org.dfra.behavior.GoalRefusedException if its region is invalid, or needs too many
+   *     lanes
    */
   public static RasterPlan of(RasterGoal goal) {
     RasterPlan plan = of(Region.of(goal.region()), goal.swath(), goal.spacing(), NORTHWARD);
@@ -67,9 +68,9 @@ public final class RasterPlan {
   /**
    * Plans lanes over a region.
    *
-   * @param swath how wide a strip the robot sees on its way, metres, above 0
-   * @param spacing from one lane to the next at most, metres, above 0 and at most the swath
-   * @param laneBearing where the first lane leads, radians, clockwise from north; the lanes follow
+   * @param swath width of the strip that the robot sees, metres, above 0
+   * @param spacing maximum distance between lanes, metres, above 0 and at most the swath
+   * @param laneBearing direction of the first lane, radians, clockwise from north; the lanes follow
    *     each other to its right
    * @throws org.dfra.behavior.GoalRefusedException if there would be too many lanes
    */
@@ -113,7 +114,7 @@ public final class RasterPlan {
     }
   }
 
-  /** The same waypoints backwards: the last lane first, and each driven the other way. */
+  /** The same waypoints in reverse order: the last lane first, each in the opposite direction. */
   public RasterPlan reversed() {
     List<LocalPosition> back = new ArrayList<>(path);
     List<GeoPosition> points = new ArrayList<>(waypoints);
@@ -124,30 +125,30 @@ public final class RasterPlan {
     return new RasterPlan(region, swath, spacing, back, points, starts);
   }
 
-  /** What is searched; its frame is that of the lanes and the path. */
+  /** The searched region; its frame is that of the lanes and the path. */
   public Region region() {
     return region;
   }
 
-  /** How wide a strip the robot sees, metres. */
+  /** Width of the strip that the robot sees, metres. */
   public double swath() {
     return swath;
   }
 
   /**
-   * From one lane to the next, metres: what was asked for, or a little less (or, where the last
-   * lane would have been for a millimetre only, a thousandth more).
+   * Distance between lanes, metres: the requested spacing, or slightly less (or a thousandth more,
+   * where the last lane would cover only a millimetre).
    */
   public double spacing() {
     return spacing;
   }
 
-  /** The lanes in the order in which they are driven; one at least. */
+  /** The lanes in the order in which they are driven; at least one. */
   public List<Lane> lanes() {
     return lanes;
   }
 
-  /** Where the robot drives to, one after the other, WGS84, height 0; two at least. */
+  /** The waypoints in driving order, WGS84, height 0; at least two. */
   public List<GeoPosition> waypoints() {
     return waypoints;
   }
@@ -157,7 +158,7 @@ public final class RasterPlan {
     return path;
   }
 
-  /** The length of the whole way, metres. */
+  /** The length of the whole path, metres. */
   public double length() {
     double length = 0;
     for (int i = 1; i < path.size(); i++) {
@@ -169,10 +170,10 @@ public final class RasterPlan {
   }
 
   /**
-   * How much of the region was seen on a way that was driven.
+   * Coverage of the region by a driven path.
    *
-   * @param driven where the robot was, in the region's frame, ENU, metres; in between it is taken
-   *     to have gone straight
+   * @param driven positions of the robot, in the region's frame, ENU, metres, connected by straight
+   *     lines
    * @param seen how wide a strip it saw, metres, above 0
    */
   public Coverage coverage(List<LocalPosition> driven, double seen) {
@@ -180,10 +181,9 @@ public final class RasterPlan {
   }
 
   /**
-   * Where the region was seen on a way that was driven, to be looked at; {@link #coverage} counts
-   * more exactly.
+   * Coverage map of a driven path, for display; {@link #coverage} counts more exactly.
    *
-   * @param driven where the robot was, as for {@link #coverage}
+   * @param driven positions of the robot, as for {@link #coverage}
    * @param seen how wide a strip it saw, metres, above 0
    */
   public CoverageMap coverageMap(List<LocalPosition> driven, double seen) {

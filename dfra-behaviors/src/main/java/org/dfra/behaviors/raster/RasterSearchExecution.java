@@ -18,8 +18,8 @@ import org.dfra.module.NotReadyException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One region being searched: what is left of its waypoints is one path for {@link FollowWaypoints}.
- * The next process of a search goes on with the path that its dead one had driven.
+ * Executes one region search: its remaining waypoints are one path for {@link FollowWaypoints}.
+ * After a crash, the next process continues the path of the previous one.
  */
 final class RasterSearchExecution implements GoalExecution {
 
@@ -28,31 +28,31 @@ final class RasterSearchExecution implements GoalExecution {
   private final GoalDelegation<PathGoal, FollowWaypoints> path;
   private final DriveInterlock interlock;
   private final ProgressRecorder counter;
-  private @Nullable DelegatedPath inherited; // until it is known what has become of it
+  private @Nullable DelegatedPath inherited; // until its result is known
   private int reached; // waypoints that are done
-  private int missed; // of those, the ones that were left out
-  private int begun; // waypoints that were done when the path began
+  private int missed; // of those, the skipped ones
+  private int begun; // waypoints done when the path began
   private int missedBefore; // of those
 
-  /** Keeps what the next process is to know. */
+  /** Stores the progress for the next process. */
   interface ProgressRecorder {
     /**
      * More waypoints are done.
      *
      * @param reached waypoints that are done
-     * @param missed of those, the ones that were left out, barred
+     * @param missed of those, the skipped, unreachable ones
      */
     void recordProgress(int reached, int missed);
 
-    /** This path is being driven for it; null where none is any more. */
+    /** The path that is now driven for it; null where none is. */
     void recordPath(@Nullable DelegatedPath path);
   }
 
   /**
-   * @param tolerance how near each waypoint is near enough, metres
+   * @param tolerance of each waypoint, metres
    * @param reached waypoints that are done already, less than all
-   * @param missed of those, the ones that were left out
-   * @param inherited what an earlier process has begun to have driven; null where it had nothing
+   * @param missed of those, the skipped ones
+   * @param inherited path delegated by an earlier process; null for none
    */
   RasterSearchExecution(
       RasterPlan plan,
@@ -82,7 +82,7 @@ final class RasterSearchExecution implements GoalExecution {
   private GoalProgress turn() throws RemoteException {
     try {
       inherit();
-    } catch (RemoteException | NotReadyException e) { // it must not be forgotten meanwhile
+    } catch (RemoteException | NotReadyException e) { // it must stay stored meanwhile
       return GoalProgress.inProgress(
           "it waits to learn what became of its path: " + inWords(e), done());
     }
@@ -95,18 +95,18 @@ final class RasterSearchExecution implements GoalExecution {
     switch (status.phase()) {
       case SUCCEEDED:
         return searched();
-      case FAILED: // what is left may be barred, and yet the robot has been elsewhere
+      case FAILED: // the rest may be unreachable, although others were reached
         boolean isAllMissed = status.skippedParts() == plan.waypoints().size() - begun;
         return isAllMissed && missed < reached
             ? searched()
             : GoalProgress.failed(status.activity(), done());
       case CANCELLED:
-        if (status.heldSince() == null) { // the search's earlier process gave it up as it ended
+        if (status.heldSince() == null) { // the search's earlier process cancelled it on shutdown
           path.forget();
           return begin();
         }
         return GoalProgress.paused("its path was cancelled: " + status.activity(), done());
-      case PAUSED: // as by a brake: whoever resumes the search has what is left begun anew
+      case PAUSED: // as by a brake: a resume of the search restarts the rest
         return GoalProgress.paused("its path is paused: " + status.activity(), done());
       default:
         return GoalProgress.inProgress(
@@ -122,11 +122,12 @@ final class RasterSearchExecution implements GoalExecution {
   }
 
   /**
-   * Takes over the path of the earlier process, also where it has ended since: then what was driven
-   * is not driven again, and what was given up is not begun anew by itself.
+   * Adopts the path of the earlier process, even if it has ended since: so driven waypoints are not
+   * repeated, and a cancelled path does not restart on its own.
    *
-   * @throws RemoteException if what follows it does not answer yet; it is asked again then
-   * @throws NotReadyException if that is not found yet, as at first in every new process; likewise
+   * @throws RemoteException if the follower does not respond yet; the call is then retried
+   * @throws NotReadyException if the follower is not found yet, as at first in every new process;
+   *     likewise
    */
   private void inherit() throws RemoteException {
     DelegatedPath earlier = inherited;
@@ -151,7 +152,7 @@ final class RasterSearchExecution implements GoalExecution {
     try {
       path.start(new PathGoal(from, all.subList(reached, all.size()), tolerance));
     } catch (GoalRefusedException e) {
-      if (e.isBusy()) { // somebody else uses it: it is waited for
+      if (e.isBusy()) { // in use by another client: waits
         throw e;
       }
       return GoalProgress.failed(String.valueOf(e.getMessage()), done());
@@ -171,7 +172,7 @@ final class RasterSearchExecution implements GoalExecution {
     }
   }
 
-  /** A path that does not count them yet, of an older version, tells only their share of all. */
+  /** A follower of an older version reports only the share of waypoints, not their number. */
   private int waypointsDone(BehaviorStatus status) {
     int waypoints = plan.waypoints().size() - begun;
     return status.totalParts() > 0
@@ -204,7 +205,7 @@ final class RasterSearchExecution implements GoalExecution {
   @Override
   public void suspend() {
     DelegatedPath earlier = inherited;
-    if (earlier != null) { // nobody has answered yet what has become of it
+    if (earlier != null) { // its result is still unknown
       inherited = null;
       path.abandon(earlier.goal());
       return;

@@ -22,21 +22,21 @@ import org.dfra.module.NotReadyException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Searches a region lane by lane, by way of its robot's {@link FollowWaypoints}. It keeps what it
- * has done: when its process dies at work, the next one goes on with the path that is being driven;
- * when it was ended in good order, or paused, the next one waits to be resumed. Where somebody
- * gives up its path, an effector is stopped for an emergency, or a brake is set, it pauses.
+ * Searches a region lane by lane, using its robot's {@link FollowWaypoints}. It stores its
+ * progress: after a crash during a search, the next process continues the current path; after a
+ * normal shutdown, or if paused, the next one waits for a resume. It pauses when its path is
+ * cancelled by another client, an effector is stopped by an emergency stop, or a brake is set.
  *
  * <p>Parameters, read at the start:
  *
  * <ul>
- *   <li>{@code go_on}: whether it goes on by itself after its process has died, {@code true} or
- *       {@code false}; default {@code true}
- *   <li>{@code tolerance}: how near a waypoint is near enough, metres, 0.05 to 10; default 0.4
- *   <li>{@code farthest}: metres from one waypoint to the next, and from the robot to the first; a
- *       region with more is refused, 1 to 100 000; default 2000
- *   <li>{@code follow_waypoints}, {@code position}, {@code drive}: names of the modules it uses;
- *       where one is not set, any of its robot that can
+ *   <li>{@code go_on}: whether it continues automatically after a crash of its process, {@code
+ *       true} or {@code false}; default {@code true}
+ *   <li>{@code tolerance}: tolerance of waypoints, metres, 0.05 to 10; default 0.4
+ *   <li>{@code farthest}: maximum distance between waypoints, and from the robot to the first,
+ *       metres; a region beyond it is rejected, 1 to 100 000; default 2000
+ *   <li>{@code follow_waypoints}, {@code position}, {@code drive}: names of the modules to use;
+ *       default any suitable one of its robot
  * </ul>
  */
 public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements RasterSearch {
@@ -48,7 +48,7 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
   private final boolean goesOn;
   private final double tolerance;
 
-  /** Guards what is remembered, and the writing of it. */
+  /** Guards the stored state and its writes. */
   private final Object remembering = new Object();
 
   private @Nullable RasterGoal goal; // guarded by remembering
@@ -88,8 +88,8 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
   }
 
   /**
-   * Whoever asks for what is out of reach is to hear of it at once. A robot that does not know yet
-   * where it is takes the goal; what follows the path refuses then what is too far.
+   * Rejects a goal out of reach at once. Without a known position the robot accepts the goal; the
+   * follower then rejects distant waypoints.
    */
   private void requireInReach(RasterPlan plan) throws RemoteException {
     GeoPosition here;
@@ -121,7 +121,7 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
         new StoringProgressRecorder());
   }
 
-  /** What a pursuit has kept for the next process. */
+  /** Progress stored for the next process. */
   private final class StoringProgressRecorder implements RasterSearchExecution.ProgressRecorder {
 
     @Override
@@ -152,7 +152,7 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
     }
   }
 
-  /** Holds the lock. */
+  /** The caller holds the lock. */
   private void keep() {
     @Nullable RasterGoal wanted = goal;
     try {
@@ -191,7 +191,7 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
     Phase next = goesOn ? begun.phase() : Phase.PAUSED;
     GoalExecution again = pursuit(plan, begun.goal(), done, leftOut, begun.path());
     if (next == Phase.PAUSED && begun.path() != null) {
-      again.suspend(); // nobody drives on for a search that is paused
+      again.suspend(); // no path continues for a paused search
     }
     int all = plan.waypoints().size();
     restoreGoal(
@@ -202,7 +202,7 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
             .withParts(done, all));
   }
 
-  /** {@inheritDoc} One that is ended in good order waits, when it is back, to be resumed. */
+  /** {@inheritDoc} After a normal shutdown it waits for a resume. */
   @Override
   protected void onClose() {
     pause();

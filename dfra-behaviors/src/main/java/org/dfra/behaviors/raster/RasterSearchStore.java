@@ -20,8 +20,8 @@ import org.dfra.geometry.GeoPosition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What of a search outlives its process: the goal, how many of its waypoints are done, whether it
- * was at work, the path that it has another drive, and when its wheels had last been stopped.
+ * Persistent state of a search: the goal, the number of finished waypoints, whether it was running,
+ * the delegated path, and the last emergency stop of its wheels.
  */
 final class RasterSearchStore {
 
@@ -29,13 +29,13 @@ final class RasterSearchStore {
   private static final String NEVER = "never";
 
   /**
-   * A search that was begun.
+   * A started search.
    *
-   * @param goal what it is to reach
-   * @param reached how many waypoints of its plan are done
-   * @param missed how many of those were left out
+   * @param goal of the search
+   * @param reached number of finished waypoints of its plan
+   * @param missed number of skipped ones among those
    * @param phase {@link Phase#RUNNING} or {@link Phase#PAUSED}
-   * @param path what another drives for it; null where nobody does
+   * @param path delegated for it; null where none is
    * @param seen the last emergency stop before it
    */
   record StoredSearch(
@@ -61,11 +61,11 @@ final class RasterSearchStore {
   }
 
   /**
-   * A path that another drives for the search.
+   * A path delegated for the search.
    *
    * @param goal its name
-   * @param reached waypoints of the plan that were done when it began
-   * @param missed how many of those were left out
+   * @param reached finished waypoints of the plan when it began
+   * @param missed number of skipped ones among those
    */
   record DelegatedPath(UUID goal, int reached, int missed) {
 
@@ -124,9 +124,9 @@ final class RasterSearchStore {
   }
 
   /**
-   * The search that was begun and not ended.
+   * The search that was started and has not ended.
    *
-   * @throws IOException if what was kept cannot be read, or is no search
+   * @throws IOException if the stored state cannot be read, or is no search
    */
   Optional<StoredSearch> load() throws IOException {
     Optional<byte[]> kept = state.read(DOCUMENT);
@@ -158,7 +158,7 @@ final class RasterSearchStore {
             Double.parseDouble(wanted(text, "spacing")),
             Boolean.parseBoolean(wanted(text, "reversed"))),
         Integer.parseInt(wanted(text, "reached")),
-        Integer.parseInt(text.getProperty("missed", "0")), // kept by nobody before 0.2
+        Integer.parseInt(text.getProperty("missed", "0")), // not stored before 0.2
         Phase.valueOf(wanted(text, "phase")),
         path(text),
         seen(text));
@@ -173,7 +173,7 @@ final class RasterSearchStore {
         : null;
   }
 
-  /** Where neither is there, as in what was kept before 0.2, any stop at all counts. */
+  /** Where neither is stored, as before 0.2, any stop counts. */
   private static LastStop seen(Properties text) {
     @Nullable String asked = text.getProperty("asked-at");
     if (asked != null) {

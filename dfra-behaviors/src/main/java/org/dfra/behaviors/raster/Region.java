@@ -11,15 +11,15 @@ import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.Polygon;
 
 /**
- * A piece of ground that a robot can search: a polygon that does not cross itself, without holes.
- * Its edges are straight in the plane that touches the ellipsoid at its centre. Immutable.
+ * An area that a robot can search: a simple polygon without holes. Its edges are straight in the
+ * tangent plane of the ellipsoid at its centre. Immutable.
  */
 public final class Region {
 
-  /** How far apart two of its corners may be, metres. */
+  /** Maximum distance of two corners, metres. */
   public static final double WIDEST = 10_000;
 
-  /** How many corners it may have. */
+  /** Maximum number of corners. */
   public static final int MOST_CORNERS = 500;
 
   /** Square metres. */
@@ -38,12 +38,12 @@ public final class Region {
   }
 
   /**
-   * The region within corners.
+   * Creates the region within corners.
    *
-   * @param given the corners in order, either way round; their heights do not count, and what
-   *     repeats the one before it, or the first at the end, is left out
+   * @param given the corners in order, in either direction; heights are ignored, and a corner that
+   *     repeats its predecessor, or the first one at the end, is dropped
    * @throws GoalRefusedException if they are fewer than three, enclose no area, lie too far apart,
-   *     or if their outline crosses itself; the message says where
+   *     or if their outline crosses itself; the message gives the place
    */
   public static Region of(List<GeoPosition> given) {
     List<GeoPosition> corners = different(given);
@@ -77,14 +77,12 @@ public final class Region {
     return corners;
   }
 
-  /**
-   * The centre of its area, on the ellipsoid; in a region that is not convex it may lie outside.
-   */
+  /** The centroid of its area, on the ellipsoid; in a non-convex region it may lie outside. */
   public GeoPosition centre() {
     return frame.datum();
   }
 
-  /** The frame in which it is planned: ENU, its datum is the centre. */
+  /** The planning frame: ENU, its datum is the centre. */
   public LocalFrame frame() {
     return frame;
   }
@@ -99,20 +97,20 @@ public final class Region {
     return polygon;
   }
 
-  /** The point of the ellipsoid at so many metres east and north of the centre. */
+  /** The point of the ellipsoid at the given metres east and north of the centre. */
   GeoPosition onGround(double east, double north) {
     return onGround(frame, east, north);
   }
 
   /**
    * The plane lies above the ellipsoid all around its datum. A foot of the vertical on the
-   * ellipsoid would be off by 1.5 mm in 5 km; what is wanted is the point that the frame takes to
+   * ellipsoid would be off by 1.5 mm in 5 km; the result is the point that the frame transforms to
    * this east and north.
    */
   private static GeoPosition onGround(LocalFrame frame, double east, double north) {
     double up = 0;
     GeoPosition there = frame.toGeo(new LocalPosition(east, north, up));
-    for (int i = 0; i < 2; i++) { // what is left is a millionth of what was, each time
+    for (int i = 0; i < 2; i++) { // each iteration reduces the error to a millionth
       up -= there.height();
       there = frame.toGeo(new LocalPosition(east, north, up));
     }

@@ -11,7 +11,7 @@ import org.dfra.geometry.GeoPosition;
 /**
  * A region in a GeoJSON file (RFC 7946): a bare Polygon, a Feature, or a FeatureCollection with one
  * polygon that has the property {@code "kind": "region"}, or with one polygon in all. So the file
- * of a world serves as well: its obstacles and posts are passed over.
+ * of a world works as well: its obstacles and posts are ignored.
  */
 public final class RegionFile {
 
@@ -20,8 +20,8 @@ public final class RegionFile {
   /**
    * The region of a file.
    *
-   * @throws org.dfra.core.config.ConfigurationException if there is none or more than one in it, or
-   *     if it is no region; each line of the message names file and line
+   * @throws org.dfra.core.config.ConfigurationException if it contains none or more than one, or an
+   *     invalid one; each line of the message names file and line
    */
   public static Region read(Path path) {
     ConfigurationFaults faults = new ConfigurationFaults();

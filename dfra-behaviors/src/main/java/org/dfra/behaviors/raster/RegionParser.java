@@ -8,7 +8,7 @@ import org.dfra.geometry.GeoPosition;
 
 /**
  * A region written in one line: {@code 48.0001,11.0002 48.0003,11.0002 48.0003,11.0005}, pairs of
- * latitude and longitude in degrees, separated by blanks or semicolons.
+ * latitude and longitude in degrees, separated by spaces or semicolons.
  */
 public final class RegionParser {
 
@@ -19,9 +19,9 @@ public final class RegionParser {
   private RegionParser() {}
 
   /**
-   * The region of a text.
+   * Parses a region.
    *
-   * @throws GoalRefusedException if it is none; the message says which corner is wrong, and how
+   * @throws GoalRefusedException if it is invalid; the message names the corner and the error
    */
   public static Region parse(String text) {
     String pairs = BETWEEN.matcher(COMMA.matcher(text).replaceAll(",")).replaceAll(" ").strip();

@@ -12,19 +12,19 @@ import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Polygon;
 import org.locationtech.jts.operation.valid.IsValidOp;
 
-/** What may be wrong with the corners of a region. They are counted from 1 in what is said. */
+/** Validates the corners of a region. Messages count them from 1. */
 final class RegionValidation {
 
   private RegionValidation() {}
 
-  /** Refuses corners that are too far apart for one region. */
+  /** Rejects corners that are too far apart for one region. */
   static void requireWithinExtent(List<GeoPosition> corners, Polygon polygon) {
     Coordinate[] at = polygon.getCoordinates();
     for (int i = 0; i < corners.size(); i++) {
       for (int j = 0; j < i; j++) {
         double distance = at[i].distance(at[j]);
         if (distance > Region.WIDEST) {
-          // far away the plane says little, so the distance to be told is that through the earth
+          // far away the plane is inaccurate, so the reported distance is that through the earth
           double through = corners.get(i).groundDistance(corners.get(j));
           throw new GoalRefusedException(
               String.format(
@@ -43,7 +43,7 @@ final class RegionValidation {
     }
   }
 
-  /** Refuses an outline that crosses or touches itself. */
+  /** Rejects an outline that crosses or touches itself. */
   static void requireSimple(List<GeoPosition> corners, Polygon polygon) {
     IsValidOp validity = new IsValidOp(polygon);
     if (validity.isValid()) {

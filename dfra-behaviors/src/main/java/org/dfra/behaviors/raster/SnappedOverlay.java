@@ -5,22 +5,22 @@ import org.locationtech.jts.geom.PrecisionModel;
 import org.locationtech.jts.operation.overlayng.OverlayNG;
 
 /**
- * Cuts areas on a grid of 0.1 µm. What is cut here shares edges with what it is cut from, all but
- * for the last bits, and with all bits JTS 1.20 may find nothing in common where there is much. On
- * a grid such edges become the same.
+ * Overlays areas on a grid of 0.1 µm. The operands share edges except for the last bits; with full
+ * precision JTS 1.20 may then find an empty intersection of large overlaps. On a grid such edges
+ * become identical.
  */
 final class SnappedOverlay {
 
-  private static final PrecisionModel GRID = new PrecisionModel(1e7); // steps to a metre
+  private static final PrecisionModel GRID = new PrecisionModel(1e7); // grid steps per metre
 
   private SnappedOverlay() {}
 
-  /** What lies in both; lines and points where they merely touch are left out. */
+  /** Intersection; lines and points of contact are dropped. */
   static Geometry intersection(Geometry one, Geometry other) {
     return cut(one, other, OverlayNG.INTERSECTION);
   }
 
-  /** What of the one does not lie in the other. */
+  /** Difference. */
   static Geometry difference(Geometry one, Geometry other) {
     return cut(one, other, OverlayNG.DIFFERENCE);
   }

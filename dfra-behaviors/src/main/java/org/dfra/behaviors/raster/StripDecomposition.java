@@ -11,19 +11,19 @@ import org.locationtech.jts.geom.Envelope;
 import org.locationtech.jts.geom.Polygon;
 
 /**
- * A polygon cut into strips of equal width, with a line along the middle of each, and what of the
- * line lies inside: the lanes. The strips are as wide as the spacing or a little less (a thousandth
- * more at most, and never more than the swath), so that a whole number of them is as wide as the
- * polygon.
+ * A polygon divided into strips of equal width, with a line along the middle of each, and the parts
+ * of the line inside: the lanes. The strips are as wide as the spacing or a little less (a
+ * thousandth more at most, and never more than the swath), so that a whole number of them is as
+ * wide as the polygon.
  */
 final class StripDecomposition {
 
   private static final int MOST = 10_000;
 
-  /** Of a lane: so little is no reason for one more, if the swath reaches over it. */
+  /** Excess width that does not require another lane, if the swath covers it. */
   private static final double SPARED = 1e-3;
 
-  /** A line keeps off the corners by this, metres, so that it is clear what it cuts. */
+  /** Minimum distance of a line from corners, metres, so that its intersections are unambiguous. */
   private static final double OFF_CORNERS = 1e-7;
 
   private final double west;
@@ -35,7 +35,7 @@ final class StripDecomposition {
    * @param polygon in the planner's axes
    * @param spacing metres, above 0
    * @param swath metres, at least the spacing
-   * @param where for the complaint
+   * @param where place for the error message
    * @throws GoalRefusedException if there would be too many lines
    */
   StripDecomposition(Polygon polygon, double spacing, double swath, GeoPosition where) {
@@ -97,22 +97,24 @@ final class StripDecomposition {
     return inside;
   }
 
-  /** How many strips there are. */
+  /** Number of strips. */
   int count() {
     return middles.length;
   }
 
-  /** How wide a strip is, metres. */
+  /** Width of a strip, metres. */
   double width() {
     return width;
   }
 
-  /** Where the line of a strip is. */
+  /** Position of the line of a strip. */
   double centreLine(int strip) {
     return middles[strip];
   }
 
-  /** The border between a strip and the one before it; that of the count is the eastern end. */
+  /**
+   * The border between a strip and its predecessor; at index {@link #count} it is the eastern end.
+   */
   double border(int strip) {
     return west + strip * width;
   }

@@ -6,8 +6,7 @@ import org.dfra.behavior.GoalRefusedException;
 import org.dfra.geometry.GeoPosition;
 
 /**
- * How far a robot is sent at once. A waypoint on another continent is a slip of the pen, not a
- * goal.
+ * Maximum distance to a waypoint. A waypoint on another continent is treated as a typo.
  *
  * @param limit metres from the robot to a waypoint, above 0
  */
@@ -23,23 +22,23 @@ public record WaypointDistanceLimit(double limit) {
   }
 
   /**
-   * Refuses a waypoint that is farther from the robot than the limit; heights do not count.
+   * Rejects a waypoint that is farther from the robot than the limit; heights are ignored.
    *
-   * @param robot where the robot is
-   * @param waypoint where it is to go
-   * @throws GoalRefusedException saying how far it is, and what to do
+   * @param robot its position
+   * @param waypoint the target
+   * @throws GoalRefusedException with the distance and the remedy
    */
   public void requireWithin(GeoPosition robot, GeoPosition waypoint) {
     requireWithin("the robot at", robot, waypoint);
   }
 
   /**
-   * Refuses a path that goes farther than the limit at once: from the robot to the first waypoint,
-   * or from one to the next.
+   * Rejects a path with a leg longer than the limit: from the robot to the first waypoint, or from
+   * one to the next.
    *
-   * @param robot where the robot is
-   * @param waypoints where it is to go, in order
-   * @throws GoalRefusedException saying which is too far, and what to do
+   * @param robot its position
+   * @param waypoints the targets, in order
+   * @throws GoalRefusedException with the waypoint and the remedy
    */
   public void requireWithin(GeoPosition robot, List<GeoPosition> waypoints) {
     for (int i = 0; i < waypoints.size(); i++) {

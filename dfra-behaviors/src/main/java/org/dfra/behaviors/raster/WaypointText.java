@@ -2,7 +2,7 @@ package org.dfra.behaviors.raster;
 
 import org.dfra.behavior.BehaviorStatus;
 
-/** How paths, and what has them driven, tell people at which waypoint they are. */
+/** Formats the progress of a path, by waypoints, for people. */
 public final class WaypointText {
 
   private WaypointText() {}
@@ -10,20 +10,19 @@ public final class WaypointText {
   /**
    * {@code waypoint 3 of 8}.
    *
-   * @param done waypoints that are dealt with; the next is the one that is meant
-   * @param all waypoints there are
+   * @param done finished waypoints; the text names the next one
+   * @param all number of waypoints
    */
   public static String position(int done, int all) {
     return "waypoint " + Math.min(all, done + 1) + " of " + all;
   }
 
   /**
-   * What a path does, with the number of its waypoint among those of a longer way that it is a part
-   * of.
+   * The status text of a path, with its waypoint numbered in a longer path that contains it.
    *
-   * @param path what the path says
-   * @param before waypoints of the longer way before the path's first
-   * @param all waypoints of the longer way
+   * @param path status text of the path
+   * @param before waypoints of the longer path before the path's first
+   * @param all number of waypoints of the longer path
    */
   public static String positionInWhole(BehaviorStatus path, int before, int all) {
     String own = position(path.completedParts(), path.totalParts()) + ":";

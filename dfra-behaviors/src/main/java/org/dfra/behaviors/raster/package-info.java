@@ -1,6 +1,6 @@
 /**
- * From a region to the waypoints that a robot drives to see all of it. Pure functions: no module,
- * no clock, no thread.
+ * Plans the waypoints with which a robot covers a region. Pure functions: no module, no clock, no
+ * thread.
  *
  * <pre>
  *   field.geojson --RegionFile--.
@@ -8,14 +8,14 @@
  *   "48.1,11.2 …" --RegionParser--'        |                         |
  *                                        |                         v
  *                             strips -&gt; lanes -&gt; gaps      Coverage of a driven path
- *                               (StripDecomposition)     (Gaps)
- *                                    '-&gt; cells -&gt; order -&gt; ways between, inside the region
- *                                         (CellTour)  (LaneSegmentSequence)    (Interior)
+ *                     (StripDecomposition, CoverageGapFiller)
+ *                                    '-&gt; cells -&gt; order -&gt; paths between, inside the region
+ *                             (CellTour, LaneSegmentSequence, InteriorPathFinder)
  * </pre>
  *
- * <p>Enter at {@link org.dfra.behaviors.raster.RasterPlan}. Whatever cannot be planned ends in a
- * {@link org.dfra.behavior.GoalRefusedException} with one sentence: what is wrong, where, what to
- * do. The reference for users is {@code docs/reference/raster.md}.
+ * <p>Enter at {@link org.dfra.behaviors.raster.RasterPlan}. Invalid input causes a {@link
+ * org.dfra.behavior.GoalRefusedException} with one sentence: error, place, remedy. The reference
+ * for users is {@code docs/reference/raster.md}.
  */
 @NullMarked
 package org.dfra.behaviors.raster;

@@ -6,39 +6,39 @@ import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.perceptual.Clearance;
 
 /**
- * Takes off a clearance what this robot and another one can have come nearer to each other since it
- * was measured, and will until the velocity that it leads to is replaced.
+ * Reduces a clearance by the distance that this robot and another one can have approached each
+ * other since its measurement, and will until the resulting velocity is replaced.
  *
  * <pre>
  *   late   = age of the clearance + length of the last cycle - 0.2 s     0 to 1 s
- *   ahead  : (own speed + peer's speed) * late is taken off
- *   beside : peer's speed * late
+ *   ahead : subtracts (own speed + peer's speed) * late
+ *   beside : subtracts peer's speed * late
  * </pre>
  *
- * <p>The rules keep their distances, which hold the braking distance (0.25 m from 0.7 m/s with 1
- * m/s²), for a clearance at most 0.1 s old in cycles of 0.1 s. Nothing is taken off then. On a slow
- * or busy computer both come late, and the more so where the robots' time goes faster than real
- * time: a delay of 0.1 s is 0.25 s of a demonstration that is played 2.5 times as fast. Two robots
- * at 0.7 m/s come 0.35 m nearer in that time, which the rules' distances do not hold.
+ * <p>The controller's safety distances include the braking distance (0.25 m from 0.7 m/s with 1
+ * m/s²), for a clearance at most 0.1 s old and cycles of 0.1 s. Then nothing is subtracted. On a
+ * slow or busy computer both are late, especially where the robots' time runs faster than real
+ * time: a delay of 0.1 s is 0.25 s of a demonstration at 2.5 times real time. Two robots at 0.7 m/s
+ * approach by 0.35 m in that time, which the controller's distances do not include.
  *
- * <p>Own speed is the highest that was commanded within the last second: a robot that has just been
- * stopped still has a clearance from before.
+ * <p>Own speed is the highest command of the last second: a robot that has just stopped still has
+ * an older clearance.
  *
- * <p>The margin makes things look nearer; it never stops a robot by itself. So two robots that meet
- * pass each other by the rules, as they would if they were that much nearer, and the margin ends
- * with the delay. A velocity counts for 0.3 s at most, since wheels without a command stop then.
+ * <p>The margin makes objects appear nearer; it never stops a robot by itself. So two robots that
+ * meet pass each other by the controller's rules, as if they were nearer by the margin, which ends
+ * with the delay. A velocity counts for at most 0.3 s, the wheels' command timeout.
  *
  * <p>Confined to the behaviour's cycles.
  */
 final class ClearanceMargin {
 
-  /** Of age and cycle together, which the rules allow for, seconds. */
+  /** Sum of age and cycle that the controller allows for, seconds. */
   static final double ALLOWED_LATENCY = 0.2;
 
-  /** Beyond it nothing more is taken off, so that a clock that leaps does not hold a robot. */
+  /** Maximum delay used, so that a clock jump does not block a robot. */
   static final double MAX_LATENCY = 1;
 
-  private static final double CYCLE = 0.1; // seconds, where there was none before
+  private static final double CYCLE = 0.1; // seconds, without a previous cycle
   private static final double LONGEST_CYCLE = 0.3; // seconds, the wheels' command timeout
 
   private final double peerSpeed;
@@ -49,16 +49,16 @@ final class ClearanceMargin {
   private long fastestAt; // nanoseconds
 
   /**
-   * @param peerSpeed the highest of other robots, metres per second, not negative
+   * @param peerSpeed maximum speed of other robots, metres per second, not negative
    */
   ClearanceMargin(double peerSpeed) {
     this.peerSpeed = peerSpeed;
   }
 
   /**
-   * What is left of a clearance. Once in a cycle.
+   * The reduced clearance. Call it once per cycle.
    *
-   * @param now by the clock that says when it was measured
+   * @param now by the clock of its timestamp
    * @param nanos the robot's monotonic time
    */
   Clearance reduced(Clearance measured, Instant now, long nanos) {
@@ -80,7 +80,7 @@ final class ClearanceMargin {
         Math.max(0, measured.right() - beside));
   }
 
-  /** The wheels were commanded so. */
+  /** Records a commanded velocity. */
   void recordCommand(Velocity velocity, long nanos) {
     double speed = Math.max(0, velocity.speed());
     if (speed >= fastest || !isRecent(nanos)) {
@@ -89,7 +89,7 @@ final class ClearanceMargin {
     }
   }
 
-  /** The cycles end; the time until the next begins is none of theirs. */
+  /** The cycles end; the time until the next start does not count. */
   void reset() {
     isRunning = false;
     cycle = CYCLE;

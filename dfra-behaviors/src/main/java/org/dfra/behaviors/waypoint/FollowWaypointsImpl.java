@@ -12,21 +12,21 @@ import org.dfra.core.module.ModuleDependency;
 import org.dfra.flow.perceptual.PositionEstimator;
 
 /**
- * Drives from place to place by way of its robot's {@link GoToWaypoint}. A waypoint that is barred
- * is left out.
+ * Drives along a sequence of waypoints, using its robot's {@link GoToWaypoint}. It skips an
+ * unreachable waypoint.
  *
- * <p>Its status tells how many waypoints are done: {@code done} is their number, and a part of the
- * next, by the number of all.
+ * <p>Its status reports its progress: {@code done} is the number of finished waypoints plus the
+ * finished fraction of the next, divided by the number of all.
  *
  * <p>Parameters, read at the start:
  *
  * <ul>
- *   <li>{@code go_to_waypoint}, {@code position}, {@code drive}: names of the modules it uses;
- *       where one is not set, any of its robot that can. Of the drive it releases the parking brake
- *       when somebody asks for a path, and it gives the path up where the drive is stopped
- *   <li>{@code farthest}: metres from one waypoint to the next, and from the robot to the first; a
- *       path with more is refused, 1 to 100 000; default 2000
- *   <li>{@code rate}: as every behaviour's; default 10 Hz
+ *   <li>{@code go_to_waypoint}, {@code position}, {@code drive}: names of the modules to use;
+ *       default any suitable one of its robot. It releases the drive's parking brake when a path is
+ *       requested, and cancels the path where the drive is stopped
+ *   <li>{@code farthest}: maximum distance between waypoints, and from the robot to the first,
+ *       metres; a path beyond it is rejected, 1 to 100 000; default 2000
+ *   <li>{@code rate}: as for every behaviour; default 10 Hz
  * </ul>
  */
 public final class FollowWaypointsImpl extends BehaviorImpl<PathGoal> implements FollowWaypoints {

@@ -22,23 +22,23 @@ import org.dfra.module.Module;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Drives along a line to its end by the schemas of its robot. Where it stands in one place too long
- * it gets itself out; where that does not help, the leg has failed. Where the parking brake is set
- * meanwhile, the leg is paused.
+ * Drives along a line to its end, using the schemas of its robot. If the robot is stuck, it
+ * executes a recovery manoeuvre; if that does not succeed, the leg fails. If the parking brake is
+ * set during the leg, the leg is paused.
  *
  * <p>Parameters, read at the start:
  *
  * <ul>
  *   <li>{@code range_filter}, {@code heading_error}, {@code fuzzy_drive}, {@code position}, {@code
- *       drive}: names of the modules it uses, each of its robot; where one is not set, any that can
- *       do it
- *   <li>{@code farthest}: metres, waypoints beyond are refused, 1 to 100 000; default 2000
- *   <li>{@code attempts}: to get out of one place, 0 to 100; default 6
- *   <li>{@code overshoot}: metres beside its end at which a leg that was passed counts as driven, 0
- *       to 100; default 1
- *   <li>{@code peer_speed}: metres per second, the highest of other robots, 0 to 10; default 0.7;
+ *       drive}: names of the modules to use, each of its robot; default any suitable one
+ *   <li>{@code farthest}: maximum distance to a waypoint, metres, beyond which it rejects the goal,
+ *       1 to 100 000; default 2000
+ *   <li>{@code attempts}: number of recoveries on one leg, 0 to 100; default 6
+ *   <li>{@code overshoot}: maximum distance beside its end at which a passed leg counts as reached,
+ *       metres, 0 to 100; default 1
+ *   <li>{@code peer_speed}: maximum speed of other robots, metres per second, 0 to 10; default 0.7;
  *       see {@link ClearanceMargin}
- *   <li>{@code rate}: as every behaviour's; default 10 Hz
+ *   <li>{@code rate}: as for every behaviour; default 10 Hz
  * </ul>
  */
 public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoToWaypoint {
@@ -76,7 +76,7 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
   @Override
   protected GoalExecution startGoal(LegGoal goal) throws RemoteException {
     for (ModuleDependency<?> each : List.of(room, heading, rules, interlock().drive())) {
-      Module unused = each.resolve(); // refuses where one is missing
+      Module unused = each.resolve(); // rejects where one is missing
     }
     GeoPosition here = position.resolve().estimate().position();
     reach.requireWithin(here, goal.to());
@@ -108,7 +108,7 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
     }
     @Nullable LegExecution pursued = last;
     BehaviorStatus now = status();
-    if (pursued != last) { // another goal was begun between the two
+    if (pursued != last) { // another goal was started in between
       setTimeLimit(goal, limit);
     } else if (pursued != null && now.phase().isUnderWay() && goal.equals(now.goal())) {
       pursued.setTimeLimit(limit);

@@ -11,9 +11,9 @@ import org.dfra.lease.LeaseRefusedException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A robot's wheels in a behaviour's hands. It becomes their commander at the first velocity and
- * lets go of them when it rests; then they stand. It never releases their brake: see {@link
- * DriveInterlock}. Confined to the behaviour's turns.
+ * A drive leased by a behaviour. It acquires the command lease at the first velocity and releases
+ * it when the behaviour is suspended; then the wheels stop. It never releases their brake: see
+ * {@link DriveInterlock}. Confined to the behaviour's cycles.
  */
 final class LeasedDrive {
 
@@ -27,7 +27,7 @@ final class LeasedDrive {
     this.interlock = interlock;
   }
 
-  /** Has them turn so until the next velocity, which must come soon. */
+  /** Commands a velocity, valid until the next one or the command timeout. */
   void setVelocity(Velocity velocity) throws RemoteException, LeaseRefusedException {
     CommandLease held = lease;
     DriveEffector wheels = commanded;
@@ -40,14 +40,14 @@ final class LeasedDrive {
     }
     try {
       wheels.execute(
-          held.key(), velocity); // also by a lease that is over: only they know why it is
+          held.key(), velocity); // also with an expired lease: only the effector knows the reason
     } catch (CommandRefusedException e) {
       release();
       throw e;
     }
   }
 
-  /** Lets go of them. */
+  /** Releases the command lease. */
   void release() {
     CommandLease held = lease;
     lease = null;

@@ -19,20 +19,20 @@ import org.dfra.lease.LeaseRefusedException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One leg being driven. Every turn it looks, asks the rules, and tells the wheels. The rules get a
- * clearance less what a late percept or cycle costs, see {@link ClearanceMargin}.
+ * Executes one leg. Each cycle it reads the percepts, evaluates the controller, and commands the
+ * wheels. It reduces the clearance for late percepts and cycles, see {@link ClearanceMargin}.
  */
 final class LegExecution implements GoalExecution {
 
   /**
-   * What a leg is driven by.
+   * Dependencies of a leg.
    *
-   * @param headingError gives the one that is there now; likewise room and rules
+   * @param headingError supplies the current module; likewise range filter and controller
    * @param nanos the robot's time
-   * @param clock that of the percepts
-   * @param maxPeerSpeed the highest of other robots, metres per second
-   * @param maxRecoveries recoveries on one leg after which it counts as barred
-   * @param passingTolerance metres beside its end at which a leg counts as driven once it is passed
+   * @param clock of the percepts
+   * @param maxPeerSpeed maximum speed of other robots, metres per second
+   * @param maxRecoveries recoveries on one leg after which it counts as unreachable
+   * @param passingTolerance metres beside its end at which a passed leg counts as reached
    */
   record Dependencies(
       Supplier<HeadingError> headingError,
@@ -45,31 +45,34 @@ final class LegExecution implements GoalExecution {
       int maxRecoveries,
       double passingTolerance) {}
 
-  /** Those that it uses until it rests. */
+  /** The modules in use until it is suspended. */
   private record ResolvedModules(
       HeadingError headingError, RangeFilter rangeFilter, FuzzyDrive fuzzyDrive) {}
 
   private static final double STUCK_TIMEOUT = 6; // seconds
   private static final double NO_PROGRESS_TIMEOUT = 40; // seconds
 
-  /** With more doubt in its yaw a robot drives straight on, by which it learns it, radians. */
+  /**
+   * With a larger standard deviation of its yaw a robot drives straight, which makes the yaw
+   * observable, radians.
+   */
   private static final double MAX_YAW_SIGMA = 0.6;
 
   private final Dependencies means;
   private final Leg leg;
   private final double tolerance;
   private final long began; // nanoseconds of the robot's time
-  private volatile @Nullable Duration limit; // since it began
+  private volatile @Nullable Duration limit; // since its start
   private final StuckDetector watch = new StuckDetector(STUCK_TIMEOUT, NO_PROGRESS_TIMEOUT);
   private final ClearanceMargin margin;
   private @Nullable ResolvedModules senses;
   private @Nullable RecoveryManeuver recovery;
   private int recoveries;
-  private double whole = Double.NaN; // metres to go at the beginning
-  private double share; // of the way that is driven, 0 to 1
+  private double whole = Double.NaN; // initial distance, metres
+  private double share; // fraction of the distance driven, 0 to 1
 
   /**
-   * @param limit the leg has failed when this has passed from now on; null for no limit
+   * @param limit timeout of the leg from now on; null for no limit
    */
   LegExecution(Dependencies means, Leg leg, double tolerance, @Nullable Duration limit) {
     this.means = means;
@@ -123,7 +126,7 @@ final class LegExecution implements GoalExecution {
     return GoalProgress.inProgress(doing(heading), share);
   }
 
-  /** Another limit, from now on; by any thread. */
+  /** Sets another time limit, from now on; any thread may call it. */
   void setTimeLimit(Duration left) {
     limit = elapsed().plus(left);
   }
@@ -132,7 +135,7 @@ final class LegExecution implements GoalExecution {
     return Duration.ofNanos(means.nanos().getAsLong() - began);
   }
 
-  /** Whether the end is near enough, or was passed. */
+  /** Whether the end is reached, or was passed. */
   private boolean isThere(HeadingPercept heading) {
     return heading.distance() <= tolerance
         || (heading.remainingAlongTrack() <= 0 && heading.distance() <= means.passingTolerance());
@@ -164,7 +167,7 @@ final class LegExecution implements GoalExecution {
     return rules.advise(room, heading.withoutHeadingError()).velocity();
   }
 
-  /** In whole metres, so that it is not news at every turn. */
+  /** In whole metres, so that the status does not change in every cycle. */
   private String doing(HeadingPercept heading) {
     String how =
         recovery != null

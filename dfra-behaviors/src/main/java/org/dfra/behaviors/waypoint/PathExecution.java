@@ -19,7 +19,7 @@ import org.dfra.geometry.GeoPosition;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
-/** One path being driven, leg by leg. A waypoint that is barred is left out, and counted. */
+/** Executes one path, leg by leg. It skips an unreachable waypoint and counts it. */
 final class PathExecution implements GoalExecution {
 
   private final String path;
@@ -27,7 +27,7 @@ final class PathExecution implements GoalExecution {
   private final DriveInterlock interlock;
   private final Logger log;
   private final GoalDelegation<LegGoal, GoToWaypoint> leg;
-  private int next; // the waypoint that is being gone to
+  private int next; // the current waypoint
   private int missed;
 
   PathExecution(
@@ -64,7 +64,7 @@ final class PathExecution implements GoalExecution {
         return reached(true);
       case CANCELLED:
         return GoalProgress.cancelled("its leg was cancelled: " + status.activity(), done(0));
-      case PAUSED: // as by a brake: whoever resumes the path begins the leg anew
+      case PAUSED: // as by a brake: a resume of the path restarts the leg
         return GoalProgress.paused("its leg is paused: " + status.activity(), done(0));
       default:
         return going(status.activity(), status.completion());
@@ -72,11 +72,11 @@ final class PathExecution implements GoalExecution {
   }
 
   /**
-   * Begins the next leg.
+   * Starts the next leg.
    *
-   * @throws GoalRefusedException if somebody else uses what drives it
+   * @throws GoalRefusedException if another client uses the leg's behaviour
    * @throws org.dfra.flow.effector.CommandRefusedByEmergencyStopException if the drive was stopped
-   *     for an emergency since the path was begun
+   *     by an emergency stop since the path's start
    */
   private GoalProgress begin() throws RemoteException {
     interlock.requireNotStoppedSince();
@@ -85,7 +85,7 @@ final class PathExecution implements GoalExecution {
     try {
       leg.start(new LegGoal(from, waypoints.get(next), goal.tolerance()));
     } catch (GoalRefusedException e) {
-      if (e.isBusy()) { // somebody else uses it: it is waited for
+      if (e.isBusy()) { // in use by another client: waits
         throw e;
       }
       return GoalProgress.failed(String.valueOf(e.getMessage()), done(0));
@@ -114,7 +114,7 @@ final class PathExecution implements GoalExecution {
         WaypointText.position(next, goal.waypoints().size()) + ": " + doing, done(ofLeg));
   }
 
-  /** So many waypoints of all, and a part of the next. */
+  /** Finished waypoints of all, plus the fraction of the next. */
   private double done(double ofLeg) {
     return Math.min(1, (next + Math.min(0.99, ofLeg)) / goal.waypoints().size());
   }

@@ -5,15 +5,15 @@ import org.dfra.flow.perceptual.Clearance;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Gets a robot out of where it is stuck: back the way it came, a turn to where there is room, and a
- * little straight on.
+ * Frees a stuck robot: it drives back, rotates towards the larger clearance, and drives a short
+ * distance straight on.
  *
  * <pre>
  *   BACK --1.5 s--&gt; TURN --up to 1.5 s--&gt; ON --2.5 s--&gt; over
  * </pre>
  *
- * <p>It turns to the side with more room, and to the other side each second time. Immutable but for
- * its phase; confined to one thread.
+ * <p>It rotates to the side with more clearance, and to the other side every second time. Immutable
+ * but for its phase; confined to one thread.
  */
 final class RecoveryManeuver {
 
@@ -25,11 +25,11 @@ final class RecoveryManeuver {
 
   private final long begun;
   private final boolean otherSide;
-  private @Nullable Boolean left; // decided when it turns
+  private @Nullable Boolean left; // decided at the start of TURN
 
   /**
    * @param nanos now
-   * @param attempt how many there have been before on this leg
+   * @param attempt number of earlier ones on this leg
    */
   RecoveryManeuver(long nanos, int attempt) {
     this.begun = nanos;
@@ -37,10 +37,10 @@ final class RecoveryManeuver {
   }
 
   /**
-   * What to do now.
+   * The command now.
    *
-   * @return a velocity; null where the robot is to go straight on by the rules; nothing more is to
-   *     be done once {@link #isOver}
+   * @return a velocity; null where the robot drives straight on with the controller; invalid once
+   *     {@link #isOver}
    */
   @Nullable Velocity velocity(long nanos, Clearance clearance) {
     double seconds = (nanos - begun) / 1e9;

@@ -20,16 +20,16 @@ import org.dfra.geometry.GeoPosition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Drives home, straight, by way of its robot's {@link GoToWaypoint}. Home is where the robot first
- * knew its position well; it is remembered when the robot is switched off.
+ * Drives home in a straight line, using its robot's {@link GoToWaypoint}. Home is the first
+ * accurate position of the robot; it is stored persistently.
  *
  * <p>Parameters:
  *
  * <ul>
  *   <li>{@code home}: latitude and longitude in degrees, such as {@code 48.0001 11.0002}, or {@code
  *       here}; can be set while it runs
- *   <li>{@code position}: name of the estimator it listens to; where it is not set, the first
- *   <li>{@code go_to_waypoint}, {@code drive}: as of {@link FollowWaypointsImpl}
+ *   <li>{@code position}: name of the estimator to use; default the first
+ *   <li>{@code go_to_waypoint}, {@code drive}: as for {@link FollowWaypointsImpl}
  * </ul>
  */
 public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements ReturnHome {
@@ -105,7 +105,7 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
     }
   }
 
-  /** Holds the lock. */
+  /** The caller holds the lock. */
   private void storeHome(GeoPosition wanted) {
     home = wanted;
     try {

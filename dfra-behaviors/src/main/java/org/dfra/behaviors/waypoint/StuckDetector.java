@@ -5,8 +5,8 @@ import java.util.Deque;
 import org.dfra.flow.perceptual.HeadingPercept;
 
 /**
- * Notices that a robot that should move does not: it has stayed within a small circle for a while,
- * and has not turned either. Or that it moves and comes no nearer. Confined to one thread.
+ * Detects that a commanded robot does not move: it has stayed within a small circle for a while
+ * without rotation. Or that it moves without progress. Confined to one thread.
  *
  * @see RecoveryManeuver
  */
@@ -26,24 +26,24 @@ final class StuckDetector {
   private long nearestNanos;
 
   /**
-   * @param stuckTimeout seconds in one place after which a robot is stuck
-   * @param noProgressTimeout seconds after which it is, having come no nearer
+   * @param stuckTimeout seconds without motion after which a robot is stuck
+   * @param noProgressTimeout seconds without progress after which it is
    */
   StuckDetector(double stuckTimeout, double noProgressTimeout) {
     this.standing = Math.round(stuckTimeout * 1e9);
     this.nowhere = Math.round(noProgressTimeout * 1e9);
   }
 
-  /** Begins anew. */
+  /** Restarts. */
   void reset() {
     been.clear();
     nearest = Double.POSITIVE_INFINITY;
   }
 
-  /** Where the robot is now; whether it is stuck there. */
+  /** Adds the robot's current pose; returns whether it is stuck. */
   boolean isStuck(long nanos, HeadingPercept now) {
     if (!been.isEmpty() && nanos - been.getLast().nanos() > standing / 2) {
-      reset(); // what happened meanwhile was not watched
+      reset(); // the interval was not monitored
     }
     ProgressSample here =
         new ProgressSample(nanos, now.alongTrack(), now.crossTrack(), now.headingError());
@@ -52,7 +52,7 @@ final class StuckDetector {
       nearest = now.distance();
       nearestNanos = nanos;
     }
-    boolean covered = false; // whether what is remembered is long enough
+    boolean covered = false; // whether the samples span the timeout
     while (nanos - been.getFirst().nanos() > standing) {
       been.removeFirst();
       covered = true;

@@ -1,10 +1,10 @@
 /**
- * Behaviours that bring a robot somewhere.
+ * Behaviours that drive a robot to waypoints.
  *
  * <pre>
  *   FollowWaypointsImpl --legs--&gt; GoToWaypointImpl: LegExecution, ten times a second:
- *   ReturnHomeImpl ------'           HeadingError, RangeFilter --&gt; FuzzyDrive --&gt; Wheels
- *                                    StuckDetector ---------------&gt; Recovery -----'
+ *   ReturnHomeImpl ------'           HeadingError, RangeFilter --&gt; FuzzyDrive --&gt; LeasedDrive
+ *                                    StuckDetector ------------&gt; RecoveryManeuver ----'
  * </pre>
  *
  * <p>Enter at {@link org.dfra.behaviors.waypoint.GoToWaypointImpl}.

@@ -4,8 +4,8 @@
  * org.dfra.recruit.experiment.ExperimentEnvironment}: this package has the simulated one.
  *
  * <pre>
- *   Grid --cells--&gt; Experiment --a seed and a cell--&gt; FieldRun --RunResult--&gt; CellResult --&gt; CSV
- *                                                                                   '--&gt; Claims
+ *   ExperimentGrid --cells--&gt; Experiment --a seed and a cell--&gt; FieldRun --RunResult--&gt; CellResult
+ *   CellResult --&gt; CSV, MetricComparison
  * </pre>
  *
  * <p>Enter at {@link org.dfra.recruit.experiment.Experiment}.

@@ -3,9 +3,9 @@ package org.dfra.sim.device;
 import org.dfra.geometry.GeoPosition;
 
 /**
- * Where a receiver's antenna is and how it moves.
+ * Position and velocity of a receiver's antenna.
  *
- * @param position where it is, frame WGS84
+ * @param position of the antenna, frame WGS84
  * @param speed over ground, metres per second, not negative
  * @param course direction of travel, degrees, 0 to less than 360, 0 is true north, clockwise is +
  */

@@ -4,30 +4,30 @@ import java.time.Duration;
 import java.time.Instant;
 import org.dfra.geometry.GeoPosition;
 
-/** Where a receiver's antenna is at any time. Asked by the emulator's thread. */
+/** Motion of a receiver's antenna over time. The emulator's thread queries it. */
 @FunctionalInterface
 public interface AntennaTrajectory {
 
-  /** Where it is at {@code time}. */
+  /** The antenna's state at {@code time}. */
   AntennaState at(Instant time);
 
-  /** Whether it hears enough satellites at {@code time} for a position. */
+  /** Whether enough satellites are tracked at {@code time} for a position. */
   default boolean hasSatellites(Instant time) {
     return true;
   }
 
-  /** Stands still. */
+  /** A stationary antenna. */
   static AntennaTrajectory fixed(GeoPosition position) {
     AntennaState state = new AntennaState(position, 0, 0);
     return time -> state;
   }
 
   /**
-   * Moves at a constant velocity and height, as a drifting boat does. By the radii of curvature of
-   * the WGS84 ellipsoid at the start, so for paths of a few kilometres, away from the poles.
+   * Moves at a constant velocity and height, as a drifting boat does. Uses the WGS84 radii of
+   * curvature at the start: valid for paths of a few kilometres, away from the poles.
    *
-   * @param from where it is at {@code begin}
-   * @param begin when it is there
+   * @param from position at {@code begin}
+   * @param begin time of that position
    * @param north velocity towards north, metres per second
    * @param east velocity towards east, metres per second
    */

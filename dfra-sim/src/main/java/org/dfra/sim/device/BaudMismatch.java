@@ -3,8 +3,8 @@ package org.dfra.sim.device;
 import java.io.ByteArrayOutputStream;
 
 /**
- * What a receiver makes of bytes that were sent at another speed, bit by bit, 8N1: it waits for the
- * line to fall, and looks at it in the middle of what it takes for each bit. Pure.
+ * Simulates a receiver with another baud rate than the sender's, bit by bit, 8N1: it waits for a
+ * falling edge and samples in the middle of what it assumes to be each bit. Pure.
  */
 final class BaudMismatch {
 
@@ -13,7 +13,7 @@ final class BaudMismatch {
   private BaudMismatch() {}
 
   /**
-   * The bytes that are read.
+   * The bytes that the receiver reads.
    *
    * @param sent bytes on a line that was idle before and is idle after; without gaps
    * @param sentBaud bits per second of the sender

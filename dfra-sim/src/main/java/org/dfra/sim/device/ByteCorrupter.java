@@ -3,7 +3,7 @@ package org.dfra.sim.device;
 import java.nio.ByteBuffer;
 import java.util.Random;
 
-/** What a bad contact does to bytes, the same for the same seed. Confined to one thread. */
+/** Corrupts bytes as a bad contact does; reproducible by its seed. Confined to one thread. */
 final class ByteCorrupter {
 
   private final Random random;
@@ -20,7 +20,7 @@ final class ByteCorrupter {
     this.share = share;
   }
 
-  /** Those bytes after the bad contact, at most twice as many. */
+  /** The bytes after corruption, at most twice as many. */
   byte[] corrupt(byte[] bytes) {
     ByteBuffer out = ByteBuffer.allocate(2 * bytes.length);
     for (byte each : bytes) {
@@ -30,7 +30,7 @@ final class ByteCorrupter {
       }
       switch (random.nextInt(3)) {
         case 0 -> out.put((byte) random.nextInt()); // bits were misread
-        case 1 -> out.put((byte) random.nextInt()).put(each); // a spike was taken for a byte
+        case 1 -> out.put((byte) random.nextInt()).put(each); // a spike was read as a byte
         default -> {} // its start bit was missed
       }
     }

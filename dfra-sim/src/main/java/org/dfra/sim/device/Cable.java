@@ -6,21 +6,20 @@ import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The cable between a computer and an emulated device, and everything that can be wrong with it. It
- * is the same whatever carries the bytes, a {@link DeviceEmulator} or a {@link SimPort}, which owns
- * it and the device.
+ * The cable between a computer and an emulated device, with injected faults. It works with either
+ * transport, a {@link DeviceEmulator} or a {@link SimPort}, which owns it and the device.
  *
- * <p>Of the faults there is one at a time; each takes the place of the last:
+ * <p>One fault is active at a time; a new one replaces the last:
  *
  * <pre>
- *              pull()      the link is lost, and cannot be opened
- *   sound  --- silence()   the link stays, nothing comes through in either direction ---.
- *     ^        garble(..)  of what comes through in either direction some is damaged    |
- *     |        storm(..)   there is noise between what comes from the device            |
+ *              pull()      the link is lost and cannot be opened
+ *   sound  --- silence()   the link stays open, no bytes pass in either direction ------.
+ *     ^        garble(..)  some bytes are corrupted, in either direction                |
+ *     |        storm(..)   noise bursts between the device's output                     |
  *     '------------------------------- restore() ---------------------------------------'
  * </pre>
  *
- * <p>Safe for use by several threads; what is done here, the owner notices when it looks next.
+ * <p>Thread-safe; the owner sees a change at its next poll.
  */
 public final class Cable {
 
@@ -33,55 +32,55 @@ public final class Cable {
   private boolean pulled;
   private UnaryOperator<byte[]> toDevice = SOUND;
   private UnaryOperator<byte[]> fromDevice = SOUND;
-  private @Nullable UartLine channel; // to the device; null until it has been on a line
-  private int portBaud; // of the computer's port; 0 where that follows the device
-  private final ByteBuffer chunk = ByteBuffer.allocate(CHUNK); // looks are many
+  private @Nullable UartLine channel; // to the device; null until it was connected
+  private int portBaud; // of the computer's port; 0: same as the device
+  private final ByteBuffer chunk = ByteBuffer.allocate(CHUNK); // polls are frequent
 
   Cable(SerialDevice device) {
     this.device = device;
   }
 
-  /** Pulls it out: the computer loses its link and gets no other until it is restored. */
+  /** Unplugs the cable: the computer loses its link and gets no other until {@link #restore}. */
   public synchronized void unplug() {
     set(true, NOTHING, NOTHING);
-    channel = null; // what was on it
+    channel = null; // bytes in transit
   }
 
-  /** Has nothing come through, as from a device that hangs. */
+  /** Blocks all bytes, as a device that hangs does. */
   public synchronized void mute() {
     set(false, NOTHING, NOTHING);
   }
 
   /**
-   * Damages bytes: they are misread, lost, or have others before them.
+   * Corrupts bytes: they are misread, lost, or preceded by spurious ones.
    *
-   * @param seed the same damage for the same bytes and seed
-   * @param share of the bytes that are damaged, 0 to 1
+   * @param seed the same corruption for the same bytes and seed
+   * @param share of the bytes that are corrupted, 0 to 1
    */
   public synchronized void corruptBytes(long seed, double share) {
     set(false, new ByteCorrupter(seed, share)::corrupt, new ByteCorrupter(~seed, share)::corrupt);
   }
 
   /**
-   * Has storms of up to 2000 random bytes come between what the device says, which itself is not
-   * damaged. What the computer says comes through as it is.
+   * Injects bursts of up to 2000 random bytes between the device's output, which itself is not
+   * corrupted. The computer's bytes pass unchanged.
    *
-   * @param seed the same storms for the same pieces and seed
+   * @param seed the same bursts for the same chunks and seed
    */
   public synchronized void injectNoiseBursts(long seed) {
     set(false, SOUND, new NoiseBurstInjector(seed)::withNoise);
   }
 
-  /** Makes it sound again. */
+  /** Ends the fault. */
   public synchronized void restore() {
     set(false, SOUND, SOUND);
   }
 
   /**
-   * Puts another device at its end: one of another kind, or the same that was switched off and on
-   * and has forgotten its settings. An open link stays open.
+   * Replaces the device: with another kind, or with the same one that was switched off and on and
+   * has lost its settings. An open link stays open.
    *
-   * @param next nobody else may use it from now on
+   * @param next nothing else may use it from now on
    */
   public synchronized void replace(SerialDevice next) {
     device = next;
@@ -94,21 +93,21 @@ public final class Cable {
     fromDevice = back;
   }
 
-  /** Whether it is pulled out. */
+  /** Whether the cable is unplugged. */
   public synchronized boolean isPulled() {
     return pulled;
   }
 
-  /** Bits per second of the device's line now; 0 where it is on none. */
+  /** Current bits per second of the device's serial line; 0 without one. */
   synchronized int baud() {
     return device.baud();
   }
 
   /**
-   * Sets the speed of the computer's port. While it is not the device's, each of them reads
-   * something else than the other sent.
+   * Sets the speed of the computer's port. While it differs from the device's, each side misreads
+   * what the other sends.
    *
-   * @param baud bits per second; 0 follows the device, as when nobody has set it
+   * @param baud bits per second; 0 follows the device, the default
    */
   public synchronized void setPortBaud(int baud) {
     portBaud = baud;
@@ -119,22 +118,22 @@ public final class Cable {
     return portBaud;
   }
 
-  /** A computer was put at the other end; the speed of its port is as somebody has set it. */
+  /** A computer was connected; the speed of its port stays as set. */
   synchronized void connected() {
     device.connected();
   }
 
-  /** The computer at the other end is gone. */
+  /** The computer was disconnected. */
   synchronized void disconnected() {
     device.disconnected();
   }
 
-  /** Whether what the computer does not take at once is kept for it. */
+  /** Whether output that the computer does not read at once is buffered. */
   synchronized boolean buffersOutput() {
     return device.buffersOutput();
   }
 
-  /** Takes bytes from the computer; they are under way from {@code now} on. */
+  /** Accepts bytes from the computer; they are in transit from {@code now} on. */
   synchronized void send(byte[] bytes, Instant now) {
     int baud = device.baud();
     if (pulled || bytes.length == 0) {
@@ -151,8 +150,8 @@ public final class Cable {
   }
 
   /**
-   * Lets through what is through by {@code now}: to the device what the computer sent; to the
-   * computer what is returned.
+   * Delivers the bytes that have arrived by {@code now}: to the device those that the computer
+   * sent; those for the computer are returned.
    */
   synchronized byte[] pass(Instant now) {
     if (channel != null) {
@@ -165,7 +164,7 @@ public final class Cable {
     return fromDevice.apply(read(taken(chunk), sentAt, portBaud));
   }
 
-  /** What is read at a speed of what was sent at another; 0 is the other's. */
+  /** Bytes sent at one baud rate as read at another; 0 is the sender's rate. */
   private static byte[] read(byte[] bytes, int sentAt, int readAt) {
     return sentAt == 0 || readAt == 0 ? bytes : BaudMismatch.of(bytes, sentAt, readAt);
   }

@@ -17,29 +17,30 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A device behind a TCP port of the loopback interface, as one on a serial server.
+ * Serves an emulated device on a TCP port of the loopback interface, as a serial device server
+ * does.
  *
- * <p>It has one client at a time. A new one takes the place of an old one that has sent nothing for
- * 3 s, so that a computer that fell off the network finds its device again; beside a client that
- * sends, a new one is disconnected at once, so that a stranger cannot cut off the driver. Bytes
- * that come out while there is no client, or while the client does not read, are lost, as on a
- * serial line; a device that {@linkplain SerialDevice#buffersOutput keeps} them is asked for more
- * when the client has taken what came before. What comes from the client is paced as by the
- * device's line too. While the {@link #cable} is pulled, no connection lasts.
+ * <p>It has one client at a time. A new client replaces one that has sent nothing for 3 s, so that
+ * a computer that lost its network reconnects. While the old client sends, a new one is
+ * disconnected at once, so that it cannot cut off the driver. Output is lost while there is no
+ * client or while the client does not read, as on a serial line; a device that {@linkplain
+ * SerialDevice#buffersOutput buffers} its output is polled for more when the client has read what
+ * came before. Input from the client is paced by the device's baud rate too. While the {@link
+ * #cable} is unplugged, every connection is closed.
  *
- * <p>{@link #start} opens the port and starts the one thread, {@code name emulator port}, which
- * owns device and connections; {@link #close} stops it, closes everything, and returns when that is
- * done. Both do nothing the second time.
+ * <p>{@link #start} opens the port and starts one thread, {@code name emulator port}, which owns
+ * device and connections; {@link #close} stops it, closes everything, and then returns. Both are
+ * idempotent.
  */
 public class DeviceEmulator implements AutoCloseable {
 
-  /** Real time between two looks at the clock. */
+  /** Real time between two polls of the clock. */
   private static final int POLL_INTERVAL_MILLIS = 5;
 
-  /** Pieces that a device that keeps its bytes sends in one look at the most. */
+  /** Maximum chunks per poll from a device that buffers its output. */
   private static final int MOST_PIECES = 256;
 
-  /** Real time for which a client keeps its place after its last bytes. */
+  /** Real time after its last bytes for which a client is not replaced. */
   private static final long KEEPS_PLACE_NANOS = 3_000_000_000L;
 
   private final String name;
@@ -58,7 +59,8 @@ public class DeviceEmulator implements AutoCloseable {
    * @param name the device's name, for its thread
    * @param port TCP port on the loopback interface, 0 to 65535; 0 is any free one
    * @param device the device; the emulator's thread owns it from now on
-   * @param clock the time it tells and paces its bytes by; may run at any speed or be stepped
+   * @param clock gives the time that it reports and by which it paces its bytes; may run at any
+   *     speed or be stepped
    */
   public DeviceEmulator(String name, int port, SerialDevice device, InstantSource clock) {
     if (port < 0 || port > 65535) {
@@ -71,9 +73,9 @@ public class DeviceEmulator implements AutoCloseable {
   }
 
   /**
-   * Opens the port and begins to work.
+   * Opens the port and starts.
    *
-   * @throws IOException if the port cannot be had
+   * @throws IOException if the port cannot be opened
    */
   public final synchronized void start() throws IOException {
     if (closed) {
@@ -109,7 +111,7 @@ public class DeviceEmulator implements AutoCloseable {
   }
 
   /**
-   * The port it listens on.
+   * The TCP port on which it listens.
    *
    * @throws IllegalStateException if it does not listen
    */
@@ -120,12 +122,12 @@ public class DeviceEmulator implements AutoCloseable {
     return server.socket().getLocalPort();
   }
 
-  /** The link a driver finds it at: {@code tcp://127.0.0.1:port}. */
+  /** The link for a driver: {@code tcp://127.0.0.1:port}. */
   public final String url() {
     return "tcp://" + InetAddress.getLoopbackAddress().getHostAddress() + ":" + port();
   }
 
-  /** The cable to the device, to have something wrong with it. */
+  /** The cable to the device, for fault injection. */
   public final Cable cable() {
     return cable;
   }
@@ -201,7 +203,7 @@ public class DeviceEmulator implements AutoCloseable {
     return new Client(caller, chosen);
   }
 
-  /** One look: what the client says to the device, what the device says to the client. */
+  /** One poll: passes bytes from the client to the device and from the device to the client. */
   private @Nullable Client exchange(@Nullable Client client, Instant now) {
     if (client == null) {
       byte[] unused = cable.pass(now);
@@ -220,7 +222,10 @@ public class DeviceEmulator implements AutoCloseable {
     return null;
   }
 
-  /** Sends all there is, as far as the network takes it. False when the client has gone. */
+  /**
+   * Sends all pending output, as far as the network accepts it. False when the client has
+   * disconnected.
+   */
   private boolean sendAll(Client client, Instant now) {
     for (int piece = 0; piece < MOST_PIECES; piece++) {
       if (!client.unsent.hasRemaining()) {
@@ -245,7 +250,7 @@ public class DeviceEmulator implements AutoCloseable {
     private final SocketChannel channel;
     private final ByteBuffer in = ByteBuffer.allocate(1024);
 
-    /** What a device that keeps its bytes has sent, and the network has not taken yet. */
+    /** Output of a buffering device that the network has not accepted yet. */
     private ByteBuffer unsent = ByteBuffer.allocate(0);
 
     private boolean hasSent;
@@ -258,7 +263,7 @@ public class DeviceEmulator implements AutoCloseable {
       SelectionKey unused = channel.register(selector, SelectionKey.OP_READ);
     }
 
-    /** Takes what has come; false when the client has gone. */
+    /** Reads input; false when the client has disconnected. */
     boolean read(Consumer<byte[]> sink) {
       try {
         in.clear();
@@ -274,7 +279,7 @@ public class DeviceEmulator implements AutoCloseable {
       }
     }
 
-    /** Takes all that has come: what a client sent before it went hides that it has gone. */
+    /** Reads all input: pending input hides a disconnection. */
     boolean readAll(Consumer<byte[]> sink) {
       boolean[] isMore = new boolean[1];
       boolean isThere;
@@ -295,7 +300,10 @@ public class DeviceEmulator implements AutoCloseable {
       return hasSent && System.nanoTime() - lastSent < KEEPS_PLACE_NANOS;
     }
 
-    /** Sends what the network takes now; the rest stays. False when the client has gone. */
+    /**
+     * Sends what the network accepts now and keeps the rest. False when the client has
+     * disconnected.
+     */
     boolean write(ByteBuffer out) {
       try {
         if (out.hasRemaining()) {
@@ -311,7 +319,7 @@ public class DeviceEmulator implements AutoCloseable {
       try {
         channel.close();
       } catch (IOException e) {
-        // it is gone either way
+        // it is disconnected either way
       }
     }
   }

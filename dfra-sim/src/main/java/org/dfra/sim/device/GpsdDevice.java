@@ -9,9 +9,9 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 
 /**
- * What gpsd says over its connection, with one receiver that tells once a second. It greets with
- * its version; {@code ?WATCH} with {@code "enable":true} makes it tell, {@code ?VERSION} and {@code
- * ?DEVICES} ask. Everything else is an error. Source: gpsd's protocol documentation.
+ * Emulates gpsd with one receiver that reports once a second. It first sends its version; {@code
+ * ?WATCH} with {@code "enable":true} starts reports, {@code ?VERSION} and {@code ?DEVICES} are
+ * queries. Everything else is an error. Source: gpsd's protocol documentation.
  */
 public final class GpsdDevice extends StreamingDevice {
 
@@ -33,9 +33,9 @@ public final class GpsdDevice extends StreamingDevice {
   private boolean sendsGreeting = true;
 
   /**
-   * @param path where its receiver's antenna is
-   * @param baud bits per second at which the lines come
-   * @param timeToFirstFix how long after it was switched on it looks for satellites
+   * @param path trajectory of its receiver's antenna
+   * @param baud bits per second at which it sends lines
+   * @param timeToFirstFix time from power-on to the first fix
    */
   public GpsdDevice(AntennaTrajectory path, int baud, Duration timeToFirstFix) {
     super(path, baud, timeToFirstFix, false);

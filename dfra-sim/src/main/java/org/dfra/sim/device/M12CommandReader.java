@@ -4,15 +4,15 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Map;
 
-/** Finds commands in the bytes a computer sends. Confined to one thread. */
+/** Parses commands from the bytes that a computer sends. Confined to one thread. */
 final class M12CommandReader {
 
-  /** Takes the commands found. */
+  /** Receives parsed commands. */
   @FunctionalInterface
   interface Sink {
 
     /**
-     * Takes one.
+     * Handles one command.
      *
      * @param id its two letters
      * @param argument the bytes between ID and checksum
@@ -20,7 +20,7 @@ final class M12CommandReader {
     void command(String id, byte[] argument);
   }
 
-  /** Total lengths of the commands that are known. */
+  /** Total lengths of the known commands. */
   private static final Map<String, Integer> LENGTHS =
       Map.ofEntries(
           Map.entry("Ha", 8),
@@ -58,7 +58,7 @@ final class M12CommandReader {
     }
   }
 
-  /** Whether the bytes so far may be the beginning of a command that is not complete yet. */
+  /** Whether the bytes so far may be an incomplete command. */
   private boolean mayGrow() {
     if (window[0] != '@' || (filled > 1 && window[1] != '@')) {
       return false;
@@ -66,7 +66,7 @@ final class M12CommandReader {
     return filled < 4 || filled < LENGTHS.getOrDefault(id(), 0);
   }
 
-  /** Obeys the command at the beginning; returns its length, 0 when there is none. */
+  /** Executes the command at the beginning; returns its length, 0 when there is none. */
   private int commandLength() {
     int length = filled < 4 ? 0 : LENGTHS.getOrDefault(id(), 0);
     if (length == 0 || filled < length) {

@@ -10,21 +10,24 @@ import org.dfra.geometry.GeoPosition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What an M12+ does between its two wires.
+ * Emulates an M12+ at the byte level of its serial interface.
  *
  * <p>Commands: {@code @@Ha}, {@code @@Hb}, {@code @@Hn}, {@code @@Ea}, {@code @@En} with a rate
  * byte (0 once, n at once and every n seconds), {@code @@Bb} and {@code @@Bo} (at once; where their
- * byte is not 0 also {@code @@Bb} every half minute, and {@code @@Bo} when it changes),
- * {@code @@Cj} (identification), {@code @@Aw} (1 tells UTC, 0 GPS time, FF asks), {@code @@Gd} (0
- * to 3, FF asks), {@code @@At} (0 to 2, FF asks), {@code @@Ge} (time RAIM), {@code @@Gb} (date and
- * time, which it obeys only while it has no fix), {@code @@As} (the position to hold; out of range
- * asks), {@code @@Cf} (defaults: sends nothing by itself any more). Everything else, and every
- * damaged command, is ignored. The settings outlive a client, as those of a receiver outlive the
- * computer on its line.
+ * byte is not 0 also {@code @@Bb} every half minute, and {@code @@Bo} when it changes), {@code
+ * @@Cj} (identification), {@code @@Aw} (1 selects UTC, 0 GPS time, FF queries), {@code @@Gd} (0 to
+ * 3, FF queries), {@code @@At} (0 to 2, FF queries), {@code @@Ge} (time RAIM), {@code @@Gb} (date
+ * and time, executed only without a fix), {@code @@As} (the position to hold; out of range
+ * queries), {@code @@Cf} (defaults: ends all unsolicited messages). Unknown and damaged commands
+ * are ignored. The settings survive a change of client, as a receiver keeps its settings when its
+ * computer is disconnected.
  */
 public final class M12Device implements SerialDevice {
 
-  /** With more than this waiting the line is too slow for what was asked; a message is left out. */
+  /**
+   * If more bytes than this are queued, the baud rate is too low for the requested messages; a
+   * message is skipped.
+   */
   private static final int LONGEST_QUEUE = 1024;
 
   private static final Set<String> OF_12_CHANNELS = Set.of("Ha", "Hb", "Hn", "Gd");
@@ -35,7 +38,7 @@ public final class M12Device implements SerialDevice {
   private final UartLine channel;
   private final M12CommandReader commands = new M12CommandReader(this::execute);
 
-  /** Seconds between two tellings of the satellites, whose places change slowly. */
+  /** Seconds between two reports of the satellites, whose positions change slowly. */
   private static final int SKY_PERIOD = 30;
 
   private final Map<String, Schedule> schedules = new LinkedHashMap<>();
@@ -51,10 +54,10 @@ public final class M12Device implements SerialDevice {
   private Instant now = Instant.EPOCH;
 
   /**
-   * @param path where its antenna is
-   * @param baud bits per second of its line
-   * @param timeToFirstFix how long after the first {@link #receive} or {@link #transmit} it looks
-   *     for satellites before it has a position
+   * @param path trajectory of its antenna
+   * @param baud bits per second of its serial line
+   * @param timeToFirstFix time from the first {@link #receive} or {@link #transmit} to the first
+   *     fix
    */
   public M12Device(AntennaTrajectory path, int baud, Duration timeToFirstFix) {
     this(path, baud, timeToFirstFix, M12EmulatorOptions.USUAL);
@@ -63,7 +66,7 @@ public final class M12Device implements SerialDevice {
   /**
    * The same.
    *
-   * @param options how many channels it has, and when it learns UTC
+   * @param options number of channels, and when it learns UTC
    */
   public M12Device(
       AntennaTrajectory path, int baud, Duration timeToFirstFix, M12EmulatorOptions options) {
@@ -146,7 +149,7 @@ public final class M12Device implements SerialDevice {
         channel.send(M12Frames.frame("Cf", new byte[0]), now);
       }
       default -> {
-        // the receiver ignores what it does not know
+        // the receiver ignores unknown commands
       }
     }
   }
@@ -186,7 +189,7 @@ public final class M12Device implements SerialDevice {
     }
   }
 
-  /** For those who take it for a receiver of eight channels: off, on, survey. */
+  /** The position-hold mode in the eight-channel form: off, on, survey. */
   private void setPositionHold(int argument) {
     if (argument <= 2) {
       positionControl = argument == 2 ? 3 : argument;

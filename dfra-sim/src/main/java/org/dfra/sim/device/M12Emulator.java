@@ -2,14 +2,13 @@ package org.dfra.sim.device;
 
 import java.time.InstantSource;
 
-/**
- * A Motorola Oncore M12+ behind a TCP port of the loopback interface, as one on a serial server.
- */
+/** Serves an emulated Motorola Oncore M12+ on a TCP port of the loopback interface. */
 public final class M12Emulator extends DeviceEmulator {
 
   /**
-   * @param settings port, speed, path
-   * @param clock the time it tells and paces its bytes by; may run at any speed or be stepped
+   * @param settings port, baud rate, antenna trajectory
+   * @param clock gives the time that it reports and by which it paces its bytes; may run at any
+   *     speed or be stepped
    */
   public M12Emulator(M12EmulatorSettings settings, InstantSource clock) {
     super(

@@ -3,17 +3,17 @@ package org.dfra.sim.device;
 import java.time.Duration;
 
 /**
- * What kind of Oncore an emulated receiver is, and what it has learned. Immutable.
+ * Model of an emulated Oncore, and its initial knowledge of UTC. Immutable.
  *
  * @param channels 8 or 12; one of eight ignores {@code @@Ha}, {@code @@Hb}, {@code @@Hn} and
  *     {@code @@Gd}
- * @param timeToUtc how long after it was started it does not know how far GPS time is ahead of UTC:
- *     a receiver without an almanac learns it within 12.5 minutes. Until then {@code @@Bo} is 0,
- *     and what it reports as UTC is GPS time
+ * @param timeToUtc time from its start until it knows the offset of GPS time from UTC: a receiver
+ *     without an almanac learns it within 12.5 minutes. Until then {@code @@Bo} is 0, and what it
+ *     reports as UTC is GPS time
  */
 public record M12EmulatorOptions(int channels, Duration timeToUtc) {
 
-  /** Twelve channels, and an almanac from before. */
+  /** Twelve channels, and a stored almanac. */
   public static final M12EmulatorOptions USUAL = new M12EmulatorOptions(12, Duration.ZERO);
 
   public M12EmulatorOptions {

@@ -4,13 +4,13 @@ import java.time.Duration;
 import org.dfra.geometry.GeoPosition;
 
 /**
- * How an emulated receiver is set up. Immutable.
+ * Settings of an emulated receiver. Immutable.
  *
  * @param port TCP port on the loopback interface, 0 to 65535; 0 is any free one
- * @param baud bits per second at which bytes come out, 1 to 4 000 000
- * @param path where its antenna is
- * @param timeToFirstFix how long after it was started it looks for satellites
- * @param options how many channels it has, and when it learns UTC
+ * @param baud bits per second of its output, 1 to 4 000 000
+ * @param path trajectory of its antenna
+ * @param timeToFirstFix time from its start to the first fix
+ * @param options number of channels, and when it learns UTC
  */
 public record M12EmulatorSettings(
     int port,
@@ -32,7 +32,9 @@ public record M12EmulatorSettings(
     }
   }
 
-  /** At a fixed place, on any free port, at 9600 baud, with satellites in sight from the start. */
+  /**
+   * At a fixed position, on any free port, at 9600 baud, with satellites in sight from the start.
+   */
   public static M12EmulatorSettings at(GeoPosition position) {
     return new M12EmulatorSettings(
         0, 9600, AntennaTrajectory.fixed(position), Duration.ZERO, M12EmulatorOptions.USUAL);
@@ -43,12 +45,12 @@ public record M12EmulatorSettings(
     return new M12EmulatorSettings(other, baud, path, timeToFirstFix, options);
   }
 
-  /** The same on a line of another speed. */
+  /** The same with another baud rate. */
   public M12EmulatorSettings withBaud(int other) {
     return new M12EmulatorSettings(port, other, path, timeToFirstFix, options);
   }
 
-  /** The same on another path. */
+  /** The same with another antenna trajectory. */
   public M12EmulatorSettings withPath(AntennaTrajectory other) {
     return new M12EmulatorSettings(port, baud, other, timeToFirstFix, options);
   }
@@ -58,7 +60,7 @@ public record M12EmulatorSettings(
     return new M12EmulatorSettings(port, baud, path, other, options);
   }
 
-  /** The same, of another kind. */
+  /** The same with other options. */
   public M12EmulatorSettings withOptions(M12EmulatorOptions other) {
     return new M12EmulatorSettings(port, baud, path, timeToFirstFix, other);
   }

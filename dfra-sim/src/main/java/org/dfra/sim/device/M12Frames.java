@@ -11,9 +11,9 @@ import org.dfra.geometry.GeoPosition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes the frames a receiver sends. Source: Motorola Oncore M12+ user's guide.
+ * Encodes the frames that a receiver sends. Source: Motorola Oncore M12+ user's guide.
  *
- * <p>Pure functions; numbers have their highest byte first.
+ * <p>Pure functions; numbers are big-endian.
  */
 final class M12Frames {
 
@@ -82,7 +82,7 @@ final class M12Frames {
     putSpeed(out, antenna.speed());
     out.putShort((short) Math.round(antenna.course() * 10));
     out.putShort((short) moment.dilution());
-    out.put((byte) 0); // PDOP, antenna in order
+    out.put((byte) 0); // PDOP, antenna OK
     out.put((byte) sky.visible()).put((byte) sky.tracked(8));
     for (SatelliteConstellation.Channel channel : sky.channels().subList(0, 8)) {
       out.put((byte) channel.satellite()).put((byte) channel.mode());
@@ -93,7 +93,7 @@ final class M12Frames {
     return frame("Ea", out.array());
   }
 
-  /** {@code @@Cj}: what the receiver is, in lines of text. */
+  /** {@code @@Cj}: the receiver's identification, in lines of text. */
   static byte[] identification() {
     List<String> lines =
         List.of(
@@ -144,7 +144,7 @@ final class M12Frames {
   static byte[] timeRaim12(Moment moment, boolean on) {
     ByteBuffer out = ByteBuffer.allocate(78 - AROUND_PAYLOAD);
     putTimeRaim(out, moment, on);
-    out.putInt(0); // no satellite taken out
+    out.putInt(0); // no satellite excluded
     putTimeErrors(out, moment, 12);
     return frame("Hn", out.array());
   }
@@ -185,7 +185,7 @@ final class M12Frames {
     return frame("Gb", out.array());
   }
 
-  /** The date and time that {@code @@Gb} sets; null where it is none, which asks. */
+  /** The date and time that {@code @@Gb} sets; null where it is invalid, which is a query. */
   static @Nullable Instant clockIn(byte[] argument) {
     ByteBuffer in = ByteBuffer.wrap(argument);
     int month = in.get();
@@ -207,7 +207,7 @@ final class M12Frames {
     return frame("As", out.array());
   }
 
-  /** The position that {@code @@As} sets; null where it is none, which asks. */
+  /** The position that {@code @@As} sets; null where it is invalid, which is a query. */
   static @Nullable GeoPosition heldIn(byte[] argument) {
     ByteBuffer in = ByteBuffer.wrap(argument);
     double latitude = in.getInt() / 3.6e6;
@@ -218,14 +218,14 @@ final class M12Frames {
   }
 
   /**
-   * What a message tells of.
+   * The data that a message reports.
    *
    * @param utc the time by the receiver's clock
-   * @param utcOffset GPS time minus UTC as far as it has learned that, seconds; 0 where it has not
-   * @param isUtc whether it is told as UTC; otherwise as GPS time
-   * @param hasFix whether it has found its satellites
-   * @param holds whether its position is held
-   * @param antenna where it says it is
+   * @param utcOffset GPS time minus UTC, seconds; 0 while unknown
+   * @param isUtc whether time is reported as UTC; otherwise as GPS time
+   * @param hasFix whether it has a fix
+   * @param holds whether position hold is on
+   * @param antenna reported antenna state
    */
   record Moment(
       Instant utc,

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * A receiver of several systems that sends NMEA 0183 once a second: {@code GNRMC}, {@code GNGGA},
+ * A multi-constellation receiver that sends NMEA 0183 once a second: {@code GNRMC}, {@code GNGGA},
  * {@code GNGSA}, {@code GPGSV}. It takes no commands. Source: NMEA 0183, version 3.01.
  */
 public final class NmeaDevice extends StreamingDevice {
@@ -20,9 +20,9 @@ public final class NmeaDevice extends StreamingDevice {
   private static final int IN_A_SENTENCE = 4;
 
   /**
-   * @param path where its antenna is
-   * @param baud bits per second of its line
-   * @param timeToFirstFix how long after it was switched on it looks for satellites
+   * @param path trajectory of its antenna
+   * @param baud bits per second of its serial line
+   * @param timeToFirstFix time from power-on to the first fix
    */
   public NmeaDevice(AntennaTrajectory path, int baud, Duration timeToFirstFix) {
     super(path, baud, timeToFirstFix, true);
@@ -30,7 +30,7 @@ public final class NmeaDevice extends StreamingDevice {
 
   @Override
   void execute(byte[] bytes, int offset, int length, Instant time) {
-    // it is set up already
+    // it needs no configuration
   }
 
   @Override

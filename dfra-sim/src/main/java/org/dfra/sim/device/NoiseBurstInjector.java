@@ -4,14 +4,14 @@ import java.nio.ByteBuffer;
 import java.util.Random;
 
 /**
- * Noise between what a device says, as on a line that floats now and then. What it says itself is
- * left as it is. The same for the same pieces and seed; confined to one thread.
+ * Inserts noise bursts between a device's output, as a serial line that floats at times. The output
+ * itself is unchanged. Reproducible for the same chunks and seed; confined to one thread.
  */
 final class NoiseBurstInjector {
 
   private static final int LONGEST = 2000;
 
-  /** Of so many pieces, one has noise before it. */
+  /** One in this many chunks is preceded by noise. */
   private static final int ONE_OF = 3;
 
   private final Random random;
@@ -20,7 +20,7 @@ final class NoiseBurstInjector {
     this.random = new Random(seed);
   }
 
-  /** A piece with what comes before it. */
+  /** A chunk, preceded by its noise burst if it has one. */
   byte[] withNoise(byte[] piece) {
     if (piece.length == 0 || random.nextInt(ONE_OF) != 0) {
       return piece;

@@ -13,22 +13,21 @@ import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A serial port that leads to an emulated device, for drivers that want a {@code serial:} link:
- * {@code socat} joins a pseudo-terminal and the emulator's TCP port.
+ * A serial port connected to an emulated device, for drivers that require a {@code serial:} link:
+ * {@code socat} connects a pseudo-terminal to the emulator's TCP port.
  *
- * <p>While the device's {@link Cable} is pulled there is no such port, as with one on USB; it comes
- * back under the same name.
+ * <p>While the device's {@link Cable} is unplugged the port does not exist, as with a USB adapter;
+ * it reappears under the same name.
  *
- * <p>{@link #start} starts the one thread, {@code name terminal}, which owns one process of socat
- * after the other; {@link #close} ends both, and removes the port's folder. Both do nothing the
- * second time.
+ * <p>{@link #start} starts one thread, {@code name terminal}, which owns the current socat process;
+ * {@link #close} ends both and removes the port's folder. Both are idempotent.
  */
 public final class PseudoTerminal implements AutoCloseable {
 
   private static final long PATIENCE_SECONDS = 20;
   private static final long RETRY_MILLIS = 100; // real time
 
-  /** What socat says when both its ends are open. */
+  /** socat's message when both its ends are open. */
   private static final String READY = "starting data transfer loop";
 
   private final String name;
@@ -46,15 +45,15 @@ public final class PseudoTerminal implements AutoCloseable {
   private String fault = "socat has said nothing";
 
   /**
-   * @param name what the port's file is called
-   * @param emulator where it leads; started, and not closed before this
+   * @param name name of the port's file
+   * @param emulator of the device; started, and not closed before this
    */
   public PseudoTerminal(String name, DeviceEmulator emulator) {
     this(name, emulator, System.getenv().getOrDefault("PATH", ""));
   }
 
   /**
-   * @param programs the folders that socat is looked for in
+   * @param programs the folders in which socat is searched
    */
   PseudoTerminal(String name, DeviceEmulator emulator, String programs) {
     this.name = name;
@@ -63,9 +62,9 @@ public final class PseudoTerminal implements AutoCloseable {
   }
 
   /**
-   * Makes the port; returns when it is there.
+   * Creates the port; returns when it exists.
    *
-   * @throws IOException if socat is not installed or does not do it
+   * @throws IOException if socat is not installed or fails
    * @throws IllegalStateException if the emulator does not listen
    */
   public void start() throws IOException {
@@ -120,7 +119,7 @@ public final class PseudoTerminal implements AutoCloseable {
     }
   }
 
-  /** The link a driver finds the device at: {@code serial:file}. */
+  /** The link for a driver: {@code serial:file}. */
   public String url() {
     lock.lock();
     try {
@@ -250,7 +249,7 @@ public final class PseudoTerminal implements AutoCloseable {
       Files.deleteIfExists(made);
       Files.deleteIfExists(made.toAbsolutePath().getParent());
     } catch (IOException e) {
-      // an empty folder stays behind among the temporary ones
+      // an empty temporary folder remains
     }
   }
 }

@@ -16,10 +16,10 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /**
- * An emulated GPS receiver as a process of its own. Prints {@code listening on
- * tcp://127.0.0.1:PORT} when it is ready, and {@code listening on serial:FILE} where it is to have
- * a terminal too, and runs until it is terminated. Exit status 2 when an option is wrong, 1 when
- * port or terminal cannot be had.
+ * Runs an emulated GPS receiver as a process of its own. Prints {@code listening on
+ * tcp://127.0.0.1:PORT} when it is ready, and {@code listening on serial:FILE} where a terminal is
+ * requested, and runs until it is terminated. Exit status 2 when an option is wrong, 1 when port or
+ * terminal cannot be opened.
  */
 @Command(
     name = "receiver-emulator",
@@ -27,15 +27,15 @@ import picocli.CommandLine.Spec;
     description = "A GPS receiver that does not exist, on a TCP port.")
 public final class ReceiverEmulatorMain implements Callable<Integer> {
 
-  /** What the receiver speaks. */
+  /** The receiver's protocol. */
   enum Protocol {
-    /** Motorola's binary one. */
+    /** Motorola's binary protocol. */
     M12,
     /** NMEA 0183. */
     NMEA,
-    /** That of u-blox. */
+    /** u-blox's binary protocol. */
     UBX,
-    /** That of gpsd. */
+    /** gpsd's JSON protocol. */
     GPSD
   }
 

@@ -5,15 +5,15 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The satellites a receiver sees: always the same ones, their signals changing a little from second
- * to second.
+ * The satellites in a receiver's view: a fixed set whose signals vary slightly from second to
+ * second.
  *
  * @param visible satellites above the horizon
- * @param channels the ones it works on
+ * @param channels its receiver channels
  */
 record SatelliteConstellation(int visible, List<Channel> channels) {
 
-  /** Ready for the position. */
+  /** Usable for the position solution. */
   static final int AVAILABLE = 8;
 
   private static final int CODE_ACQUIRE = 1;
@@ -33,23 +33,23 @@ record SatelliteConstellation(int visible, List<Channel> channels) {
   record Channel(
       int satellite, int mode, int carrierToNoise, int ephemerisIssue, int elevation, int azimuth) {
 
-    /** Whether the position may rest on it. */
+    /** Whether the position solution may use it. */
     boolean isUsed() {
       return mode == AVAILABLE;
     }
   }
 
-  /** The sky of a receiver that has found its satellites. */
+  /** The constellation of a receiver with a fix. */
   static SatelliteConstellation withFix(Instant time) {
     return of(time, SATELLITES.length);
   }
 
-  /** The sky of a receiver that has found two satellites and looks for the others. */
+  /** The constellation of a receiver that tracks two satellites and searches for the others. */
   static SatelliteConstellation searching(Instant time) {
     return of(time, 2);
   }
 
-  /** Satellites locked on, in the first so many channels. */
+  /** Tracked satellites in the first {@code count} channels. */
   int tracked(int limit) {
     return (int) channels.stream().limit(limit).filter(c -> c.mode() == AVAILABLE).count();
   }

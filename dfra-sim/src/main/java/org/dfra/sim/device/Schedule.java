@@ -10,18 +10,18 @@ public final class Schedule {
   private Duration period = Duration.ZERO;
   private Instant next = Instant.MAX;
 
-  /** Every so many seconds from now on; 0 is never. */
+  /** Sets the period in seconds, from now on; 0 is never. */
   public void set(int seconds, Instant now) {
     set(Duration.ofSeconds(seconds), now);
   }
 
-  /** Every so often from now on; zero is never. */
+  /** Sets the period, from now on; zero is never. */
   public void set(Duration every, Instant now) {
     period = every;
     next = every.isZero() ? Instant.MAX : now.plus(period);
   }
 
-  /** The last time due by now; null when there is none. Times slept through are left out. */
+  /** The last time due by now; null when there is none. Missed times are skipped. */
   public @Nullable Instant due(Instant now) {
     if (period.isZero()) {
       return null;

@@ -4,46 +4,46 @@ import java.nio.ByteBuffer;
 import java.time.Instant;
 
 /**
- * A device between its two wires: takes bytes, sends bytes. Knows no thread and reads no clock;
- * confined to one thread, which says what time it is.
+ * A device at the byte level of its serial interface: receives bytes, sends bytes. It has no thread
+ * and reads no clock; its caller, one thread, passes the time.
  */
 public interface SerialDevice {
 
   /**
-   * Takes bytes from the computer, cut anywhere.
+   * Receives bytes from the computer, split anywhere.
    *
    * @param bytes holds them
    * @param offset index of the first
    * @param length how many
-   * @param time when they came
+   * @param time time of arrival
    */
   void receive(byte[] bytes, int offset, int length, Instant time);
 
   /**
-   * Puts the bytes that have come out of the device by {@code time}, and not been put before, into
-   * {@code out}, as far as they fit.
+   * Puts the bytes that the device has sent by {@code time}, each once, into {@code out}, as far as
+   * they fit.
    */
   void transmit(ByteBuffer out, Instant time);
 
   /**
-   * Bits per second of its line now, by which what comes from the computer is paced; what it sends
-   * it paces itself. 0 where it is on no serial line, and everything comes at once.
+   * Current bits per second of its serial line, which pace the computer's bytes; the device paces
+   * its own output. 0 without a serial line: bytes arrive at once.
    */
   default int baud() {
     return 0;
   }
 
   /**
-   * Whether bytes that the computer does not take at once are kept for it, as on a network. On a
-   * serial line they are lost.
+   * Whether output that the computer does not read at once is buffered, as on a network. On a
+   * serial line it is lost.
    */
   default boolean buffersOutput() {
     return false;
   }
 
-  /** A new computer is on the line; devices that are not on a serial line begin anew for it. */
+  /** A new computer is connected; devices without a serial line start a new session. */
   default void connected() {}
 
-  /** The computer has left the line; devices that are not on a serial line notice. */
+  /** The computer was disconnected; devices without a serial line detect this. */
   default void disconnected() {}
 }

@@ -12,10 +12,10 @@ import org.dfra.drivers.link.Ticker;
 /** The computer's end of a link to a simulated device. */
 final class SimLink implements SerialLink {
 
-  /** What a driver may leave unread; what comes beyond that is lost. */
+  /** Maximum unread bytes; bytes beyond that are lost. */
   private static final int ROOM = 65_536;
 
-  /** Looks at the device that bytes may wait for more to come. */
+  /** Polls of the device for which bytes may wait for more. */
   private static final int LONGEST_HOLD = 4;
 
   private final SimAddress address;
@@ -28,13 +28,13 @@ final class SimLink implements SerialLink {
   // all guarded by lock
   private final byte[] unread = new byte[ROOM];
   private int filled;
-  private int polls; // since the first of them came, or the reader was woken
+  private int polls; // since the first of them arrived, or the reader was woken
   private boolean open = true;
   private boolean lost;
 
   /**
-   * @param ticker the time to wait by
-   * @param cable takes what is written
+   * @param ticker gives the time for waits
+   * @param cable receives what is written
    * @param clock the same time
    */
   SimLink(SimAddress address, Ticker ticker, Cable cable, InstantSource clock) {
@@ -46,10 +46,11 @@ final class SimLink implements SerialLink {
   }
 
   /**
-   * The device's bytes have come, if any.
+   * Accepts the device's bytes, if any.
    *
-   * @param paused whether the line is silent now, so that the reader is to have what there is;
-   *     otherwise it gets it with what follows, {@value #LONGEST_HOLD} looks later at the latest
+   * @param paused whether the line is idle now, so that the reader gets the bytes at once;
+   *     otherwise it gets them with those that follow, {@value #LONGEST_HOLD} polls later at the
+   *     latest
    */
   void deliver(byte[] bytes, boolean paused) {
     lock.lock();
@@ -67,7 +68,7 @@ final class SimLink implements SerialLink {
     }
   }
 
-  /** There is no device any more; what has come can still be read. */
+  /** The device is disconnected; received bytes can still be read. */
   void disconnect() {
     lock.lock();
     try {
@@ -116,7 +117,7 @@ final class SimLink implements SerialLink {
     cable.send(bytes.clone(), clock.instant());
   }
 
-  /** {@inheritDoc} Until then it follows the device. */
+  /** {@inheritDoc} Until then it uses the device's baud rate. */
   @Override
   public void setBaud(int baud) throws IOException {
     requireOpen();

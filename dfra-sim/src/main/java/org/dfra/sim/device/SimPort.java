@@ -10,15 +10,14 @@ import org.dfra.time.Scheduler.ScheduledTask;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A device at the end of a {@code sim:} link, in lock-step with its driver.
+ * Connects an emulated device to a {@code sim:} link, in lock-step with its driver.
  *
- * <p>It has one client at a time; a new one takes the place of the old. Bytes go both ways at the
- * pace of the device's line. The port looks every 5 ms and hands over as a computer's does: when
- * the line pauses, at the latest after 20 ms. Those that come out while there is no client are
- * lost.
+ * <p>It has one client at a time; a new one replaces the old. Bytes pass in both directions at the
+ * device's baud rate. The port polls every 5 ms and delivers as a computer's port does: when the
+ * line is idle, at the latest after 20 ms. Output without a client is lost.
  *
- * <p>No thread of its own: it is a repeated task of its time from {@link #start} to {@link #close},
- * which do nothing the second time.
+ * <p>It has no thread of its own: it is a repeated task of its time from {@link #start} to {@link
+ * #close}, which are idempotent.
  */
 public final class SimPort implements AutoCloseable {
 
@@ -37,7 +36,7 @@ public final class SimPort implements AutoCloseable {
   /**
    * @param name the device's name: its link is {@code sim:name}
    * @param device the device; the port owns it from now on
-   * @param time the time that device and driver live by
+   * @param time that device and driver use
    */
   public SimPort(String name, SerialDevice device, LockStep time) {
     this.name = name;
@@ -46,9 +45,9 @@ public final class SimPort implements AutoCloseable {
   }
 
   /**
-   * Switches the device on, and lets drivers find it.
+   * Switches the device on and registers the link.
    *
-   * @throws IllegalArgumentException if there is another of this name
+   * @throws IllegalArgumentException if the name is taken
    */
   public synchronized void start() {
     if (closed) {
@@ -60,12 +59,12 @@ public final class SimPort implements AutoCloseable {
     }
   }
 
-  /** The link a driver finds it at: {@code sim:name}. */
+  /** The link for a driver: {@code sim:name}. */
   public String url() {
     return "sim:" + name;
   }
 
-  /** The cable to the device, to have something wrong with it. */
+  /** The cable to the device, for fault injection. */
   public Cable cable() {
     return cable;
   }
@@ -86,7 +85,7 @@ public final class SimPort implements AutoCloseable {
     }
     SimLink link = new SimLink(address, time, cable, time);
     replaceClient(link);
-    cable.setPortBaud(0); // it follows the device until the driver sets it
+    cable.setPortBaud(0); // it uses the device's rate until the driver sets one
     cable.connected();
     return link;
   }
@@ -99,7 +98,7 @@ public final class SimPort implements AutoCloseable {
     client = next;
   }
 
-  /** Whether so few bytes have come since the last look that the line is silent now. */
+  /** Whether so few bytes have arrived since the last poll that the line is idle now. */
   private boolean isPause(int count) {
     long most = cable.baud() * POLL_INTERVAL.toMillis() / 10_000; // ten bits a byte
     return most == 0 || count < most;

@@ -6,12 +6,12 @@ import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A receiver that tells by itself, in a fixed period: what the emulators of those have in common.
- * The first telling is at the first full period after it was switched on.
+ * Base of emulated receivers that send periodic, unsolicited reports. The first report is due at
+ * the first full period after power-on.
  */
 abstract class StreamingDevice implements SerialDevice {
 
-  /** With more than this waiting the line is too slow for what was asked; a moment is left out. */
+  /** If more bytes than this are queued, the baud rate is too low; a report is skipped. */
   private static final int LONGEST_QUEUE = 4096;
 
   private final AntennaTrajectory path;
@@ -22,10 +22,10 @@ abstract class StreamingDevice implements SerialDevice {
   private boolean talks;
 
   /**
-   * @param path where its antenna is
-   * @param baud bits per second of its line
-   * @param timeToFirstFix how long after it was switched on it looks for satellites
-   * @param streaming whether it tells positions without being asked
+   * @param path trajectory of its antenna
+   * @param baud bits per second of its serial line
+   * @param timeToFirstFix time from power-on to the first fix
+   * @param streaming whether it sends positions unsolicited
    */
   StreamingDevice(AntennaTrajectory path, int baud, Duration timeToFirstFix, boolean streaming) {
     this.path = path;
@@ -34,23 +34,23 @@ abstract class StreamingDevice implements SerialDevice {
     this.talks = streaming;
   }
 
-  /** What it tells of a moment. */
+  /** Sends the report of one time. */
   abstract void sendPosition(Instant time, boolean hasFix, AntennaState antenna);
 
-  /** Takes the bytes of a command. */
+  /** Receives the bytes of a command. */
   abstract void execute(byte[] bytes, int offset, int length, Instant time);
 
-  /** Puts bytes on the line. */
+  /** Sends bytes. */
   final void send(byte[] bytes, Instant time) {
     channel.send(bytes, time);
   }
 
-  /** Tells from now on once in such a period. */
+  /** Sets the period of reports. */
   final void setPeriod(Duration period, Instant now) {
     schedule.set(period, now);
   }
 
-  /** Begins or ends to tell. */
+  /** Starts or stops reports. */
   final void setStreaming(boolean streaming) {
     talks = streaming;
   }

@@ -6,8 +6,8 @@ import java.time.Instant;
 import java.util.ArrayDeque;
 
 /**
- * One direction of a serial line, 8N1: a byte is through when its ten bits are. Goes by the times
- * it is given and reads no clock. Confined to one thread.
+ * One direction of a serial link, 8N1: a byte arrives with the last of its ten bits. Callers pass
+ * the time; it reads no clock. Confined to one thread.
  */
 public final class UartLine {
 
@@ -15,7 +15,7 @@ public final class UartLine {
 
   private static final long BIT_NANOS_PER_BYTE = 10_000_000_000L;
 
-  /** A device tells of a moment a little later; further back goes only a clock that is set. */
+  /** A device reports slightly late; a larger step back means that the clock was set. */
   private static final Duration LATEST = Duration.ofSeconds(10);
 
   /** Bytes that follow each other without a gap, at one speed. */
@@ -32,7 +32,7 @@ public final class UartLine {
       this.end = begin.plusNanos((bytes.length * BIT_NANOS_PER_BYTE + baud - 1) / baud);
     }
 
-    /** How many of its bytes are through, those that were taken among them. */
+    /** How many of its bytes have arrived, including those already taken. */
     int through(Instant now) {
       if (!now.isBefore(end)) {
         return bytes.limit();
@@ -46,7 +46,7 @@ public final class UartLine {
   private final ArrayDeque<Burst> waiting = new ArrayDeque<>();
   private int baud;
   private int waitingBytes;
-  private Instant free = Instant.MIN; // when the last bit of all is through
+  private Instant free = Instant.MIN; // when the last bit arrives
   private Instant last = Instant.MIN;
 
   /**
@@ -63,13 +63,13 @@ public final class UartLine {
     return baud;
   }
 
-  /** Bits per second of what is sent from now on. */
+  /** Baud rate of bytes sent from now on. */
   public int baud() {
     return baud;
   }
 
   /**
-   * Sets the speed of what is sent from now on; what was sent before goes out at the speed it had.
+   * Sets the baud rate of bytes sent from now on; queued bytes keep the rate that they had.
    *
    * @param next bits per second, 1 to {@value #FASTEST}
    */
@@ -77,7 +77,7 @@ public final class UartLine {
     baud = checked(next);
   }
 
-  /** Puts bytes behind those that wait; on an idle line the first bit goes out at {@code now}. */
+  /** Queues bytes; on an idle link the first bit is sent at {@code now}. */
   public void send(byte[] bytes, Instant now) {
     if (waiting.isEmpty()) {
       last = now;
@@ -91,7 +91,7 @@ public final class UartLine {
     free = burst.end;
   }
 
-  /** Moves the bytes that are through by {@code now} to {@code out}, as far as they fit. */
+  /** Moves the bytes that have arrived by {@code now} to {@code out}, as far as they fit. */
   public void drainTo(ByteBuffer out, Instant now) {
     limitBacklog(now);
     for (Burst head = waiting.peek(); head != null; head = waiting.peek()) {
@@ -106,12 +106,12 @@ public final class UartLine {
     }
   }
 
-  /** Bytes that wait for the line. */
+  /** Queued bytes. */
   public int waitingBytes() {
     return waitingBytes;
   }
 
-  /** A clock that was set back stops the line for no longer than from one look to the next. */
+  /** A clock that was set back stalls the link for at most one poll. */
   private void limitBacklog(Instant now) {
     if (now.isBefore(last)) {
       Duration back = Duration.between(now, last);

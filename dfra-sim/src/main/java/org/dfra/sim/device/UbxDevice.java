@@ -9,12 +9,13 @@ import java.time.LocalDateTime;
 import java.time.ZoneOffset;
 
 /**
- * A u-blox receiver between its two wires. It sends nothing before it is told to.
+ * Emulates a u-blox receiver at the byte level of its serial interface. It sends nothing
+ * unsolicited until it is configured.
  *
  * <p>Commands: {@code CFG-MSG} of {@code NAV-PVT} and {@code NAV-SAT} (one in so many solutions, 0
- * never), {@code CFG-RATE} (a period of at least 50 ms), each acknowledged; {@code MON-VER}. Every
- * other setting is refused. Its settings outlive a client, as those of a receiver outlive the
- * computer on its line. Source: u-blox receiver descriptions.
+ * never), {@code CFG-RATE} (a period of at least 50 ms), each acknowledged; {@code MON-VER}. It
+ * rejects every other setting. Its settings survive a change of client. Source: u-blox receiver
+ * descriptions.
  */
 public final class UbxDevice extends StreamingDevice {
 
@@ -34,9 +35,9 @@ public final class UbxDevice extends StreamingDevice {
   private long solutions;
 
   /**
-   * @param path where its antenna is
-   * @param baud bits per second of its line
-   * @param timeToFirstFix how long after it was switched on it looks for satellites
+   * @param path trajectory of its antenna
+   * @param baud bits per second of its serial line
+   * @param timeToFirstFix time from power-on to the first fix
    */
   public UbxDevice(AntennaTrajectory path, int baud, Duration timeToFirstFix) {
     super(path, baud, timeToFirstFix, false);
@@ -65,7 +66,7 @@ public final class UbxDevice extends StreamingDevice {
     return 8 + (window[4] & 0xFF) + ((window[5] & 0xFF) << 8);
   }
 
-  /** Obeys the command at the beginning; returns its length, 0 when there is none. */
+  /** Executes the command at the beginning; returns its length, 0 when there is none. */
   private int commandLength(Instant time) {
     if (filled < 8 || window[0] != (byte) 0xB5 || window[1] != 0x62 || filled < length()) {
       return 0;

@@ -7,7 +7,7 @@ import java.time.Instant;
 public interface BatteryPhysics {
 
   /**
-   * How a battery is.
+   * The state of a battery.
    *
    * @param voltage volts
    * @param current amperes drawn from it, not negative
@@ -15,6 +15,6 @@ public interface BatteryPhysics {
    */
   record Charge(double voltage, double current, double remaining) {}
 
-  /** How it is at {@code time}. */
+  /** Its state at {@code time}. */
   Charge at(Instant time);
 }

@@ -2,12 +2,12 @@ package org.dfra.sim.physics;
 
 import java.time.Instant;
 
-/** What a camera sees from where it is mounted, through whatever it is mounted on. */
+/** Renders a camera's view from its mount, on the robot or on a moving head. */
 @FunctionalInterface
 public interface CameraInput {
 
   /**
-   * A frame as the sensor of the camera read it, noise included. Confined to its asker.
+   * A frame as the camera's sensor read it, noise included. Confined to the caller.
    *
    * @param width pixels
    * @param height pixels

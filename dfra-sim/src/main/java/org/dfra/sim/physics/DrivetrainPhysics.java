@@ -6,8 +6,8 @@ import java.time.Instant;
 public interface DrivetrainPhysics {
 
   /**
-   * What the encoders have counted since the robot was put into the world: the motion of the
-   * wheels, which slip, not that of the robot.
+   * Encoder counts since the robot was created: the motion of the wheels, which slip, not that of
+   * the robot.
    *
    * @param distance mean of both sides, metres, forward is +
    * @param yaw right side less left side over the track, radians, to the left is +
@@ -17,8 +17,8 @@ public interface DrivetrainPhysics {
   record Travel(double distance, double yaw, double speed, double yawRate) {}
 
   /**
-   * Wants the wheels to turn so from now on; they get there by the accelerations given, and no
-   * faster than the motors can.
+   * Sets the wheels' target velocity; they reach it with the given accelerations, limited by the
+   * motors.
    *
    * @param speed metres per second, forward is +
    * @param yawRate radians per second, to the left is +
@@ -28,9 +28,9 @@ public interface DrivetrainPhysics {
   void drive(
       Instant time, double speed, double yawRate, double acceleration, double yawAcceleration);
 
-  /** Sets or releases the brakes. While they are set the wheels stand or come to stand. */
+  /** Sets or releases the brakes. While they are set the wheels stop. */
   void brake(Instant time, boolean set);
 
-  /** What the encoders have counted by {@code time}. */
+  /** Encoder counts at {@code time}. */
   Travel travel(Instant time);
 }

@@ -2,12 +2,12 @@ package org.dfra.sim.physics;
 
 import java.time.Instant;
 
-/** What a rate gyro feels where it is mounted. */
+/** Measures the yaw rate at a gyro's mount. */
 @FunctionalInterface
 public interface GyroInput {
 
   /**
-   * The rate at which it turns about its z axis, with bias, drift and noise.
+   * The angular rate about its z axis, with bias, drift and noise.
    *
    * @return radians per second, to the left is +
    */

@@ -5,33 +5,32 @@ import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The wheels of a robot that stands on blocks: they follow their controller exactly, by the
- * accelerations that it gives, and touch no ground. Enough for a controller that is tried without a
- * world.
+ * The wheels of a robot on blocks: they follow their controller exactly, with its accelerations,
+ * and do not touch the ground. Sufficient to test a controller without a world.
  */
 public final class IdealDrivetrain implements DrivetrainPhysics {
 
-  /** Metres per second squared, or radians per second squared, by which the brakes stop them. */
+  /** Metres per second squared, or radians per second squared, deceleration of the brakes. */
   public static final double BRAKING = 20;
 
-  /** Slower is standing: 1 mm/s, 1 mrad/s. */
+  /** Slower counts as stopped: 1 mm/s, 1 mrad/s. */
   private static final double STOPPED_RATE = 1e-3;
 
-  /** Motion about or along one axis: from a speed to another, by an even acceleration. */
+  /** Motion about or along one axis: from one speed to another, with constant acceleration. */
   private static final class Ramp {
     private Instant begin;
     private double position;
     private double speed;
     private double target;
     private double acceleration = BRAKING;
-    private @Nullable Instant stoppedAt; // since when it did at its begin
+    private @Nullable Instant stoppedAt; // since when it was stopped at its begin
 
     Ramp(Instant begin) {
       this.begin = begin;
       this.stoppedAt = begin;
     }
 
-    /** Since when it stands; null if it does not, or is to move. */
+    /** Since when it is stopped; null if it moves or is commanded to move. */
     @Nullable Instant stoppedSince(Instant now) {
       if (Math.abs(target) > STOPPED_RATE) {
         return null;
@@ -80,7 +79,7 @@ public final class IdealDrivetrain implements DrivetrainPhysics {
   private Instant last;
   private boolean braked;
 
-  /** Wheels that stand at {@code begin}. */
+  /** Wheels that are stopped at {@code begin}. */
   public IdealDrivetrain(Instant begin) {
     along = new Ramp(begin);
     about = new Ramp(begin);
@@ -127,7 +126,7 @@ public final class IdealDrivetrain implements DrivetrainPhysics {
         about.speed(onAbout));
   }
 
-  /** Since when they stand, that is are slower than 1 mm/s and 1 mrad/s; null if they do not. */
+  /** Since when they are stopped, that is slower than 1 mm/s and 1 mrad/s; null if they move. */
   public synchronized @Nullable Instant stoppedSince(Instant time) {
     Instant now = pass(time);
     @Nullable Instant first = along.stoppedSince(now);
@@ -138,7 +137,7 @@ public final class IdealDrivetrain implements DrivetrainPhysics {
     return first.isAfter(second) ? first : second;
   }
 
-  /** Time does not go back. */
+  /** Time never decreases. */
   private Instant pass(Instant time) {
     last = time.isAfter(last) ? time : last;
     return last;

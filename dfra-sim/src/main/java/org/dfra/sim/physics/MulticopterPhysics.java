@@ -2,11 +2,11 @@ package org.dfra.sim.physics;
 
 import java.time.Instant;
 
-/** A multicopter as its autopilot flies it: goes where it is told, by its own dynamics. */
+/** A multicopter under its autopilot: it flies to commanded positions by its own dynamics. */
 public interface MulticopterPhysics {
 
   /**
-   * Where it truly is.
+   * Its true state.
    *
    * @param east metres from the world's datum
    * @param north metres from the world's datum
@@ -15,7 +15,7 @@ public interface MulticopterPhysics {
    * @param eastward velocity, metres per second
    * @param northward velocity, metres per second
    * @param upward velocity, metres per second
-   * @param rotorsTurning whether its rotors turn
+   * @param rotorsTurning whether its rotors run
    */
   record MulticopterState(
       double east,
@@ -31,15 +31,15 @@ public interface MulticopterPhysics {
   void rotors(Instant time, boolean on);
 
   /**
-   * Flies in a straight line to there and stays. Does nothing while the rotors stand.
+   * Flies in a straight line to a position and stays. Does nothing while the rotors are stopped.
    *
    * @param east metres from the world's datum
    * @param north metres from the world's datum
    * @param up metres above the ground; 0 lands
-   * @param speed metres per second, above 0; it flies no faster than it can
+   * @param speed metres per second, above 0; limited by the vehicle
    */
   void fly(Instant time, double east, double north, double up, double speed);
 
-  /** Where it is at {@code time}. */
+  /** Its state at {@code time}. */
   MulticopterState at(Instant time);
 }

@@ -29,12 +29,12 @@ import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
 
 /**
- * Makes the emulator at the end of each line of a robot, by the kinds of its devices and the
- * protocols that their descriptions name.
+ * Creates the emulator of each link of a robot, by the kinds of its devices and the protocols that
+ * their descriptions name.
  */
 final class EmulatorFactory {
 
-  /** Of a receiver that has no line of its own, since the flight controller tells what it says. */
+  /** Protocol of a receiver without a link of its own: the flight controller reports its data. */
   private static final String MAVLINK = "mavlink";
 
   private static final List<String> RECEIVERS = List.of("m12", "nmea", "ubx", "gpsd", MAVLINK);
@@ -42,22 +42,22 @@ final class EmulatorFactory {
   private static final int PAN_TILT_BAUD = 9600;
   private static final int GYRO_BAUD = 38400;
 
-  /** Images per second; of light and of heat, as such cameras are usually set. */
+  /** Default images per second of visible and thermal cameras. */
   private static final double CAMERA_RATE = 10;
 
   private static final double THERMAL_RATE = 5;
 
-  /** What feeds a robot whose description has no battery. */
+  /** Battery of a robot whose description has none. */
   private static final BatteryPhysics MAINS = time -> new BatteryPhysics.Charge(24, 0, 1);
 
   private EmulatorFactory() {}
 
   /**
-   * A line and what is at its end.
+   * A link and its emulator.
    *
-   * @param device whose line it is
-   * @param protocol what is spoken on it
-   * @param serves the devices that are reached by it, its own first
+   * @param device that owns the link
+   * @param protocol of the link
+   * @param serves the devices on the link, its own first
    */
   record EmulatedLink(
       DeviceDescription device,
@@ -66,9 +66,9 @@ final class EmulatorFactory {
       SerialDevice emulated) {}
 
   /**
-   * The lines of a robot, in the order of its devices.
+   * The links of a robot, in the order of its devices.
    *
-   * @param datum where the world's east, north and up are zero
+   * @param datum origin of the world's frame
    */
   static List<EmulatedLink> links(SimulatedRobot robot, GeoPosition datum) {
     List<EmulatedLink> lines = new ArrayList<>();
@@ -113,11 +113,11 @@ final class EmulatorFactory {
               "mjpeg",
               new MjpegDevice(robot.camera(name), MjpegOptions.thermal(THERMAL_RATE)));
       case FLIGHT -> Optional.of(autopilot(robot, datum, device));
-      case BATTERY -> Optional.empty(); // what it feeds tells of it
+      case BATTERY -> Optional.empty(); // the device that it powers reports it
     };
   }
 
-  /** A line that serves its own device and speaks the only protocol of its kind. */
+  /** A link that serves its own device with the only protocol of its kind. */
   private static Optional<EmulatedLink> link(
       DeviceDescription device, String protocol, SerialDevice emulated) {
     return Optional.of(
@@ -190,7 +190,7 @@ final class EmulatorFactory {
     return new EmulatedLink(device, protocol, List.of(device), emulated);
   }
 
-  /** The protocol that is written, one of those; the first where none is. */
+  /** The protocol given, one of those; the first where none is given. */
   private static String protocol(DeviceDescription device, List<String> known) {
     String written = device.emulator().protocol().orElse(known.get(0));
     if (!known.contains(written)) {
@@ -210,7 +210,7 @@ final class EmulatorFactory {
     return device.emulator().baud().map(text -> whole(device, "baud", text)).orElse(usual);
   }
 
-  /** The TCP port that is written; 0, any free one, where none is. */
+  /** The TCP port given; 0, any free one, where none is given. */
   static int port(DeviceDescription device) {
     return device.emulator().port().map(text -> whole(device, "port", text)).orElse(0);
   }

@@ -8,22 +8,22 @@ import org.dfra.sim.device.SerialDevice;
 import org.dfra.sim.device.SimPort;
 import org.dfra.sim.time.LockStep;
 
-/** What carries an emulated device's bytes to its driver. */
+/** Transports an emulated device's bytes to its driver. */
 interface EmulatorTransport extends AutoCloseable {
 
-  /** Has the device found, once. */
+  /** Opens the link, once. */
   void start() throws IOException;
 
-  /** Where it is found; only after {@link #start}. */
+  /** The link for a driver; only after {@link #start}. */
   String link();
 
-  /** The cable, to have something wrong with it. */
+  /** The cable, for fault injection. */
   Cable cable();
 
   @Override
   void close();
 
-  /** Behind a TCP port. */
+  /** Over a TCP port. */
   static EmulatorTransport tcp(String name, int port, SerialDevice device, InstantSource clock) {
     DeviceEmulator emulator = new DeviceEmulator(name, port, device, clock);
     return new EmulatorTransport() {

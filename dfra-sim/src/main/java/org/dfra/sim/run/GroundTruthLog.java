@@ -13,7 +13,7 @@ import org.dfra.sim.world.GroundTruthPose;
 import org.dfra.sim.world.World;
 
 /**
- * Writes where every robot truly is, as CSV: a line for each robot and time. Confined to one
+ * Writes the true pose of every robot as CSV: a row for each robot and time. Confined to one
  * thread.
  */
 public final class GroundTruthLog implements Closeable {
@@ -25,7 +25,7 @@ public final class GroundTruthLog implements Closeable {
   private final BufferedWriter out;
 
   /**
-   * @param file is written anew
+   * @param file is overwritten
    */
   public GroundTruthLog(World world, Path file) throws IOException {
     this.world = world;
@@ -34,7 +34,7 @@ public final class GroundTruthLog implements Closeable {
     out.newLine();
   }
 
-  /** Writes a line for each robot, and has it on disk. */
+  /** Writes a row for each robot and flushes it to disk. */
   public void write(Instant time) throws IOException {
     for (Map.Entry<String, GroundTruthPose> each : world.groundTruth().poses(time).entrySet()) {
       GroundTruthPose pose = each.getValue();

@@ -16,16 +16,16 @@ import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.WorldDescription;
 
 /**
- * A world in which every line of every robot ends in a device that speaks its own bytes.
+ * A world in which an emulated device serves every link of every robot.
  *
- * <p>{@link #start} opens the lines; {@link #close} closes them. Both do nothing the second time.
- * The world goes on as far as its devices, or those who ask for {@link World#groundTruth}, ask for.
+ * <p>{@link #start} opens the links; {@link #close} closes them. Both are idempotent. The world
+ * advances to the times that its devices and the callers of {@link World#groundTruth} request.
  */
 public final class Simulation implements AutoCloseable {
 
-  /** Which TCP port a device gets where its description does not say, or is not asked. */
+  /** Selects a device's TCP port. */
   public enum PortPolicy {
-    /** The one that is written, or any free one where none is. */
+    /** The port in the description, or any free one where none is given. */
     CONFIGURED,
     /** Any free one. */
     EPHEMERAL
@@ -64,9 +64,9 @@ public final class Simulation implements AutoCloseable {
   }
 
   /**
-   * Devices behind TCP ports of the loopback interface, by a clock that may run at any speed.
+   * Devices behind TCP ports of the loopback interface, with a clock that may run at any speed.
    *
-   * @throws ConfigurationException if a device's emulator is described wrongly
+   * @throws ConfigurationException if the description of a device's emulator is invalid
    */
   public static Simulation overTcp(
       WorldDescription description, InstantSource clock, PortPolicy ports) {
@@ -84,7 +84,7 @@ public final class Simulation implements AutoCloseable {
    * Devices at {@code sim:robot/device}, in lock-step with their drivers: the same seed and the
    * same commands give the same bytes.
    *
-   * @throws ConfigurationException if a device's emulator is described wrongly
+   * @throws ConfigurationException if the description of a device's emulator is invalid
    */
   public static Simulation inLockStep(WorldDescription description, LockStep time) {
     return new Simulation(
@@ -93,9 +93,10 @@ public final class Simulation implements AutoCloseable {
   }
 
   /**
-   * Opens every line, or none.
+   * Opens every link, or none.
    *
-   * @throws IOException if one cannot be opened; the message says which and where it is described
+   * @throws IOException if one cannot be opened; the message names it and the place of its
+   *     description
    */
   public synchronized void start() throws IOException {
     if (started) {
@@ -125,15 +126,15 @@ public final class Simulation implements AutoCloseable {
     return world;
   }
 
-  /** Every line, by robot and device; only while it is started. */
+  /** Every link, by robot and device; only while started. */
   public List<DeviceEndpoint> endpoints() {
     return emulated.values().stream().map(Emulated::endpoint).toList();
   }
 
   /**
-   * The cable of a line, to have something wrong with it.
+   * The cable of a link, for fault injection.
    *
-   * @throws IllegalArgumentException if there is no such line
+   * @throws IllegalArgumentException if there is no such link
    */
   public Cable cable(String robot, String device) {
     Emulated line = emulated.get(robot + "/" + device);

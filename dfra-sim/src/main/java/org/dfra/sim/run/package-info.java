@@ -1,11 +1,12 @@
 /**
- * A world with a device emulator at the end of every line of its robots.
+ * A world with a device emulator on every link of its robots.
  *
  * <pre>
- *   WorldDescription --&gt; World --views--&gt; Emulators --SerialDevice--&gt; Simulation --links--&gt; drivers
+ *   WorldDescription --&gt; World --inputs--&gt; EmulatorFactory --SerialDevice--&gt; Simulation
+ *                                                          Simulation --links--&gt; drivers
  * </pre>
  *
- * <p>Enter at {@link org.dfra.sim.run.Simulation}: over TCP by a clock, or in lock-step.
+ * <p>Enter at {@link org.dfra.sim.run.Simulation}: over TCP with a clock, or in lock-step.
  */
 @NullMarked
 package org.dfra.sim.run;

@@ -5,24 +5,24 @@ import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What time it is and what will happen, in order: by time; at the same time by number, which is
- * given when something enters. Safe for use by several threads.
+ * The current time and the scheduled events, ordered by time, then by the sequence number given on
+ * entry. Thread-safe.
  */
 final class EventQueue {
 
-  /** A time that does not come. */
+  /** A time that is never reached. */
   static final long NEVER = Long.MAX_VALUE;
 
-  /** More than this at one instant is no simulation but a circle. */
+  /** More events than this at one instant indicate an endless loop. */
   private static final long MOST_AT_ONCE = 1_000_000;
 
   /**
-   * Something that will happen.
+   * A scheduled event.
    *
    * @param at when, nanoseconds of this time
-   * @param sequence its place among those of the same time
-   * @param description what it is; its {@code toString} is for people
-   * @param action what is done then
+   * @param sequence its order among events of the same time
+   * @param description of the event; its {@code toString} is for people
+   * @param action executed at that time
    */
   record ScheduledEvent(long at, long sequence, Object description, Runnable action)
       implements Comparable<ScheduledEvent> {
@@ -33,7 +33,7 @@ final class EventQueue {
     }
   }
 
-  /** Guards this agenda and all turns. */
+  /** Guards this queue and the scheduling of all stepped threads. */
   final ReentrantLock lock = new ReentrantLock();
 
   private final TreeSet<ScheduledEvent> due = new TreeSet<>(); // guarded by lock
@@ -46,13 +46,13 @@ final class EventQueue {
     return now;
   }
 
-  /** The time so long from now; {@link #NEVER} where that is beyond all times. */
+  /** The time after this delay; {@link #NEVER} on overflow. */
   long timeAfter(long nanos) {
     long wait = Math.max(0, nanos);
     return NEVER - now <= wait ? NEVER : now + wait;
   }
 
-  /** Enters something, at the earliest for now. */
+  /** Adds an event, not earlier than now. */
   ScheduledEvent add(long at, Object what, Runnable action) {
     lock.lock();
     try {
@@ -62,7 +62,7 @@ final class EventQueue {
     }
   }
 
-  /** Enters something again, under the number it had. */
+  /** Adds an event again with its previous sequence number. */
   ScheduledEvent reschedule(ScheduledEvent last, long at) {
     lock.lock();
     try {
@@ -77,7 +77,7 @@ final class EventQueue {
     return entry;
   }
 
-  /** It will not happen, if it has not yet. */
+  /** Cancels an event that has not happened yet. */
   void remove(ScheduledEvent entry) {
     lock.lock();
     try {
@@ -88,11 +88,11 @@ final class EventQueue {
   }
 
   /**
-   * Takes the first that is due by then, and moves the time to it; where there is none, moves the
-   * time to then and returns null.
+   * Removes the first event due by {@code until} and advances the time to it; where there is none,
+   * advances the time to {@code until} and returns null.
    *
-   * @throws IllegalStateException if so much happens at one instant that time does not go on, or
-   *     there is nothing and {@code until} never comes
+   * @throws IllegalStateException if so many events occur at one instant that time does not
+   *     advance, or there is no event and {@code until} is {@link #NEVER}
    */
   @Nullable ScheduledEvent next(long until) {
     lock.lock();

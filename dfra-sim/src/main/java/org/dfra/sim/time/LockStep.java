@@ -15,24 +15,24 @@ import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The time of a robot that is simulated bit-reproducibly: it stands until it is moved on, and while
- * it is, everything that is due happens one after the other, in an order that depends on nothing
- * but the program.
+ * The clock of a bit-reproducible robot simulation: time advances only on request. During an
+ * advance, all due events run one after the other, in an order that depends only on the program.
  *
  * <p>It is a module's clock and its scheduler ({@code new ModuleContext(robot, name, parameters,
- * time, state, leases, time)}); a driver's {@code Ticker.of(clock)} is then this time too. Threads
- * that such a ticker made, the drivers' readers, work only while it is moved on, one at a time: a
- * reader has its turn when bytes have come, its wait is over or somebody signals it, and the time
- * goes on when it waits again. Of things due at the same instant those come first that were entered
- * first; what is repeated keeps its place.
+ * time, state, leases, time)}); a driver's {@code Ticker.of(clock)} then uses this time too.
+ * Threads that such a ticker created, the drivers' readers, run only during an advance, one at a
+ * time: a reader is scheduled when bytes have arrived, its wait has ended or another thread signals
+ * it, and the time advances when it waits again. Events due at the same instant run in the order of
+ * entry; a repeated task keeps its position.
  *
- * <p>Whoever calls {@link #advance} is the stepper: tasks run on its thread. Other threads may ask
- * the modules at any time, but what they cause happens at an instant that nobody can repeat, unless
- * they ask between two steps. The stepper may use what waits (a module's examinations, say): the
- * time then goes on until it is done. Others that wait, wait until the stepper has gone so far.
+ * <p>The thread that calls {@link #advance} is the stepper: tasks run on it. Other threads may call
+ * the modules at any time, but their effects occur at an instant that is not reproducible, unless
+ * they call between two steps. The stepper may call methods that wait (a module's diagnostics, for
+ * example): the time then advances until they return. Other threads that wait, wait until the
+ * stepper has advanced so far.
  *
- * <p>No wall clock is read, except to notice a thread that has its turn and never waits again:
- * {@link StuckThreadException}.
+ * <p>It reads no wall clock, except to detect a scheduled thread that never waits again: {@link
+ * StuckThreadException}.
  */
 public final class LockStep implements InstantSource, Scheduler, Ticker {
 
@@ -46,19 +46,19 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
       new SimLinkRegistry(
           "the simulation has started none yet; org.dfra.sim.device.SimPort makes one");
 
-  /** Held while the time is moved on. Taken before any other lock. */
+  /** Held during an advance. Acquired before any other lock. */
   private final ReentrantLock stepping = new ReentrantLock();
 
   private volatile @Nullable Thread stepper;
 
-  /** Time that begins at {@code begin}. */
+  /** Creates a time that starts at {@code begin}. */
   public LockStep(Instant begin) {
     this(begin, PATIENCE);
   }
 
   /**
    * @param begin the first instant
-   * @param patience how long a thread may have its turn, in real time, before it counts as stuck
+   * @param patience real time that a scheduled thread may run before it counts as stuck
    */
   public LockStep(Instant begin, Duration patience) {
     this.begin = begin;
@@ -77,12 +77,12 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
   }
 
   /**
-   * Moves the time on, and has everything happen that is due until then, or due then.
+   * Advances the time and runs every event that is due by then.
    *
-   * @throws StuckThreadException if a reader does not come back to wait
-   * @throws IllegalStateException if a task or a reader calls this, or if more and more happens at
-   *     one instant
-   * @throws RuntimeException what a task throws; the time stands where it did
+   * @throws StuckThreadException if a reader does not wait again
+   * @throws IllegalStateException if a task or a reader calls this, or if events at one instant
+   *     never end
+   * @throws RuntimeException what a task throws; the time stays at that task's instant
    */
   public void advance(Duration duration) {
     if (duration.isNegative()) {
@@ -97,9 +97,9 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
   }
 
   /**
-   * Moves the time on until a condition holds, which is looked at after each thing that happens.
+   * Advances the time until a condition holds, which is evaluated after each event.
    *
-   * @param atMost how far at most
+   * @param atMost maximum advance
    * @return whether it holds
    */
   public boolean advanceUntil(BooleanSupplier condition, Duration atMost) {
@@ -130,7 +130,7 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
     }
   }
 
-  /** Whether the calling thread is in the midst of a step. */
+  /** Whether the calling thread is executing a step. */
   private boolean isExecuting() {
     return stepping.isHeldByCurrentThread() || isStepped(Thread.currentThread());
   }
@@ -144,7 +144,7 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
     return true;
   }
 
-  /** {@inheritDoc} It runs on the stepper's thread. What it throws ends the step. */
+  /** {@inheritDoc} It runs on the stepper's thread. An exception ends the step. */
   @Override
   public ScheduledTask after(long nanos, Runnable task) {
     ScheduledEvent due = agenda.add(agenda.timeAfter(nanos), task, task);
@@ -152,8 +152,8 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
   }
 
   /**
-   * Runs a task again and again, the first time after one period. Of tasks due at one instant those
-   * that are repeated come in the order in which they were given here, whatever their periods.
+   * Runs a task periodically, the first time after one period. Repeated tasks due at one instant
+   * run in the order of their registration, regardless of their periods.
    *
    * @param period longer than 0
    */
@@ -164,7 +164,7 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
     return new RepeatingTask(agenda, period.toNanos(), task).start();
   }
 
-  /** The simulated devices of this time. */
+  /** The simulated links of this time. */
   @Override
   public SimLinkRegistry simLinks() {
     return links;
@@ -175,7 +175,7 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
     return new SteppedCondition(this, scheduler, lock);
   }
 
-  /** {@inheritDoc} It begins when the time is moved on after its start, also by nothing. */
+  /** {@inheritDoc} It starts at the next advance, even one of zero. */
   @Override
   public Thread newThread(String name, Runnable role) {
     return new SteppedThread(scheduler, name, role);
@@ -194,12 +194,12 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
     }
   }
 
-  /** The time so long from now. */
+  /** The time after this delay. */
   long timeAfter(long nanos) {
     return agenda.timeAfter(nanos);
   }
 
-  /** One wait of the calling thread, which holds no lock. */
+  /** Waits once in the calling thread, which holds no lock. */
   void await(Wait wait, long until) throws InterruptedException {
     Thread caller = Thread.currentThread();
     if (caller instanceof SteppedThread stepped && stepped.belongsTo(scheduler)) {
@@ -219,7 +219,7 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
     return last == null || last == caller || !last.isAlive();
   }
 
-  /** {@inheritDoc} It has turns meanwhile, without the time going on. */
+  /** {@inheritDoc} It is scheduled meanwhile, without an advance of the time. */
   @Override
   public boolean join(Thread thread, Duration patience) throws InterruptedException {
     if (!isStepped(thread) || thread == Thread.currentThread()) {
@@ -244,7 +244,7 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
 
   private void end(SteppedThread thread, long patienceNanos) throws InterruptedException {
     if (scheduler.tryRun(thread, patienceNanos)) {
-      thread.join(1); // its last steps are outside of its turn
+      thread.join(1); // its last steps run outside its execution right
     }
   }
 }

@@ -7,25 +7,25 @@ import org.dfra.sim.time.SteppedThread.Phase;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Lets one thread work at a time. Whoever has the baton gives it to a {@link SteppedThread} that
- * waits, and has it back when that one waits again or has ended.
+ * Runs one thread at a time. The thread with the execution right passes it to a waiting {@link
+ * SteppedThread} and regains it when that thread waits again or has ended.
  */
 final class LockStepScheduler {
 
   /** One wait of one thread. */
   static final class Wait {
-    private boolean over; // guarded by the agenda's lock
-    private @Nullable SteppedThread thread; // guarded by the agenda's lock; null for an outsider
+    private boolean over; // guarded by the queue's lock
+    private @Nullable SteppedThread thread; // guarded by the queue's lock; null for an outsider
   }
 
   private final EventQueue agenda;
   private final Duration stuckTimeout;
   private final Condition givenBack;
   private final Condition outsideOver;
-  private @Nullable SteppedThread overdue; // guarded by the agenda's lock
+  private @Nullable SteppedThread overdue; // guarded by the queue's lock
 
   /**
-   * @param patience real time that a thread may work before it is reported as stuck
+   * @param patience real time that a thread may run before it is reported as stuck
    */
   LockStepScheduler(EventQueue agenda, Duration patience) {
     this.agenda = agenda;
@@ -38,7 +38,7 @@ final class LockStepScheduler {
     return agenda.lock.newCondition();
   }
 
-  /** A thread was started: it is to have its first turn. */
+  /** A thread was started: schedules it for the first time. */
   void register(SteppedThread thread) {
     agenda.lock.lock();
     try {
@@ -58,7 +58,7 @@ final class LockStepScheduler {
     }
   }
 
-  /** A thread will have no more turns. */
+  /** A thread has ended and is not scheduled again. */
   void end(SteppedThread thread) {
     agenda.lock.lock();
     try {
@@ -78,7 +78,7 @@ final class LockStepScheduler {
     }
   }
 
-  /** What a thread waits for has come. */
+  /** Signals the event that a thread waits for. */
   void end(Wait wait) {
     agenda.lock.lock();
     try {
@@ -92,7 +92,7 @@ final class LockStepScheduler {
     }
   }
 
-  /** A thread that waits is to have its turn at this instant, not when its time comes. */
+  /** Schedules a waiting thread at this instant, before its wait ends. */
   void wakeNow(SteppedThread thread) {
     agenda.lock.lock();
     try {
@@ -113,7 +113,7 @@ final class LockStepScheduler {
         at == EventQueue.NEVER ? null : agenda.add(at, thread.getName(), () -> run(thread));
   }
 
-  /** The calling thread, whose turn it is, gives the baton back until its wait is over. */
+  /** The calling thread yields the execution right until its wait ends. */
   void await(SteppedThread me, Wait wait, long until) {
     agenda.lock.lock();
     try {
@@ -136,7 +136,7 @@ final class LockStepScheduler {
     }
   }
 
-  /** A thread that never has the baton waits while others move the time on. */
+  /** A thread that is not stepped waits while others advance the time. */
   void awaitOutside(Wait wait, long until) throws InterruptedException {
     agenda.lock.lockInterruptibly();
     try {
@@ -154,9 +154,9 @@ final class LockStepScheduler {
   }
 
   /**
-   * Gives the baton, which the caller has, to a thread that waits; returns when it is back.
+   * Passes the caller's execution right to a waiting thread; returns when it is regained.
    *
-   * @throws StuckThreadException if it is not back within the patience
+   * @throws StuckThreadException if it is not regained within the patience
    */
   void run(SteppedThread thread) {
     if (!tryRun(thread, stuckTimeout.toNanos())) {
@@ -164,7 +164,7 @@ final class LockStepScheduler {
     }
   }
 
-  /** The same, with a patience in real nanoseconds; whether it came back within that. */
+  /** The same, with a patience in real nanoseconds; returns whether it was regained in time. */
   boolean tryRun(SteppedThread thread, long patienceNanos) {
     agenda.lock.lock();
     try {
@@ -183,9 +183,9 @@ final class LockStepScheduler {
   }
 
   /**
-   * Has the baton back from a thread that did not come back in time.
+   * Regains the execution right from a thread that did not yield in time.
    *
-   * @throws StuckThreadException if it does not now either
+   * @throws StuckThreadException if it does not yield now either
    */
   void reclaim() {
     agenda.lock.lock();
@@ -206,7 +206,7 @@ final class LockStepScheduler {
       try {
         left = givenBack.awaitNanos(left);
       } catch (InterruptedException e) {
-        interrupted = true; // a turn that was given cannot be taken back
+        interrupted = true; // a granted execution right cannot be revoked
       }
     }
     if (interrupted) {

@@ -4,7 +4,7 @@ import org.dfra.sim.time.EventQueue.ScheduledEvent;
 import org.dfra.time.Scheduler.ScheduledTask;
 import org.jspecify.annotations.Nullable;
 
-/** A task that is entered again, a period later, before it runs. */
+/** A task that is scheduled again, a period later, before it runs. */
 final class RepeatingTask implements ScheduledTask {
 
   private final EventQueue agenda;

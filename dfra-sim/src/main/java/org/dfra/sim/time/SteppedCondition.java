@@ -7,7 +7,7 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.sim.time.LockStepScheduler.Wait;
 
-/** A condition whose waits end by a signal or by the time of a {@link LockStep}. */
+/** A condition whose waits end on a signal or at a time of a {@link LockStep}. */
 final class SteppedCondition implements Condition {
 
   private final LockStep time;

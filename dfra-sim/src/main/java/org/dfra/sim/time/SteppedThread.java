@@ -5,35 +5,35 @@ import org.dfra.sim.time.EventQueue.ScheduledEvent;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A thread that works only when it is its turn.
+ * A thread that runs only when the {@link LockStepScheduler} schedules it.
  *
  * <pre>
- *   NEW --start()--&gt; WAITING --its turn--&gt; AT_WORK --its role returns--&gt; ENDED
- *                       ^                     |
- *                       '------- waits -------'
+ *   NEW --start()--&gt; WAITING --scheduled--&gt; RUNNING --its role returns--&gt; TERMINATED
+ *                       ^                      |
+ *                       '------- waits --------'
  * </pre>
  *
- * <p>A daemon. Whoever started it has it end, by the means of its role; {@link LockStepScheduler}
- * gives it the turns for that.
+ * <p>A daemon thread. Its creator ends it by the means of its role; {@link LockStepScheduler}
+ * schedules it for that.
  */
 final class SteppedThread extends Thread {
 
-  /** Where it is in the picture above. */
+  /** Its state in the diagram above. */
   enum Phase {
-    /** Awaits its start. */
+    /** Not started. */
     NEW,
-    /** Awaits its turn: that something comes, or that a time comes. */
+    /** Waits for a signal or a time. */
     WAITING,
-    /** Works; everybody else waits for it. */
+    /** Runs; all other threads wait for it. */
     RUNNING,
-    /** Awaits nothing any more. */
+    /** Has ended. */
     TERMINATED
   }
 
   private final LockStepScheduler scheduler;
   private final Runnable role;
 
-  // all guarded by the baton's lock
+  // all guarded by the scheduler's lock
   final Condition mayRun;
   Phase phase = Phase.NEW;
   @Nullable ScheduledEvent wake; // when it waits for a time
@@ -50,10 +50,10 @@ final class SteppedThread extends Thread {
     return scheduler == other;
   }
 
-  /** Has its first turn soon, when the time is moved on. */
+  /** It runs first at the next advance of the time. */
   @Override
   public void start() {
-    super.start(); // throws when it was started before
+    super.start(); // throws if already started
     scheduler.register(this);
   }
 
@@ -67,7 +67,7 @@ final class SteppedThread extends Thread {
     }
   }
 
-  /** {@inheritDoc} One that waits has its turn at once, so that it sees it. */
+  /** {@inheritDoc} A waiting thread is scheduled at once, so that it detects the interrupt. */
   @Override
   public void interrupt() {
     super.interrupt();

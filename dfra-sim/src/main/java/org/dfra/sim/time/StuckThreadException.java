@@ -3,8 +3,8 @@ package org.dfra.sim.time;
 import java.time.Duration;
 
 /**
- * A thread has had its turn and has not come back to wait: it loops, or waits for something that
- * does not go by this time. The cause's stack is that thread's.
+ * A scheduled thread did not wait again: it loops, or waits for something outside the simulated
+ * time. The cause's stack trace is that thread's.
  */
 public final class StuckThreadException extends IllegalStateException {
 

@@ -21,8 +21,8 @@ final class BatteryModel {
   private static final double SECONDS_PER_HOUR = 3600;
 
   /**
-   * Charge left and the part of the way from the empty voltage to the full one at that charge: of
-   * lithium polymer, which falls steeply at last. That of lead acid, at rest, is a straight line.
+   * Remaining charge, and the voltage at that charge as a fraction from empty to full: of lithium
+   * polymer, which falls steeply at the end. That of lead acid, without load, is linear.
    */
   private static final double[][] LITHIUM = {
     {0, 0}, {0.05, 0.25}, {0.15, 0.45}, {0.5, 0.65}, {0.9, 0.88}, {1, 1}
@@ -60,7 +60,7 @@ final class BatteryModel {
     load(idle);
   }
 
-  /** The battery of a robot; null if none is written, and then it never runs down. */
+  /** The battery of a robot; null without a description: it then never discharges. */
   static @Nullable BatteryModel of(VehicleDescription vehicle, StateLayout slots) {
     Optional<DeviceDescription> device = vehicle.device(DeviceKind.BATTERY);
     return device.isEmpty() ? null : new BatteryModel(vehicle, device.get(), slots.allocate(WIDTH));
@@ -71,9 +71,9 @@ final class BatteryModel {
   }
 
   /**
-   * Gives power for a step.
+   * Supplies power for a step.
    *
-   * @param power watts besides those of a robot that stands
+   * @param power watts in addition to those of a stationary robot
    */
   void drain(double power) {
     load(isEmpty() ? 0 : idle + power);
@@ -90,7 +90,7 @@ final class BatteryModel {
   private void load(double power) {
     double open = openVoltage(charge / capacity);
     double root = open * open - 4 * power * resistance;
-    boolean isEnough = root >= 0; // or else all the power it can give at any current
+    boolean isEnough = root >= 0; // otherwise the maximum power that it can supply
     voltage = isEnough ? (open + Math.sqrt(root)) / 2 : open / 2;
     current = isEnough ? power / voltage : open / (2 * resistance);
   }

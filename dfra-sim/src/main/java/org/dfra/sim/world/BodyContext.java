@@ -4,9 +4,9 @@ import org.dfra.sim.world.description.WeatherDescription;
 import org.dfra.sim.world.noise.RandomStream;
 
 /**
- * What a body needs of its world while it is made.
+ * The parts of the world that a body's constructor needs.
  *
- * @param random all chance in the world
+ * @param random source of all random numbers in the world
  */
 record BodyContext(
     StateLayout layout,

@@ -3,14 +3,14 @@ package org.dfra.sim.world;
 import java.time.Instant;
 
 /**
- * A robot ran into something.
+ * A collision of a robot.
  *
- * @param time when, to a step
- * @param robot who moved
- * @param other the obstacle or robot it ran into
- * @param speed at which the two met, metres per second
- * @param east where the robot was, metres
- * @param north where the robot was, metres
+ * @param time of the step
+ * @param robot that moved
+ * @param other the obstacle or robot that it hit
+ * @param speed relative, at the impact, metres per second
+ * @param east position of the robot, metres
+ * @param north position of the robot, metres
  */
 public record Collision(
     Instant time, String robot, String other, double speed, double east, double north) {}

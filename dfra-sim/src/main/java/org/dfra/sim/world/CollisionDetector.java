@@ -9,9 +9,9 @@ import org.dfra.sim.world.shape.OrientedRectangle;
 import org.dfra.sim.world.shape.StaticObstacle;
 
 /**
- * What is in a body's way, and who ran into what. Pushing on against the same thing is one
- * collision; it counts anew when the two have left each other alone for a second. Confined to the
- * world's monitor.
+ * Detects obstacles in a body's path and records collisions. Continued contact with the same thing
+ * is one collision; a new one counts after a second without contact. Confined to the world's
+ * monitor.
  */
 final class CollisionDetector {
 
@@ -19,7 +19,7 @@ final class CollisionDetector {
 
   private static final long APART = Math.round(1 / World.STEP_SECONDS); // steps
 
-  /** A collision without its time, which the world knows. */
+  /** A collision without its time, which the world adds. */
   record Noted(long step, String robot, String other, double speed, double east, double north) {}
 
   private final ObstacleIndex solids;
@@ -37,7 +37,10 @@ final class CollisionDetector {
     this.near = new int[solids.size()];
   }
 
-  /** What a body touches where it is: the number of a solid, or one above for a body. */
+  /**
+   * The obstacle or body that a body touches: the number of a solid, or a number above those for a
+   * body.
+   */
   int findCollision(VehicleBody body) {
     OrientedRectangle box = body.box;
     int count = solids.query(body.east, body.north, box.radius(), near);
@@ -60,10 +63,10 @@ final class CollisionDetector {
   }
 
   /**
-   * Notes that a body ran into something.
+   * Records a collision of a body.
    *
-   * @param hit what, as {@link #findCollision} told
-   * @param eastward the velocity it had, metres per second
+   * @param hit result of {@link #findCollision}
+   * @param eastward velocity before the impact, metres per second
    */
   void record(
       VehicleBody body, int hit, long step, double eastward, double northward, double upward) {
@@ -99,7 +102,7 @@ final class CollisionDetector {
     return one << 32 | other;
   }
 
-  /** All collisions so far, as they happened. */
+  /** All collisions so far, in order. */
   List<Noted> collisions() {
     return List.copyOf(collisions);
   }

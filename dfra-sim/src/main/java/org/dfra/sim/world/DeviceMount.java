@@ -4,7 +4,10 @@ import org.dfra.sim.world.description.MountPose;
 import org.dfra.sim.world.shape.MutableTransform;
 import org.jspecify.annotations.Nullable;
 
-/** Where a device is: on its robot, or on a pan-tilt head of it. Confined to the monitor. */
+/**
+ * Computes the pose of a device, mounted on its robot or on the robot's pan-tilt head. Confined to
+ * the world's monitor.
+ */
 final class DeviceMount {
 
   private final VehicleBody body;
@@ -15,8 +18,8 @@ final class DeviceMount {
   private final MutableTransform result = new MutableTransform();
 
   /**
-   * @param mount where the device is on the robot, or on the head
-   * @param foot where the head is on the robot; null with no head
+   * @param mount of the device on the robot, or on the head
+   * @param foot mount of the head on the robot; null without a head
    */
   DeviceMount(
       VehicleBody body,
@@ -46,7 +49,7 @@ final class DeviceMount {
     return body;
   }
 
-  /** Where the device's frame stands in the world; the next call overwrites it. */
+  /** Pose of the device's frame in the world; the next call overwrites it. */
   MutableTransform at(double[] row) {
     body.transformAt(row, result);
     if (head != null && foot != null) {

@@ -3,15 +3,15 @@ package org.dfra.sim.world;
 import org.dfra.sim.world.noise.RandomStream;
 
 /**
- * Ghosts of a laser: short ranges where nothing is, which come in clusters of beams and last for a
- * few scans at most, as uneven terrain makes them. Time is cut into slots, and each slot has ghosts
- * of its own, so that those of any time can be told without those before.
+ * Ghosts of a laser: false short ranges that occur in clusters of beams and last for at most a few
+ * scans, as uneven terrain causes them. Time is divided into slots with independent ghosts, so that
+ * those at any time can be computed without earlier ones.
  */
 final class GhostRangeModel {
 
   private static final double SLOT = 0.1; // seconds
   private static final int MOST_IN_SLOT = 16;
-  private static final int EACH = 5; // draws for a ghost
+  private static final int EACH = 5; // random numbers per ghost
   private static final double SHORTEST = 0.5; // of the mean, for time and width
   private static final double LONGEST = 1.5;
 
@@ -22,11 +22,11 @@ final class GhostRangeModel {
   private final double near;
   private final double far;
 
-  /** Takes the ghosts of a time, one by one. */
+  /** Receives the ghosts at a time, one by one. */
   @FunctionalInterface
   interface Taker {
     /**
-     * @param bearing of its middle in the laser's frame, radians, to the left is +
+     * @param bearing of its centre in the laser's frame, radians, to the left is +
      * @param halfWidth to both sides of that, radians
      * @param distance metres
      */
@@ -34,11 +34,11 @@ final class GhostRangeModel {
   }
 
   /**
-   * @param rate ghosts in a second in the front half of the laser's circle
-   * @param time how long one lasts on average, seconds
-   * @param width how wide one is on average, radians
-   * @param near the nearest, metres
-   * @param far the farthest, metres
+   * @param rate ghosts per second in the front half of the laser's circle
+   * @param time mean duration, seconds
+   * @param width mean angular width, radians
+   * @param near minimum distance, metres
+   * @param far maximum distance, metres
    */
   GhostRangeModel(
       RandomStream draws, double rate, double time, double width, double near, double far) {
@@ -50,7 +50,7 @@ final class GhostRangeModel {
     this.far = Math.max(near, far);
   }
 
-  /** Tells of those there are, so many seconds after the world began. */
+  /** Reports the ghosts at this time, seconds since the start of the world. */
   void forEachAt(double seconds, Taker taker) {
     if (perSlot == 0) {
       return;
@@ -74,7 +74,9 @@ final class GhostRangeModel {
     }
   }
 
-  /** How many there are in a slot: a Poisson distribution, by its steps. */
+  /**
+   * Number of ghosts in a slot: Poisson-distributed, by the inverse of its cumulative distribution.
+   */
   private int count(double uniform) {
     double probability = StrictMath.exp(-perSlot);
     double below = probability;

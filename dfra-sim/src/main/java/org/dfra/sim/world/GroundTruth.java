@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * What truly happens in a world, which no robot knows: for reports and tests. Any thread may ask.
+ * The true state of a world, which no robot knows: for reports and tests. Any thread may call it.
  */
 public final class GroundTruth {
 
@@ -17,9 +17,9 @@ public final class GroundTruth {
   }
 
   /**
-   * Where a robot is.
+   * The true pose of a robot.
    *
-   * @throws IllegalArgumentException if there is none of that name
+   * @throws IllegalArgumentException if there is no robot of that name
    */
   public GroundTruthPose pose(String robot, Instant time) {
     VehicleBody body = world.robot(robot).body();
@@ -29,7 +29,7 @@ public final class GroundTruth {
     }
   }
 
-  /** Where all robots are, by name. */
+  /** The true poses of all robots, by name. */
   public Map<String, GroundTruthPose> poses(Instant time) {
     synchronized (world.monitor()) {
       long step = world.stepAt(time);
@@ -59,7 +59,7 @@ public final class GroundTruth {
   }
 
   /**
-   * The mines that are in a camera's picture, with where; of each at least a pixel.
+   * The mines visible in a camera's image, with their position in it; at least one pixel each.
    *
    * @throws IllegalArgumentException if there is no such robot or camera
    */
@@ -67,7 +67,7 @@ public final class GroundTruth {
     return world.robot(robot).simulatedCamera(camera).mines(time);
   }
 
-  /** All collisions up to the latest time that was asked for, as they happened. */
+  /** All collisions up to the latest requested time, in order. */
   public List<Collision> collisions() {
     synchronized (world.monitor()) {
       return world.contacts().collisions().stream()
@@ -85,8 +85,8 @@ public final class GroundTruth {
   }
 
   /**
-   * Commands that were given for a time before the latest asked for: where this is not 0, a run
-   * need not repeat bit by bit.
+   * Number of commands for a time before the latest requested one: if it is not 0, the run is not
+   * necessarily bit-reproducible.
    */
   public long lateCommands() {
     return world.lateCommands();

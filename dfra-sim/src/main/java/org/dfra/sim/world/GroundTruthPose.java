@@ -3,12 +3,12 @@ package org.dfra.sim.world;
 import java.time.Instant;
 
 /**
- * Where a robot truly is and how it moves, in the world's frame.
+ * True pose and velocity of a robot, in the world's frame.
  *
  * @param time of the step
- * @param east of its middle, metres
- * @param north of its middle, metres
- * @param up of what it stands on, metres above the ground
+ * @param east of its centre, metres
+ * @param north of its centre, metres
+ * @param up of its base, metres above the ground
  * @param roll radians, left side up is +
  * @param pitch radians, nose down is +
  * @param yaw radians, −π to π, 0 is east, counter-clockwise is +
@@ -30,7 +30,7 @@ public record GroundTruthPose(
     double upward,
     double yawRate) {
 
-  /** Of its velocity over ground, metres per second. */
+  /** Speed over ground, metres per second. */
   public double speed() {
     return Math.sqrt(eastward * eastward + northward * northward);
   }

@@ -10,13 +10,13 @@ import org.dfra.sim.world.noise.RandomStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The body of a multicopter under its autopilot: it wants the velocity that leads straight to where
- * it is told and lets it stop there, and accelerates towards it as hard as it can; gusts push it.
- * The steady wind it leans against, which costs power but moves it not. Without an autopilot it
- * stays on the ground.
+ * The body of a multicopter under its autopilot: its target velocity leads straight to the
+ * commanded position and allows it to stop there; it accelerates towards that velocity at its
+ * limit. Gusts displace it. It leans against the steady wind, which costs power but does not move
+ * it. Without an autopilot it stays on the ground.
  *
  * <pre>
- *   rotors stand --rotors(true)--&gt; on the ground --fly(up &gt; 0)--&gt; in the air
+ *   rotors off ----rotors(true)--&gt; on the ground --fly(up &gt; 0)--&gt; in the air
  *        ^                           |       ^                       |
  *        +-------rotors(false)-------+       +---fly(up = 0), lands--+
  * </pre>
@@ -28,8 +28,8 @@ final class MulticopterBody extends VehicleBody {
   static final int ROTORS = 0;
   static final int FLIGHT_WIDTH = 1;
 
-  private static final double APPROACH = 1.2; // wanted speed over what is left of the way, 1/s
-  private static final double FOLLOW = 4; // acceleration over what the velocity is off, 1/s
+  private static final double APPROACH = 1.2; // target speed per remaining distance, 1/s
+  private static final double FOLLOW = 4; // acceleration per velocity error, 1/s
   private static final double NEAR_GROUND = 1; // metres: below, it descends slowly to land
   private static final double TOUCH_DOWN = 0.3; // metres per second
   private static final double NOSE_FOLLOWS_FROM = 0.5; // metres per second
@@ -55,7 +55,7 @@ final class MulticopterBody extends VehicleBody {
         flight.isEmpty() ? null : new Autopilot(vehicle, flight.get(), around));
   }
 
-  /** What an autopilot knows and wants. */
+  /** The autopilot's state and targets. */
   private static final class Autopilot {
     private final double maxSpeed;
     private final double maxAcceleration;
@@ -104,7 +104,7 @@ final class MulticopterBody extends VehicleBody {
     goal(autopilot, east, north, 0, TOUCH_DOWN);
   }
 
-  /** Flies there; does nothing while the rotors stand. */
+  /** Flies to a position; does nothing while the rotors are stopped. */
   void fly(double toEast, double toNorth, double toUp, double speed) {
     if (autopilot != null && autopilot.rotors) {
       goal(autopilot, toEast, toNorth, toUp, speed);
@@ -163,7 +163,7 @@ final class MulticopterBody extends VehicleBody {
     double nextUp = Math.max(0, up + vz * dt);
     boolean isFree =
         tryMove(east + vx * dt, north + vy * dt, nextUp, heading(pilot, vx, vy, dt), next);
-    if (isFree && nextUp > 0) { // without the rounding that displacement over time has
+    if (isFree && nextUp > 0) { // avoids the rounding error of displacement over time
       eastward = vx;
       northward = vy;
       upward = vz;
@@ -172,10 +172,10 @@ final class MulticopterBody extends VehicleBody {
     }
   }
 
-  /** Fast enough to keep to all limits on the straight line, slow enough to stop at its end. */
+  /** The speed along the straight line: within all limits, and slow enough to stop at its end. */
   private static double wantedSpeed(Autopilot pilot, double way, double level, double z) {
     double speed = Math.min(pilot.toSpeed, APPROACH * way);
-    speed = Math.min(speed, Math.sqrt(pilot.maxAcceleration * way)); // half of what it can
+    speed = Math.min(speed, Math.sqrt(pilot.maxAcceleration * way)); // half of its maximum
     if (level > 0) {
       speed = Math.min(speed, pilot.maxSpeed * way / level);
     }
@@ -183,7 +183,7 @@ final class MulticopterBody extends VehicleBody {
     return z == 0 ? speed : Math.min(speed, vertical * way / Math.abs(z));
   }
 
-  /** The climb wanted; near the ground, and above the place to land, it keeps descending. */
+  /** Target climb rate; near the ground, above the landing point, it keeps descending. */
   private double landing(Autopilot pilot, double level, double climb) {
     if (pilot.toUp > 0 || up > NEAR_GROUND || level > NEAR_GROUND) {
       return climb;
@@ -205,7 +205,7 @@ final class MulticopterBody extends VehicleBody {
       return 0;
     }
     if (up == 0) {
-      return battery.hover / 4; // the rotors turn, but lift nothing
+      return battery.hover / 4; // the rotors run without lift
     }
     double x = eastward - autopilot.windEastward;
     double y = northward - autopilot.windNorthward;

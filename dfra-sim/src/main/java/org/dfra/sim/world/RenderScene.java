@@ -8,8 +8,8 @@ import org.dfra.sim.world.render.Scenery;
 import org.dfra.sim.world.shape.MutableTransform;
 
 /**
- * What all cameras of a world share: the scenery, made when the first picture is asked for, and how
- * the robots look. Confined to the world's monitor.
+ * Shared by all cameras of a world: the scenery, created for the first image, and the robots'
+ * meshes. Confined to the world's monitor.
  */
 final class RenderScene {
 
@@ -33,7 +33,7 @@ final class RenderScene {
     return scenery;
   }
 
-  /** All robots where they are at a step; the next call overwrites it. */
+  /** All robots with their poses at a step; the next call overwrites it. */
   List<Renderer.PlacedRobot> robots(double[] row) {
     for (int i = 0; i < bodies.size(); i++) {
       bodies.get(i).transformAt(row, placed.get(i).stance());

@@ -15,8 +15,8 @@ import org.dfra.sim.world.shape.MutableTransform;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a camera's sensor reads: the picture from where it is, and white noise on each pixel. On a
- * multicopter it hangs level, however that leans.
+ * Simulates a camera's sensor: the rendered image and white noise on each pixel. On a multicopter
+ * it is stabilised level.
  */
 final class SimulatedCamera implements CameraInput {
 
@@ -93,7 +93,7 @@ final class SimulatedCamera implements CameraInput {
     return Math.max(0, Math.min(255, value));
   }
 
-  /** The mines that are in the picture at a time, by the pixels that show them. */
+  /** The mines visible in the image at a time, by the pixels that show them. */
   List<MineSighting> mines(Instant time) {
     synchronized (world.monitor()) {
       double[] row = world.row(world.stepAt(time));

@@ -12,13 +12,13 @@ import org.dfra.sim.world.noise.RandomStream;
 import org.dfra.sim.world.shape.MutableTransform;
 
 /**
- * Where a receiver on a robot finds its antenna to be: a slowly changing error, which it cannot
- * average out, and a new one each time. Its velocity is that of the antenna, which the robot's turn
- * swings around, and a little white noise.
+ * Measured position of a receiver's antenna: true position, a slowly changing error, which
+ * averaging does not remove, and white noise. Its velocity is that of the antenna, including its
+ * lever arm in the robot's yaw, and a little white noise.
  */
 final class SimulatedGpsAntenna implements AntennaTrajectory {
 
-  /** Draws for each step. */
+  /** Random numbers per step. */
   private static final int EACH = 5;
 
   private final World world;

@@ -8,8 +8,9 @@ import org.dfra.sim.world.noise.CorrelatedNoise;
 import org.dfra.sim.world.noise.RandomStream;
 
 /**
- * A rate gyro: the turn of its robot about its own z axis, an error from the start that wanders,
- * and white noise. How fast a body leans over on rough ground or a head pans it does not feel.
+ * A rate gyro: the yaw rate of its robot about its own z axis, an initial bias that drifts, and
+ * white noise. It does not measure roll and pitch rates on rough ground or the motion of a pan-tilt
+ * head.
  */
 final class SimulatedGyro implements GyroInput {
 

@@ -11,19 +11,22 @@ import org.dfra.sim.world.shape.ObstacleIndex;
 import org.dfra.sim.world.shape.RayCaster;
 
 /**
- * What a laser sees: solids, and other robots as rectangles, all at the moment when its mirror
- * begins to turn. Some beams do not come back: a few anywhere, and all from what is too far away
- * for the light it returns. Ghosts hide what is behind them.
+ * Simulates a laser: obstacles, and other robots as rectangles, all at the time when its mirror's
+ * rotation starts. Some beams have no echo: a few at random, and all from targets too far away for
+ * their reflectivity. Ghosts occlude farther obstacles.
  */
 final class SimulatedLaser implements RangeInput {
 
-  /** Part of a laser's light that a robot returns. */
+  /** Reflectivity of a robot. */
   private static final double ROBOT_REFLECTIVITY = 0.5;
 
-  /** What a laser's reach is told for. */
+  /** Reflectivity for which a laser's maximum range is specified. */
   private static final double TENTH = 0.1;
 
-  /** From this part of the reach on beams begin to get lost, and as far above it all are. */
+  /**
+   * From this fraction of the maximum range on, beams begin to get lost; as far above it, all are
+   * lost.
+   */
   private static final double FADES = 0.8;
 
   private final World world;

@@ -3,7 +3,7 @@ package org.dfra.sim.world;
 import java.time.Instant;
 import org.dfra.sim.physics.MulticopterPhysics;
 
-/** A multicopter, as who tells its autopilot where to go sees it: without error. */
+/** A multicopter for its autopilot's emulator: state without error. */
 final class SimulatedMulticopter implements MulticopterPhysics {
 
   private final World world;

@@ -4,7 +4,7 @@ import java.time.Instant;
 import org.dfra.sim.physics.PanTiltPhysics;
 import org.dfra.sim.world.shape.MutableTransform;
 
-/** The head of a pan-tilt unit: it points where it was told last. */
+/** The head of a pan-tilt unit: it points in the last commanded direction. */
 final class SimulatedPanTilt implements PanTiltPhysics {
 
   private static final int PAN = 0;
@@ -40,7 +40,7 @@ final class SimulatedPanTilt implements PanTiltPhysics {
     row[offset + TILT] = tilt;
   }
 
-  /** How the head is turned on its foot at a step. */
+  /** Rotation of the head on its foot at a step. */
   void apply(double[] row, MutableTransform out) {
     double angle = row[offset + PAN];
     out.set(0, 0, 0, 0, -row[offset + TILT], StrictMath.cos(angle), StrictMath.sin(angle));

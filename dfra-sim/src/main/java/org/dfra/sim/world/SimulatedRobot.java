@@ -22,8 +22,8 @@ import org.dfra.sim.world.noise.RandomStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A robot in a world, as its devices' emulators see it: each asks for its view by the name of the
- * device. Every view is made once. Any thread may ask.
+ * A robot in a world, as seen by its devices' emulators: each gets its interface by the name of the
+ * device. Each interface is created once. Any thread may call it.
  */
 public final class SimulatedRobot {
 
@@ -71,12 +71,12 @@ public final class SimulatedRobot {
     };
   }
 
-  /** What it is called. */
+  /** Its name. */
   public String name() {
     return vehicle.name();
   }
 
-  /** What it is and carries. */
+  /** Its description. */
   public VehicleDescription description() {
     return vehicle;
   }
@@ -85,12 +85,12 @@ public final class SimulatedRobot {
     return body;
   }
 
-  /** Where a receiver's antenna is, as the receiver finds out. */
+  /** The antenna of a receiver, with measurement errors. */
   public AntennaTrajectory antenna(String gps) {
     return view(gps, AntennaTrajectory.class, DeviceKind.GPS);
   }
 
-  /** What a laser sees. */
+  /** The ranges of a laser. */
   public RangeInput laser(String laser) {
     return view(laser, RangeInput.class, DeviceKind.LASER);
   }
@@ -100,12 +100,12 @@ public final class SimulatedRobot {
     return view(drive, DrivetrainPhysics.class, DeviceKind.DRIVE);
   }
 
-  /** What a gyro feels. */
+  /** The rates of a gyro. */
   public GyroInput gyro(String gyro) {
     return view(gyro, GyroInput.class, DeviceKind.GYRO);
   }
 
-  /** What a camera, for light or for heat, sees. */
+  /** The images of a visible-light or thermal camera. */
   public CameraInput camera(String camera) {
     return simulatedCamera(camera);
   }

@@ -9,12 +9,12 @@ import org.dfra.sim.world.noise.RandomStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The body of a skid-steered robot. Its wheels go after what they are told, each side by itself,
- * and its body after its wheels, less what they slip. Without a drive it stands.
+ * The body of a skid-steered robot. Each side's wheels follow their command, and the body follows
+ * the wheels less their slip. Without a drive it is stationary.
  *
- * <p>The sides go {@code speed ∓ turnRate · track/2}, where the track is the effective one: turning
- * on the spot drags the wheels sideways, as if they were farther apart than they are. Where one
- * side would have to go faster than it can, both are slowed down alike, which keeps the curve.
+ * <p>The sides go {@code speed ∓ turnRate · track/2}, where the track is the effective one:
+ * rotation in place drags the wheels sideways, as if they were farther apart. Where one side would
+ * exceed its maximum speed, both are scaled down equally, which keeps the curvature.
  */
 final class SkidSteerBody extends VehicleBody {
 
@@ -24,7 +24,7 @@ final class SkidSteerBody extends VehicleBody {
   static final int YAW_RATE = 3;
   static final int DRIVE_WIDTH = 4;
 
-  /** How a side without power slows down, metres per second squared. */
+  /** Deceleration of a side without power, metres per second squared. */
   private static final double COASTING = 1;
 
   final int driveOffset;
@@ -41,7 +41,7 @@ final class SkidSteerBody extends VehicleBody {
             : new Wheels(vehicle, drive.get(), draws.substream(drive.get().name()));
   }
 
-  /** Takes a command; it acts from the next step on. */
+  /** Accepts a command; it takes effect from the next step on. */
   void drive(double speed, double yawRate, double acceleration, double yawAcceleration) {
     if (wheels != null) {
       wheels.setTarget(speed, yawRate, acceleration, yawAcceleration);
@@ -107,7 +107,7 @@ final class SkidSteerBody extends VehicleBody {
     }
   }
 
-  /** The two sides, what they are told and what their encoders count. */
+  /** One side: its command and its encoder count. */
   private static final class Wheels {
 
     private final double track;
@@ -202,7 +202,7 @@ final class SkidSteerBody extends VehicleBody {
     }
   }
 
-  /** The part of the wheels' way that the body lags behind. */
+  /** The fraction of the wheels' distance lost by slip. */
   private record Slip(double mean, CorrelatedNoise noise) {
     double at(long step) {
       return mean + noise.at(step);

@@ -3,12 +3,12 @@ package org.dfra.sim.world;
 import org.dfra.sim.world.noise.CorrelatedNoise;
 
 /**
- * The last steps of a world, a row of numbers each, so that who asks late is answered for the time
- * asked for. Confined to the world's monitor.
+ * The last steps of a world, a row of numbers each, so that late queries get the state of their
+ * time. Confined to the world's monitor.
  */
 final class StateHistory {
 
-  /** Steps that are kept. */
+  /** Number of steps stored. */
   static final int CAPACITY = CorrelatedNoise.REMEMBERED;
 
   private final double[][] rows;
@@ -21,23 +21,23 @@ final class StateHistory {
     rows = new double[CAPACITY][width];
   }
 
-  /** The step that was added last; the first is 0. */
+  /** The last step added; the first is 0. */
   long last() {
     return last;
   }
 
-  /** The row of the next step, to be filled. */
+  /** Adds the row of the next step, to be filled. */
   double[] append() {
     last++;
     return rows[(int) (last % CAPACITY)];
   }
 
-  /** The step nearest to one asked for that is kept. */
+  /** The stored step nearest to the requested one. */
   long clampStep(long step) {
     return Math.max(Math.max(0, last - CAPACITY + 1), Math.min(step, last));
   }
 
-  /** The row of a step that is kept. */
+  /** The row of a stored step. */
   double[] row(long step) {
     return rows[(int) (step % CAPACITY)];
   }

@@ -1,18 +1,18 @@
 package org.dfra.sim.world;
 
-/** Gives out the places in a row of the history. */
+/** Allocates the columns in a row of the history. */
 final class StateLayout {
 
   private int taken;
 
-  /** The first of so many places in a row that are the caller's from now on. */
+  /** Allocates adjacent columns to the caller; returns the first. */
   int allocate(int count) {
     int first = taken;
     taken += count;
     return first;
   }
 
-  /** How many were taken. */
+  /** Number of allocated columns. */
   int columns() {
     return taken;
   }

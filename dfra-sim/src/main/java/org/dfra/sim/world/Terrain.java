@@ -3,14 +3,14 @@ package org.dfra.sim.world;
 import org.dfra.sim.world.noise.RandomStream;
 
 /**
- * How the ground slopes where a robot stands: an even field, or one whose slope changes smoothly
- * from one point of a lattice to the next. The ground itself stays a plane; only bodies lean.
+ * Slope of the ground under a robot: an even field, or one whose slope varies smoothly between the
+ * points of a lattice. The ground itself stays a plane; only bodies tilt.
  */
 final class Terrain {
 
   private static final double SPACING = 1.5; // metres between two points of the lattice
 
-  /** Between its points a lattice varies less: its variance is 4/9 on average. */
+  /** Between the points of a lattice the slope varies less: its variance is 4/9 on average. */
   private static final double MAKE_UP = 1.5;
 
   private static final long ROW = 1_000_003; // numbers of points in a row of the lattice
@@ -28,14 +28,14 @@ final class Terrain {
     this.northward = draws.substream("northward");
   }
 
-  /** How a body leans there about its x axis, radians, left side up is +. */
+  /** Roll of a body there, radians, left side up is +. */
   double roll(double east, double north, double cos, double sin) {
     return roughness == 0
         ? 0
         : cos * slope(northward, east, north) - sin * slope(eastward, east, north);
   }
 
-  /** How a body leans there about its y axis, radians, nose down is +. */
+  /** Pitch of a body there, radians, nose down is +. */
   double pitch(double east, double north, double cos, double sin) {
     return roughness == 0
         ? 0

@@ -4,9 +4,9 @@ import java.time.Duration;
 import java.time.Instant;
 
 /**
- * The steps of a world in time.
+ * Maps the steps of a world to time.
  *
- * @param start when the first one, 0, is
+ * @param start time of the first one, 0
  */
 record Timeline(Instant start) {
 
@@ -22,7 +22,7 @@ record Timeline(Instant start) {
     return since.getSeconds() * PER_SECOND + since.getNano() / STEP_NANOS;
   }
 
-  /** When a step is. */
+  /** The time of a step. */
   Instant instant(long step) {
     return start.plusNanos(step * STEP_NANOS);
   }

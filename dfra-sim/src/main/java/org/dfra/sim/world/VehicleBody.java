@@ -7,8 +7,8 @@ import org.dfra.sim.world.shape.OrientedRectangle;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The body of a robot: where it is, and how it gets on from one step to the next. In a row of the
- * history it has {@value #WIDTH} numbers of its own. Confined to the world's monitor.
+ * The body of a robot: its pose, and its motion from one step to the next. In a row of the history
+ * it has {@value #WIDTH} numbers of its own. Confined to the world's monitor.
  */
 abstract class VehicleBody {
 
@@ -29,7 +29,7 @@ abstract class VehicleBody {
   final VehicleDescription vehicle;
   final int index;
   final int offset;
-  final OrientedRectangle box; // where it is now
+  final OrientedRectangle box; // current pose
   final @Nullable BatteryModel battery;
   final RandomStream draws;
 
@@ -64,7 +64,7 @@ abstract class VehicleBody {
     box.move(east, north, cos, sin);
   }
 
-  /** Moves it to the next step. */
+  /** Advances it to the next step. */
   final void step(long next) {
     move(next);
     if (battery != null) {
@@ -72,18 +72,18 @@ abstract class VehicleBody {
     }
   }
 
-  /** Moves it to the next step by its own dynamics. */
+  /** Advances it to the next step by its own dynamics. */
   abstract void move(long next);
 
-  /** Watts that its motors take besides what the robot takes standing. */
+  /** Watts of its motors, in addition to those of the stationary robot. */
   abstract double power();
 
-  /** Whether there is something to run on. */
+  /** Whether it has power. */
   final boolean isPowered() {
     return battery == null || !battery.isEmpty();
   }
 
-  /** Puts it down in a row of the history. */
+  /** Writes it to a row of the history. */
   void write(double[] row) {
     row[offset + EAST] = east;
     row[offset + NORTH] = north;
@@ -102,10 +102,10 @@ abstract class VehicleBody {
     }
   }
 
-  /** Whether it stands on the ground and leans with it. */
+  /** Whether it is on the ground and tilts with it. */
   abstract boolean isOnGround();
 
-  /** Where its frame, in the middle of what it stands on, is at a step. */
+  /** Pose at a step of its frame, at the centre of its base. */
   void transformAt(double[] row, MutableTransform out) {
     out.set(
         row[offset + EAST],
@@ -124,14 +124,14 @@ abstract class VehicleBody {
   }
 
   /**
-   * Goes there, or as far as what is in the way lets it: with its turn only, or with its shift
+   * Moves to a pose, as far as obstacles allow: with its rotation only, or with its translation
    * only, or not at all.
    *
    * @param toEast metres
    * @param toNorth metres
    * @param toUp metres above the ground
-   * @param toYaw what it would be turned to, radians
-   * @return whether nothing was in the way
+   * @param toYaw target yaw, radians
+   * @return whether no obstacle was in the way
    */
   final boolean tryMove(double toEast, double toNorth, double toUp, double toYaw, long next) {
     double fromEast = east;
@@ -188,7 +188,7 @@ abstract class VehicleBody {
     }
   }
 
-  /** As near to a value as a change of at most so much gets. */
+  /** Approaches a target value by at most the given change. */
   static double stepTowards(double from, double to, double most) {
     return Math.abs(to - from) <= most ? to : from + Math.copySign(most, to - from);
   }

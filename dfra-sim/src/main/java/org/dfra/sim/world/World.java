@@ -18,15 +18,16 @@ import org.dfra.sim.world.shape.StaticObstacle;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A world in time. It goes on in steps of {@link #STEP} as soon as anybody asks for a later time,
- * and by itself never; between two steps it stands still.
+ * A world in time. It advances in steps of {@link #STEP} when a caller requests a later time, and
+ * never on its own; between two steps its state is constant.
  *
- * <p>Who asks for a time up to two seconds before the latest asked for is still told of that time;
- * before that, of the oldest time known. A command given for a time before the latest asked for
- * acts from the next step on, and is counted as late ({@link GroundTruth#lateCommands}). Where one
- * clock steps everybody, nobody is ever late, and the whole run repeats bit by bit.
+ * <p>A query for a time up to two seconds before the latest requested time gets the state of that
+ * time; an older one, the oldest stored state. A command for a time before the latest requested one
+ * takes effect from the next step on, and is counted as late ({@link GroundTruth#lateCommands}).
+ * Where one clock steps all participants, no command is late, and the whole run is
+ * bit-reproducible.
  *
- * <p>Any thread may call; the world is one monitor.
+ * <p>Thread-safe; the world is one monitor.
  */
 public final class World {
 
@@ -35,7 +36,7 @@ public final class World {
 
   static final double STEP_SECONDS = 0.01;
 
-  /** A clock that jumps farther than this is wrong. */
+  /** A larger jump of the clock is an error. */
   private static final Duration LONGEST_LEAP = Duration.ofDays(2);
 
   private final WorldDescription description;
@@ -81,9 +82,9 @@ public final class World {
   }
 
   /**
-   * Makes a world.
+   * Creates a world.
    *
-   * @param start when its time begins; before that it is as at the start
+   * @param start of its time; before that its state is the initial one
    */
   public static World of(WorldDescription description, Instant start) {
     return new World(description, start);
@@ -95,22 +96,22 @@ public final class World {
         : MulticopterBody.of(vehicle, bodies.size(), around);
   }
 
-  /** What it was made from. */
+  /** Its description. */
   public WorldDescription description() {
     return description;
   }
 
-  /** When its time began. */
+  /** The start of its time. */
   public Instant start() {
     return timeline.start();
   }
 
-  /** The world's frame on the earth: east, north and up from the datum. */
+  /** The world's frame on the earth: ENU at the datum. */
   public LocalFrame frame() {
     return frame;
   }
 
-  /** The latest step that was asked for. */
+  /** The latest requested step. */
   public Instant time() {
     synchronized (monitor) {
       return instant(history.last());
@@ -141,14 +142,14 @@ public final class World {
     return List.copyOf(robots.values());
   }
 
-  /** What no robot knows, for reports and tests. */
+  /** The true state, for reports and tests. */
   public GroundTruth groundTruth() {
     return new GroundTruth(this);
   }
 
   /**
-   * Lets it go on to a time, if it is not there yet. Everything that is asked with a time does so
-   * by itself.
+   * Advances to a time, if it is later than the current one. Every query with a time does so
+   * implicitly.
    */
   public void advanceTo(Instant time) {
     synchronized (monitor) {
@@ -156,7 +157,7 @@ public final class World {
     }
   }
 
-  /** What everything in a world is guarded by. */
+  /** The monitor that guards everything in a world. */
   Object monitor() {
     return monitor;
   }
@@ -173,7 +174,7 @@ public final class World {
     return contacts;
   }
 
-  /** What all cameras share; the monitor must be held. */
+  /** The scene shared by all cameras; the caller must hold the monitor. */
   RenderScene renderScene() {
     RenderScene made = gallery;
     if (made == null) {
@@ -183,18 +184,18 @@ public final class World {
     return made;
   }
 
-  /** Goes on to a time, and tells the step to answer for; the monitor must be held. */
+  /** Advances to a time and returns the step to use; the caller must hold the monitor. */
   long stepAt(Instant time) {
     advance(time);
     return history.clampStep(timeline.step(time));
   }
 
-  /** The numbers of a step that {@link #stepAt} told; the monitor must be held. */
+  /** The numbers of a step that {@link #stepAt} returned; the caller must hold the monitor. */
   double[] row(long step) {
     return history.row(step);
   }
 
-  /** When a step is. */
+  /** The time of a step. */
   Instant instant(long step) {
     return timeline.instant(step);
   }
@@ -205,7 +206,7 @@ public final class World {
     }
   }
 
-  /** Takes a command, which acts from the first step after its time on. */
+  /** Accepts a command, which takes effect from the first step after its time on. */
   void command(Instant time, Runnable command) {
     synchronized (monitor) {
       advance(time);

@@ -1,22 +1,21 @@
 /**
- * The seeded world that simulated robots move in: where they are, what they hit, what their devices
- * measure.
+ * The seeded world of simulated robots: their poses, collisions and device measurements.
  *
  * <pre>
- *   WorldDescription + start --&gt; World --steps of 10 ms--&gt; History, a row of numbers per step
+ *   WorldDescription + start --&gt; World --steps of 10 ms--&gt; StateHistory, a row of numbers per step
  *                                 |  ^                        |
  *                     advanceTo   |  | commands               | reads one row
  *                                 v  |                        v
- *              SkidSteerBody, MulticopterBody, Accumulator    SimulatedLaser, SimulatedCamera, SimulatedGpsAntenna ...
- *              (motion, Contacts)                  (org.dfra.sim.physics, with noise)
+ *   SkidSteerBody, MulticopterBody, BatteryModel   SimulatedLaser, SimulatedCamera, ...
+ *   (motion, CollisionDetector)                    (org.dfra.sim.physics, with noise)
  * </pre>
  *
  * <p>Enter at {@link org.dfra.sim.world.World}: {@code world.robot("atrv1").rangeView("laser")} is
- * what an emulated laser wants, {@link org.dfra.sim.world.GroundTruth} what a report wants.
+ * the input of an emulated laser, {@link org.dfra.sim.world.GroundTruth} that of a report.
  *
- * <p>The state at a time follows from the description with its seed and from the commands with
- * their times, and from nothing else: not from how often or by whom it is asked. A command given at
- * t acts from the first step after t on. Between two steps the world stands still.
+ * <p>The state at a time depends only on the description with its seed and on the commands with
+ * their times, not on queries. A command given at t takes effect from the first step after t on.
+ * Between two steps the state is constant.
  */
 @NullMarked
 package org.dfra.sim.world;

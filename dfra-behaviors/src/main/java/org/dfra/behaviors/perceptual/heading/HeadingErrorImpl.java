@@ -14,15 +14,15 @@ import org.dfra.persona.PerceptualSchemaAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Tells how its robot stands to a line, by the robot's position estimator; see {@link
- * LineGuidance}.
+ * Publishes heading error and cross-track error to a line, from the robot's position estimator; see
+ * {@link LineGuidance}.
  *
  * <p>Parameters, read at the start:
  *
  * <ul>
  *   <li>{@code lookahead}: metres, 0.5 to 50; default 2.2
- *   <li>{@code position}: name of the estimator it listens to; where it is not set, the first
- *   <li>{@code longest_age}: as every perceptual schema's; default 0.5
+ *   <li>{@code position}: name of the estimator to use; default the first
+ *   <li>{@code longest_age}: as for every perceptual schema; default 0.5
  * </ul>
  */
 public final class HeadingErrorImpl extends PerceptualSchemaImpl<PoseEstimate>

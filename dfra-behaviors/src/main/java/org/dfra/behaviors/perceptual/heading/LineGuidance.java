@@ -5,23 +5,24 @@ import org.dfra.flow.perceptual.PoseEstimate;
 import org.dfra.geometry.LocalPosition;
 
 /**
- * Guides along a line by a point that goes ahead of the robot on it.
+ * Guides along a line by a target point on it ahead of the robot.
  *
  * <pre>
- *   from ----------+-----------------x------------ to      x: lookahead metres ahead of the foot,
- *                  | cross track     '                        never beyond the end
- *                  robot . . . . . . ' heading wanted
+ *   from ----------+-----------------x------------ to      x: target point, lookahead metres ahead
+ *                  | cross track     '                        of the foot, never beyond the end
+ *                  robot . . . . . . ' target heading
  * </pre>
  *
- * @param lookahead metres from the robot's foot on the line to the point; shorter turns in sooner
+ * @param lookahead metres from the robot's foot on the line to the point; a shorter one turns to
+ *     the line sooner
  */
 record LineGuidance(double lookahead) {
 
-  /** Lines shorter than this are their end, which the robot is on its way to, metres. */
+  /** A line shorter than this is treated as its end point, metres. */
   private static final double POINT = 0.05;
 
   /**
-   * How the robot stands to the line.
+   * Heading error and cross-track error to the line.
    *
    * @param from its beginning in the pose's frame
    * @param to its end in the pose's frame

@@ -1,5 +1,5 @@
 /**
- * How a robot stands to the way it is to go. Enter at {@link
+ * Heading error and cross-track error to the planned leg. Enter at {@link
  * org.dfra.behaviors.perceptual.heading.HeadingErrorImpl}.
  */
 @NullMarked

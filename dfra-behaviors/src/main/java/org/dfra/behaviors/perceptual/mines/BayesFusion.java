@@ -1,8 +1,8 @@
 package org.dfra.behaviors.perceptual.mines;
 
 /**
- * Bayes' rule: likelihoods multiply. An opinion is a pair of likelihoods scaled to sum 1; it leaves
- * nothing unknown, so that not having looked and evidence that is balanced are the same.
+ * Bayes' rule: likelihoods multiply. An opinion is a pair of likelihoods scaled to sum 1; it has no
+ * unknown share, so no evidence and balanced evidence are the same.
  */
 public final class BayesFusion implements Fusion {
 
@@ -11,7 +11,7 @@ public final class BayesFusion implements Fusion {
   private final double prior;
 
   /**
-   * @param prior probability of a mine where no one has looked, above 0 and below 1
+   * @param prior probability of a mine without observations, above 0 and below 1
    */
   public BayesFusion(double prior) {
     this.prior = PriorProbability.requireValid(prior);
@@ -22,7 +22,7 @@ public final class BayesFusion implements Fusion {
     return NOTHING;
   }
 
-  /** A look not trusted is as likely with a mine as without: the mean of both. */
+  /** An untrusted observation is as likely with a mine as without: the mean of both. */
   @Override
   public Opinion opinionOf(Evidence evidence) {
     double mean = (1 - evidence.trust()) * (evidence.ifMine() + evidence.ifClear()) / 2;

@@ -1,13 +1,13 @@
 package org.dfra.behaviors.perceptual.mines;
 
 /**
- * How what is inside a window differs from each of the boxes around it. What differs from all sides
- * alike is a blob. A strip goes on to at least one side, and an edge has one side like itself:
- * there the least is far below the mean. Mutable, confined to one thread.
+ * Difference of a window's inside from each of the boxes around it. A blob differs equally from all
+ * sides. A strip continues on at least one side, and an edge has one similar side: there the
+ * minimum is far below the mean. Mutable, confined to one thread.
  */
 final class BlobScore {
 
-  /** Least over mean from which on it is a blob. */
+  /** Minimum ratio of minimum to mean of a blob. */
   private static final double ALIKE = 0.45;
 
   private double least = Double.POSITIVE_INFINITY;
@@ -21,10 +21,10 @@ final class BlobScore {
   }
 
   /**
-   * How much of a blob it is.
+   * Blob score.
    *
-   * @param enough difference from the side that is most like it, from which on it counts
-   * @return from 1 on it is one; below 0 some side differs the other way
+   * @param enough minimum difference from the most similar side
+   * @return 1 or more is a blob; below 0 some side differs in the opposite direction
    */
   double score(double enough) {
     if (count == 0 || least <= 0) {

@@ -1,13 +1,13 @@
 package org.dfra.behaviors.perceptual.mines;
 
-/** How much what is in a window looks like a mine. Implementations are immutable. */
+/** Similarity of a window's content to a mine. Implementations are immutable. */
 interface Contrast {
 
   /**
-   * The likeness.
+   * The similarity.
    *
-   * @param picture of the band that it is made for
-   * @return from 1 on it is taken for a mine; below 0 it is anything but
+   * @param picture of its band
+   * @return 1 or more counts as a mine; below 0 it is dissimilar
    */
   double score(DecodedImage picture, DetectionWindow window);
 }

@@ -5,13 +5,15 @@ import java.util.Comparator;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** Finds what looks like mines in a picture. */
+/** Finds mine-like contrast peaks in an image. */
 final class ContrastPeakFinder {
 
-  /** Two that are nearer to each other are one, metres. */
+  /** Minimum distance of two peaks, metres. */
   private static final double APART = 0.4;
 
-  /** What is as near as this to the best place, and nearly as good, tells where the middle is. */
+  /**
+   * Points within this distance of the maximum, with nearly equal contrast, determine the centre.
+   */
   private static final double MIDDLE = 0.15; // metres
 
   private static final double NEARLY = 0.7; // of the best
@@ -19,14 +21,14 @@ final class ContrastPeakFinder {
   private ContrastPeakFinder() {}
 
   /**
-   * Something that looks like a mine.
+   * A mine-like contrast peak.
    *
-   * @param spot where, in the frame of the base
-   * @param strength its contrast, from 1 on
+   * @param spot position in the frame of the base
+   * @param strength its contrast, 1 or more
    */
   record Peak(GroundPoint spot, double strength) {}
 
-  /** All there is, the strongest first. */
+  /** All peaks, the strongest first. */
   static List<Peak> find(DecodedImage picture, WindowGrid windows, Contrast contrast) {
     double[] strengths = new double[windows.size()];
     List<Integer> candidates = new ArrayList<>();
@@ -50,7 +52,7 @@ final class ContrastPeakFinder {
     return found;
   }
 
-  /** The middle of the places around the best one that are nearly as good. */
+  /** Centre of the points around the maximum with nearly equal contrast. */
   private static GroundPoint middle(int best, double[] strengths, WindowGrid windows) {
     int reach = (int) Math.round(MIDDLE / WindowGrid.STEP);
     int columns = windows.columns();

@@ -18,8 +18,8 @@ import org.dfra.flow.sensor.CameraImage.Band;
 /**
  * An image, decoded. Immutable.
  *
- * @param band what it shows
- * @param channels of light: red, green and blue, 0 to 255; of heat: one, hundredths of a kelvin
+ * @param band its spectral band
+ * @param channels visible: red, green and blue, 0 to 255; thermal: one, hundredths of a kelvin
  */
 record DecodedImage(Band band, List<SummedTable> channels) {
 
@@ -28,10 +28,10 @@ record DecodedImage(Band band, List<SummedTable> channels) {
   }
 
   /**
-   * What a camera sent.
+   * Decodes a camera's image.
    *
-   * @return nothing if it is no whole JPEG or PNG, is not as large as it says, or is of heat and
-   *     not grey with 16 bits
+   * @return empty if it is no complete JPEG or PNG, its size differs from its declaration, or it is
+   *     thermal and not 16-bit grey
    */
   static Optional<DecodedImage> decode(CameraImage image) {
     Optional<BufferedImage> read = read(image);
@@ -53,10 +53,10 @@ record DecodedImage(Band band, List<SummedTable> channels) {
         new MemoryCacheImageInputStream(new ByteArrayInputStream(image.data()))) {
       reader.setInput(bytes, true, true);
       if (reader.getWidth(0) != image.width() || reader.getHeight(0) != image.height()) {
-        return Optional.empty(); // before any memory is taken for it
+        return Optional.empty(); // before memory is allocated
       }
       return Optional.of(reader.read(0));
-    } catch (IOException | RuntimeException e) { // the JDK's readers throw either on garbage
+    } catch (IOException | RuntimeException e) { // the JDK's readers throw either on invalid data
       return Optional.empty();
     } finally {
       reader.dispose();

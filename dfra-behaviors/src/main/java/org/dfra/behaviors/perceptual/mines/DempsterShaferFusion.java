@@ -1,14 +1,14 @@
 package org.dfra.behaviors.perceptual.mines;
 
 /**
- * Dempster's rule over mine and no mine: what is unknown stays apart from what is balanced. A look
- * supports only the likelier of both, by one less the ratio of the likelihoods, and leaves the rest
- * unknown; a look not trusted leaves more unknown. Source: G. Shafer, "A mathematical theory of
- * evidence" (1976), chapters 3 and 11.
+ * Dempster's rule over mine and no mine: the unknown is separate from balanced evidence. An
+ * observation supports only the likelier of both, by one minus the ratio of the likelihoods, and
+ * assigns the rest to unknown; an untrusted observation assigns more to unknown. Source: G. Shafer,
+ * "A mathematical theory of evidence" (1976), chapters 3 and 11.
  *
  * <p>With full trust it agrees with Bayes' rule in this: opinions combined with the opinion (prior,
- * 1 − prior, 0) give Bayes' probability, exactly. Without that, {@link #probability} gives the
- * unknown its prior, and nears Bayes' as the evidence grows and the unknown vanishes.
+ * 1 − prior, 0) give Bayes' probability, exactly. Otherwise {@link #probability} weighs the unknown
+ * by the prior, and converges to Bayes' as the evidence grows and the unknown vanishes.
  */
 public final class DempsterShaferFusion implements Fusion {
 
@@ -17,7 +17,7 @@ public final class DempsterShaferFusion implements Fusion {
   private final double prior;
 
   /**
-   * @param prior probability of a mine where no one has looked, above 0 and below 1
+   * @param prior probability of a mine without observations, above 0 and below 1
    */
   public DempsterShaferFusion(double prior) {
     this.prior = PriorProbability.requireValid(prior);

@@ -6,28 +6,28 @@ import org.dfra.behaviors.perceptual.mines.PinholeCamera.Pixel;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where in an image a mine at one place would be, and what lies around it.
+ * The pixels of a mine at a given position in an image, and those around it.
  *
  * <pre>
  *          o  o  o
  *       o           o
- *      o    .----.   o     inside: the mine, less its edge
- *      o    | in |   o     o: sixteen boxes beside it
+ *      o    .----.   o     inside: the mine without its edge
+ *      o    | in |   o     o: sixteen boxes around it
  *      o    '----'   o
  *       o           o
  *          o  o  o
  * </pre>
  *
  * @param inside the mine
- * @param surroundings the boxes beside it that lie in the image, ten at least
+ * @param surroundings the boxes around it that lie in the image, at least ten
  */
 record DetectionWindow(PixelRect inside, List<PixelRect> surroundings) {
 
   private static final int BOXES = 16;
   private static final int FEWEST = 10;
-  private static final int CORNERS = 8; // of the circles that stand for the cylinder
+  private static final int CORNERS = 8; // of the circles that represent the cylinder
   private static final double INSIDE = 0.75; // of the mine's outline
-  private static final double AWAY = 2.2; // from the middle to the boxes', by half the outline
+  private static final double AWAY = 2.2; // from the centre to the boxes', by half the outline
   private static final double BESIDE = 0.5; // half of each box, by half the outline
   private static final double NARROWEST = 3; // half the outline's width, pixels
   private static final double LOWEST = 1.5; // half the outline's height, pixels
@@ -37,11 +37,11 @@ record DetectionWindow(PixelRect inside, List<PixelRect> surroundings) {
   }
 
   /**
-   * For a mine at a place.
+   * For a mine at a position.
    *
    * @param x forward of the base, metres
    * @param y to the left, metres
-   * @return null where the camera does not see it whole, or too small, or not enough around it
+   * @return null where it is not wholly visible, too small, or too few boxes are visible
    */
   static @Nullable DetectionWindow at(double x, double y, MineModel target, PinholeCamera camera) {
     double left = Double.POSITIVE_INFINITY;
@@ -80,7 +80,7 @@ record DetectionWindow(PixelRect inside, List<PixelRect> surroundings) {
             PixelRect.around(column, row, INSIDE * halfWidth, INSIDE * halfHeight), around);
   }
 
-  /** Beside it as the ground goes: what is straight on the ground goes through opposite boxes. */
+  /** Boxes in ground coordinates: a straight line on the ground passes through opposite boxes. */
   private static List<PixelRect> surroundings(
       Pixel middle, double halfHeight, double y, MineModel target, PinholeCamera camera) {
     List<PixelRect> around = new ArrayList<>();

@@ -1,11 +1,11 @@
 package org.dfra.behaviors.perceptual.mines;
 
 /**
- * How often a detector is right.
+ * Detection rates of a detector.
  *
  * @param truePositive probability of an alarm where there is a mine, above 0 and below 1
  * @param falsePositive probability of an alarm where there is none, above 0 and below 1
- * @param trust part of the looks for which these rates hold, 0 to 1; of the rest nothing is known
+ * @param trust fraction of the observations for which these rates hold, 0 to 1; the rest is unknown
  */
 public record DetectorRates(double truePositive, double falsePositive, double trust) {
 
@@ -23,12 +23,12 @@ public record DetectorRates(double truePositive, double falsePositive, double tr
     }
   }
 
-  /** What it means that the detector raises an alarm. */
+  /** Evidence of an alarm. */
   public Evidence alarm() {
     return new Evidence(truePositive, falsePositive, trust);
   }
 
-  /** What it means that it looked and raised none. */
+  /** Evidence of an observation without an alarm. */
   public Evidence noAlarm() {
     return new Evidence(1 - truePositive, 1 - falsePositive, trust);
   }

@@ -1,12 +1,13 @@
 package org.dfra.behaviors.perceptual.mines;
 
 /**
- * What one look at a place tells. Only the ratio of the likelihoods counts. Looks are taken to be
- * independent: two from one place in one light are not, and should be given as one.
+ * Evidence from one observation of a position. Only the ratio of the likelihoods matters.
+ * Observations are assumed independent: two from the same viewpoint and lighting are not; pass them
+ * as one.
  *
- * @param ifMine likelihood of what was seen where there is a mine, above 0
- * @param ifClear likelihood of what was seen where there is none, above 0
- * @param trust part of such looks for which the likelihoods hold, 0 to 1
+ * @param ifMine likelihood of the observation where there is a mine, above 0
+ * @param ifClear likelihood of the observation where there is none, above 0
+ * @param trust fraction of such observations for which the likelihoods hold, 0 to 1
  */
 public record Evidence(double ifMine, double ifClear, double trust) {
 

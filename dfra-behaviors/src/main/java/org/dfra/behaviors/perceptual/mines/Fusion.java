@@ -1,32 +1,33 @@
 package org.dfra.behaviors.perceptual.mines;
 
 /**
- * A calculus of evidence of one place: begin with {@link #uninformed()}, {@link #combine} it with
- * the opinion {@link #opinionOf} each look in any order, and ask for the {@link #probability}.
+ * A method of evidence fusion for one position: start with {@link #uninformed()}, {@link #combine}
+ * it with the opinion {@link #opinionOf} each observation in any order, and get the {@link
+ * #probability}.
  *
- * <p>Combining is commutative and associative, and nothing combined with an opinion is that
- * opinion. Opinions of two calculi do not mix. Implementations are immutable.
+ * <p>Combination is commutative and associative, and {@link #uninformed()} is its neutral element.
+ * Do not mix opinions of two methods. Implementations are immutable.
  */
 public interface Fusion {
 
-  /** The opinion where no one has looked. */
+  /** The opinion without observations. */
   Opinion uninformed();
 
-  /** The opinion that one look alone gives. */
+  /** The opinion from one observation alone. */
   Opinion opinionOf(Evidence evidence);
 
-  /** The opinion of two that rest on different looks. */
+  /** Combines two opinions from different observations. */
   Combined combine(Opinion one, Opinion other);
 
-  /** How likely there is a mine, 0 to 1, with what is known of all places before a look. */
+  /** Probability of a mine, 0 to 1, including the prior. */
   double probability(Opinion opinion);
 
   /**
-   * An opinion of two, and how far these were at odds.
+   * A combined opinion, and the conflict of the two.
    *
-   * @param opinion of both; {@link #uninformed()} where they contradict each other wholly, which
-   *     opinions of looks never do
-   * @param conflict part of the shares that met their opposite, 0 to 1
+   * @param opinion of both; {@link #uninformed()} where they contradict each other totally, which
+   *     opinions from observations never do
+   * @param conflict mass assigned to contradiction, 0 to 1
    */
   record Combined(Opinion opinion, double conflict) {}
 }

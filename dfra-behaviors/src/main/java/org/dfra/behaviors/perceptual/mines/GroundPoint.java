@@ -1,7 +1,7 @@
 package org.dfra.behaviors.perceptual.mines;
 
 /**
- * A place on the ground.
+ * A point on the ground.
  *
  * @param x forward of a robot's base, or east; metres
  * @param y to the left of it, or north; metres

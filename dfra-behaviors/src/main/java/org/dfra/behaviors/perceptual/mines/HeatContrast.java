@@ -1,11 +1,10 @@
 package org.dfra.behaviors.perceptual.mines;
 
 /**
- * A mine is warmer than what lies around it, on all sides, or colder on all sides. A strip of
- * shadow is not: it goes on to at least one side.
+ * A mine is warmer than its surroundings on all sides, or colder on all sides. A strip of shadow is
+ * not: it continues on at least one side.
  *
- * @param minContrast kelvin from the mine to the side that is most like it, from which it counts as
- *     one
+ * @param minContrast minimum difference of the mine from its most similar side, kelvin
  */
 record HeatContrast(double minContrast) implements Contrast {
 

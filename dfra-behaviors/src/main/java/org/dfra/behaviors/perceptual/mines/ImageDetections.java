@@ -3,7 +3,7 @@ package org.dfra.behaviors.perceptual.mines;
 import java.util.List;
 import org.dfra.flow.sensor.CameraImage.Band;
 
-/** What one camera has to say of one image. Immutable. */
+/** Detections in one image of one camera. Immutable. */
 public final class ImageDetections {
 
   private final Band band;
@@ -16,17 +16,17 @@ public final class ImageDetections {
     this.found = List.copyOf(found);
   }
 
-  /** What the image shows. */
+  /** The image's spectral band. */
   public Band band() {
     return band;
   }
 
-  /** Where there is what looks like a mine, the strongest first; x forward of the robot's base. */
+  /** Positions of mine-like objects, the strongest first; x forward of the robot's base. */
   public List<GroundPoint> points() {
     return found;
   }
 
-  /** Whether it would show a mine there. */
+  /** Whether a mine there would be visible. */
   public boolean covers(GroundPoint spot) {
     return windows.covers(spot);
   }

@@ -7,8 +7,8 @@ import org.dfra.geometry.Transform;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Searches the images of one camera for what looks like a mine. It knows no time and remembers no
- * image, only how the camera stands. Confined to one thread.
+ * Searches the images of one camera for mine-like objects. It depends on no time and stores no
+ * image, only the camera's geometry. Confined to one thread.
  */
 public final class ImageMineDetector {
 
@@ -17,7 +17,7 @@ public final class ImageMineDetector {
   private final Contrast light;
   private @Nullable WindowGrid windows; // of the last image's camera
 
-  /** Of a camera that has not told anything yet. */
+  /** For a camera that has not sent an image yet. */
   public ImageMineDetector(ImageMineDetectorSettings settings) {
     this.settings = settings;
     this.heat = new HeatContrast(settings.minThermalContrast());
@@ -30,7 +30,7 @@ public final class ImageMineDetector {
    * Searches an image.
    *
    * @param mount of the camera on the base, whose x is forward and whose z is 0 on the ground
-   * @return nothing if the image cannot be decoded
+   * @return empty if the image cannot be decoded
    */
   public Optional<ImageDetections> detect(CameraImage image, Transform mount) {
     PinholeCamera camera =

@@ -1,18 +1,17 @@
 package org.dfra.behaviors.perceptual.mines;
 
 /**
- * How images are searched.
+ * Settings of the image search.
  *
  * @param radius of a mine, metres
  * @param height of a mine, metres
  * @param colour of a mine, 0xRRGGBB, of which only the proportions count
- * @param minDistance where the search begins, metres forward of the base
- * @param maxDistance where it ends, likewise
- * @param minThermalContrast what a mine is warmer or colder by than all that is around it, kelvin
- * @param minVisibleContrast natural logarithm of how many times brighter than a mine all that is
- *     around it is
- * @param colourTolerance of the colour: how far the shares of red, green and blue may be off, their
- *     distance
+ * @param minDistance minimum distance, metres forward of the base
+ * @param maxDistance maximum distance, likewise
+ * @param minThermalContrast minimum temperature difference of a mine from its surroundings, kelvin
+ * @param minVisibleContrast minimum natural logarithm of the brightness ratio of the surroundings
+ *     to a mine
+ * @param colourTolerance of the colour: maximum distance of the shares of red, green and blue
  */
 public record ImageMineDetectorSettings(
     double radius,
@@ -24,7 +23,7 @@ public record ImageMineDetectorSettings(
     double minVisibleContrast,
     double colourTolerance) {
 
-  /** For mines against vehicles; what {@code ./dfra bench mines} measures by. */
+  /** For anti-vehicle mines; {@code ./dfra bench mines} uses them. */
   public static final ImageMineDetectorSettings DEFAULT =
       new ImageMineDetectorSettings(0.16, 0.1, 0x3F4526, 0.9, 3.5, 1, 0.18, 0.03);
 

@@ -9,11 +9,11 @@ import org.dfra.flow.sensor.CameraImage;
 import org.dfra.flow.sensor.CameraImage.Band;
 
 /**
- * Puts together images of light and of heat that were taken at about the same time. An image waits
- * for its partner while the other camera sends images; a camera that is silent is waited for no
- * longer. Confined to one thread.
+ * Pairs visible and thermal images that were taken at about the same time. An image waits for its
+ * partner while the other camera sends images; the synchronizer stops waiting for a camera that
+ * sends none. Confined to one thread.
  *
- * @param <T> what comes with an image
+ * @param <T> data attached to an image
  */
 final class ImageSynchronizer<T> {
 
@@ -23,10 +23,10 @@ final class ImageSynchronizer<T> {
   private final Map<Band, TaggedImage<T>> waiting = new EnumMap<>(Band.class);
   private final Map<Band, CameraImage> last = new EnumMap<>(Band.class);
 
-  /** An image and what comes with it. */
+  /** An image with its attached data. */
   record TaggedImage<T>(CameraImage image, T tag) {}
 
-  /** This was taken; tells what is complete by it: two images, one, or none. */
+  /** Adds an image; returns the completed group: two images, one, or none. */
   List<TaggedImage<T>> add(CameraImage image, T with) {
     Band other = image.band() == Band.VISIBLE ? Band.THERMAL : Band.VISIBLE;
     TaggedImage<T> taken = new TaggedImage<>(image, with);

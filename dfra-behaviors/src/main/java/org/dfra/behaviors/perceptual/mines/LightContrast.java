@@ -1,14 +1,14 @@
 package org.dfra.behaviors.perceptual.mines;
 
 /**
- * A mine is darker than what lies around it, on all sides, and of a colour that is known. The light
- * that falls on it does not count: darker is a matter of ratios, and of the colour only the shares
- * of red, green and blue count.
+ * A mine is darker than its surroundings on all sides, and of a known colour. The result is
+ * independent of the illumination: brightness is compared by ratios, and colour by the shares of
+ * red, green and blue.
  *
- * @param target whose colour it has
- * @param minContrast natural logarithm of how many times brighter the side that is most like it is,
- *     from which it counts as a mine
- * @param tolerance of the colour: the most that the shares may differ by, their distance
+ * @param target mine model with its colour
+ * @param minContrast minimum natural logarithm of the brightness ratio of the most similar side to
+ *     the mine
+ * @param tolerance of the colour: maximum distance of the shares
  */
 record LightContrast(MineModel target, double minContrast, double tolerance) implements Contrast {
 
@@ -30,7 +30,7 @@ record LightContrast(MineModel target, double minContrast, double tolerance) imp
     return Math.min(darker.score(minContrast), likeness);
   }
 
-  /** From the colour looked for, by the shares. */
+  /** Distance from the target colour, by the shares. */
   private double distance(double[] levels) {
     double sum = levels[0] + levels[1] + levels[2];
     double[] shares = target.shares();

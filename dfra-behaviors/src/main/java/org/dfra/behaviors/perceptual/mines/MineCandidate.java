@@ -7,10 +7,12 @@ import java.util.Map;
 import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates.PreviousResult;
 import org.dfra.flow.sensor.CameraImage.Band;
 
-/** Somewhere on the map that looked like a mine at least once. Confined to one thread. */
+/** A map position with at least one detection. Confined to one thread. */
 final class MineCandidate {
 
-  /** σ of where a camera sees a mine, metres; of heat the shadow beside a mine draws it away. */
+  /**
+   * σ of a detection's position, metres; in thermal images the shadow beside a mine displaces it.
+   */
   private static final Map<Band, Double> SIGMA = Map.of(Band.VISIBLE, 0.1, Band.THERMAL, 0.25);
 
   private final Fusion fusion;
@@ -18,7 +20,7 @@ final class MineCandidate {
   private final Map<Band, PreviousResult> before = new EnumMap<>(Band.class);
   private final Map<Band, List<Viewpoint>> counted = new EnumMap<>(Band.class);
   private GroundPoint middle;
-  private double weight; // of all that was seen there
+  private double weight; // of all detections there
   private Opinion opinion;
   private int looks;
 
@@ -33,28 +35,28 @@ final class MineCandidate {
     return middle;
   }
 
-  /** How likely there is a mine, 0 to 1. */
+  /** Probability of a mine, 0 to 1. */
   double probability() {
     return fusion.probability(opinion);
   }
 
-  /** In how many looks something was seen there. */
+  /** Number of observations with a detection there. */
   int observations() {
     return looks;
   }
 
-  /** One look more has seen something there. */
+  /** Counts one more observation with a detection there. */
   void countObservation() {
     looks++;
   }
 
-  /** Whether a camera has not yet looked at it from within so many metres of there. */
+  /** Whether a camera has not yet observed it from within the given distance of that viewpoint. */
   boolean isNewViewpoint(Band band, Viewpoint from, double spacing) {
     return counted.getOrDefault(band, List.of()).stream()
         .noneMatch(other -> other.distance(from) < spacing);
   }
 
-  /** A camera has seen something there. */
+  /** Adds a camera's detection there. */
   void recordAlarm(Band band, Viewpoint from, GroundPoint at) {
     double more = 1 / Math.pow(SIGMA.getOrDefault(band, 1.0), 2);
     double part = more / (weight + more);
@@ -65,7 +67,7 @@ final class MineCandidate {
     count(band, from, true);
   }
 
-  /** A camera has seen nothing there. */
+  /** Adds a camera's observation without a detection there. */
   void recordNoAlarm(Band band, Viewpoint from) {
     count(band, from, false);
   }

@@ -12,26 +12,26 @@ import java.util.Set;
 import org.dfra.flow.sensor.CameraImage.Band;
 
 /**
- * All places that looked like a mine at least once, and what every look since, and the last {@value
- * #REMEMBERED} before, says of them. Confined to one thread.
+ * All positions with at least one detection, with the evidence of every observation since, and of
+ * the last {@value #REMEMBERED} before. Confined to one thread.
  *
  * <pre>
- *   look --&gt; each thing found --&gt; the nearest place within the gate, or a new one: alarm
- *        '-&gt; each place in view where nothing was found: silence
+ *   observation --&gt; each detection --&gt; nearest candidate within the gate, or a new one: alarm
+ *        '--------&gt; each candidate in view without a detection: no alarm
  * </pre>
  *
- * <p>A camera's look at a place counts only if it is from elsewhere than all its looks at it that
- * counted before.
+ * <p>A camera's observation of a candidate counts only if its viewpoint differs from those of all
+ * its observations counted before.
  */
 public final class MineCandidateMap {
 
-  /** Looks that a new place is judged by besides. */
+  /** Number of earlier observations that a new candidate uses. */
   private static final int REMEMBERED = 200;
 
-  /** With more the least likely are forgotten. */
+  /** Maximum number of candidates; the least likely are dropped. */
   private static final int MOST = 2000;
 
-  /** Less than the spacing by this much is still elsewhere: positions are not exact. */
+  /** Tolerance of the viewpoint spacing: positions are not exact. */
   private static final double ALMOST = 0.9;
 
   private final Fusion fusion;
@@ -42,9 +42,9 @@ public final class MineCandidateMap {
   private final Deque<MineObservation> past = new ArrayDeque<>();
 
   /**
-   * @param rates of the cameras that looks are from
-   * @param gate how far from a place what is seen belongs to it, metres
-   * @param spacing from where looks at a place are taken, at least, metres
+   * @param rates of the observing cameras
+   * @param gate maximum distance of a detection from its candidate, metres
+   * @param spacing minimum distance between viewpoints, metres
    */
   public MineCandidateMap(
       Fusion fusion, Map<Band, RepeatedDetectionRates> rates, double gate, double spacing) {
@@ -55,15 +55,15 @@ public final class MineCandidateMap {
   }
 
   /**
-   * A place as it is believed to be now.
+   * The current estimate of a candidate.
    *
    * @param position x east, y north on the map
    * @param probability that there is a mine, 0 to 1
-   * @param observations in which something was seen there
+   * @param observations with a detection there
    */
   public record CandidateEstimate(GroundPoint position, double probability, int observations) {}
 
-  /** Takes what was seen; in the order in which it was seen. */
+  /** Adds an observation; call it in the order of time. */
   public void add(MineObservation look) {
     Set<MineCandidate> seen = new HashSet<>();
     for (MineObservation.LocatedDetections view : look.views()) {
@@ -110,7 +110,7 @@ public final class MineCandidateMap {
         .min(Comparator.comparingDouble(place -> place.position().distance(spot)));
   }
 
-  /** A place where nothing was seen up to now, though some looks may have been at it. */
+  /** A position without a detection so far, though earlier observations may include it. */
   private MineCandidate begin(GroundPoint spot) {
     MineCandidate place = new MineCandidate(spot, fusion, rates);
     places.add(place);
@@ -118,7 +118,7 @@ public final class MineCandidateMap {
     return place;
   }
 
-  /** What is at least so likely a mine, the likeliest first. */
+  /** Candidates with at least this probability, the likeliest first. */
   public List<CandidateEstimate> candidates(double least) {
     return places.stream()
         .map(

@@ -26,39 +26,38 @@ import org.dfra.persona.PoseAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Finds mines on the ground by all cameras of its robot, in light and in heat, and where the robot
- * is; see {@link ImageMineDetector} and {@link MineCandidateMap}. A camera stands where its persona
- * says, on the robot's base; one that stands on anything else, such as a head, is not used, and the
- * log says so.
+ * Detects mines on the ground with all visible and thermal cameras of its robot and its position
+ * estimator; see {@link ImageMineDetector} and {@link MineCandidateMap}. A camera's persona gives
+ * its mount on the robot's base; a camera mounted on anything else, such as a head, is not used,
+ * and the log reports that.
  *
- * <p>It looks when the robot has gone on by {@code look_spacing} or turned by 0.3 rad since its
- * last look, by the next image of each band. It does not look while the yaw is not known to 0.15
- * rad or the robot turns faster than 0.5 rad/s. Its percept has all that it has taken for mines
- * since its start.
+ * <p>It takes an observation when the robot has moved by {@code look_spacing} or rotated by 0.3 rad
+ * since the last one, with the next image of each band. It takes none while the yaw's standard
+ * deviation exceeds 0.15 rad or the yaw rate 0.5 rad/s. Its percept has all detections since its
+ * start.
  *
  * <p>Parameters, read at the start:
  *
  * <ul>
  *   <li>{@code fusion}: {@code bayes} or {@code dempster-shafer}; default bayes
- *   <li>{@code prior}: probability of a mine at a place where no one has looked, above 0 and below
+ *   <li>{@code prior}: probability of a mine at a position without observations, above 0 and below
  *       1; default 0.01
- *   <li>{@code visible_true_positive}, {@code visible_false_positive}: probability of an alarm of
- *       one look of a camera of light where there is a mine, and where there is none; with {@code
- *       _after_alarm} and {@code _after_silence} behind it of one that looks again; the same with
- *       {@code thermal}; all required
+ *   <li>{@code visible_true_positive}, {@code visible_false_positive}: probability of an alarm in
+ *       one observation of a visible camera where there is a mine, and where there is none; with
+ *       the suffixes {@code _after_alarm} and {@code _after_silence} in a repeated observation; the
+ *       same with {@code thermal}; all required
  *   <li>{@code bayes_true_positive}, {@code bayes_false_positive}, {@code
  *       dempster_shafer_true_positive}, {@code dempster_shafer_false_positive}: of both cameras
  *       fused; shown in its persona only
  *   <li>{@code mine_radius}, {@code mine_height}: metres; {@code mine_colour}: as {@code #3F4526}
- *   <li>{@code near}, {@code far}: between which it looks, metres forward of the base; default 0.9
- *       and 3.5
+ *   <li>{@code near}, {@code far}: distance range, metres forward of the base; default 0.9 and 3.5
  *   <li>{@code heat_contrast}: kelvin, default 1; {@code light_contrast}: natural logarithm,
  *       default 0.18; {@code colour_tolerance}: default 0.03; see {@link ImageMineDetectorSettings}
  *   <li>{@code look_spacing}: metres, 0.05 to 10, default 0.5; {@code gate}: metres, 0.05 to 5,
  *       default 0.5
- *   <li>{@code least_probability}: from which on something is told, 0 to 1; default 0.05
- *   <li>{@code position}: name of the estimator that it listens to; where it is not set, the first
- *   <li>{@code longest_age}: as every perceptual schema's; default 5
+ *   <li>{@code least_probability}: minimum probability to report, 0 to 1; default 0.05
+ *   <li>{@code position}: name of the estimator to use; default the first
+ *   <li>{@code longest_age}: as for every perceptual schema; default 5
  * </ul>
  */
 public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
@@ -83,11 +82,11 @@ public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
   private @Nullable Viewpoint lastLook; // guarded by lock
   private List<Detection> sightings = List.of(); // guarded by lock
 
-  /** Whose image it is, and where both stood. */
+  /** Source of an image: its camera, and the poses of camera and robot. */
   private record ImageSource(String camera, Transform mount, Viewpoint from) {}
 
   /**
-   * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
+   * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or invalid
    */
   public MineDetectorImpl(ModuleContext context) {
     super(
@@ -157,7 +156,7 @@ public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
         || last.yawDifference(from) >= TURN;
   }
 
-  /** Where the camera stands on the base, by its persona; nothing if it does not. */
+  /** Mount of the camera on the base, from its persona; empty if it has none. */
   private Optional<Transform> mount(ModuleListing<?> source) {
     Optional<PoseAttributes> pose = source.attributes(PoseAttributes.class);
     if (pose.isEmpty() || !pose.get().parent().equals(base)) {

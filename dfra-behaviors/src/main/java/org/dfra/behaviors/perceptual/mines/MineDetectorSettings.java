@@ -10,16 +10,16 @@ import org.dfra.flow.sensor.CameraImage.Band;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a mine detector is told, see {@link MineDetectorImpl}.
+ * Settings of a mine detector, see {@link MineDetectorImpl}.
  *
  * @param fusionMethod {@code bayes} or {@code dempster-shafer}
- * @param fusion the same at work
+ * @param fusion the same, as object
  * @param rates of the cameras, as measured
- * @param truePositive of both cameras fused, as measured with that method; null where not told
+ * @param truePositive of both cameras fused, as measured with that method; null where not given
  * @param falsePositive likewise
- * @param observationSpacing from look to look, metres
- * @param associationGate how far what belongs to one place may be apart, metres
- * @param minProbability probability from which on it is told
+ * @param observationSpacing between observations, metres
+ * @param associationGate maximum distance of detections of one candidate, metres
+ * @param minProbability minimum probability to report
  */
 record MineDetectorSettings(
     ImageMineDetectorSettings imageDetector,
@@ -115,7 +115,7 @@ record MineDetectorSettings(
     return reported.number(name, Double.NaN, RAREST, 1 - RAREST);
   }
 
-  /** How often a method of fusion was right and wrong; null where nobody has measured it. */
+  /** Measured rates of a fusion method; null where they are not given. */
   private record MeasuredRates(@Nullable Double truePositive, @Nullable Double falsePositive) {}
 
   /** Of every method, chosen or not: so that what is written of the other is looked at too. */

@@ -1,7 +1,7 @@
 package org.dfra.behaviors.perceptual.mines;
 
 /**
- * What is looked for: a squat cylinder on the ground.
+ * The target: a flat cylinder on the ground.
  *
  * @param radius metres
  * @param height metres

@@ -3,9 +3,9 @@ package org.dfra.behaviors.perceptual.mines;
 import java.util.List;
 
 /**
- * Images taken at about one time, of each band one at most, and where each was taken.
+ * Images taken at about one time, at most one per band, with their viewpoints.
  *
- * @param views of the images, one at least
+ * @param views of the images, at least one
  */
 public record MineObservation(List<LocatedDetections> views) {
 
@@ -16,17 +16,17 @@ public record MineObservation(List<LocatedDetections> views) {
   /**
    * One image.
    *
-   * @param viewpoint where the robot stood
-   * @param detections what was seen
+   * @param viewpoint pose of the robot
+   * @param detections in the image
    */
   public record LocatedDetections(Viewpoint viewpoint, ImageDetections detections) {
 
-    /** Whether it would show a mine at a place of the map. */
+    /** Whether a mine at a map position would be visible. */
     public boolean covers(GroundPoint place) {
       return detections.covers(viewpoint.toBase(place));
     }
 
-    /** What looks like a mine, on the map. */
+    /** Detections, in map coordinates. */
     public List<GroundPoint> points() {
       return detections.points().stream().map(viewpoint::toMap).toList();
     }

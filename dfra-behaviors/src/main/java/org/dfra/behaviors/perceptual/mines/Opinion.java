@@ -1,11 +1,11 @@
 package org.dfra.behaviors.perceptual.mines;
 
 /**
- * How belief of a place is shared out; the three sum up to 1.
+ * Belief masses of a position; the three sum to 1.
  *
  * @param mine that there is a mine
  * @param clear that there is none
- * @param unknown to neither
+ * @param unknown assigned to neither
  */
 public record Opinion(double mine, double clear, double unknown) {
 
@@ -19,7 +19,7 @@ public record Opinion(double mine, double clear, double unknown) {
     }
   }
 
-  /** Shares in proportion to these, which are not all 0. */
+  /** Masses in proportion to these, which are not all 0. */
   static Opinion of(double mine, double clear, double unknown) {
     double sum = mine + clear + unknown;
     return new Opinion(mine / sum, clear / sum, unknown / sum);

@@ -4,21 +4,21 @@ import org.dfra.geometry.Transform;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a camera on a robot sees what lies around the robot. The ground is the plane z = 0 of the
- * robot's base, whose x is forward and whose y is to the left.
+ * Projection between a robot's surroundings and its camera's image. The ground is the plane z = 0
+ * of the robot's base, whose x is forward and whose y is to the left.
  *
- * @param mount of the camera on the base: takes coordinates in its frame, x along its axis, y left,
- *     z up, to those in the base's
+ * @param mount of the camera on the base: transforms coordinates in its frame, x along its axis, y
+ *     left, z up, to the base's
  * @param width of its images, pixels
  * @param height of its images, pixels
  * @param focalLength of its images, pixels
  */
 record PinholeCamera(Transform mount, int width, int height, double focalLength) {
 
-  private static final double NEAREST = 0.05; // metres before the lens
+  private static final double NEAREST = 0.05; // metres in front of the lens
 
   /**
-   * A place in an image.
+   * A point in an image.
    *
    * @param column from the left edge, pixels; may lie outside the image
    * @param row from the upper edge, pixels; may lie outside the image
@@ -26,12 +26,12 @@ record PinholeCamera(Transform mount, int width, int height, double focalLength)
   record Pixel(double column, double row) {}
 
   /**
-   * Where a point is seen.
+   * Projects a point.
    *
    * @param x forward of the base, metres
    * @param y to the left, metres
    * @param z above the ground, metres
-   * @return null if it is beside or behind the camera
+   * @return null if it is not in front of the camera
    */
   @Nullable Pixel project(double x, double y, double z) {
     double[] m = matrix();
@@ -49,10 +49,10 @@ record PinholeCamera(Transform mount, int width, int height, double focalLength)
   }
 
   /**
-   * What a pixel shows, if that is so high above the ground.
+   * Back-projects a pixel to a plane at a given height above the ground.
    *
    * @param z metres, below the camera
-   * @return null if the pixel shows what is above the horizon
+   * @return null if the pixel is above the horizon
    */
   @Nullable GroundPoint backProject(Pixel pixel, double z) {
     double[] m = matrix();
@@ -68,7 +68,7 @@ record PinholeCamera(Transform mount, int width, int height, double focalLength)
         mount.y() + away * (m[3] + m[4] * left + m[5] * up));
   }
 
-  /** Of the mount's turn, row by row: takes a direction in the camera's frame to the base's. */
+  /** Rotation matrix of the mount, row by row: from the camera's frame to the base's. */
   private double[] matrix() {
     double w = mount.qw();
     double x = mount.qx();

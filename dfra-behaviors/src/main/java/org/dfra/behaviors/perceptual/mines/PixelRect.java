@@ -5,12 +5,12 @@ package org.dfra.behaviors.perceptual.mines;
  *
  * @param left column of the first
  * @param top row of the first, counted from above
- * @param right column behind the last
+ * @param right column after the last
  * @param bottom row below the last
  */
 record PixelRect(int left, int top, int right, int bottom) {
 
-  /** The pixels whose middles lie around a point, at least one. */
+  /** The pixels whose centres lie around a point, at least one. */
   static PixelRect around(double column, double row, double halfWidth, double halfHeight) {
     int left = (int) Math.floor(column - halfWidth + 0.5);
     int top = (int) Math.floor(row - halfHeight + 0.5);

@@ -13,8 +13,8 @@ import org.dfra.geometry.LocalPosition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where the robot was lately, so that an image is laid where it was taken. All in one map, that of
- * the first pose's datum. Confined to one thread.
+ * Recent poses of the robot, to locate images at their time. All in one map, with the first pose's
+ * datum. Confined to one thread.
  */
 final class PoseBuffer {
 
@@ -34,14 +34,14 @@ final class PoseBuffer {
     }
   }
 
-  /** The pose nearest to a time, of 0.4 s before or after at most. */
+  /** The pose nearest to a time, at most 0.4 s before or after it. */
   Optional<PoseEstimate> nearest(Instant time) {
     return poses.stream()
         .min(Comparator.comparing(pose -> Duration.between(pose.measured(), time).abs()))
         .filter(pose -> Duration.between(pose.measured(), time).abs().compareTo(FARTHEST) <= 0);
   }
 
-  /** Where the robot was at a time, of a pose near to it: it went on as it did then. */
+  /** The robot's pose at a time, extrapolated from a pose near to it. */
   Viewpoint extrapolate(Instant time, PoseEstimate pose) {
     double seconds = Duration.between(pose.measured(), time).toNanos() / 1e9;
     double turned = pose.yawRate() * seconds;
@@ -60,7 +60,7 @@ final class PoseBuffer {
         : frame.toLocal(pose.position());
   }
 
-  /** The position on the earth of a place on the map. */
+  /** The WGS84 position of a map position. */
   GeoPosition toGeo(GroundPoint place) {
     return frame().toGeo(new LocalPosition(place.x(), place.y(), 0));
   }

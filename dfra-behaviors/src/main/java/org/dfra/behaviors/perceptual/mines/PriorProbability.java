@@ -1,6 +1,6 @@
 package org.dfra.behaviors.perceptual.mines;
 
-/** What a probability before all looks must be. */
+/** Validation of a prior probability. */
 final class PriorProbability {
 
   private PriorProbability() {}

@@ -1,33 +1,33 @@
 package org.dfra.behaviors.perceptual.mines;
 
 /**
- * How often a camera's alarms are right when it looks at one place again and again. What it took
- * for a mine once it takes for one again, and what it overlooked it overlooks again; so a look
- * counts by what the look before it said.
+ * Detection rates of a camera in repeated observations of one position. Errors repeat: a false
+ * alarm tends to recur, and so does a miss; so the evidence of an observation depends on the
+ * previous result.
  *
- * @param first of its first look at a place
- * @param afterAlarm of a look after one that raised an alarm
- * @param afterSilence of a look after one that raised none
+ * @param first of its first observation of a position
+ * @param afterAlarm of an observation after an alarm
+ * @param afterSilence of an observation after none
  */
 public record RepeatedDetectionRates(
     DetectorRates first, DetectorRates afterAlarm, DetectorRates afterSilence) {
 
-  /** What the look before said. */
+  /** The previous result. */
   public enum PreviousResult {
-    /** There was none. */
+    /** No previous observation. */
     NONE,
     /** An alarm. */
     ALARM,
-    /** That there is nothing. */
+    /** No alarm. */
     NO_ALARM;
 
-    /** What a look says to the one that comes after it. */
+    /** The result of an observation, for the next one. */
     public static PreviousResult of(boolean isAlarm) {
       return isAlarm ? ALARM : NO_ALARM;
     }
   }
 
-  /** What a look tells. */
+  /** The evidence of an observation. */
   public Evidence evidence(PreviousResult before, boolean isAlarm) {
     DetectorRates rates =
         switch (before) {

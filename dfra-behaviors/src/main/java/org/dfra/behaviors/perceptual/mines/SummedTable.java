@@ -1,8 +1,8 @@
 package org.dfra.behaviors.perceptual.mines;
 
 /**
- * One channel of a picture, summed up so that the mean of any rectangle takes four look-ups.
- * Source: F. C. Crow, "Summed-area tables for texture mapping", SIGGRAPH (1984). Immutable.
+ * The summed-area table of one channel: the mean of any rectangle takes four look-ups. Source: F.
+ * C. Crow, "Summed-area tables for texture mapping", SIGGRAPH (1984). Immutable.
  */
 final class SummedTable {
 
@@ -34,7 +34,7 @@ final class SummedTable {
     return height;
   }
 
-  /** Mean of the samples in a box that lies in the picture. */
+  /** Mean of the samples in a rectangle inside the image. */
   double mean(PixelRect box) {
     int above = box.top() * (width + 1);
     int below = box.bottom() * (width + 1);

@@ -1,7 +1,7 @@
 package org.dfra.behaviors.perceptual.mines;
 
 /**
- * Where a robot stands.
+ * Pose of a robot on the map.
  *
  * @param east metres
  * @param north metres
@@ -26,12 +26,12 @@ public record Viewpoint(double east, double north, double yaw) {
     return new GroundPoint(cos * dx + sin * dy, cos * dy - sin * dx);
   }
 
-  /** Metres to another, turned or not. */
+  /** Distance to another, metres, regardless of yaw. */
   public double distance(Viewpoint other) {
     return Math.hypot(east - other.east, north - other.north);
   }
 
-  /** How far it is turned from another, radians, 0 to π. */
+  /** Yaw difference to another, radians, 0 to π. */
   public double yawDifference(Viewpoint other) {
     return Math.abs(Math.IEEEremainder(yaw - other.yaw, 2 * Math.PI));
   }

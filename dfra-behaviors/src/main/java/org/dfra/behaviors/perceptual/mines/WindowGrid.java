@@ -3,12 +3,13 @@ package org.dfra.behaviors.perceptual.mines;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The windows of all places before a robot that a camera sees, on a lattice of {@value #STEP} m.
- * Made once for a camera and kept as long as that does not move on its robot. Immutable.
+ * The detection windows of all positions in front of a robot that a camera sees, on a lattice of
+ * {@value #STEP} m. Created once for a camera and valid as long as its mount does not change.
+ * Immutable.
  */
 final class WindowGrid {
 
-  /** From place to place, metres. */
+  /** Spacing of the lattice, metres. */
   static final double STEP = 0.05;
 
   private static final double SIDEWAYS = 2.5; // metres to each side
@@ -20,8 +21,8 @@ final class WindowGrid {
   private final @Nullable DetectionWindow[] windows;
 
   /**
-   * @param near nearest place, metres forward of the base
-   * @param far farthest, likewise
+   * @param near minimum distance, metres forward of the base
+   * @param far maximum distance, likewise
    */
   WindowGrid(PinholeCamera camera, MineModel target, double near, double far) {
     this.camera = camera;
@@ -38,27 +39,27 @@ final class WindowGrid {
     return camera;
   }
 
-  /** Number of places, seen or not. */
+  /** Number of positions, visible or not. */
   int size() {
     return windows.length;
   }
 
-  /** Number of places in a row of equal distance. */
+  /** Number of positions in a row of equal distance. */
   int columns() {
     return columns;
   }
 
-  /** The place of that number. */
+  /** The position of that index. */
   GroundPoint point(int index) {
     return new GroundPoint(near + index / columns * STEP, (index % columns) * STEP - SIDEWAYS);
   }
 
-  /** Its window; null where it is not seen well enough. */
+  /** Its window; null where visibility is insufficient. */
   @Nullable DetectionWindow at(int index) {
     return windows[index];
   }
 
-  /** Whether a mine there would be seen well enough. */
+  /** Whether a mine there would be sufficiently visible. */
   boolean covers(GroundPoint spot) {
     long row = Math.round((spot.x() - near) / STEP);
     long column = Math.round((spot.y() + SIDEWAYS) / STEP);

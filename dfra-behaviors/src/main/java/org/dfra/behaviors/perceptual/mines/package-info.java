@@ -1,11 +1,13 @@
 /**
- * Whether there is a mine at a place: found in pictures of light and of heat, laid on the ground,
- * and what many looks of several cameras say of it, put together.
+ * Mine detection: detections in visible and thermal images, projected to the ground, and fused over
+ * many observations of several cameras.
  *
  * <pre>
- *   CameraImage --&gt; Picture --&gt; Finder --&gt; Glance --+
- *                   Windows (where a mine would be)   |--&gt; Look --&gt; Places --&gt; MinePercept
- *   PoseEstimate --&gt; PoseBuffer ---&gt; Viewpoint -------+        (Fusion of Evidence)
+ *   CameraImage --&gt; DecodedImage --&gt; ContrastPeakFinder --&gt; ImageDetections --.
+ *                   WindowGrid --------^                                      |
+ *   PoseEstimate --&gt; PoseBuffer --&gt; Viewpoint --------------&gt; MineObservation <
+ *                                                                     |
+ *                          MineCandidateMap (Fusion of Evidence) &lt;----'  --&gt; MinePercept
  * </pre>
  *
  * <p>Enter at {@link org.dfra.behaviors.perceptual.mines.MineDetectorImpl}, at {@link

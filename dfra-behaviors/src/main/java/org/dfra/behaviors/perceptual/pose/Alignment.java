@@ -1,16 +1,16 @@
 package org.dfra.behaviors.perceptual.pose;
 
 /**
- * How a stretch of dead reckoning lies in the map.
+ * Transform of a section of dead reckoning to the map.
  *
  * @param yaw from the track's x to east, radians
  * @param certainty of the yaw: one over its variance, per square radian
- * @param trackX centre of the stretch on the track, metres
+ * @param trackX centre of the section on the track, metres
  * @param trackY likewise
  * @param east the same centre in the map, metres
  * @param north likewise
  * @param sigma standard deviation of the map's centre by white noise, metres
- * @param shares part of the fixes that each receiver gave
+ * @param shares fraction of the fixes from each receiver
  */
 record Alignment(
     double yaw,
@@ -22,7 +22,7 @@ record Alignment(
     double sigma,
     double[] shares) {
 
-  /** The same, its yaw weighed against another that is known besides. */
+  /** The same, with its yaw fused with another yaw. */
   Alignment with(double otherYaw, double otherCertainty) {
     double re = certainty * Math.cos(yaw) + otherCertainty * Math.cos(otherYaw);
     double im = certainty * Math.sin(yaw) + otherCertainty * Math.sin(otherYaw);
@@ -30,22 +30,22 @@ record Alignment(
         Math.atan2(im, re), Math.hypot(re, im), trackX, trackY, east, north, sigma, shares);
   }
 
-  /** Standard deviation of the yaw, radians; that of any yaw at all where it is less certain. */
+  /** Standard deviation of the yaw, radians; limited to that of an unknown yaw. */
   double yawSigma() {
     return Math.min(FixWindow.UNKNOWN_YAW_SIGMA, 1 / Math.sqrt(certainty));
   }
 
-  /** Metres from the centre to a place on the track, eastward. */
+  /** Metres from the centre to a point on the track, eastward. */
   double eastward(DeadReckoningTrack.Pose pose) {
     return Math.cos(yaw) * (pose.x() - trackX) - Math.sin(yaw) * (pose.y() - trackY);
   }
 
-  /** Metres from the centre to a place on the track, northward. */
+  /** Metres from the centre to a point on the track, northward. */
   double northward(DeadReckoningTrack.Pose pose) {
     return Math.sin(yaw) * (pose.x() - trackX) + Math.cos(yaw) * (pose.y() - trackY);
   }
 
-  /** Standard deviation of the position of a place on the track along its worst direction. */
+  /** Standard deviation of the position of a point on the track along its worst direction. */
   double positionSigma(DeadReckoningTrack.Pose pose, double bias) {
     double far = Math.hypot(pose.x() - trackX, pose.y() - trackY) * yawSigma();
     double shared = 0;

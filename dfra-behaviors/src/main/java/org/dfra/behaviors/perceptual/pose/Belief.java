@@ -7,16 +7,16 @@ import org.ejml.dense.row.CommonOps_DDRM;
  * An extended Kalman filter's belief: a state, its covariance and the time of both.
  *
  * <pre>
- *   east, north   metres, of the robot's base
- *   yaw           radians
- *   turn          rate of the gyro at rest, radians per second: a random walk
- *   scale         part by which the way is longer than the wheels say: a slow random walk
- *   spin          part by which the turn is longer than the wheels say; without a gyro only
- *   slow errors   metres east and north, for each receiver: Gauss-Markov processes
+ *   east, north      metres, of the robot's base
+ *   yaw              radians
+ *   gyro bias        radians per second: a random walk
+ *   wheel scale      relative error of the wheels' distance: a slow random walk
+ *   wheel yaw scale  relative error of the wheels' yaw; only without a gyro
+ *   GPS biases       metres east and north, for each receiver: Gauss-Markov processes
  * </pre>
  *
- * <p>The slow error of a receiver not heard yet stays what it is before all: 0 with its own
- * standard deviation, tied to nothing. Confined to one thread.
+ * <p>The GPS bias of a receiver without a fix yet keeps its prior: 0 with its own standard
+ * deviation, uncorrelated. Confined to one thread.
  */
 final class Belief {
 
@@ -29,13 +29,13 @@ final class Belief {
   static final int GPS_BIAS = 6;
   static final int SIZE = GPS_BIAS + 2 * FixPreprocessor.MAX_RECEIVERS;
 
-  /** What the scale changes by after a second, per root second. */
+  /** Random walk of the wheel scale, per root second. */
   private static final double SCALE_DRIFT = 3e-4;
 
-  /** What the spin changes by after a second, per root second: the ground changes. */
+  /** Random walk of the wheel yaw scale, per root second: the ground changes. */
   private static final double SPIN_DRIFT = 3e-3;
 
-  /** Slow errors smaller than this are kept at it, metres: a covariance must be positive. */
+  /** Minimum standard deviation of a GPS bias, metres: a covariance must be positive. */
   private static final double LEAST = 1e-3;
 
   final DMatrixRMaj state = new DMatrixRMaj(SIZE, 1);
@@ -54,7 +54,7 @@ final class Belief {
     this.byFix = new FixCorrection(settings);
   }
 
-  /** Becomes the same as another. */
+  /** Copies another. */
   void set(Belief other) {
     state.setTo(other.state);
     covariance.setTo(other.covariance);
@@ -75,12 +75,12 @@ final class Belief {
     return covariance.get(index, index);
   }
 
-  /** To the left, radians per second, in the last step. */
+  /** Yaw rate in the last step, radians per second, to the left is +. */
   double yawRate() {
     return turnRate;
   }
 
-  /** Begins at a pose: nothing is known of the rest but what is known before all. */
+  /** Initializes it at a pose; the other states get their priors. */
   void initialize(long at, double east, double north, double yaw) {
     time = at;
     speed = 0;
@@ -98,7 +98,7 @@ final class Belief {
     }
   }
 
-  /** Sets one number of the state, tied to no other. */
+  /** Sets one component of the state, uncorrelated. */
   void setUncorrelated(int index, double value, double sigma) {
     for (int i = 0; i < SIZE; i++) {
       covariance.set(index, i, 0);
@@ -108,7 +108,7 @@ final class Belief {
     covariance.set(index, index, sigma * sigma);
   }
 
-  /** Makes the slow error of a receiver what it is before all. */
+  /** Resets the GPS bias of a receiver to its prior. */
   void resetReceiverBias(int slot) {
     setUncorrelated(GPS_BIAS + 2 * slot, 0, slowSigma());
     setUncorrelated(GPS_BIAS + 2 * slot + 1, 0, slowSigma());
@@ -118,14 +118,14 @@ final class Belief {
     return Math.max(LEAST, settings.gps().biasSigma());
   }
 
-  /** Doubts the position by some metres and the yaw by some radians more. */
+  /** Inflates the covariance of position, metres, and yaw, radians. */
   void inflate(double metres, double radians) {
     covariance.add(EAST, EAST, metres * metres);
     covariance.add(NORTH, NORTH, metres * metres);
     covariance.add(YAW, YAW, radians * radians);
   }
 
-  /** Moves by a step. */
+  /** Predicts by a motion increment. */
   void predict(MotionIncrement step) {
     double dt = step.seconds();
     boolean rests =
@@ -216,7 +216,7 @@ final class Belief {
     }
   }
 
-  /** The robot stands, so what the gyro shows is its bias. */
+  /** Corrects the gyro bias: the robot is stationary. */
   private void learnTurn(double rate, double dt) {
     double noise = settings.gyro().noiseDensity();
     byRest.jacobian.zero();
@@ -226,19 +226,19 @@ final class Belief {
     byRest.apply(state, covariance, Double.POSITIVE_INFINITY);
   }
 
-  /** Corrects by where a fix is; false if it was too unlikely. */
+  /** Corrects by a fix's position; false if the gate rejected it. */
   boolean correctPosition(LocalFix fix) {
     return byFix.position(fix, state, covariance);
   }
 
-  /** Whether the fix's course says anything of the yaw, as the last step went. */
+  /** Whether the fix's course is usable for the yaw, given the last step. */
   boolean canUseCourse(LocalFix fix) {
     return !Double.isNaN(fix.course())
         && Math.abs(speed) > FixWindow.MIN_COURSE_SPEED
         && Math.abs(turnRate) < FixWindow.MAX_COURSE_YAW_RATE;
   }
 
-  /** Corrects by the direction in which a fix travels; false if it was too unlikely. */
+  /** Corrects by a fix's course; false if the gate rejected it. */
   boolean correctCourse(LocalFix fix) {
     return byFix.course(fix, fix.antennaDirection(speed, turnRate), state, covariance);
   }

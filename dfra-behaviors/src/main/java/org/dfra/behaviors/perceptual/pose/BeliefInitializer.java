@@ -2,18 +2,19 @@ package org.dfra.behaviors.perceptual.pose;
 
 import java.util.List;
 
-/** Makes the belief that a Kalman filter begins with of an alignment. */
+/** Creates a Kalman filter's initial belief from an alignment. */
 final class BeliefInitializer {
 
-  /** The first yaw is never better than this, radians: the gyro was not yet known. */
+  /** Minimum standard deviation of the initial yaw, radians: the gyro bias is not yet known. */
   private static final double LEAST_YAW = 0.02;
 
   private BeliefInitializer() {}
 
   /**
-   * Begins a belief where the track ends. What an older belief had learnt of the sensors is kept.
+   * Initializes a belief at the end of the track. It keeps the sensor parameters that an older
+   * belief has estimated.
    *
-   * @param belief an older one or, not sound, none
+   * @param belief an older one; ignored if invalid
    */
   static void initialize(
       Belief belief, Alignment alignment, DeadReckoning reckoning, TrackerSettings settings) {
@@ -40,7 +41,10 @@ final class BeliefInitializer {
     }
   }
 
-  /** The fixes' mean has the slow errors' mean in it, and the yaw's error turns the way since. */
+  /**
+   * The fixes' mean includes the mean of the GPS biases, and the yaw's error rotates the path
+   * since.
+   */
   private static void spread(Belief belief, Alignment alignment, DeadReckoningTrack.Pose end) {
     double e = alignment.eastward(end);
     double n = alignment.northward(end);

@@ -4,18 +4,18 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
- * The correction of a state by a measurement of a few numbers: the Kalman filter's second half, the
- * covariance in Joseph's form. It is made once for a size and used again and again.
+ * The measurement update of a Kalman filter, with the covariance in Joseph's form. It is created
+ * once for a size and reused.
  */
 final class Correction {
 
-  /** How the measurement depends on the state; rows are numbers measured. To be filled in. */
+  /** Measurement matrix; a row for each measured component. The caller fills it in. */
   final DMatrixRMaj jacobian;
 
-  /** Measured less expected. To be filled in. */
+  /** Innovation: measured minus expected. The caller fills it in. */
   final DMatrixRMaj innovation;
 
-  /** Covariance of the measurement's own error. To be filled in. */
+  /** Covariance of the measurement noise. The caller fills it in. */
   final DMatrixRMaj noise;
 
   private final DMatrixRMaj spread;
@@ -29,8 +29,8 @@ final class Correction {
   private final DMatrixRMaj shift;
 
   /**
-   * @param size numbers in the state
-   * @param measured numbers in the measurement
+   * @param size dimension of the state
+   * @param measured dimension of the measurement
    */
   Correction(int size, int measured) {
     jacobian = new DMatrixRMaj(measured, size);
@@ -48,9 +48,9 @@ final class Correction {
   }
 
   /**
-   * Corrects the state and its covariance, unless the measurement is too unlikely.
+   * Corrects the state and its covariance, unless the gate rejects the measurement.
    *
-   * @param gate squared Mahalanobis distance of the innovation from which on it is
+   * @param gate squared Mahalanobis distance of the innovation from which on it rejects
    * @return whether it was corrected
    */
   boolean apply(DMatrixRMaj state, DMatrixRMaj covariance, double gate) {
@@ -78,7 +78,7 @@ final class Correction {
     return true;
   }
 
-  /** Takes off what rounding makes unequal across the diagonal. */
+  /** Restores the symmetry that rounding errors break. */
   static void symmetrize(DMatrixRMaj matrix) {
     for (int i = 0; i < matrix.numRows; i++) {
       for (int j = 0; j < i; j++) {

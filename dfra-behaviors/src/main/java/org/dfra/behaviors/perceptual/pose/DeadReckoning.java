@@ -7,13 +7,13 @@ import org.dfra.flow.sensor.AngularRate;
 import org.dfra.flow.sensor.Odometry;
 import org.jspecify.annotations.Nullable;
 
-/** Dead reckoning and the fixes beside it. */
+/** Dead reckoning with its associated fixes. */
 final class DeadReckoning {
 
-  /** Steps that do not come for this long do not come, nanoseconds. */
+  /** Timeout of motion increments, nanoseconds. */
   private static final long SILENT = EpochNanos.SECOND;
 
-  /** Metres of unmeasured way after which older fixes say nothing of the place. */
+  /** Unmeasured distance after which older fixes are useless for the position, metres. */
   private static final double ASTRAY = 0.5;
 
   private static final int MOST_WAITING = 16;
@@ -33,12 +33,12 @@ final class DeadReckoning {
     steps.take(rate);
   }
 
-  /** The step that this reading makes; null if none. */
+  /** The motion increment from this reading; null if none. */
   @Nullable MotionIncrement take(Odometry odometry) {
     return add(steps.take(odometry));
   }
 
-  /** The step to a time, blindly, where the wheels have long been silent then; else null. */
+  /** An unmeasured increment to a time, if the wheels sent no data for long; else null. */
   @Nullable MotionIncrement advanceTo(long time) {
     if (!steps.hasBegun()) {
       return add(steps.unmeasured(time));
@@ -69,7 +69,7 @@ final class DeadReckoning {
     return step;
   }
 
-  /** Takes a fix beside the track, at once or when the track has come so far. */
+  /** Associates a fix with the track, at once or when the track has reached its time. */
   void add(LocalFix fix) {
     if (fix.time() <= steps.time()) {
       place(fix);
@@ -85,7 +85,10 @@ final class DeadReckoning {
     }
   }
 
-  /** To the left, radians per second; by the gyro less its bias at rest, else by the wheels. */
+  /**
+   * Yaw rate, radians per second, to the left is +; from the gyro minus its bias, else from the
+   * wheels.
+   */
   double yawRate() {
     double rate = steps.gyroYawRate();
     return Double.isNaN(rate) ? steps.wheelYawRate() : rate - track.gyroBias();
@@ -103,12 +106,12 @@ final class DeadReckoning {
     return window;
   }
 
-  /** How the track lies in the map; empty before the first fix beside it. */
+  /** Alignment of the track in the map; empty before the first associated fix. */
   Optional<Alignment> align() {
     return window.align();
   }
 
-  /** The pose on the track at a time, from where it ends, for half a second at most. */
+  /** The pose on the track at a time, extrapolated from its end for half a second at most. */
   DeadReckoningTrack.Pose predict(long time) {
     DeadReckoningTrack.Pose end = track.end();
     if (time <= steps.time()) {

@@ -1,16 +1,16 @@
 package org.dfra.behaviors.perceptual.pose;
 
 /**
- * The way by dead reckoning: steps put one after the other, from 0, 0 and yaw 0. The gyro's bias is
- * its mean while the robot stands, of the last minute or so of standing. A robot that is turned by
- * hand does not stand, though its wheels do.
+ * The path by dead reckoning: concatenated motion increments, from 0, 0 and yaw 0. The gyro's bias
+ * is its mean while the robot is stationary, over about the last minute of such time. A robot
+ * rotated by hand is not stationary, though its wheels are.
  */
 final class DeadReckoningTrack {
 
-  /** A minute and more of steps at 20 Hz. */
+  /** More than a minute of increments at 20 Hz. */
   private static final int KEPT = 2048;
 
-  /** Standing that counts, seconds. */
+  /** Stationary time used, seconds. */
   private static final double REMEMBERED = 60;
 
   private final TrackerSettings.GyroErrors gyro;
@@ -29,7 +29,7 @@ final class DeadReckoningTrack {
     this.gyro = gyro;
   }
 
-  /** Begins at 0, 0 and yaw 0; what was before is forgotten, but for the bias. */
+  /** Restarts at 0, 0 and yaw 0; keeps only the bias. */
   void begin(long time) {
     count = 0;
     put(time, 0, 0, 0);
@@ -65,12 +65,12 @@ final class DeadReckoningTrack {
     count++;
   }
 
-  /** Rate of the gyro at rest, radians per second; 0 before it rested. */
+  /** Gyro bias, radians per second; 0 before the robot was stationary. */
   double gyroBias() {
     return bias;
   }
 
-  /** For how long it has rested, seconds, a minute at most. */
+  /** Stationary time so far, seconds, at most a minute. */
   double stationarySeconds() {
     return rested;
   }
@@ -91,7 +91,7 @@ final class DeadReckoningTrack {
     return yaws[last()];
   }
 
-  /** Where it ends; the beginning if nothing was added. */
+  /** Its end; the start if nothing was added. */
   Pose end() {
     return count == 0 ? new Pose(0, 0, 0) : new Pose(x(), y(), yaw());
   }
@@ -105,7 +105,7 @@ final class DeadReckoningTrack {
     return Math.max(0, count - KEPT);
   }
 
-  /** The pose at a time that it covers, straight between two steps. */
+  /** The pose at a time that it covers, interpolated linearly. */
   Pose at(long time) {
     long i = count - 1;
     while (i > oldest() && times[(int) (i % KEPT)] > time) {

@@ -4,27 +4,26 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A belief that can be corrected in the past. It keeps an old belief, the base, and all that
- * happened since in the order of time. A fix that comes late is put where it belongs, its step cut
- * in two, and everything after it is gone through again: the outcome is that of fixes that are
- * never late.
+ * A belief that can be corrected in the past. It stores an old belief, the base, and all inputs
+ * since in the order of time. It inserts a late fix at its own time, splits the motion increment
+ * there, and replays all later inputs: the result equals that of fixes without delay.
  *
  * <pre>
  *   base --step--step--step-.- fix -.-step-- fix --step--&gt; head
- *   horizon ago             cut in two                     now
+ *   horizon ago             split                          now
  * </pre>
  */
 final class DelayedFixFilter {
 
-  /** What became of a fix. */
+  /** Result of a fix. */
   enum FixOutcome {
     /** It corrected the belief. */
     USED,
-    /** Its position was too unlikely. */
+    /** The gate rejected its position. */
     REJECTED,
-    /** Its position corrected the belief, but its course was too unlikely. */
+    /** Its position corrected the belief, but the gate rejected its course. */
     COURSE_REJECTED,
-    /** It is from before all that is kept. */
+    /** It is older than all stored inputs. */
     TOO_LATE
   }
 
@@ -39,12 +38,12 @@ final class DelayedFixFilter {
     this.head = new Belief(settings);
   }
 
-  /** The newest belief. Who changes it calls {@link #rebase()}. */
+  /** The newest belief. After changing it, call {@link #rebase()}. */
   Belief head() {
     return head;
   }
 
-  /** Makes the newest belief the only one: nothing before it can be corrected any more. */
+  /** Makes the newest belief the base: nothing before it can be corrected any more. */
   void rebase() {
     base.set(head);
     events.clear();

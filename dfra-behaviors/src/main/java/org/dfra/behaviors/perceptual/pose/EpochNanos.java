@@ -8,17 +8,17 @@ final class EpochNanos {
 
   static final long SECOND = 1_000_000_000L;
 
-  /** Seconds before and after 1970 that are told apart: the years 1844 to 2096. */
+  /** Supported seconds before and after 1970: the years 1844 to 2096. */
   private static final long FARTHEST = 4_000_000_000L;
 
   private EpochNanos() {}
 
-  /** Whether a clock can have said so. */
+  /** Whether the time is plausible for a clock. */
   static boolean isPlausible(Instant time) {
     return Math.abs(time.getEpochSecond()) < FARTHEST;
   }
 
-  /** The nanosecond of it; the first or last known for one still farther away. */
+  /** The instant in nanoseconds, clamped to the supported range. */
   static long of(Instant time) {
     long seconds = Math.max(-FARTHEST, Math.min(FARTHEST, time.getEpochSecond()));
     return seconds * SECOND + time.getNano();
@@ -33,7 +33,7 @@ final class EpochNanos {
     return (to - from) * 1e-9;
   }
 
-  /** That many seconds. */
+  /** Converts to seconds. */
   static long of(double seconds) {
     return Math.round(seconds * SECOND);
   }

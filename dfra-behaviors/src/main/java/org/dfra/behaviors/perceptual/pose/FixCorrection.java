@@ -3,7 +3,7 @@ package org.dfra.behaviors.perceptual.pose;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
-/** Corrects a {@link Belief}'s numbers by fixes. */
+/** Corrects a {@link Belief}'s state by fixes. */
 final class FixCorrection {
 
   private final TrackerSettings settings;
@@ -14,7 +14,7 @@ final class FixCorrection {
     this.settings = settings;
   }
 
-  /** Corrects by where a fix is; false if it was too unlikely. */
+  /** Corrects by a fix's position; false if the gate rejected it. */
   boolean position(LocalFix fix, DMatrixRMaj state, DMatrixRMaj covariance) {
     double cos = Math.cos(state.get(Belief.YAW));
     double sin = Math.sin(state.get(Belief.YAW));
@@ -39,9 +39,9 @@ final class FixCorrection {
   }
 
   /**
-   * Corrects by the direction in which a fix travels; false if it was too unlikely.
+   * Corrects by a fix's course; false if the gate rejected it.
    *
-   * @param ahead that direction on the robot, radians from its x, to the left is +
+   * @param ahead direction of travel in the robot's frame, radians from its x, to the left is +
    */
   boolean course(LocalFix fix, double ahead, DMatrixRMaj state, DMatrixRMaj covariance) {
     double sigma = settings.gps().courseSigma(fix.speed());

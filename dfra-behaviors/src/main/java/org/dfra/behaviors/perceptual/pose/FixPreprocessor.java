@@ -11,28 +11,28 @@ import org.dfra.time.ClockOffset;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Takes fixes in: leaves out what has no position of its own, comes twice or is nonsense, puts the
- * rest into the local frame and on the robot's clock. A position hold has no position of its own:
- * the receiver was told it.
+ * Preprocesses fixes: drops those without a measured position, duplicates and implausible values,
+ * and converts the others to the local frame and the robot's clock. In position hold the position
+ * is not measured: it was set by a command.
  */
 final class FixPreprocessor {
 
-  /** Receivers told apart. */
+  /** Maximum number of receivers. */
   static final int MAX_RECEIVERS = 3;
 
-  /** After this silence a receiver's slot may be given to another. */
+  /** After this time without a fix a receiver's slot may be reused. */
   private static final long SILENT = 60 * EpochNanos.SECOND;
 
-  /** Farther from the datum than this nothing is local, metres. */
+  /** Maximum distance from the datum, metres. */
   private static final double FARTHEST = 1e6;
 
-  /** No antenna is higher or lower than this, metres: beyond it a height is nonsense. */
+  /** Limit of antenna heights, metres: beyond it a height is implausible. */
   private static final double HIGHEST = 1e5;
 
-  /** No lever arm is longer, metres. */
+  /** Maximum lever arm, metres. */
   private static final double LONGEST_ARM = 100;
 
-  /** No receiver here is faster, metres per second. */
+  /** Maximum speed of a receiver, metres per second. */
   private static final double FASTEST = 500;
 
   private static final double MOST_DILUTED = 10;
@@ -44,7 +44,7 @@ final class FixPreprocessor {
   private @Nullable LocalFrame frame;
 
   /**
-   * @param datum origin of the frame; null for the first position
+   * @param datum origin of the frame; null to use the first position
    */
   FixPreprocessor(TrackerSettings.GpsErrors errors, @Nullable GeoPosition datum) {
     this.errors = errors;
@@ -56,15 +56,12 @@ final class FixPreprocessor {
     return Optional.ofNullable(frame).map(LocalFrame::datum);
   }
 
-  /**
-   * How far the robot's clock, which shows that time, is ahead of UTC; see {@link
-   * UtcOffsetEstimator}.
-   */
+  /** Offset of the robot's clock, at that time, ahead of UTC; see {@link UtcOffsetEstimator}. */
   Optional<ClockOffset> clockOffset(long now) {
     return offset.estimate(now);
   }
 
-  /** Takes a fix; null where there is nothing to be had from it. */
+  /** Converts a fix; null where it is unusable. */
   @Nullable LocalFix process(GpsFix fix, String source, Transform antenna, Instant received) {
     if (fix.mode() == GpsFix.Mode.NONE
         || !EpochNanos.isPlausible(fix.utc())
@@ -96,7 +93,7 @@ final class FixPreprocessor {
     return local(fix, position, antenna, slot, utc);
   }
 
-  /** The clock was set or all were silent: any receiver may be replaced. */
+  /** The clock was set or no receiver sent fixes: any slot may be reused. */
   private void loosen(long arrival) {
     for (Receiver receiver : receivers) {
       if (receiver != null) {
@@ -134,7 +131,7 @@ final class FixPreprocessor {
         hasCourse ? Math.toRadians(90 - fix.course()) : Double.NaN);
   }
 
-  /** The slot of a receiver; −1 where all are taken by others that are still heard. */
+  /** The slot of a receiver; −1 where all are in use by other active receivers. */
   private int slot(String source, long arrival) {
     int oldest = 0;
     for (int i = 0; i < MAX_RECEIVERS; i++) {
@@ -157,7 +154,7 @@ final class FixPreprocessor {
     return oldest;
   }
 
-  /** A receiver and the moments of its last fixes. */
+  /** A receiver and the times of its last fixes. */
   private static final class Receiver {
 
     private static final int KEPT = 8;
@@ -174,7 +171,7 @@ final class FixPreprocessor {
       this.isNew = isNew;
     }
 
-    /** Whether the fix of that moment was here before; remembers it. */
+    /** Whether a fix of that time was received before; stores it. */
     boolean isRepeated(long utc) {
       for (int i = 0; i < Math.min(count, KEPT); i++) {
         if (moments[i] == utc) {

@@ -6,35 +6,35 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The last fixes, each beside the place on the track where the antenna was then. The track is laid
- * over the fixes by least squares: turned by the angle for which the fixes, each less the mean of
- * its receiver, fit best (a receiver's slow error so leaves the yaw alone), then shifted mean to
- * mean. Courses over ground count for the angle as well.
+ * The last fixes, each with the antenna's point on the track at that time. The track is aligned to
+ * the fixes by least squares: rotated by the angle for which the fixes, each minus the mean of its
+ * receiver, fit best (so a receiver's bias does not affect the yaw), then translated mean to mean.
+ * Courses over ground contribute to the angle as well.
  *
- * <p>With complex numbers, d a place on the track and f its fix, both less their means, and c the
+ * <p>With complex numbers, d a point on the track and f its fix, both minus their means, and c the
  * angle from the track to a course: Z = Σ conj(d)·f / σ² + Σ exp(i·c) / σ_c². The angle is arg Z,
  * one over its variance |Z|.
  */
 final class FixWindow {
 
-  /** Standard deviation of a yaw of which nothing is known, radians: π/√3. */
+  /** Standard deviation of an unknown yaw, radians: π/√3. */
   static final double UNKNOWN_YAW_SIGMA = 1.8138;
 
   private static final int MOST = 256;
 
-  /** A fix farther off than that many times the median, and than its noise, is left out. */
+  /** A fix is an outlier if its residual exceeds this multiple of the median, and its noise. */
   private static final double OUTLYING = 4;
 
-  /** Turning faster than this a receiver's course is late, radians per second. */
+  /** Above this yaw rate a receiver's course lags, radians per second. */
   static final double MAX_COURSE_YAW_RATE = 0.2;
 
-  /** Slower by its wheels, metres per second, a robot's course is not its own. */
+  /** Below this wheel speed, metres per second, a course is unusable. */
   static final double MIN_COURSE_SPEED = 0.2;
 
   private final TrackerSettings settings;
   private final List<Entry> entries = new ArrayList<>();
 
-  /** A fix, the antenna's place on the track, and the angle from the track to its course. */
+  /** A fix, the antenna's point on the track, and the angle from the track to its course. */
   private record Entry(LocalFix fix, double x, double y, double courseAngle) {}
 
   FixWindow(TrackerSettings settings) {
@@ -44,7 +44,7 @@ final class FixWindow {
   /**
    * Adds a fix.
    *
-   * @param pose of the robot on the track when the fix was made
+   * @param pose of the robot on the track at the time of the fix
    * @param speed of the robot then, forward is +, metres per second
    * @param turnRate of the robot then, radians per second
    */
@@ -73,7 +73,7 @@ final class FixWindow {
     entries.clear();
   }
 
-  /** Forgets fixes from before that time. */
+  /** Drops fixes from before that time. */
   void clearBefore(long time) {
     entries.removeIf(entry -> entry.fix.time() < time);
   }
@@ -152,7 +152,7 @@ final class FixWindow {
     }
   }
 
-  /** Mean x, y, east, north of a receiver's entries, and how many they are. */
+  /** Mean x, y, east, north of a receiver's entries, and their number. */
   private static double[] mean(List<Entry> chosen, int slot) {
     double[] sum = new double[5];
     for (Entry entry : chosen) {

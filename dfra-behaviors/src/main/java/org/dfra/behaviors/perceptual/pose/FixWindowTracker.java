@@ -11,9 +11,9 @@ import org.dfra.geometry.Transform;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The heuristic: dead reckoning laid over the fixes of the last seconds, see {@link FixWindow}. It
- * knows nothing but these, so it forgets its errors, and its certainties, within the window.
- * Without a fix in the window the last alignment goes on. Confined to one thread.
+ * The heuristic: dead reckoning aligned to the fixes of the last seconds, see {@link FixWindow}. It
+ * uses only these, so errors, and certainty, persist no longer than the window. Without a fix in
+ * the window it keeps the last alignment. Confined to one thread.
  */
 public final class FixWindowTracker implements PoseTracker {
 
@@ -25,7 +25,7 @@ public final class FixWindowTracker implements PoseTracker {
 
   /**
    * @param frame name of the frame of its estimates
-   * @param datum origin of that frame; null for the position of the first fix
+   * @param datum origin of that frame; null to use the position of the first fix
    */
   public FixWindowTracker(TrackerSettings settings, String frame, @Nullable GeoPosition datum) {
     this.settings = settings;
@@ -74,7 +74,7 @@ public final class FixWindowTracker implements PoseTracker {
         fix.time());
   }
 
-  /** Where a place on the track is in the map. */
+  /** Transforms a point on the track to the map. */
   static PoseEstimateFactory.UncertainPose toPose(
       Alignment alignment, DeadReckoningTrack.Pose pose, TrackerSettings settings) {
     return new PoseEstimateFactory.UncertainPose(

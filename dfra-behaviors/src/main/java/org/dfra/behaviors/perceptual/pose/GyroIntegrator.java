@@ -3,18 +3,18 @@ package org.dfra.behaviors.perceptual.pose;
 import org.dfra.flow.sensor.AngularRate;
 
 /**
- * The turn that a gyro has felt, its rates put together by the trapezoidal rule. A silence of more
- * than 0.3 s breaks the turn: before and after it cannot be compared.
+ * Integrates a gyro's rates by the trapezoidal rule. A gap of more than 0.3 s starts a new segment:
+ * angles before and after it are not comparable.
  */
 final class GyroIntegrator {
 
-  /** For how long a rate is taken to go on. */
+  /** For how long a rate is extrapolated. */
   private static final long HOLD = 3 * EpochNanos.SECOND / 10;
 
   /** Five seconds at 100 Hz. */
   private static final int KEPT = 512;
 
-  /** No gyro here measures more, radians per second. */
+  /** Maximum rate of a gyro, radians per second. */
   private static final double FASTEST = 30;
 
   private final TimestampMonitor continuity = new TimestampMonitor();
@@ -58,20 +58,20 @@ final class GyroIntegrator {
     count++;
   }
 
-  /** Number of the unbroken stretch: angles of two cannot be compared. */
+  /** Number of the current segment: angles of different segments are not comparable. */
   int segment() {
     return stretch;
   }
 
-  /** The last rate, radians per second, bias and all; 0 before the first. */
+  /** The last rate, radians per second, bias included; 0 before the first. */
   double rate() {
     return lastRate;
   }
 
   /**
-   * How far it had turned, radians, in this stretch; NaN where that is not known.
+   * The angle in this segment, radians; NaN where it is unknown.
    *
-   * @param time not long after the last rate, which is then taken to go on
+   * @param time shortly after the last rate at most, which is then extrapolated
    */
   double angleAt(long time) {
     if (count == 0) {

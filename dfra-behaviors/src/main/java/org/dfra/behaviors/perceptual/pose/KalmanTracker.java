@@ -14,29 +14,32 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * An extended Kalman filter of pose, gyro bias, wheel scale and the slow error of each receiver;
- * see {@link Belief}. Late fixes count at their own time; see {@link DelayedFixFilter}.
+ * see {@link Belief}. Late fixes are used at their own time; see {@link DelayedFixFilter}.
  *
- * <p>A filter that is linear about its belief must know its yaw roughly. So it begins only when the
- * way has shown the yaw, and until then answers as {@link FixWindowTracker} does. It goes back to
- * this when it must be wrong.
+ * <p>A filter that is linearized about its belief needs an approximate yaw. So it starts only when
+ * the path has determined the yaw, and until then gives the estimates of {@link FixWindowTracker}.
+ * It returns to these on evident divergence.
  *
  * <pre>
  *                  yaw certain enough
- *   ALIGNING ------------------------------&gt; TRACKING --. all fixes disbelieved for long:
- *      ^                                        |  ^    | the position is doubted, once
+ *   ALIGNING ------------------------------&gt; TRACKING --. all fixes rejected for the timeout:
+ *      ^                                        |  ^    | position covariance inflated, once
  *      `----------------------------------------'  `----'
- *        all fixes disbelieved again, courses disbelieved
- *        for long, yaw lost, or numbers no longer sound
+ *        all fixes rejected again, courses rejected
+ *        for the timeout, yaw lost, or invalid numbers
  * </pre>
  *
  * <p>Confined to one thread.
  */
 public final class KalmanTracker implements PoseTracker {
 
-  /** So many fixes in a row, at least, are needed to doubt the belief. */
+  /** Minimum number of consecutive rejected fixes before the covariance is inflated. */
   private static final int ENOUGH = 5;
 
-  /** A doubt that comes so many times {@code lostAfter} after the last is no first one. */
+  /**
+   * A new inflation within this multiple of the rejection timeout after the last counts as a
+   * repeated one.
+   */
   private static final int DOUBT_LASTS = 4;
 
   private static final double DOUBTED_YAW = 0.2; // radians
@@ -45,7 +48,7 @@ public final class KalmanTracker implements PoseTracker {
   private static final int MOST_WAITING = 16;
 
   /**
-   * What is known of the first yaw.
+   * Prior knowledge of the initial yaw.
    *
    * @param yaw radians, 0 is east, counter-clockwise is +
    * @param sigma its standard deviation, radians, above 0
@@ -77,8 +80,8 @@ public final class KalmanTracker implements PoseTracker {
 
   /**
    * @param frame name of the frame of its estimates
-   * @param datum origin of that frame; null for the position of the first fix
-   * @param known what is known of the yaw before it moves; null for nothing
+   * @param datum origin of that frame; null to use the position of the first fix
+   * @param known prior of the initial yaw; null for none
    */
   public KalmanTracker(
       TrackerSettings settings,
@@ -184,7 +187,7 @@ public final class KalmanTracker implements PoseTracker {
     }
   }
 
-  /** All fixes have been disbelieved for long: the position is wrong, or more than that. */
+  /** All fixes were rejected for the timeout: the position is wrong, or more states are. */
   private void doubt(LocalFix fix) {
     long lasts = DOUBT_LASTS * settings.rejectionTimeout().toNanos();
     if (hasDoubted && Math.abs(fix.time() - doubted) < lasts) {
@@ -201,7 +204,7 @@ public final class KalmanTracker implements PoseTracker {
     positions.clear();
   }
 
-  /** Begins anew with what happened since a time; only what was learnt of the sensors is kept. */
+  /** Restarts with the inputs since a time; keeps only the estimated sensor parameters. */
   private void realign(long since) {
     isTracking = false;
     waiting.clear();
@@ -212,7 +215,7 @@ public final class KalmanTracker implements PoseTracker {
     align();
   }
 
-  /** Begins to track if the yaw is certain enough. */
+  /** Starts to track if the yaw is certain enough. */
   private void align() {
     Optional<Alignment> found = reckoning.align().map(this::withKnown);
     if (found.isEmpty() || !(found.get().yawSigma() < settings.maxInitialYawSigma())) {
@@ -225,13 +228,13 @@ public final class KalmanTracker implements PoseTracker {
     known = null;
   }
 
-  /** The alignment with the yaw that was known before, if that has not been used. */
+  /** The alignment fused with the prior of the yaw, if that has not been used. */
   private Alignment withKnown(Alignment found) {
     InitialYaw before = known;
     if (before == null) {
       return found;
     }
-    // The track begins with yaw 0, so its angle to the map is the robot's first yaw.
+    // The track starts with yaw 0, so its angle to the map is the robot's initial yaw.
     return found.with(before.yaw(), 1 / (before.sigma() * before.sigma()));
   }
 
@@ -272,7 +275,7 @@ public final class KalmanTracker implements PoseTracker {
         used);
   }
 
-  /** The newest belief, for tests; empty while it aligns. */
+  /** The newest belief, for tests; empty while ALIGNING. */
   Optional<Belief> belief() {
     return isTracking ? Optional.of(replay.head()) : Optional.empty();
   }

@@ -1,17 +1,17 @@
 package org.dfra.behaviors.perceptual.pose;
 
 /**
- * How a robot moved for a short while, as its sensors tell it.
+ * A robot's motion in a short interval, measured by its sensors.
  *
- * @param from when it began, nanoseconds by the robot's clock
- * @param time when it ended
- * @param distance metres that the wheels went, forward is +
- * @param wheelYaw radians that the wheels turned, to the left is +
- * @param gyroYaw radians that the gyro turned, its bias and all; NaN where it told nothing
- * @param distanceSigma standard deviation of a way not measured, east and north each, metres
- * @param yawSigma standard deviation of a turn that wheels did not measure, radians
- * @param areWheelsStationary whether the wheels have stood still for a while
- * @param isClockJump whether the clock was set: nothing before it is of use
+ * @param from start time, nanoseconds by the robot's clock
+ * @param time end time
+ * @param distance of the wheels, metres, forward is +
+ * @param wheelYaw yaw from the wheels, radians, to the left is +
+ * @param gyroYaw yaw from the gyro, radians, bias included; NaN without data
+ * @param distanceSigma standard deviation of an unmeasured path, east and north each, metres
+ * @param yawSigma standard deviation of a yaw that the wheels did not measure, radians
+ * @param areWheelsStationary whether the wheels have been stationary for a while
+ * @param isClockJump whether the clock was set: earlier data is useless
  */
 record MotionIncrement(
     long from,
@@ -25,7 +25,9 @@ record MotionIncrement(
     boolean isClockJump)
     implements FilterInput {
 
-  /** A gyro that shows this much beyond its error turns, though the wheels rest, rad/s. */
+  /**
+   * Gyro rate beyond its error that indicates rotation, though the wheels are stationary, rad/s.
+   */
   private static final double TURNED = 0.01;
 
   double seconds() {
@@ -37,10 +39,10 @@ record MotionIncrement(
   }
 
   /**
-   * Whether the robot stands. Wheels that rest are not enough: a gyro that turns says that it is
-   * lifted or pushed.
+   * Whether the robot is stationary. Stationary wheels are not sufficient: a gyro rate shows that
+   * it is lifted or pushed.
    *
-   * @param bias what the gyro is believed to show at rest, radians per second
+   * @param bias estimated gyro bias, radians per second
    * @param sigma standard deviation of that
    * @param noise density of the gyro's noise, radians per root second
    */
@@ -53,12 +55,12 @@ record MotionIncrement(
     return !hasGyro() || Math.abs(gyroYaw / dt - bias) < TURNED + 4 * spread;
   }
 
-  /** Its part until a time within it. */
+  /** The part until a time within it. */
   MotionIncrement before(long end) {
     return part(from, end);
   }
 
-  /** Its part from a time within it. */
+  /** The part from a time within it. */
   MotionIncrement after(long begin) {
     return part(begin, time);
   }

@@ -5,30 +5,30 @@ import org.dfra.flow.sensor.Odometry;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Makes steps of odometry and gyro. Only differences of odometry count, so it may begin anywhere. A
- * difference that its own speeds do not explain is a controller that counts anew: the speeds are
- * taken instead.
+ * Builds motion increments from odometry and gyro. It uses only differences of odometry, so the
+ * counts may start anywhere. A difference inconsistent with the reported speeds indicates a reset
+ * of the controller's counts: the speeds are used instead.
  */
 final class MotionIncrementBuilder {
 
-  /** Wheels that stood for this long have come to rest, seconds. */
+  /** Time without motion after which wheels count as stationary, seconds. */
   private static final double REST = 0.5;
 
   private static final double STILL_WAY = 5e-4; // metres
   private static final double STILL_TURN = 5e-4; // radians
   private static final double STILL_SPEED = 0.01; // metres or radians per second
 
-  /** By how much a difference may exceed one and a half of what the speeds explain. */
+  /** Margin by which a difference may exceed 1.5 times that computed from the speeds. */
   private static final double JUMP_WAY = 0.3; // metres
 
   private static final double JUMP_TURN = 0.5; // radians
 
-  /** Within a longer silence the way may have been anything but straight, seconds. */
+  /** Maximum gap for which a straight path is assumed, seconds. */
   private static final double LONG = 1;
 
-  private static final double CURVED = 0.3; // part of the way
+  private static final double CURVED = 0.3; // fraction of the distance
 
-  /** What a robot without a word of its wheels may do. */
+  /** Motion noise without wheel data. */
   private static final double UNSEEN_SPEED = 1; // metres per second, standard deviation
 
   private static final double UNSEEN_RATE = 0.5; // radians per second, standard deviation
@@ -53,7 +53,7 @@ final class MotionIncrementBuilder {
     gyro.take(rate);
   }
 
-  /** The step since the last; null where this reading adds none. */
+  /** The increment since the last; null where this reading adds none. */
   @Nullable MotionIncrement take(Odometry odometry) {
     if (!EpochNanos.isPlausible(odometry.measured())) {
       return null;
@@ -76,7 +76,7 @@ final class MotionIncrementBuilder {
     return measured(before, odometry, time);
   }
 
-  /** Goes on at a time that the last odometry does not lead to. */
+  /** Continues at a time that is not continuous with the last odometry. */
   private @Nullable MotionIncrement rejoin(long time) {
     MotionIncrement step;
     if (hasBegun && at - time > TimestampMonitor.MAX_STEP_NANOS) {
@@ -92,7 +92,7 @@ final class MotionIncrementBuilder {
     return step;
   }
 
-  /** The step until a time of which the wheels tell nothing; null if there is none to it. */
+  /** The increment until a time without wheel data; null if there is none. */
   @Nullable MotionIncrement unmeasured(long time) {
     if (!hasBegun) {
       hasBegun = true;
@@ -146,7 +146,7 @@ final class MotionIncrementBuilder {
 
   private MotionIncrement step(
       long time, double way, double turn, double lostWay, double lostTurn, boolean isResting) {
-    // From the angle that the last step ended with: what it guessed of a late rate is put right.
+    // From the last increment's end angle: corrects what it extrapolated for a late rate.
     double begin = gyroStretch == gyro.segment() ? gyroAngle : Double.NaN;
     begin = Double.isNaN(begin) ? gyro.angleAt(at) : begin;
     double end = gyro.angleAt(time);
@@ -158,7 +158,7 @@ final class MotionIncrementBuilder {
         from, time, way, turn, end - begin, lostWay, lostTurn, isResting, false);
   }
 
-  /** The step from now on if all goes on as it was, for half a second at most. */
+  /** The extrapolated increment from now on, for half a second at most. */
   MotionIncrement extrapolate(long time) {
     double dt = EpochNanos.seconds(at, time);
     double known = Math.min(dt, 0.5);
@@ -181,22 +181,24 @@ final class MotionIncrementBuilder {
     return hasBegun;
   }
 
-  /** Until when the steps go, nanoseconds by the robot's clock. */
+  /** End of the increments, nanoseconds by the robot's clock. */
   long time() {
     return at;
   }
 
-  /** Forward, metres per second, as the wheels last told it; 0 before. */
+  /** Forward speed, metres per second, as the wheels last reported; 0 before. */
   double speed() {
     return last == null ? 0 : clamp(last.speed(), errors.maxSpeed());
   }
 
-  /** To the left, radians per second, by the wheels; 0 before. */
+  /** Yaw rate from the wheels, radians per second, to the left is +; 0 before. */
   double wheelYawRate() {
     return last == null ? 0 : clamp(last.yawRate(), errors.maxYawRate());
   }
 
-  /** To the left, radians per second, by the gyro, bias and all; NaN where it is silent. */
+  /**
+   * Yaw rate from the gyro, radians per second, to the left is +, bias included; NaN without data.
+   */
   double gyroYawRate() {
     return Double.isNaN(gyro.angleAt(at)) ? Double.NaN : gyro.rate();
   }

@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.dfra.flow.perceptual.PoseEstimate;
 import org.dfra.geometry.GeoPosition;
 
-/** Makes estimates for one frame. */
+/** Creates estimates in one frame. */
 final class PoseEstimateFactory {
 
   private final String frame;
@@ -16,12 +16,12 @@ final class PoseEstimateFactory {
     this.intake = intake;
   }
 
-  /** A position with its yaw and what both are worth; units as in {@link PoseEstimate}. */
+  /** A position with its yaw and the uncertainty of both; units as in {@link PoseEstimate}. */
   record UncertainPose(
       double east, double north, double yaw, double positionSigma, double yawSigma) {}
 
   /**
-   * The estimate; empty where there is no datum yet or a number is not finite.
+   * Creates the estimate; empty where there is no datum yet or a number is not finite.
    *
    * @param time nanoseconds by the robot's clock
    * @param used time of the last fix that was used, likewise

@@ -28,33 +28,31 @@ import org.dfra.persona.PoseAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Tells where its robot is, from the odometry, the gyro and every location sensor of the robot; see
- * {@link PoseTracker}. It tells an estimate with each odometry.
+ * Estimates its robot's pose from the odometry, the gyro and every location sensor of the robot;
+ * see {@link PoseTracker}. It publishes an estimate with each odometry reading.
  *
  * <p>Parameters, read at the start:
  *
  * <ul>
  *   <li>{@code method}: {@code kalman}, {@code history} or {@code raw}; default {@code kalman}
- *   <li>{@code datum}: latitude and longitude in degrees, where east and north are 0; default the
+ *   <li>{@code datum}: latitude and longitude in degrees, the origin of east and north; default the
  *       first fix
  *   <li>{@code gps_white}, {@code gps_bias}: standard deviations of a fix, metres, 0.01 to 50 and 0
  *       to 50; {@code gps_bias_time}: correlation time of the second, seconds, 1 to 100 000
- *   <li>{@code wheel_scale}, {@code wheel_turn_scale}: standard deviations of the part by which the
- *       wheels count ways and turns too long or too short, 0.001 to 1; {@code wheel_slip}: of the
- *       way after a metre, metres, 0.001 to 1; {@code wheel_turn_slip}: of the turn after a radian,
- *       radians, 0.001 to 2
+ *   <li>{@code wheel_scale}, {@code wheel_turn_scale}: standard deviations of the wheels' scale
+ *       errors of distance and yaw, 0.001 to 1; {@code wheel_slip}: of the distance after a metre,
+ *       metres, 0.001 to 1; {@code wheel_turn_slip}: of the yaw after a radian, radians, 0.001 to 2
  *   <li>{@code gyro_noise}: density of the gyro's white noise, rad/s per root hertz, 0.000001 to 1;
- *       {@code gyro_bias}: standard deviation of what it shows at rest, rad/s, 0.000001 to 1;
- *       {@code gyro_drift}: of what that has changed by after a second, rad/s, 0.0000001 to 0.1
- *   <li>{@code gate}: squared Mahalanobis distance beyond which a fix is not believed, 1 to 1000;
+ *       {@code gyro_bias}: standard deviation of its bias, rad/s, 0.000001 to 1; {@code
+ *       gyro_drift}: of the bias' change after a second, rad/s, 0.0000001 to 0.1
+ *   <li>{@code gate}: squared Mahalanobis distance beyond which a fix is rejected, 1 to 1000;
  *       default 13.8
- *   <li>{@code initial_yaw}: which way it faces at the start, radians, 0 is east, counter-clockwise
- *       is +, −6.3 to 6.3, where that is known; {@code initial_yaw_sigma}: its standard deviation,
- *       radians, 0.01 to 1; default 0.1; the method {@code kalman} heeds them
- *   <li>{@code window}: seconds of fixes that the history is of, 2 to 120; default 20
- *   <li>{@code odometry}, {@code gyro}: names of the modules it listens to; where one is not set,
- *       the first that can do it
- *   <li>{@code longest_age}: as every perceptual schema's; default 0.5
+ *   <li>{@code initial_yaw}: yaw at the start, radians, 0 is east, counter-clockwise is +, −6.3 to
+ *       6.3, if known; {@code initial_yaw_sigma}: its standard deviation, radians, 0.01 to 1;
+ *       default 0.1; only the method {@code kalman} uses them
+ *   <li>{@code window}: length of the fix window of {@code history}, seconds, 2 to 120; default 20
+ *   <li>{@code odometry}, {@code gyro}: names of the modules to use; default the first suitable one
+ *   <li>{@code longest_age}: as for every perceptual schema; default 0.5
  * </ul>
  */
 public final class PositionEstimatorImpl extends PerceptualSchemaImpl<PoseEstimate>

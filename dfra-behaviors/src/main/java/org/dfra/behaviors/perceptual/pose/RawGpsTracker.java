@@ -11,8 +11,8 @@ import org.dfra.geometry.Transform;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The last fix of any receiver, as it is; for comparison. The yaw is that of the last course, as if
- * the robot never went backwards; the lever arm is taken off by it. Confined to one thread.
+ * The last fix of any receiver, unfiltered; for comparison. The yaw is the last course, which
+ * assumes forward motion; it is used to remove the lever arm. Confined to one thread.
  */
 public final class RawGpsTracker implements PoseTracker {
 
@@ -25,7 +25,7 @@ public final class RawGpsTracker implements PoseTracker {
 
   /**
    * @param frame name of the frame of its estimates
-   * @param datum origin of that frame; null for the position of the first fix
+   * @param datum origin of that frame; null to use the position of the first fix
    */
   public RawGpsTracker(TrackerSettings settings, String frame, @Nullable GeoPosition datum) {
     this.settings = settings;

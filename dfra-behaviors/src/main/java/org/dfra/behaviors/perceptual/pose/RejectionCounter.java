@@ -1,6 +1,6 @@
 package org.dfra.behaviors.perceptual.pose;
 
-/** Counts what was disbelieved in a row. */
+/** Counts consecutive rejections. */
 final class RejectionCounter {
 
   private final int enough;
@@ -9,27 +9,27 @@ final class RejectionCounter {
   private long since;
 
   /**
-   * @param enough so many in a row are too many
-   * @param span if they take as long as this, nanoseconds
+   * @param enough limit of consecutive rejections
+   * @param span minimum duration of the series, nanoseconds
    */
   RejectionCounter(int enough, long span) {
     this.enough = enough;
     this.span = span;
   }
 
-  /** Counts one more; whether it is too many, for too long. */
+  /** Counts one more; returns whether count and duration exceed the limits. */
   boolean recordRejection(long time) {
     since = count == 0 ? time : Math.min(since, time);
     count++;
     return count >= enough && time - since >= span;
   }
 
-  /** Begins to count anew. */
+  /** Resets the count. */
   void clear() {
     count = 0;
   }
 
-  /** Time of the first in the row, nanoseconds by the robot's clock. */
+  /** Time of the first in the series, nanoseconds by the robot's clock. */
   long since() {
     return since;
   }

@@ -2,7 +2,7 @@ package org.dfra.behaviors.perceptual.pose;
 
 import java.time.Duration;
 
-/** What settings must be within. */
+/** Range checks of settings. */
 final class SettingsValidation {
 
   private static final Duration LONGEST = Duration.ofMinutes(2);

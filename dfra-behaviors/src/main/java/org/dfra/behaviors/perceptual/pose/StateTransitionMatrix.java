@@ -3,11 +3,11 @@ package org.dfra.behaviors.perceptual.pose;
 import org.ejml.data.DMatrixRMaj;
 
 /**
- * What a small error of a {@link Belief} becomes in a step: a matrix F that is the identity but for
- * a few numbers, so that F·P·Fᵀ needs an eighth of what products of whole matrices do.
+ * The Jacobian F of a {@link Belief}'s state transition: the identity except for a few entries, so
+ * that F·P·Fᵀ needs an eighth of the operations of dense products.
  *
  * <pre>
- *            east north yaw turn scale spin slow..
+ *            east north yaw gyro scale yaw  bias..
  *   east       1         *    *    *     *
  *   north           1    *    *    *     *
  *   yaw                  1    *          *
@@ -24,9 +24,7 @@ final class StateTransitionMatrix {
   private double yawBySpin;
   private double keep;
 
-  /**
-   * Begins anew: nothing depends on anything else, and slow errors keep a part of what they are.
-   */
+  /** Resets it: no cross terms; GPS biases decay. */
   void clear(double decay) {
     yawByTurn = 0;
     yawBySpin = 0;
@@ -37,19 +35,19 @@ final class StateTransitionMatrix {
     }
   }
 
-  /** Where the place goes with a number of the state. */
+  /** Derivative of the position by a state. */
   void setPositionTerms(int by, double toEast, double toNorth) {
     east[by] = toEast;
     north[by] = toNorth;
   }
 
-  /** How the yaw goes with what the gyro shows at rest, and with the part that the wheels slip. */
+  /** Derivative of the yaw by the gyro bias, and by the wheel yaw scale. */
   void setYawTerms(double byTurn, double bySpin) {
     yawByTurn = byTurn;
     yawBySpin = bySpin;
   }
 
-  /** Makes F·P·Fᵀ of P. */
+  /** Replaces P by F·P·Fᵀ. */
   void apply(DMatrixRMaj covariance) {
     double[] p = covariance.data;
     for (int column = 0; column < SIZE; column++) {
@@ -60,7 +58,7 @@ final class StateTransitionMatrix {
     }
   }
 
-  /** Makes F·v of v, which begins somewhere in an array and has so long a way between numbers. */
+  /** Replaces a vector v by F·v; v has an offset and a stride in its array. */
   private void apply(double[] p, int begin, int stride) {
     double toEast = 0;
     double toNorth = 0;

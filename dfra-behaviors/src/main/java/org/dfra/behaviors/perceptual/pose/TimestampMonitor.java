@@ -1,26 +1,26 @@
 package org.dfra.behaviors.perceptual.pose;
 
 /**
- * Whether a stream's times go on. One that is far from the last is either nonsense or the clock was
- * set or the stream was silent: it is believed when the next agrees with it.
+ * Checks whether a stream's timestamps are continuous. If one is far from the last, it is invalid,
+ * the clock was set, or the stream paused: it is accepted when the next one agrees with it.
  *
  * <pre>
- *             near and later: NEXT, near and not later: OLD
+ *             near and later: NEXT, near and not later: OUT_OF_ORDER
  *                .--.
  *                v  |      far: SUSPECT
- *   FIRST ---&gt; going on ------------------&gt; in doubt
+ *   FIRST ---&gt; continuous ----------------&gt; suspect
  *                ^      near the suspect:     |  ^  | far from both: SUSPECT
  *                |      BREAK                 |  `--'
  *                `----------------------------'
- *                  near the last: NEXT or OLD
+ *                  near the last: NEXT or OUT_OF_ORDER
  * </pre>
  */
 final class TimestampMonitor {
 
-  /** How far apart near times are at most: 5 s. */
+  /** Maximum distance of near times: 5 s. */
   static final long MAX_STEP_NANOS = 5 * EpochNanos.SECOND;
 
-  /** What a time is to those before it. */
+  /** Classification of a time by the previous ones. */
   enum Classification {
     /** The first. */
     FIRST,
@@ -28,9 +28,12 @@ final class TimestampMonitor {
     NEXT,
     /** Not later than the last, and near it. */
     OUT_OF_ORDER,
-    /** Far from all before it; not to be believed yet. */
+    /** Far from all before it; not accepted yet. */
     SUSPECT,
-    /** The stream goes on elsewhere: later after a silence, or earlier by a clock that was set. */
+    /**
+     * The stream continues at another time: later after a pause, or earlier because the clock was
+     * set.
+     */
     JUMP
   }
 

@@ -3,7 +3,7 @@ package org.dfra.behaviors.perceptual.pose;
 import org.dfra.geometry.GeoPosition;
 import org.jspecify.annotations.Nullable;
 
-/** The ways to follow a pose. */
+/** The methods of pose tracking. */
 public enum TrackerKind {
   /** An extended Kalman filter: {@link KalmanTracker}. */
   KALMAN,
@@ -16,7 +16,7 @@ public enum TrackerKind {
    * A new tracker of this kind.
    *
    * @param frame name of the frame of its estimates, e.g. {@code atrv1/map}
-   * @param datum origin of that frame; null for the position of the first fix
+   * @param datum origin of that frame; null to use the position of the first fix
    */
   public PoseTracker create(TrackerSettings settings, String frame, @Nullable GeoPosition datum) {
     return create(settings, frame, datum, null);
@@ -25,8 +25,7 @@ public enum TrackerKind {
   /**
    * The same.
    *
-   * @param known what is known of the yaw before it moves, which only {@link #KALMAN} heeds; null
-   *     for nothing
+   * @param known prior of the initial yaw, which only {@link #KALMAN} uses; null for none
    */
   public PoseTracker create(
       TrackerSettings settings,

@@ -3,21 +3,20 @@ package org.dfra.behaviors.perceptual.pose;
 import java.time.Duration;
 
 /**
- * What a tracker is told of its sensors and how patient it is. The defaults are the errors that the
- * simulated robots have.
+ * Sensor errors and timeouts of a tracker. The defaults are the errors of the simulated robots.
  *
  * @param gps errors of the receivers
  * @param wheels errors of the odometry
  * @param gyro errors of the gyro
- * @param positionGate squared Mahalanobis distance of a position beyond which it is not believed,
+ * @param positionGate squared Mahalanobis distance of a position beyond which it is rejected,
  *     without unit; 13.8 is exceeded by one good position in a thousand (χ² of two)
  * @param courseGate the same of a course; 10.8 is exceeded by one in a thousand (χ² of one)
- * @param fixWindow how far back the fixes go that are compared with dead reckoning
- * @param maxFixDelay how late a fix may come, after the last odometry, to be used at its own time
- * @param rejectionTimeout for how long all fixes must be disbelieved until the tracker doubts
- *     itself
- * @param maxInitialYawSigma standard deviation of the first yaw, radians, below which a Kalman
- *     filter begins
+ * @param fixWindow length of the window of fixes that are aligned with dead reckoning
+ * @param maxFixDelay maximum delay of a fix, after the last odometry, to be used at its own time
+ * @param rejectionTimeout for how long all fixes must be rejected until the tracker inflates its
+ *     covariance or restarts
+ * @param maxInitialYawSigma standard deviation of the initial yaw, radians, below which a Kalman
+ *     filter starts
  */
 public record TrackerSettings(
     GpsErrors gps,
@@ -30,7 +29,7 @@ public record TrackerSettings(
     Duration rejectionTimeout,
     double maxInitialYawSigma) {
 
-  /** Those that fit the simulated robots. */
+  /** Defaults for the simulated robots. */
   public static final TrackerSettings DEFAULT =
       new TrackerSettings(
           GpsErrors.DEFAULT,
@@ -67,18 +66,18 @@ public record TrackerSettings(
   }
 
   /**
-   * Errors of satellite receivers: a new one with each fix, and one that changes slowly, a
-   * first-order Gauss-Markov process for each receiver.
+   * Errors of satellite receivers: white noise of each fix, and a bias, a first-order Gauss-Markov
+   * process for each receiver.
    *
-   * @param whiteNoiseSigma standard deviation of the new one, east and north each, metres
-   * @param biasSigma standard deviation of the slow one, east and north each, metres; 0 is without
-   * @param biasCorrelationTime correlation time of the slow one, seconds
+   * @param whiteNoiseSigma standard deviation of the white noise, east and north each, metres
+   * @param biasSigma standard deviation of the bias, east and north each, metres; 0 is without
+   * @param biasCorrelationTime correlation time of the bias, seconds
    * @param velocitySigma standard deviation of the velocity, east and north each, metres per second
-   * @param minCourseSpeed speed from which on the course is used, metres per second
-   * @param minLatency the least time from a fix's moment to its being heard, seconds; 0.16 is what
-   *     154 bytes take at 9600 baud
-   * @param referenceDilution dilution of precision up to which {@code white} holds; it grows in
-   *     proportion beyond
+   * @param minCourseSpeed minimum speed to use the course, metres per second
+   * @param minLatency minimum time from a fix's epoch to its reception, seconds; 0.16 is the
+   *     transmission time of 154 bytes at 9600 baud
+   * @param referenceDilution dilution of precision up to which {@code whiteNoiseSigma} applies;
+   *     beyond, it grows in proportion
    */
   public record GpsErrors(
       double whiteNoiseSigma,
@@ -89,10 +88,10 @@ public record TrackerSettings(
       double minLatency,
       double referenceDilution) {
 
-    /** No course is better than this, radians: bodies sway and slip to the side. */
+    /** Minimum standard deviation of a course, radians: bodies sway and slip to the side. */
     private static final double LEAST_COURSE = 0.03;
 
-    /** 0.6 m new, 1.5 m slow over 200 s, 0.05 m/s. */
+    /** White noise 0.6 m, bias 1.5 m over 200 s, velocity 0.05 m/s. */
     public static final GpsErrors DEFAULT = new GpsErrors(0.6, 1.5, 200, 0.05, 0.4, 0.16, 3);
 
     public GpsErrors {
@@ -105,12 +104,12 @@ public record TrackerSettings(
       SettingsValidation.requirePositive("dilution", referenceDilution);
     }
 
-    /** What a course is worth at a speed in metres per second: its standard deviation, radians. */
+    /** Standard deviation of a course, radians, at a speed in metres per second. */
     double courseSigma(double speed) {
       return Math.max(LEAST_COURSE, velocitySigma / speed);
     }
 
-    /** The same with another slow error. */
+    /** The same with another bias. */
     public GpsErrors withBias(double sigma) {
       return new GpsErrors(
           whiteNoiseSigma,
@@ -126,17 +125,17 @@ public record TrackerSettings(
   /**
    * Errors of wheels on the ground.
    *
-   * @param scaleSigma standard deviation of the part by which they count too much or too little,
-   *     without unit; it is estimated
-   * @param yawScaleSigma the same of the turn, which a skid-steered body makes less of than its
-   *     wheels; used and estimated where no gyro tells the turn
-   * @param longitudinalSlip standard deviation of the way after a metre, metres per root metre,
-   *     from slip that changes
+   * @param scaleSigma standard deviation of the scale error of distance, without unit; it is
+   *     estimated
+   * @param yawScaleSigma the same of the yaw, which is smaller for a skid-steered body than for its
+   *     wheels; used and estimated without a gyro
+   * @param longitudinalSlip standard deviation of the distance after a metre, metres per root
+   *     metre, from varying slip
    * @param lateralSlip the same to the side
-   * @param yawSlip standard deviation of the turn after a radian, radians per root radian; likewise
-   * @param yawRandomWalk what the counted turn drifts away, radians per root second; likewise
-   * @param maxSpeed the fastest that the robot can be, metres per second
-   * @param maxYawRate the fastest that it can turn, radians per second
+   * @param yawSlip standard deviation of the yaw after a radian, radians per root radian; likewise
+   * @param yawRandomWalk random walk of the wheels' yaw, radians per root second; likewise
+   * @param maxSpeed maximum speed of the robot, metres per second
+   * @param maxYawRate its maximum yaw rate, radians per second
    */
   public record WheelErrors(
       double scaleSigma,
@@ -148,7 +147,7 @@ public record TrackerSettings(
       double maxSpeed,
       double maxYawRate) {
 
-    /** 3 % scale, 20 % of turns, 0.04 m after a metre, 0.2 rad after a radian. */
+    /** 3 % of distance, 20 % of yaw, 0.04 m after a metre, 0.2 rad after a radian. */
     public static final WheelErrors DEFAULT =
         new WheelErrors(0.03, 0.2, 0.04, 0.02, 0.2, 0.03, 3, 6);
 
@@ -167,11 +166,11 @@ public record TrackerSettings(
   /**
    * Errors of a rate gyro.
    *
-   * @param noiseDensity density of the white noise, rad/s per root hertz, which is radians per root
-   *     second of turn; 0.0003 is 0.003 rad/s at 100 readings in a second
-   * @param biasSigma standard deviation of the rate it shows at rest at first, radians per second
-   * @param biasRandomWalk what that has changed by after a second, rad/s per root second
-   * @param scaleNoise standard deviation of the turn after a radian, radians per root radian
+   * @param noiseDensity density of the white noise, rad/s per root hertz, which is radians of yaw
+   *     per root second; 0.0003 is 0.003 rad/s at 100 readings in a second
+   * @param biasSigma standard deviation of the initial bias, radians per second
+   * @param biasRandomWalk random walk of the bias, rad/s per root second
+   * @param scaleNoise standard deviation of the yaw after a radian, radians per root radian
    */
   public record GyroErrors(
       double noiseDensity, double biasSigma, double biasRandomWalk, double scaleNoise) {

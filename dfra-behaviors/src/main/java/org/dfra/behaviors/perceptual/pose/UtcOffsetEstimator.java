@@ -6,23 +6,22 @@ import java.util.Optional;
 import org.dfra.time.ClockOffset;
 
 /**
- * How far the robot's clock is ahead of UTC. A fix of a moment is heard a latency later, so each
- * fix says: ahead by its arrival less its moment, or by less. The least of the last {@value
- * #FIX_COUNT} is taken, all receivers together, without those that are more than {@value
- * #SPREAD_SECONDS} s below the median, since a receiver without the almanac may be wrong about UTC.
+ * Estimates the offset of the robot's clock ahead of UTC. A fix is received a latency after its
+ * epoch, so its reception time minus its epoch is an upper bound of the offset. The estimate is the
+ * minimum of the last {@value #FIX_COUNT} fixes of all receivers, without those more than {@value
+ * #SPREAD_SECONDS} s below the median, since a receiver without an almanac may report a wrong UTC.
  *
- * <p>The estimate is too great by the least latency, about 0.16 s for an M12+ at 9600 baud. It is
- * the same for robots that are built alike and drops out where their poses are compared.
+ * <p>The estimate is too large by the minimum latency, about 0.16 s for an M12+ at 9600 baud. This
+ * is the same for robots of equal design and cancels where their poses are compared.
  *
- * <p>What it may be off by besides is the sum of three: what the least of so few latencies exceeds
- * the least of many by, where they are spread exponentially ({@value #SURE} times its mean, which
- * one in 150 exceeds); what a clock drifts, at {@value #DRIFT} of the time at the most, since the
- * oldest of the fixes was heard; and 5 ms, by which the least latencies of receivers of a kind may
- * differ.
+ * <p>Its further uncertainty is the sum of three: the excess of the minimum of a few latencies over
+ * that of many, if they are distributed exponentially ({@value #SURE} times its mean, which one in
+ * 150 exceeds); the clock's drift, at most {@value #DRIFT} of the time since the oldest of the
+ * fixes was received; and 5 ms, by which the minimum latencies of receivers of one type may differ.
  */
 final class UtcOffsetEstimator {
 
-  /** Fixes remembered: half a minute of two receivers at 1 Hz. */
+  /** Fixes stored: half a minute of two receivers at 1 Hz. */
   static final int FIX_COUNT = 64;
 
   static final int SPREAD_SECONDS = 2;
@@ -31,23 +30,23 @@ final class UtcOffsetEstimator {
 
   private static final double SURE = 5;
 
-  /** Seconds in a second; a poor crystal in the heat. */
+  /** Seconds per second; a poor crystal in the heat. */
   private static final double DRIFT = 1e-4;
 
   /** Nanoseconds. */
   private static final double UNLIKE = 5e6;
 
-  /** How late a fix is taken to be on average, nanoseconds, as if one had told so beforehand. */
+  /** Assumed mean latency of a fix, nanoseconds, as one prior sample. */
   private static final double USUALLY_LATE = 1e8;
 
   private final long[] kept = new long[FIX_COUNT];
   private final long[] arrivals = new long[FIX_COUNT];
   private int count;
   private long least;
-  private long oldest; // arrival of those that are kept
-  private double excess; // nanoseconds that the least may be above the least of many
+  private long oldest; // reception times of stored fixes
+  private double excess; // nanoseconds, excess of this minimum over that of many
 
-  /** Takes a fix of a moment, UTC, that was heard at a time of the robot's clock. */
+  /** Adds a fix with its epoch, UTC, and its reception time by the robot's clock. */
   void addFix(long utc, long received) {
     kept[count % FIX_COUNT] = received - utc;
     arrivals[count % FIX_COUNT] = received;
@@ -66,7 +65,7 @@ final class UtcOffsetEstimator {
     oldest = Arrays.stream(arrivals, 0, number).min().orElse(received);
   }
 
-  /** Forgets all: the robot's clock was set. */
+  /** Resets it: the robot's clock was set. */
   void clear() {
     count = 0;
   }
@@ -77,7 +76,7 @@ final class UtcOffsetEstimator {
   }
 
   /**
-   * The estimate, and what it may be off by besides the least latency; empty before the first fix.
+   * The estimate, and its uncertainty besides the minimum latency; empty before the first fix.
    *
    * @param now by the robot's clock
    */

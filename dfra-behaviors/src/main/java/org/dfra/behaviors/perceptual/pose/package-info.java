@@ -1,15 +1,15 @@
 /**
- * Where a robot is: wheels, gyro and satellites put together.
+ * Position estimation: fusion of odometry, gyro and satellite fixes.
  *
  * <pre>
  *   AngularRate -&gt; GyroIntegrator -.
- *   Odometry ----------------- Steps --&gt; Track ---- FixWindow --&gt; FixWindowTracker
- *                                \                     \ first yaw
- *   GpsFix -&gt; FixPreprocessor -&gt; LocalFix ------&gt; Replay -&gt; Belief ---&gt; KalmanTracker
+ *   Odometry -- MotionIncrementBuilder -&gt; DeadReckoningTrack -- FixWindow -&gt; FixWindowTracker
+ *                                \                                  \ first yaw
+ *   GpsFix -&gt; FixPreprocessor -&gt; LocalFix --&gt; DelayedFixFilter -&gt; Belief --&gt; KalmanTracker
  * </pre>
  *
  * <p>Enter at {@link org.dfra.behaviors.perceptual.pose.PoseTracker}; its kinds are listed in
- * {@link org.dfra.behaviors.perceptual.pose.TrackerKind}. A module around them is {@link
+ * {@link org.dfra.behaviors.perceptual.pose.TrackerKind}. The module that uses them is {@link
  * org.dfra.behaviors.perceptual.pose.PositionEstimatorImpl}.
  */
 @NullMarked

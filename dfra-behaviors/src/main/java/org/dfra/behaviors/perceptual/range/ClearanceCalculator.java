@@ -5,7 +5,7 @@ import org.dfra.flow.sensor.RangeScan;
 import org.dfra.geometry.Transform;
 
 /**
- * The room around a robot's body by the ends of its beams.
+ * Computes the clearance around a robot's body from the end points of its beams.
  *
  * <pre>
  *              left: beyond 20° to the left
@@ -19,7 +19,7 @@ import org.dfra.geometry.Transform;
  *
  * @param halfLength of the body, metres
  * @param halfWidth of the body, metres
- * @param maxRange what is farther than this does not count, metres
+ * @param maxRange maximum range, metres; longer ranges are ignored
  */
 record ClearanceCalculator(double halfLength, double halfWidth, double maxRange) {
 
@@ -27,10 +27,10 @@ record ClearanceCalculator(double halfLength, double halfWidth, double maxRange)
   private static final double AHEAD = Math.toRadians(15);
   private static final double SIDES = Math.toRadians(20);
 
-  /** Part of the beams that may have failed; with more the scan says nothing. */
+  /** Maximum fraction of failed beams; with more the scan is unusable. */
   private static final double MOST_FAILED = 0.25;
 
-  /** Collects the room to both sides of points that the sensor does not see. */
+  /** Collects the clearance to both sides from points outside the sensor's view. */
   final class SideClearance implements ObstacleMemory.PointConsumer {
     private double left = Double.POSITIVE_INFINITY;
     private double right = Double.POSITIVE_INFINITY;
@@ -45,7 +45,7 @@ record ClearanceCalculator(double halfLength, double halfWidth, double maxRange)
     }
   }
 
-  /** Whether so many beams have measured that the ranges say something. */
+  /** Whether enough beams have measured for a usable result. */
   static boolean hasEnoughBeams(float[] ranges) {
     int failed = 0;
     for (float range : ranges) {
@@ -55,12 +55,12 @@ record ClearanceCalculator(double halfLength, double halfWidth, double maxRange)
   }
 
   /**
-   * The room.
+   * Computes the clearance.
    *
-   * @param scan says where the beams point
+   * @param scan gives the beams' directions
    * @param ranges along them, metres; −∞ is at the sensor itself
    * @param mount of the sensor in the base's frame
-   * @param sides what is beside the robot and out of the sensor's sight
+   * @param sides points beside the robot, outside the sensor's view
    */
   Clearance clearance(
       RangeScan scan, float[] ranges, Transform mount, SideClearance sides, String frame) {
@@ -92,10 +92,10 @@ record ClearanceCalculator(double halfLength, double halfWidth, double maxRange)
   }
 
   /**
-   * The same where things may have come nearer by themselves. Where nothing is within the reach,
-   * nothing comes.
+   * The clearance reduced for moving objects. Without an object within the maximum range it is
+   * unchanged.
    *
-   * @param by how far, metres
+   * @param distance of approach, metres
    */
   Clearance reducedBy(Clearance seen, double by) {
     return new Clearance(

@@ -11,23 +11,22 @@ import org.dfra.flow.sensor.RangeScan;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Takes out of a scan what only one or two of the last scans show: the median of each beam over the
- * last scans, each moved to where the robot is now. Confined to one thread.
+ * Removes ghosts, which only one or two of the last scans show: it takes the median of each beam
+ * over the last scans, each transformed to the robot's current pose. Confined to one thread.
  *
- * <p>An older scan is turned by how far the robot has turned since, to the nearest beam, and its
- * ranges are shortened by how far the robot has come along each beam. How far something else has
- * come by itself is not known: of what comes nearer the median is as old as the scan in the middle,
- * see {@link #lag}.
+ * <p>An older scan is rotated by the robot's yaw since, to the nearest beam, and its ranges are
+ * shortened by the robot's motion along each beam. The motion of other objects is unknown: for an
+ * approaching object the median is as old as the middle scan, see {@link #lag}.
  */
 final class GhostFilter {
 
-  /** What a beam has that measured nothing; it does not count in the median. */
+  /** Value of a beam without a measurement; the median ignores it. */
   private static final float UNKNOWN = Float.NaN;
 
-  /** No robot goes or turns faster than this, metres and radians per second. */
+  /** Maximum speed and yaw rate of a robot, metres and radians per second. */
   private static final double FASTEST = 5;
 
-  /** What wheels may slip and clocks be off by from one count to the next, metres, radians. */
+  /** Margin for wheel slip and clock errors between two readings, metres, radians. */
   private static final double SLACK = 0.5;
 
   private static final Duration MEMORY = Duration.ofSeconds(1); // at least
@@ -41,9 +40,9 @@ final class GhostFilter {
   private double lag; // seconds
 
   /**
-   * @param depth scans that the median is of
-   * @param spacing time from one of them to the next, at least: a ghost lasts longer than the time
-   *     between two scans of a fast laser
+   * @param depth number of scans of the median
+   * @param spacing minimum time between two of them: a ghost lasts longer than the scan period of a
+   *     fast laser
    */
   GhostFilter(int depth, Duration spacing) {
     this.depth = depth;
@@ -51,9 +50,9 @@ final class GhostFilter {
   }
 
   /**
-   * Takes where the wheels are.
+   * Adds odometry.
    *
-   * @return whether that leapt, counted anew: then what was seen before says nothing more
+   * @return whether the counts jumped after a reset: earlier scans are then useless
    */
   boolean take(Odometry now) {
     @Nullable Odometry last = odometry;
@@ -73,10 +72,10 @@ final class GhostFilter {
   }
 
   /**
-   * Takes a scan.
+   * Adds a scan.
    *
-   * @return the median ranges by beam, metres: +∞ where nothing was met, NaN where more failed than
-   *     not; nothing before {@code depth} / 2 + 1 scans were seen
+   * @return the median ranges by beam, metres: +∞ without a hit, NaN where most failed; empty
+   *     before {@code depth} / 2 + 1 scans were added
    */
   Optional<float[]> take(RangeScan scan) {
     @Nullable Odometry at = odometry;
@@ -99,9 +98,9 @@ final class GhostFilter {
   }
 
   /**
-   * By how much the scan that decides about what comes nearer by itself is older than the newest
-   * one, seconds: that in the middle of the last scans, since the newer half shows it nearer and
-   * the older half farther away. It grows where scans come late or are lost.
+   * Age relative to the newest scan of the one that determines the range of an approaching object,
+   * seconds: the middle one of the last scans, since the newer half shows the object nearer and the
+   * older half farther away. It grows where scans are late or lost.
    */
   double lag() {
     return lag;
@@ -109,7 +108,7 @@ final class GhostFilter {
 
   private double lag(PastScan now) {
     PastScan deciding = now;
-    int older = past.size() / 2; // how many scans back the one in the middle is
+    int older = past.size() / 2; // index of the middle scan
     for (PastScan each : past) {
       if (older == 0) {
         break;
@@ -120,7 +119,7 @@ final class GhostFilter {
     return Duration.between(deciding.scan().measured(), now.scan().measured()).toNanos() / 1e9;
   }
 
-  /** Scans of another shape, from the future, or too old to say anything. */
+  /** Drops scans of another layout, from the future, or too old. */
   private void forgetOthers(PastScan now) {
     Duration span = spacing.multipliedBy(3L * depth);
     Duration oldest = span.compareTo(MEMORY) < 0 ? MEMORY : span;
@@ -151,7 +150,7 @@ final class GhostFilter {
         result[beam] = UNKNOWN;
       } else {
         Arrays.sort(column, 0, known);
-        result[beam] = column[(known - 1) / 2]; // of an even number the nearer: the safe side
+        result[beam] = column[(known - 1) / 2]; // of an even number the nearer one: the safe side
       }
     }
     return result;
@@ -165,7 +164,7 @@ final class GhostFilter {
     return known + 1;
   }
 
-  /** What an older scan says of a beam of the present one. */
+  /** Range of an older scan for a beam of the current one. */
   private static float seen(PastScan then, PastScan now, int beam) {
     RangeScan scan = then.scan();
     double turned = now.yaw() - then.yaw();

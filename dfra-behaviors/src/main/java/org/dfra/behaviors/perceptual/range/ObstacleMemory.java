@@ -10,21 +10,21 @@ import org.dfra.flow.sensor.RangeScan;
 import org.dfra.geometry.Transform;
 
 /**
- * What a robot has seen near it and passed, so that its sensor does not see it any more: a robot
- * that turns swings its rear into it. Points are kept where they are by the odometry, for a while.
+ * Stores obstacle points that the robot has passed and its sensor does not see any more: in a
+ * rotation its rear could hit them. Points are stored in the odometry's frame for a limited time.
  * Confined to one thread.
  */
 final class ObstacleMemory {
 
-  private static final double CELL = 0.05; // metres; of the points in one, the last is kept
-  private static final double NEAR = 2; // metres from the robot's middle, of points that are kept
+  private static final double CELL = 0.05; // metres; of the points in one cell, the last is stored
+  private static final double NEAR = 2; // maximum distance of stored points from the robot's centre, metres
   private static final int MOST = 2000;
 
   private record Cell(long x, long y) {}
 
   private record Point(double x, double y, Instant seen) {}
 
-  /** Is given points in the base's frame, metres. */
+  /** Receives points in the base's frame, metres. */
   @FunctionalInterface
   interface PointConsumer {
     void accept(double x, double y);
@@ -34,18 +34,18 @@ final class ObstacleMemory {
   private final Map<Cell, Point> points = new HashMap<>(); // in the odometry's frame
 
   /**
-   * @param memory how long a point is kept that nobody sees
+   * @param memory how long an unseen point is stored
    */
   ObstacleMemory(Duration memory) {
     this.memory = memory;
   }
 
   /**
-   * Takes a scan: what it can see counts as it shows it, the rest stays.
+   * Adds a scan: points in its view are replaced by its measurements, the rest stays.
    *
    * @param ranges along the beams, metres
    * @param mount of the sensor in the base
-   * @param at where the base is
+   * @param at pose of the base
    */
   void take(RangeScan scan, float[] ranges, Transform mount, Odometry at) {
     forget(scan, mount, at);
@@ -90,12 +90,12 @@ final class ObstacleMemory {
     }
   }
 
-  /** Forgets all: where it was is not known any more. */
+  /** Clears all: the position reference was lost. */
   void clear() {
     points.clear();
   }
 
-  /** What is kept, by where the base is now. */
+  /** The stored points, relative to the current pose of the base. */
   void forEach(Odometry at, PointConsumer taker) {
     for (Point each : points.values()) {
       taker.accept(forward(each, at), left(each, at));

@@ -17,29 +17,29 @@ import org.dfra.persona.PoseAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Tells the room around its robot from the robot's range sensor; see {@link GhostFilter}, {@link
- * ClearanceCalculator} and {@link ObstacleMemory}. The sensor stands where its persona says, on the
- * robot's base.
+ * Publishes the clearance around its robot from the robot's range sensor; see {@link GhostFilter},
+ * {@link ClearanceCalculator} and {@link ObstacleMemory}. The sensor's persona gives its mount on
+ * the robot's base.
  *
- * <p>The median of the last scans shows another robot where it was at the scan in the middle. The
- * distances that motor schemas keep allow for that while scans come in time. Where they come late,
- * as on a busy computer, everything counts as nearer by what another robot can come in the
+ * <p>The median of the last scans shows another robot at its position of the middle scan. The
+ * safety distances of motor schemas allow for that while scans arrive in time. If they are late, as
+ * on a busy computer, the clearance is reduced by the distance that another robot can drive in the
  * {@linkplain GhostFilter#lag time} beyond that, up to 1 s.
  *
  * <p>Parameters, read at the start:
  *
  * <ul>
- *   <li>{@code scans}: that the median is of, 1 to 15; default 5; 1 filters nothing
- *   <li>{@code scan_spacing}: seconds from one of them to the next at least, 0 to 1; default 0.09
- *   <li>{@code memory}: seconds that it remembers what it has passed and does not see any more, 0
- *       to 120; default 3
- *   <li>{@code peer_speed}: metres per second, the highest of other robots, 0 to 10; default 0.7
- *   <li>{@code reach}: metres, what is farther does not count, 1 to 100; default 8
+ *   <li>{@code scans}: number of scans of the median, 1 to 15; default 5; 1 disables the filter
+ *   <li>{@code scan_spacing}: minimum seconds between two of them, 0 to 1; default 0.09
+ *   <li>{@code memory}: seconds for which it stores passed obstacles that are out of view, 0 to
+ *       120; default 3
+ *   <li>{@code peer_speed}: maximum speed of other robots, metres per second, 0 to 10; default 0.7
+ *   <li>{@code reach}: maximum range, metres, 1 to 100; longer ranges are ignored; default 8
  *   <li>{@code body_length}, {@code body_width}: of the robot, metres, 0.1 to 10; default those of
  *       an ATRV-Jr
- *   <li>{@code range_sensor}, {@code odometry}: names of the modules it listens to; where one is
- *       not set, the first that can do it
- *   <li>{@code longest_age}: as every perceptual schema's; default 0.5
+ *   <li>{@code range_sensor}, {@code odometry}: names of the modules to use; default the first
+ *       suitable one
+ *   <li>{@code longest_age}: as for every perceptual schema; default 0.5
  * </ul>
  */
 public final class RangeFilterImpl extends PerceptualSchemaImpl<Clearance> implements RangeFilter {
@@ -47,10 +47,10 @@ public final class RangeFilterImpl extends PerceptualSchemaImpl<Clearance> imple
   private static final double LENGTH = 0.78;
   private static final double WIDTH = 0.64;
 
-  /** What scans may be late without any effect, seconds. */
+  /** Tolerated delay of scans, seconds. */
   private static final double USUAL_LAG = 0.1;
 
-  private static final double MOST_LAG = 1; // seconds beyond the usual that count
+  private static final double MOST_LAG = 1; // maximum excess delay used, seconds
 
   private final ClearanceCalculator surrounds;
   private final GhostFilter filter; // guarded by itself
@@ -116,7 +116,7 @@ public final class RangeFilterImpl extends PerceptualSchemaImpl<Clearance> imple
     publishPercept(clearance);
   }
 
-  /** What the robot has passed; holds the filter's lock. */
+  /** The passed obstacles; the caller holds the filter's lock. */
   private ClearanceCalculator.SideClearance beside(
       RangeScan scan, float[] ranges, Transform mount) {
     ClearanceCalculator.SideClearance beside = surrounds.new SideClearance();
@@ -128,7 +128,7 @@ public final class RangeFilterImpl extends PerceptualSchemaImpl<Clearance> imple
     return beside;
   }
 
-  /** Where the sensor stands by its persona; at the front of the body where that does not say. */
+  /** Mount of the sensor, from its persona; the front of the body without one. */
   private Transform mount(ModuleListing<?> source) {
     return source
         .attributes(PoseAttributes.class)

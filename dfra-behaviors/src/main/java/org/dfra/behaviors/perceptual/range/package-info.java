@@ -1,9 +1,9 @@
 /**
- * The room around a robot, from its range sensor.
+ * Clearance around a robot, from its range sensor.
  *
  * <pre>
- *   RangeScan, Odometry --GhostFilter--&gt; ranges of the last scans --Surrounds--&gt; Clearance
- *                                                      '---Passed---'
+ *   RangeScan, Odometry --GhostFilter--&gt; median ranges --ClearanceCalculator--&gt; Clearance
+ *                                             '-----ObstacleMemory-----'
  * </pre>
  *
  * <p>Enter at {@link org.dfra.behaviors.perceptual.range.RangeFilterImpl}.

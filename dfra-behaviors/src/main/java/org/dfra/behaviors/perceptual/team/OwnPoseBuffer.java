@@ -8,18 +8,18 @@ import org.dfra.flow.perceptual.PoseEstimate;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where the robot itself was lately, so that it can be asked for the instant at which another was
- * somewhere. Confined to one thread at a time.
+ * Recent poses of the robot itself, to get its position at the instant of another robot's pose.
+ * Confined to one thread at a time.
  */
 final class OwnPoseBuffer {
 
   private static final Duration KEPT = Duration.ofSeconds(5);
 
-  /** Poses farther apart say nothing of what was between. */
+  /** Maximum time between two poses for interpolation. */
   private static final Duration WIDEST = Duration.ofSeconds(1);
 
   /**
-   * A place at an instant of the robot's clock.
+   * A position at an instant of the robot's clock.
    *
    * @param east metres, in the frame of the robot's poses
    * @param north likewise
@@ -29,7 +29,7 @@ final class OwnPoseBuffer {
 
   private final Deque<PoseEstimate> poses = new ArrayDeque<>();
 
-  /** Takes the newest pose. One that goes back in time or has another datum ends the trail. */
+  /** Adds the newest pose. One with an earlier time or another datum clears the buffer. */
   void add(PoseEstimate pose) {
     @Nullable PoseEstimate last = poses.peekLast();
     if (last != null
@@ -51,7 +51,7 @@ final class OwnPoseBuffer {
     return poses.peekLast();
   }
 
-  /** Where the robot was at a time of its clock; null where that is not between two poses. */
+  /** The robot's position at a time of its clock; null where that is not between two poses. */
   @Nullable InterpolatedPosition at(Instant time) {
     @Nullable PoseEstimate before = null;
     for (PoseEstimate after : poses) {

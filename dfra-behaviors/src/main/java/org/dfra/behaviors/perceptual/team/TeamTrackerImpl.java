@@ -22,20 +22,20 @@ import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Listens to the position estimators of all robots of the team, its own among them. Poses are
- * compared at the same instant, by the offset of both clocks to the time of satellites; where a
- * robot has heard no satellite, its distance is unknown. When another robot falls silent, and when
- * it is heard again, that enters the history and the log, with what was missed.
+ * Subscribes to the position estimators of all robots of the team, including its own. Poses are
+ * compared at the same instant, using the offset of both clocks to UTC from satellites; without a
+ * satellite fix a robot's distance is unknown. A robot's loss of contact and its return are
+ * recorded in the history and the log, with the number of missed poses.
  *
  * <p>Parameters, read at the start:
  *
  * <ul>
  *   <li>{@code estimator}: name of the position estimator, the same on all robots; default {@code
  *       position}
- *   <li>{@code rate}: how often it tells what it knows, hertz, 0.1 to 10; default 5
+ *   <li>{@code rate}: rate of its reports, hertz, 0.1 to 10; default 5
  *   <li>{@code silence}: seconds without a pose after which a robot is out of reach, 0.5 to 600;
  *       default 3
- *   <li>{@code longest_age}: as every perceptual schema's; default 1
+ *   <li>{@code longest_age}: as for every perceptual schema; default 1
  * </ul>
  */
 public final class TeamTrackerImpl extends PerceptualSchemaImpl<TeamPositions>
@@ -45,7 +45,7 @@ public final class TeamTrackerImpl extends PerceptualSchemaImpl<TeamPositions>
   private final Scheduler time;
   private final long peerTimeoutNanos; // nanoseconds
   private final Duration interval;
-  private final OwnPoseBuffer own = new OwnPoseBuffer(); // guarded by itself, as what follows
+  private final OwnPoseBuffer own = new OwnPoseBuffer(); // guarded by itself, as the following
   private final Map<String, TeammateTracker> teammates = new TreeMap<>();
   private @Nullable Instant lastPublished;
 

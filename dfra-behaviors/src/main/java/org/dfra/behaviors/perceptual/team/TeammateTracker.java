@@ -14,23 +14,23 @@ import org.dfra.time.ClockOffset;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What was heard of one other robot. Confined to one thread at a time.
+ * Tracks one other robot by its received poses. Confined to one thread at a time.
  *
  * <pre>
- *   IN_REACH --silent for too long--&gt; OUT_OF_REACH
- *      ^---------a pose is heard----------'
+ *   IN_REACH ---no pose for the timeout---&gt; OUT_OF_REACH
+ *      ^---------a pose is received-------------'
  * </pre>
  *
- * Both ways it says so in a sentence.
+ * It reports both transitions in a sentence.
  */
 final class TeammateTracker {
 
   private static final int MAX_POSES = 64; // poses: some six seconds
 
   private enum State {
-    /** Its poses come. */
+    /** Poses are received. */
     IN_REACH,
-    /** Waits for the next. */
+    /** No pose was received for the timeout. */
     OUT_OF_REACH
   }
 
@@ -39,7 +39,7 @@ final class TeammateTracker {
   private State state = State.IN_REACH;
   private long receivedNanos;
   private Instant received = Instant.MIN;
-  private long sequence = -1; // of the pose heard last
+  private long sequence = -1; // of the last pose received
   private long missed;
   private @Nullable ClockOffset clock;
   private Teammate.@Nullable RelativePosition lastPosition;
@@ -49,12 +49,12 @@ final class TeammateTracker {
   }
 
   /**
-   * Takes a pose that it told.
+   * Adds a received pose.
    *
-   * @param number of the delivery, counted without gap
-   * @param now by the asker's clock
+   * @param number of the delivery, consecutive
+   * @param now by the own robot's clock
    * @param nanos steady time
-   * @return what there is to say of it
+   * @return the message to report, if any
    */
   Optional<String> receive(PoseEstimate pose, long number, Instant now, long nanos, long timeout) {
     long gap = sequence < 0 ? 0 : Math.max(0, number - sequence - 1);
@@ -85,7 +85,7 @@ final class TeammateTracker {
         : Optional.empty();
   }
 
-  /** Looks whether it has fallen silent; says so once. */
+  /** Checks for a timeout; reports it once. */
   Optional<String> checkSilence(long nanos, long timeout) {
     if (state == State.OUT_OF_REACH || nanos - receivedNanos <= timeout) {
       return Optional.empty();
@@ -99,7 +99,7 @@ final class TeammateTracker {
             (nanos - receivedNanos) / 1e9));
   }
 
-  /** What is known of it, by the newest of its poses at whose instant the asker was somewhere. */
+  /** Its state, by the newest of its poses for whose instant the own position is known. */
   Teammate relativeTo(OwnPoseBuffer own) {
     @Nullable PoseEstimate here = own.newest();
     @Nullable PoseEstimate there = poses.peekLast();

@@ -1,10 +1,10 @@
 /**
- * What a robot knows of the others of its team, by the poses that they tell.
+ * Tracks the other robots of a team by the poses that they report.
  *
  * <pre>
- *   own PoseEstimate ----> OwnPoseBuffer --where it was at that instant--.
- *   others' PoseEstimate -> TeammateTracker --on the robot's own clock-----+--> TeamPositions
- *                              '------silence, gaps--> history, log
+ *   own PoseEstimate -----&gt; OwnPoseBuffer ---own position at that instant--.
+ *   others' PoseEstimate -&gt; TeammateTracker --on the robot's own clock-----+--&gt; TeamPositions
+ *                              '------timeouts, gaps--&gt; history, log
  * </pre>
  *
  * <p>Enter at {@link org.dfra.behaviors.perceptual.team.TeamTrackerImpl}.

@@ -14,8 +14,8 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.dfra.sim.physics.CameraInput.Frame;
 
 /**
- * Frames as a camera encodes them, the same bytes for the same frame. Needs no display. Confined to
- * one thread.
+ * Encodes frames as a camera does; the same frame gives the same bytes. Needs no display. Confined
+ * to one thread.
  */
 public final class FrameEncoder {
 
@@ -27,7 +27,7 @@ public final class FrameEncoder {
   private final ImageWriteParam settings;
 
   /**
-   * @param isThermal whether frames are grey with 16 bits, encoded as PNG, or colours, as JPEG
+   * @param isThermal true for 16-bit grey frames, encoded as PNG; false for colour, as JPEG
    */
   public FrameEncoder(boolean isThermal) {
     this.isThermal = isThermal;
@@ -59,7 +59,7 @@ public final class FrameEncoder {
     return bytes.toByteArray();
   }
 
-  /** Bytes in the order in which JPEG's writer copies them as they are. */
+  /** Bytes in the order that JPEG's writer copies without conversion. */
   private static BufferedImage light(Frame frame) {
     BufferedImage image =
         new BufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_3BYTE_BGR);

@@ -11,11 +11,11 @@ import org.dfra.sim.device.SerialDevice;
 import org.dfra.sim.physics.CameraInput;
 
 /**
- * A network camera between its socket and its lens: it answers one request of HTTP, with a stream
- * of images at its frame rate or with an error, and begins anew with the next connection.
+ * Emulates a network camera: it answers one HTTP request per connection, with a stream of images at
+ * its frame rate or with an error.
  *
- * <p>The network is as fast as whoever reads. Where that is slower than the frames, frames are left
- * out, never parts of them; it looks only at frames that it sends.
+ * <p>The network is as fast as its client reads. If the client reads more slowly than frames are
+ * due, the camera skips whole frames; it renders only frames that it sends.
  */
 public final class MjpegDevice implements SerialDevice {
 
@@ -34,12 +34,12 @@ public final class MjpegDevice implements SerialDevice {
   private final Duration period;
   private final StringBuilder request = new StringBuilder();
   private final ArrayDeque<ByteBuffer> waiting = new ArrayDeque<>();
-  private State state = State.SILENT; // until somebody connects
+  private State state = State.SILENT; // until a client connects
   private Instant next = Instant.MAX; // when the next frame is due
 
   /**
-   * @param view what it sees
-   * @param options how it is set up
+   * @param view input of its sensor
+   * @param options its settings
    */
   public MjpegDevice(CameraInput view, MjpegOptions options) {
     this.view = view;

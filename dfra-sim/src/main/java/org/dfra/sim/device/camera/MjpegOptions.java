@@ -3,12 +3,12 @@ package org.dfra.sim.device.camera;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How an emulated camera is set up.
+ * Settings of an emulated camera.
  *
- * @param path of its stream; anything else it does not find
- * @param isThermal whether it sends heat, as PNG of 16 bits, or light, as JPEG
+ * @param path of its stream; other paths are not found
+ * @param isThermal true for a thermal camera, 16-bit PNG; false for visible light, JPEG
  * @param frameRate images per second, above 0
- * @param credentials {@code user:password} that it wants to hear; null where it lets everybody in
+ * @param credentials {@code user:password} that it requires; null for no authentication
  * @param sendsLength whether its parts have a {@code Content-Length}
  * @param sendsTimestamp whether its parts have an {@code X-Timestamp}
  */
@@ -26,23 +26,23 @@ public record MjpegOptions(
     }
   }
 
-  /** A camera of light at {@code /video}, which tells everybody all it can. */
+  /** A visible-light camera at {@code /video} that sends lengths and timestamps. */
   public static MjpegOptions visible(double frameRate) {
     return new MjpegOptions("/video", false, frameRate, null, true, true);
   }
 
-  /** A camera of heat at {@code /video}, which tells everybody all it can. */
+  /** A thermal camera at {@code /video} that sends lengths and timestamps. */
   public static MjpegOptions thermal(double frameRate) {
     return new MjpegOptions("/video", true, frameRate, null, true, true);
   }
 
-  /** The same, for those only who say {@code user:password}. */
+  /** The same, with authentication as {@code user:password}. */
   public MjpegOptions withCredentials(String userAndPassword) {
     return new MjpegOptions(
         path, isThermal, frameRate, userAndPassword, sendsLength, sendsTimestamp);
   }
 
-  /** The same, whose parts have neither length nor time. */
+  /** The same, without lengths and timestamps of its parts. */
   public MjpegOptions withoutPartHeaders() {
     return new MjpegOptions(path, isThermal, frameRate, credentials, false, false);
   }

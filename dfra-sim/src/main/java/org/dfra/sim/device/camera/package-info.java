@@ -1,5 +1,5 @@
 /**
- * Network cameras that do not exist, byte by byte. Enter at {@link
+ * Emulated network cameras, at the byte level. Enter at {@link
  * org.dfra.sim.device.camera.MjpegDevice}.
  */
 @NullMarked

@@ -3,21 +3,21 @@ package org.dfra.sim.device.drive;
 import java.io.ByteArrayOutputStream;
 
 /**
- * Finds commands in the bytes a computer sends, as a controller does that has no way to say 1B: it
- * takes 1B 02 for a beginning and 1B 03 for an end wherever they stand, and a 1B before anything
- * else spoils the frame that it is in. Confined to one thread.
+ * Parses commands from the bytes that a computer sends. As a controller without an escape for 1B,
+ * it reads 1B 02 as a start and 1B 03 as an end wherever they occur; a 1B before anything else
+ * corrupts its frame. Confined to one thread.
  */
 final class RflexCommandReader {
 
-  /** Takes the commands found. */
+  /** Receives parsed commands. */
   @FunctionalInterface
   interface Sink {
 
     /**
-     * Takes one.
+     * Handles one command.
      *
      * @param port which part of the controller
-     * @param opcode what it is to do
+     * @param opcode operation to execute
      * @param data the bytes between length and checksum
      */
     void command(int port, int opcode, byte[] data);
@@ -38,7 +38,7 @@ final class RflexCommandReader {
     this.sink = sink;
   }
 
-  /** Frames that were begun and not obeyed. */
+  /** Frames that were begun and not executed. */
   long malformedFrames() {
     return spoiled;
   }

@@ -12,33 +12,33 @@ import org.dfra.sim.physics.DrivetrainPhysics.Travel;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What an rFLEX controller does between its wires, its motors and its battery.
+ * Emulates an rFLEX controller between its serial interface, its motors and its battery.
  *
  * <p>Commands: set velocity (2/7), report request (2/34), defaults (2/10), set and release brake
- * (2/11, 2/12), status (1/1). Everything else, and every damaged command, is ignored, and so is a
- * velocity while the brake is set.
+ * (2/11, 2/12), status (1/1). Unknown and damaged commands are ignored, and so is a velocity while
+ * the brake is set.
  *
- * <p>When it is switched on, that is first used, its brake is set, its counts are 0 and it reports
- * nothing. It has a failsafe as the real one is said to have: when no velocity has come for {@link
- * #FAILSAFE}, it brakes the wheels by {@value #STOPPING} m/s², so that they stand within half a
- * second of the last velocity from 1 m/s. Whoever switches it off and on puts another in its place,
- * with the same wheels.
+ * <p>At power-on, that is at its first use, its brake is set, its counts are 0 and it reports
+ * nothing. Its failsafe follows the reported one of the real controller: when no velocity command
+ * arrives for {@link #FAILSAFE}, it brakes the wheels by {@value #STOPPING} m/s², so that they stop
+ * within half a second of the last velocity from 1 m/s. To switch it off and on, replace it by a
+ * new one with the same wheels.
  */
 public final class RflexDevice implements SerialDevice {
 
-  /** Bits per second of its line. */
+  /** Bits per second of its serial line. */
   public static final int BAUD = 115_200;
 
-  /** Counts for a metre. */
+  /** Counts per metre. */
   public static final double PER_METRE = 87_462.73;
 
-  /** Counts for a radian. */
+  /** Counts per radian. */
   public static final double PER_RADIAN = 36_277.67;
 
-  /** How long it goes on without a velocity. */
+  /** Timeout of velocity commands. */
   public static final Duration FAILSAFE = Duration.ofMillis(300);
 
-  /** By which it stops the wheels then, metres per second squared. */
+  /** Deceleration of the failsafe, metres per second squared. */
   public static final double STOPPING = 6;
 
   /** The same about z, radians per second squared; from 2 rad/s it takes as long. */
@@ -47,10 +47,13 @@ public final class RflexDevice implements SerialDevice {
   private static final double USUAL_ACCELERATION = 0.5;
   private static final double OFFSET_VOLTS = 1.2;
 
-  /** With more than this waiting the line is too slow for what was asked; a report is left out. */
+  /**
+   * If more bytes than this are queued, the baud rate is too low for the requested reports; a
+   * report is skipped.
+   */
   private static final int LONGEST_QUEUE = 1024;
 
-  /** One axis as it was told. */
+  /** One axis as commanded. */
   private static final class Axis {
     final double perUnit;
     final int first;
@@ -88,17 +91,17 @@ public final class RflexDevice implements SerialDevice {
   private @Nullable Instant powerOn;
   private Instant now = Instant.EPOCH;
   private @Nullable Instant failsafe; // when it is due
-  private boolean isHalfMotion; // the other axis' half is to come
+  private boolean isHalfMotion; // the other axis' half is pending
   private volatile @Nullable Instant lastMotion;
   private volatile @Nullable Instant firstHalt;
 
-  /** A controller of these wheels, fed by this battery. */
+  /** A controller of these wheels, powered by this battery. */
   public RflexDevice(DrivetrainPhysics wheels, BatteryPhysics battery) {
     this(wheels, battery, 0, 0);
   }
 
   /**
-   * One that begins to count elsewhere, near the end of its 32 bits, say.
+   * A controller with other initial counts, such as near the overflow of 32 bits.
    *
    * @param first its first count along x
    * @param firstTurn its first count about z
@@ -110,23 +113,23 @@ public final class RflexDevice implements SerialDevice {
     this.about = new Axis(PER_RADIAN, firstTurn);
   }
 
-  /** Frames that it has not understood. */
+  /** Frames that it could not parse. */
   public long malformedFrames() {
     return commands.malformedFrames();
   }
 
   /**
-   * When the last velocity came that was one, not a halt: more than 1 count per second, or what
-   * went about z together with that. Null while there was none. May be asked by any thread.
+   * Time of the last motion command: a velocity of more than 1 count per second, or the velocity
+   * about z sent together with it. Null before the first. Any thread may call it.
    */
   public @Nullable Instant lastMotion() {
     return lastMotion;
   }
 
   /**
-   * When the first order to halt came after the {@linkplain #lastMotion last motion}: a halt, a
-   * velocity that is none, or the brake. Null while there was none; the controller's own failsafe
-   * is none. May be asked by any thread.
+   * Time of the first stop command after the {@linkplain #lastMotion last motion}: a zero velocity,
+   * an invalid one, or the brake. Null before the first; the controller's own failsafe does not
+   * count. Any thread may call it.
    */
   public @Nullable Instant firstHalt() {
     return firstHalt;
@@ -162,7 +165,7 @@ public final class RflexDevice implements SerialDevice {
       about.begin = begin.yaw();
     }
     if (failsafe != null && !time.isBefore(failsafe)) {
-      now = failsafe; // it was then, even where nobody looked
+      now = failsafe; // at that time, even if it was not polled then
       stop();
     }
     now = time;
@@ -199,7 +202,7 @@ public final class RflexDevice implements SerialDevice {
       case 0x020C -> setBrake(false);
       case 0x0222 -> requestReports(argument);
       default -> {
-        // it ignores what it does not know
+        // it ignores unknown commands
       }
     }
   }
@@ -271,7 +274,7 @@ public final class RflexDevice implements SerialDevice {
     channel.send(second, due);
   }
 
-  /** Microseconds since it was switched on; wraps around. */
+  /** Microseconds since power-on; wraps around. */
   private int timestamp(Instant time) {
     return (int) (Duration.between(powerOn == null ? time : powerOn, time).toNanos() / 1000);
   }

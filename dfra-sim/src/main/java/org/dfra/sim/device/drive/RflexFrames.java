@@ -2,14 +2,14 @@ package org.dfra.sim.device.drive;
 
 import java.nio.ByteBuffer;
 
-/** What an rFLEX controller says, byte by byte. Its numbers may hold 1B as any other byte. */
+/** Encodes the frames of an rFLEX controller. Its numbers may contain 1B unescaped. */
 final class RflexFrames {
 
   private static final int AROUND = 9;
 
   private RflexFrames() {}
 
-  /** Port 2, opcode 33: where an axis is. */
+  /** Port 2, opcode 33: position and velocity of an axis. */
   static byte[] report(int timestamp, int axis, int position, int velocity, int acceleration) {
     ByteBuffer data = ByteBuffer.allocate(25);
     data.putInt(0).putInt(timestamp).put((byte) axis).putInt(position).putInt(velocity);

@@ -1,5 +1,5 @@
 /**
- * Controllers of wheels that do not exist, byte by byte.
+ * Emulated drive controllers, at the byte level.
  *
  * <p>Enter at {@link org.dfra.sim.device.drive.RflexDevice}: it moves a {@link
  * org.dfra.sim.physics.DrivetrainPhysics} and measures a {@link

@@ -10,14 +10,13 @@ import org.dfra.sim.physics.GyroInput;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A fibre-optic rate gyro between its two wires, as KVH's DSP-3000: a line of a number and whether
- * it is valid, a hundred times a second, clockwise +.
+ * Emulates a fibre-optic rate gyro, KVH's DSP-3000, at the byte level of its serial interface: a
+ * text line with a number and its validity, a hundred times a second, clockwise +.
  *
- * <p>Commands, single letters: {@code R} rate in degrees per second, {@code A} the angle turned
- * since the line before, {@code P} the angle turned since {@code Z}, both in degrees. It keeps its
- * mode while it is on, and begins with the rate. After it was switched on its lines are not valid
- * for a while, and wherever it turns faster than it can measure: these two, and that it takes its
- * commands without an end of line, are made up or from other drivers of it.
+ * <p>Commands, single letters: {@code R} rate in degrees per second, {@code A} the angle since the
+ * previous line, {@code P} the angle since {@code Z}, both in degrees. It starts in rate mode and
+ * keeps its mode while it is on. Its lines are invalid during warm-up and above its maximum rate.
+ * These two rules, and that commands need no end of line, are assumed or taken from other drivers.
  */
 public final class Dsp3000Device implements SerialDevice {
 
@@ -25,8 +24,8 @@ public final class Dsp3000Device implements SerialDevice {
   private static final double FASTEST = 375; // °/s
   private static final int PLACES = 6; // of its numbers
   private static final long MILLION = 1_000_000;
-  private static final int LONGEST_QUEUE = 1024; // bytes; with more a line is left out
-  private static final Duration LONGEST_SLEEP = Duration.ofSeconds(10); // lines caught up
+  private static final int LONGEST_QUEUE = 1024; // bytes; above this a line is skipped
+  private static final Duration LONGEST_SLEEP = Duration.ofSeconds(10); // missed lines are sent for this
 
   private final GyroInput view;
   private final UartLine line;
@@ -37,9 +36,9 @@ public final class Dsp3000Device implements SerialDevice {
   private double angle; // degrees since Z, clockwise is +
 
   /**
-   * @param view how it turns
-   * @param baud bits per second of its line, 38400 as it is delivered
-   * @param warmUp for how long after it was switched on its lines are not valid
+   * @param view input of its sensor
+   * @param baud bits per second of its serial line, 38400 ex factory
+   * @param warmUp how long its lines are invalid after power-on
    */
   public Dsp3000Device(GyroInput view, int baud, Duration warmUp) {
     this.view = view;
@@ -97,11 +96,14 @@ public final class Dsp3000Device implements SerialDevice {
     }
   }
 
-  /** Six places; by hand, since a formatter took half of the time of a robot that stands. */
+  /**
+   * Six decimal places; formatted by hand, since a formatter took half of the CPU time of a
+   * stationary robot.
+   */
   private static String text(double number, boolean isValid) {
     long size = Math.round(Math.abs(number) * MILLION);
     StringBuilder text = new StringBuilder();
-    text.append(Double.compare(number, 0) < 0 ? "-" : ""); // a zero may have a sign, too
+    text.append(Double.compare(number, 0) < 0 ? "-" : ""); // zero may be signed, too
     text.append(size / MILLION).append('.');
     text.append(MILLION + size % MILLION).deleteCharAt(text.length() - PLACES - 1);
     return text.append(isValid ? " 1\r\n" : " 0\r\n").toString();

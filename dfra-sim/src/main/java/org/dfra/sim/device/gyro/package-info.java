@@ -1,6 +1,5 @@
 /**
- * Rate gyros that do not exist, byte by byte. Enter at {@link
- * org.dfra.sim.device.gyro.Dsp3000Device}.
+ * Emulated rate gyros, at the byte level. Enter at {@link org.dfra.sim.device.gyro.Dsp3000Device}.
  */
 @NullMarked
 package org.dfra.sim.device.gyro;

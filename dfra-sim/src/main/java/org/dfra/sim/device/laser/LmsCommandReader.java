@@ -2,16 +2,16 @@ package org.dfra.sim.device.laser;
 
 import java.util.Arrays;
 
-/** Finds telegrams to the laser in the bytes a computer sends. Confined to one thread. */
+/** Parses telegrams to the laser from the bytes that a computer sends. Confined to one thread. */
 final class LmsCommandReader {
 
-  /** Takes what was found. */
+  /** Receives parsed telegrams. */
   interface Sink {
 
     /** An intact telegram's payload. */
     void command(byte[] payload);
 
-    /** A telegram that is damaged. */
+    /** A damaged telegram. */
     void damaged();
   }
 
@@ -49,7 +49,10 @@ final class LmsCommandReader {
     return HEAD + (window[2] & 0xFF) + ((window[3] & 0xFF) << 8) + TAIL;
   }
 
-  /** Takes the telegram at the beginning, or one byte that belongs to none; returns how many. */
+  /**
+   * Consumes the telegram at the beginning, or one byte that belongs to none; returns the number of
+   * bytes.
+   */
   private int take() {
     boolean isHead = filled >= HEAD && window[0] == 0x02 && window[1] == 0x00;
     if (!isHead || length() <= HEAD + TAIL || filled < length()) {

@@ -12,19 +12,19 @@ import org.dfra.sim.physics.RangeInput;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A SICK LMS 200 between its two wires.
+ * Emulates a SICK LMS 200 at the byte level of its serial interface.
  *
  * <p>Commands: {@code 10} reset, {@code 20} operating mode (00 with the password installs, 24
- * streams, 25 waits to be asked, 40, 41, 42 and 48 change the baud rate), {@code 30 01} one scan,
+ * streams, 25 sends on request, 40, 41, 42 and 48 change the baud rate), {@code 30 01} one scan,
  * {@code 31} status, {@code 32} errors, {@code 3A} type, {@code 3B} variant (not while it streams),
  * {@code 74} configuration, {@code 77} change of configuration (only while it installs). Each is
  * answered by ACK and a reply, everything else by {@code 92}, a damaged telegram by NAK. A new baud
- * rate holds once the answer is out.
+ * rate applies after the answer was sent.
  *
- * <p>Its mirror turns 75 times in a second from right to left; a scan is sent when it is complete
- * and the line has room, so a slow line has fewer, not older ones. Configuration outlives a reset,
- * variant, baud rate and mode do not; all of them outlive a client. It knows no permanent baud
- * rate.
+ * <p>Its mirror rotates 75 times a second from right to left; a scan is sent when it is complete
+ * and the send queue has capacity, so a slow link has fewer scans, not older ones. The
+ * configuration survives a reset; variant, baud rate and mode do not. All of them survive a change
+ * of client. It has no permanent baud rate.
  */
 public final class LmsDevice implements SerialDevice {
 
@@ -47,16 +47,16 @@ public final class LmsDevice implements SerialDevice {
   private final byte[] configuration = new byte[CONFIGURATION_BYTES];
 
   private @Nullable Instant powerOn;
-  private @Nullable Instant powerOnReportAt; // null: it is awake
-  private boolean resets; // once its line is free
-  private int nextBaud; // once its line is free; 0: none
+  private @Nullable Instant powerOnReportAt; // null: it is ready
+  private boolean resets; // when its send queue is empty
+  private int nextBaud; // when its send queue is empty; 0: none
   private volatile int operatingMode = WAITS;
   private volatile int flashWrites;
   private Instant now = Instant.EPOCH;
 
   /**
-   * @param view what it sees
-   * @param makeup what it is like
+   * @param view input of its sensor
+   * @param makeup its settings
    */
   public LmsDevice(RangeInput view, LmsEmulatorSettings makeup) {
     this.mirror = new LmsMirror(view);
@@ -66,12 +66,12 @@ public final class LmsDevice implements SerialDevice {
     configuration[UNIT_AT] = (byte) makeup.unit();
   }
 
-  /** How often its configuration was changed; for any thread. */
+  /** Number of configuration changes; any thread may call it. */
   public int flashWrites() {
     return flashWrites;
   }
 
-  /** Whether it sends one scan after the other; for any thread. */
+  /** Whether it streams scans; any thread may call it. */
   public boolean isStreaming() {
     return operatingMode == STREAMS;
   }
@@ -111,7 +111,7 @@ public final class LmsDevice implements SerialDevice {
     }
   }
 
-  /** What had to wait for the last byte of an answer. */
+  /** Actions delayed until the last byte of an answer. */
   private void applyPending(Instant time) {
     if (channel.waitingBytes() > 0) {
       return;
@@ -144,7 +144,7 @@ public final class LmsDevice implements SerialDevice {
     return configuration[UNIT_AT];
   }
 
-  /** Of its family, with what is wrong with it. */
+  /** Status byte: laser family and error state. */
   private int status() {
     int worst =
         makeup.errors().stream()
@@ -159,7 +159,7 @@ public final class LmsDevice implements SerialDevice {
     channel.send(LmsTelegrams.reply(command, data, status()), now);
   }
 
-  /** Obeys commands. */
+  /** Executes commands. */
   private final class CommandHandler implements LmsCommandReader.Sink {
 
     @Override

@@ -4,16 +4,17 @@ import java.time.Duration;
 import java.util.List;
 
 /**
- * What an emulated LMS 200 is like when it is switched on.
+ * State of an emulated LMS 200 at power-on.
  *
- * @param warmUp how long after that it tests itself and is deaf; then it tells that it is ready
- * @param baud bits per second at which it was left by another driver, or 0 where it is switched on
- *     only now and wakes at 9600
- * @param unit what it counts in, as in its configuration: 0 cm, 1 mm
+ * @param warmUp duration of its self-test, during which it ignores input; then it reports that it
+ *     is ready
+ * @param baud bits per second that another driver left set, or 0 where it is switched on now and
+ *     starts at 9600
+ * @param unit unit of distances, as in its configuration: 0 cm, 1 mm
  * @param measuringMode as in its configuration: 0 to 6, 15
- * @param windowCleanness its window, per cent of a clean one; below 70 it complains
- * @param errors pairs of type and number that it remembers
- * @param isConfigurationLocked whether it refuses every change of configuration and variant
+ * @param windowCleanness cleanness of its window, per cent; below 70 it reports pollution
+ * @param errors stored errors, pairs of type and number
+ * @param isConfigurationLocked whether it rejects every change of configuration and variant
  */
 public record LmsEmulatorSettings(
     Duration warmUp,
@@ -25,9 +26,9 @@ public record LmsEmulatorSettings(
     boolean isConfigurationLocked) {
 
   /**
-   * An error that it remembers.
+   * A stored error.
    *
-   * @param type 1 info, 2 warning, 3 error, 4 fatal; with bit 7 where it is over
+   * @param type 1 info, 2 warning, 3 error, 4 fatal; bit 7 is set where the error has ended
    * @param number which one
    */
   public record StoredError(int type, int number) {}
@@ -36,42 +37,42 @@ public record LmsEmulatorSettings(
     errors = List.copyOf(errors);
   }
 
-  /** A clean one as it is sold, that has been on for a while, at 9600 baud: cm, 13 bits. */
+  /** A clean one in factory state, powered on for a while, at 9600 baud: cm, 13 bits. */
   public static LmsEmulatorSettings factoryDefault() {
     return new LmsEmulatorSettings(Duration.ofSeconds(2), 9600, 0, 0, 100, List.of(), false);
   }
 
-  /** The same, switched on only now, with another time for testing itself. */
+  /** The same, switched on now, with another self-test time. */
   public LmsEmulatorSettings withWarmUp(Duration test) {
     return new LmsEmulatorSettings(
         test, 0, unit, measuringMode, windowCleanness, errors, isConfigurationLocked);
   }
 
-  /** The same, left at another speed. */
+  /** The same at another baud rate. */
   public LmsEmulatorSettings withBaud(int rate) {
     return new LmsEmulatorSettings(
         warmUp, rate, unit, measuringMode, windowCleanness, errors, isConfigurationLocked);
   }
 
-  /** The same, configured otherwise. */
+  /** The same with another configuration. */
   public LmsEmulatorSettings withConfiguration(int units, int mode) {
     return new LmsEmulatorSettings(
         warmUp, baud, units, mode, windowCleanness, errors, isConfigurationLocked);
   }
 
-  /** The same with a window that dirty. */
+  /** The same with another window cleanness. */
   public LmsEmulatorSettings withWindowCleanness(int percent) {
     return new LmsEmulatorSettings(
         warmUp, baud, unit, measuringMode, percent, errors, isConfigurationLocked);
   }
 
-  /** The same, remembering these errors. */
+  /** The same with these stored errors. */
   public LmsEmulatorSettings withErrors(StoredError... some) {
     return new LmsEmulatorSettings(
         warmUp, baud, unit, measuringMode, windowCleanness, List.of(some), isConfigurationLocked);
   }
 
-  /** The same, refusing every change. */
+  /** The same with a locked configuration. */
   public LmsEmulatorSettings withLockedConfiguration() {
     return new LmsEmulatorSettings(
         warmUp, baud, unit, measuringMode, windowCleanness, errors, true);

@@ -5,10 +5,7 @@ import java.time.Instant;
 import org.dfra.sim.physics.RangeInput;
 import org.jspecify.annotations.Nullable;
 
-/**
- * The laser's turning mirror: what it sees, and when a scan of it is complete. Confined to one
- * thread.
- */
+/** The laser's rotating mirror: its scans, and when each is complete. Confined to one thread. */
 final class LmsMirror {
 
   static final double REVOLUTIONS_PER_SECOND = 75;
@@ -23,14 +20,14 @@ final class LmsMirror {
   private int degrees;
   private int hundredths;
   private Instant streamBegin = Instant.EPOCH;
-  private long sentScans; // of the stream, those left out among them
+  private long sentScans; // of the stream, including skipped ones
 
   LmsMirror(RangeInput view) {
     this.view = view;
     reset();
   }
 
-  /** As it is after power-on. */
+  /** The state after power-on. */
   void reset() {
     degrees = WIDEST;
     hundredths = 50;
@@ -44,7 +41,7 @@ final class LmsMirror {
     return hundredths;
   }
 
-  /** Places the beams otherwise; false where that cannot be. */
+  /** Changes the beam layout; false where that is invalid. */
   boolean setVariant(int field, int step) {
     boolean exists =
         (field == NARROW || field == WIDEST)
@@ -54,7 +51,7 @@ final class LmsMirror {
     return exists;
   }
 
-  /** Whether it can count in this unit. */
+  /** Whether it supports this unit. */
   static boolean isKnownUnit(int unit) {
     return unit >= 0 && unit < METRES.length;
   }
@@ -64,7 +61,7 @@ final class LmsMirror {
     sentScans = 0;
   }
 
-  /** When the last scan of the stream began that is complete and was not sent; null for none. */
+  /** Start of the last scan of the stream that is complete and unsent; null for none. */
   @Nullable Instant complete(Instant now) {
     long nanos = periodNanos();
     long complete = Math.max(0, Duration.between(streamBegin, now).toNanos() / nanos);
@@ -81,7 +78,7 @@ final class LmsMirror {
   }
 
   /**
-   * What it sees from then on, as samples from right to left.
+   * The scan that starts at that time, samples from right to left.
    *
    * @param unit 0 cm, 1 mm
    * @param mode its measuring mode

@@ -6,7 +6,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 
-/** Writes an LMS 200's telegrams. Pure. */
+/** Encodes an LMS 200's telegrams. Pure. */
 final class LmsTelegrams {
 
   static final byte[] NAK = {0x15};
@@ -20,7 +20,7 @@ final class LmsTelegrams {
 
   private LmsTelegrams() {}
 
-  /** What a status reply tells. */
+  /** The data of a status reply. */
   record Condition(
       int operatingMode,
       int clean,
@@ -32,8 +32,8 @@ final class LmsTelegrams {
       int unit) {}
 
   /**
-   * The check, by the two bytes of a shift register: the oldest bit that falls out puts 8005 in,
-   * and the last two bytes of the message are mixed in.
+   * The checksum, by a 16-bit shift register: if the bit shifted out is 1, it is XORed with 8005;
+   * then with the last two bytes of the message.
    */
   static int check(byte[] bytes, int from, int to) {
     int high = 0;
@@ -52,7 +52,7 @@ final class LmsTelegrams {
     return high << 8 | low;
   }
 
-  /** A telegram by itself. */
+  /** A single telegram. */
   static byte[] telegram(int command, byte[] data, int status) {
     ByteBuffer out = ByteBuffer.allocate(8 + data.length).order(ByteOrder.LITTLE_ENDIAN);
     out.put((byte) 0x02).put((byte) 0x80).putShort((short) (2 + data.length));
@@ -68,7 +68,7 @@ final class LmsTelegrams {
     return all.toByteArray();
   }
 
-  /** What it is. */
+  /** Its type. */
   static byte[] type() {
     return TYPE.getBytes(StandardCharsets.US_ASCII);
   }
@@ -100,7 +100,7 @@ final class LmsTelegrams {
     return out.array();
   }
 
-  /** Data of a status reply; offsets are from the command, which comes before. */
+  /** Data of a status reply; offsets are from the preceding command byte. */
   static byte[] status(Condition now) {
     ByteBuffer out = ByteBuffer.allocate(STATUS_BYTES).order(ByteOrder.LITTLE_ENDIAN);
     out.put(1, SOFTWARE.getBytes(StandardCharsets.US_ASCII));

@@ -1,9 +1,9 @@
 /**
- * Lasers that do not exist, byte by byte.
+ * Emulated lasers, at the byte level.
  *
  * <pre>
  *   RangeInput ---&gt; LmsDevice ---&gt; UartLine ---&gt; DeviceEmulator &lt;==tcp==&gt; a driver
- *   what it sees   telegrams      how fast      over what
+ *   ranges          telegrams      baud rate     transport
  * </pre>
  *
  * <p>Enter at {@link org.dfra.sim.device.laser.LmsDevice}. Nothing here uses a driver's code:

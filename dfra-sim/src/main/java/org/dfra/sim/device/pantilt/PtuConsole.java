@@ -6,7 +6,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
-/** Obeys commands, each without its delimiter. */
+/** Executes commands, each without its delimiter. */
 final class PtuConsole {
 
   private static final Pattern COMMAND = Pattern.compile("([A-Z]{1,2})([-+]?[0-9]{1,6})?");
@@ -24,8 +24,9 @@ final class PtuConsole {
   private @Nullable Integer awaitedTilt;
 
   /**
-   * @param printer takes what it says
-   * @param motions takes what must end before it obeys again; {@link #done} is its reply then
+   * @param printer receives its output
+   * @param motions receives a motion that must end before the next command; {@link #done} is the
+   *     reply then
    */
   PtuConsole(StepMotor pan, StepMotor tilt, Consumer<String> printer, Consumer<PtuMotion> motions) {
     this.pan = pan;
@@ -156,7 +157,7 @@ final class PtuConsole {
     }
   }
 
-  /** Sets what a command without an answer sets; false when there is no such command. */
+  /** Executes a setting command without a reply value; false when there is no such command. */
   private boolean isSet(String name) {
     switch (name) {
       case "EE", "ED" -> echo = name.equals("EE");

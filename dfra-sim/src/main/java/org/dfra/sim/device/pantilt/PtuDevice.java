@@ -11,29 +11,30 @@ import org.dfra.sim.physics.PanTiltPhysics;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A pan-tilt unit between its two wires, as one of Directed Perception of type 46: step motors that
- * ramp up and down, limits, and commands in ASCII with a blank or a carriage return behind each.
+ * Emulates a pan-tilt unit, Directed Perception's type 46, at the byte level of its serial
+ * interface: step motors that ramp up and down, limits, and ASCII commands that end with a space or
+ * a carriage return.
  *
- * <p>Switched on it prints what it is and goes through its reset: to both ends of both axes and to
- * 0, 0, which takes some 17 s. While it does that, and while it awaits the end of a motion ({@code
- * A}), it takes commands in but answers them after. It begins with echo and with sentences, and
- * forgets its settings when it is switched off, not when its line is.
+ * <p>At power-on it prints its identification and resets: it moves to both ends of both axes and to
+ * 0, 0, which takes about 17 s. During the reset, and while it awaits the end of a motion ({@code
+ * A}), it queues commands and answers them afterwards. It starts with echo on and verbose replies.
+ * It loses its settings when it is switched off, not when its link is closed.
  *
- * <p>Commands, of each axis ({@code P} or {@code T}): {@code PP PO PD PS PA} to be set and asked,
- * {@code PR PN PX PB PU PL} to be asked. Of both: {@code H HP HT R RP RT I S A LE LD L ED EE E FT
- * FV F V}. Others are refused. In the mode {@code S} positions are gone to when {@code A} comes.
- * Where the limits are off, an axis that goes on runs against its end and tells {@code !P} or
+ * <p>Commands, of each axis ({@code P} or {@code T}): {@code PP PO PD PS PA} to set and query,
+ * {@code PR PN PX PB PU PL} to query. Of both: {@code H HP HT R RP RT I S A LE LD L ED EE E FT FV F
+ * V}. It rejects others. In mode {@code S} the axes move to the set positions when {@code A}
+ * arrives. With the limits off, an axis can run against its end stop and reports {@code !P} or
  * {@code !T}.
  *
- * <p>The head is told where it points at least every 10 ms while it moves. Source: Directed
- * Perception, PTU-D46 User's Manual 2.14.0, section 4; the ends of the ways beyond the limits and
- * the wording of some refusals are made up.
+ * <p>The emulator updates the head's direction at least every 10 ms during a motion. Source:
+ * Directed Perception, PTU-D46 User's Manual 2.14.0, section 4; the end stops beyond the limits and
+ * the wording of some rejections are assumed.
  */
 public final class PtuDevice implements SerialDevice {
 
   private static final double RADIANS_PER_POSITION = Math.toRadians(185.1428 / 3600);
   private static final int LONGEST_COMMAND = 40;
-  private static final int LONGEST_INPUT = 1000; // characters that wait to be obeyed
+  private static final int LONGEST_INPUT = 1000; // characters of pending commands
   private static final int TELL_EVERY = 10; // steps
   private static final Duration LONGEST_SLEEP = Duration.ofSeconds(60); // any motion has ended
 
@@ -45,15 +46,15 @@ public final class PtuDevice implements SerialDevice {
   private final boolean resets;
   private final ArrayDeque<Character> input = new ArrayDeque<>();
   private final StringBuilder word = new StringBuilder();
-  private @Nullable PtuMotion motion; // what it goes through before it obeys again
-  private @Nullable Instant now; // null: it has not been switched on
+  private @Nullable PtuMotion motion; // motion that must end before the next command
+  private @Nullable Instant now; // null: not switched on
   private double reportedPan = Double.NaN;
   private double reportedTilt = Double.NaN;
 
   /**
    * @param body the head
-   * @param baud bits per second of its line, 9600 as it is delivered
-   * @param resets whether it goes through its reset when it is switched on
+   * @param baud bits per second of its serial line, 9600 ex factory
+   * @param resets whether it resets at power-on
    */
   public PtuDevice(PanTiltPhysics body, int baud, boolean resets) {
     this.body = body;
@@ -145,7 +146,7 @@ public final class PtuDevice implements SerialDevice {
     }
   }
 
-  /** Obeys what has come, up to a command that takes its time. */
+  /** Executes received commands, up to one that must wait for a motion. */
   private void read() {
     while (motion == null && !input.isEmpty()) {
       char next = input.remove();

@@ -2,7 +2,7 @@ package org.dfra.sim.device.pantilt;
 
 import java.util.ArrayDeque;
 
-/** A motion that the unit ends before it obeys again. */
+/** A motion that the unit completes before it executes the next command. */
 final class PtuMotion {
 
   private final StepMotor pan;
@@ -14,12 +14,12 @@ final class PtuMotion {
     this.tilt = tilt;
   }
 
-  /** Until both axes are where they were told to be. */
+  /** Until both axes reach their commanded positions. */
   static PtuMotion ending(StepMotor pan, StepMotor tilt) {
     return new PtuMotion(pan, tilt);
   }
 
-  /** Each axis that is given to its one limit, to the other, and to 0; one after the other. */
+  /** Each given axis to its one limit, to the other, and to 0; one axis after the other. */
   static PtuMotion reset(StepMotor... motors) {
     PtuMotion motion = new PtuMotion(motors[0], motors[motors.length - 1]);
     for (StepMotor motor : motors) {
@@ -30,7 +30,7 @@ final class PtuMotion {
     return motion;
   }
 
-  /** Begins the next leg where one has ended; whether all have. */
+  /** Starts the next leg when one has ended; returns whether all have ended. */
   boolean isOver() {
     if (pan.isMoving() || tilt.isMoving()) {
       return false;

@@ -1,20 +1,20 @@
 package org.dfra.sim.device.pantilt;
 
 /**
- * One axis driven by a step motor: a ramp up, a constant speed, a ramp down, all of them changed on
- * the way when it is told so. Positions are the unit's own. Moves in steps of a millisecond, so
- * where it is does not depend on how often it is looked at.
+ * One axis driven by a step motor: a ramp up, a constant speed, a ramp down. Commands can change
+ * all three during a motion. Positions are in the unit's own counts. It moves in steps of a
+ * millisecond, so its position does not depend on how often it is polled.
  */
 final class StepMotor {
 
   static final double STEP_SECONDS = 0.001;
 
-  private static final int BASE_SPEED = 57; // positions/s, from and to standing without a ramp
+  private static final int BASE_SPEED = 57; // positions/s, start and stop speed without a ramp
   private static final int SLOWEST = 31; // positions/s
   private static final int FASTEST = 2902; // positions/s
   private static final int USUAL_SPEED = 1000; // positions/s
   private static final int ACCELERATION = 2000; // positions/s²
-  private static final int BEYOND = 60; // positions from a limit to the end of the way
+  private static final int BEYOND = 60; // positions from a limit to the end stop
 
   private final char letter;
   private final String name;
@@ -29,8 +29,8 @@ final class StepMotor {
   private boolean hit;
 
   /**
-   * @param letter what its commands begin with
-   * @param name in the unit's sentences
+   * @param letter first letter of its commands
+   * @param name in the unit's verbose replies
    * @param least position at the right or lower limit
    * @param most position at the other
    */
@@ -81,12 +81,12 @@ final class StepMotor {
     return target;
   }
 
-  /** Where it is, to the nearest position. */
+  /** Current position, rounded. */
   int position() {
     return (int) Math.rint(position);
   }
 
-  /** Where it is, between two positions too. */
+  /** Current position, with fraction. */
   double exactPosition() {
     return position;
   }
@@ -103,12 +103,12 @@ final class StepMotor {
     acceleration = positionsPerSecondSquared;
   }
 
-  /** Whether targets beyond the limits are refused. */
+  /** Sets whether it rejects targets beyond the limits. */
   void limit(boolean whether) {
     limited = whether;
   }
 
-  /** Whether it may be told to go there. */
+  /** Whether it accepts this target. */
   boolean isReachable(int there) {
     return !limited || (there >= least && there <= most);
   }
@@ -117,20 +117,20 @@ final class StepMotor {
     target = there;
   }
 
-  /** Comes to stand as fast as it may. */
+  /** Stops at maximum deceleration. */
   void halt() {
     double way = velocity * Math.abs(velocity) / (2 * acceleration);
     target = (int) Math.rint(position + (Math.abs(velocity) <= BASE_SPEED ? 0 : way));
   }
 
-  /** Whether it ran against its end since this was asked last; it stands there now. */
+  /** Whether it ran against its end stop since the last call; it is stopped there now. */
   boolean pollLimitHit() {
     boolean was = hit;
     hit = false;
     return was;
   }
 
-  /** Moves on by a millisecond. */
+  /** Moves by one millisecond. */
   void step() {
     double left = target - position;
     if (left == 0 && velocity == 0) {

@@ -1,5 +1,5 @@
 /**
- * Pan-tilt units that do not exist, byte by byte. Enter at {@link
+ * Emulated pan-tilt units, at the byte level. Enter at {@link
  * org.dfra.sim.device.pantilt.PtuDevice}.
  */
 @NullMarked

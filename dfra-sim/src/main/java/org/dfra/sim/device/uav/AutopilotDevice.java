@@ -17,21 +17,25 @@ import org.dfra.sim.physics.MulticopterPhysics.MulticopterState;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The autopilot of a quadrotor between its two wires, in MAVLink 2: PX4 or ArduPilot, as far as a
- * ground station sees them.
+ * Emulates the autopilot of a quadrotor at the byte level, in MAVLink 2: PX4 or ArduPilot, as far
+ * as visible to a ground station.
  *
- * <p>It tells by itself, once a second: {@code HEARTBEAT}, {@code SYS_STATUS}, {@code
+ * <p>It sends unsolicited, once a second: {@code HEARTBEAT}, {@code SYS_STATUS}, {@code
  * BATTERY_STATUS}, {@code SYSTEM_TIME}, {@code GPS_RAW_INT}, {@code GLOBAL_POSITION_INT}, {@code
  * VFR_HUD}, {@code EXTENDED_SYS_STATE}; all but the first as often as {@code SET_MESSAGE_INTERVAL}
- * says. Where it is comes from the body, what its receiver says from the antenna. Commands: arm and
+ * sets. Its position comes from the body, its receiver's data from the antenna. Commands: arm and
  * disarm, take-off, reposition, change of speed, mode, land, return, and {@code REQUEST_MESSAGE} of
- * {@code AUTOPILOT_VERSION}; each is answered. What it does is the pilot's, see the package.
+ * {@code AUTOPILOT_VERSION}; each is acknowledged. {@link AutopilotStateMachine} determines its
+ * behaviour, see the package.
  *
- * <p>Its state outlives a client, as that of a vehicle outlives a radio link.
+ * <p>Its state survives a change of client, as a vehicle's state survives loss of the radio link.
  */
 public final class AutopilotDevice implements SerialDevice {
 
-  /** With more than this waiting the line is too slow for what was asked; something is left out. */
+  /**
+   * If more bytes than this are queued, the baud rate is too low for the requested messages;
+   * messages are skipped.
+   */
   private static final int LONGEST_QUEUE = 4096;
 
   private static final Duration USUAL = Duration.ofSeconds(1);
@@ -62,11 +66,11 @@ public final class AutopilotDevice implements SerialDevice {
   private Instant now = Instant.MIN;
 
   /**
-   * @param settings what it is set to
+   * @param settings of the autopilot
    * @param datum where the body's east, north and up are zero, frame WGS84
-   * @param body what it flies
-   * @param antenna where its satellite receiver takes itself to be
-   * @param battery what feeds it
+   * @param body of the vehicle
+   * @param antenna measured position of its satellite receiver
+   * @param battery that powers it
    */
   public AutopilotDevice(
       AutopilotSettings settings,
@@ -85,7 +89,7 @@ public final class AutopilotDevice implements SerialDevice {
     this.reader = new MavlinkCommandReader(settings.vehicle(), new Station());
   }
 
-  /** {@inheritDoc} What the last one has half said is forgotten, and nothing else. */
+  /** {@inheritDoc} Discards the last client's incomplete frame, and nothing else. */
   @Override
   public void connected() {
     reader.forget();
@@ -144,7 +148,7 @@ public final class AutopilotDevice implements SerialDevice {
             && !hasFix()
             && settings.software() == AutopilotSoftware.PX4;
     if (isSilent) {
-      return; // the other tells zeros
+      return; // the other sends zeros
     }
     switch (message) {
       case HEARTBEAT -> enqueue(telemetry.heartbeat(pilot, flight));
@@ -156,7 +160,7 @@ public final class AutopilotDevice implements SerialDevice {
       case VFR_HUD -> enqueue(telemetry.motion(flight));
       case EXTENDED_SYS_STATE -> enqueue(telemetry.landed(pilot.landed(flight)));
       case AUTOPILOT_VERSION -> enqueue(telemetry.version());
-      case COMMAND_INT, COMMAND_LONG, COMMAND_ACK, STATUSTEXT -> {} // not by itself
+      case COMMAND_INT, COMMAND_LONG, COMMAND_ACK, STATUSTEXT -> {} // not unsolicited
     }
   }
 
@@ -223,7 +227,7 @@ public final class AutopilotDevice implements SerialDevice {
         : command.whole(2);
   }
 
-  /** Takes what the ground station says. */
+  /** Handles the ground station's messages. */
   private final class Station implements MavlinkCommandReader.Listener {
 
     @Override

@@ -4,17 +4,18 @@ import java.time.Duration;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What an emulated autopilot is set to. Immutable.
+ * Settings of an emulated autopilot. Immutable.
  *
- * @param software what flies it
+ * @param software of the autopilot
  * @param vehicle its number, 1 to 255
- * @param baud bits per second of its line
+ * @param baud bits per second of its serial line
  * @param separation height of the geoid above the ellipsoid at its place, metres
- * @param timeToFirstFix how long after it was switched on it looks for satellites
- * @param groundStationTimeout how long without a heartbeat of the ground station it flies on
- * @param returnDelay how long it then holds its place before it returns home
- * @param returnHeight at which it returns at least, metres above home
- * @param commandFaults how it answers otherwise than it should
+ * @param timeToFirstFix time from power-on to the first fix
+ * @param groundStationTimeout how long it continues to fly without a heartbeat of the ground
+ *     station
+ * @param returnDelay how long it then holds its position before it returns home
+ * @param returnHeight minimum height of the return, metres above home
+ * @param commandFaults injected faults of command replies
  */
 public record AutopilotSettings(
     AutopilotSoftware software,
@@ -27,22 +28,25 @@ public record AutopilotSettings(
     double returnHeight,
     CommandFaults commandFaults) {
 
-  /** For tests of those who command it: a refusal, a deaf moment. Asked by the device's thread. */
+  /**
+   * For tests of command clients: injects rejections and missing replies. The device's thread calls
+   * it.
+   */
   @FunctionalInterface
   public interface CommandFaults {
 
-    /** The answer that is none: as if the command had not arrived. */
+    /** No reply: as if the command had not arrived. */
     int NO_ANSWER = -1;
 
-    /** None. */
+    /** No faults. */
     CommandFaults NONE = (command, confirmation) -> null;
 
     /**
-     * How a command is answered; it is not done then.
+     * The reply to a command; the command is not executed then.
      *
      * @param command {@code MAV_CMD}
-     * @param confirmation how often it was sent before, as it says
-     * @return {@code MAV_RESULT} or {@link #NO_ANSWER}; null to do the command as usual
+     * @param confirmation number of earlier transmissions, as the command reports it
+     * @return {@code MAV_RESULT} or {@link #NO_ANSWER}; null to execute the command
      */
     @Nullable Integer answer(int command, int confirmation);
   }
@@ -54,8 +58,8 @@ public record AutopilotSettings(
   }
 
   /**
-   * As usual: vehicle 1 on a line of 921 600 baud, a fix at once, 5 s without the ground station
-   * until it holds its place, 10 s more until it returns, 15 m above home.
+   * Defaults: vehicle 1 at 921 600 baud, a fix at once, 5 s without the ground station until it
+   * holds its position, 10 s more until it returns, 15 m above home.
    */
   public static AutopilotSettings of(AutopilotSoftware software) {
     return new AutopilotSettings(
@@ -70,7 +74,7 @@ public record AutopilotSettings(
         CommandFaults.NONE);
   }
 
-  /** The same with such whims. */
+  /** The same with these command faults. */
   public AutopilotSettings with(CommandFaults other) {
     return new AutopilotSettings(
         software,

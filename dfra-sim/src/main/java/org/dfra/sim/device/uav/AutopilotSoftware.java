@@ -1,25 +1,31 @@
 package org.dfra.sim.device.uav;
 
-/** What flies the vehicle: the two autopilots differ in numbers and in habits. */
+/** The vehicle's autopilot software: the two differ in numbers and in behaviour. */
 public enum AutopilotSoftware {
-  /** Takes off to heights above mean sea level; rejects for now what it cannot do yet. */
+  /**
+   * Takes off to heights above mean sea level; replies TEMPORARILY_REJECTED to commands that it
+   * cannot execute yet.
+   */
   PX4(12, 0x010F04FF, 3 << 16, mode(3), mode(3), mode(2), mode(5), mode(6)),
-  /** Takes off to heights above home, in the mode GUIDED; what it cannot do yet fails. */
+  /**
+   * Takes off to heights above home, in the mode GUIDED; replies FAILED to commands that it cannot
+   * execute yet.
+   */
   ARDUPILOT(3, 0x040600FF, 0, 17, 4, 4, 6, 9);
 
-  /** What the pilot in the vehicle may be set to do. */
+  /** Flight modes of the vehicle. */
   enum Mode {
-    /** A person flies, or would. */
+    /** Manual control by a human pilot. */
     MANUAL,
-    /** Stays where it is. */
+    /** Holds its position. */
     HOLD,
-    /** Flies where it is told. */
+    /** Flies to commanded positions. */
     GUIDED,
-    /** Rises. */
+    /** Takes off. */
     TAKE_OFF,
-    /** Flies back and lands. */
+    /** Returns home and lands. */
     RETURN,
-    /** Goes down. */
+    /** Lands. */
     LAND
   }
 
@@ -43,7 +49,7 @@ public enum AutopilotSoftware {
     return autopilot;
   }
 
-  /** Of {@code AUTOPILOT_VERSION}: major, minor, patch, sort of release; a byte each. */
+  /** Of {@code AUTOPILOT_VERSION}: major, minor, patch, release type; a byte each. */
   int version() {
     return version;
   }

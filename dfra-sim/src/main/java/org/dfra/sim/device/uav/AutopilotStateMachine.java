@@ -14,7 +14,7 @@ import org.dfra.sim.physics.MulticopterPhysics.MulticopterState;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What an autopilot does with its vehicle.
+ * State machine of the autopilot's flight behaviour.
  *
  * <pre>
  *   disarmed --arm, checks passed--&gt; armed --take off--&gt; TAKE_OFF --high enough--&gt; HOLD | GUIDED
@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
  *      +--10 s on the ground-----------+       reposition --&gt; GUIDED (PX4: HOLD) ---+  |
  *      +--2 s after touching down-- LAND &lt;--land, above home-- RETURN &lt;--return home--+
  *
- *   in the air, the ground station missed --&gt; HOLD --after a while--&gt; RETURN
+ *   in the air, ground station lost --&gt; HOLD --after a while--&gt; RETURN
  * </pre>
  *
  * <p>Confined to one thread.
@@ -37,7 +37,7 @@ final class AutopilotStateMachine {
 
   private static final double GROUND = 0.05; // metres
   private static final double NEAR = 0.5; // metres
-  private static final double SPEED = 5; // metres per second, where nothing else is said
+  private static final double SPEED = 5; // metres per second, default
   private static final double DESCENT = 1.5; // metres per second
   private static final double LOW_BATTERY = 0.15;
   private static final double FARTHEST = 5000; // metres from home
@@ -82,7 +82,7 @@ final class AutopilotStateMachine {
     return armed;
   }
 
-  /** Whether it is in trouble: the ground station is missing. */
+  /** Whether the failsafe is active: the ground station is lost. */
   boolean isMissingStation() {
     return station.isMissed();
   }
@@ -98,19 +98,19 @@ final class AutopilotStateMachine {
     return descending ? 4 : 2;
   }
 
-  /** What it has to say to people since it was last asked. */
+  /** Status texts since the last call. */
   List<String> texts() {
     List<String> pendingTexts = List.copyOf(texts);
     texts.clear();
     return pendingTexts;
   }
 
-  /** The ground station lives. */
+  /** A heartbeat of the ground station was received. */
   void heartbeat(Instant time) {
     station.heartbeat(time);
   }
 
-  /** Time has passed. */
+  /** Advances the time. */
   void step(Instant time) {
     MulticopterState flight = body.at(time);
     checkGroundStation(flight, time);
@@ -222,9 +222,9 @@ final class AutopilotStateMachine {
   }
 
   /**
-   * Rises.
+   * Takes off.
    *
-   * @param height as this software has it, metres
+   * @param height in this software's frame, metres
    */
   int takeOff(double height, Instant time) {
     MulticopterState flight = body.at(time);
@@ -244,11 +244,11 @@ final class AutopilotStateMachine {
   }
 
   /**
-   * Flies to there.
+   * Flies to a position.
    *
    * @param height above mean sea level, metres
-   * @param requested metres per second; not above 0 for as fast as it is set to
-   * @param changesMode whether it may leave what it is at
+   * @param requested metres per second; 0 or negative for the set speed
+   * @param changesMode whether it may change the flight mode
    */
   int reposition(
       double latitude,
@@ -281,7 +281,7 @@ final class AutopilotStateMachine {
     return ACCEPTED;
   }
 
-  /** Flies as fast as this from now on, metres per second. */
+  /** Sets the flight speed, metres per second. */
   int changeSpeed(double requested, Instant time) {
     if (!(requested > 0)) {
       return DENIED;
@@ -293,7 +293,7 @@ final class AutopilotStateMachine {
     return ACCEPTED;
   }
 
-  /** Is set to a mode by its number. */
+  /** Sets a mode by its number. */
   int set(int number, boolean hasFix, Instant time) {
     for (Mode each : new Mode[] {Mode.GUIDED, Mode.HOLD, Mode.RETURN, Mode.LAND, Mode.MANUAL}) {
       if (settings.software().number(each) == number) {
@@ -317,7 +317,7 @@ final class AutopilotStateMachine {
     if (requested == Mode.GUIDED && mode == Mode.GUIDED) {
       return ACCEPTED;
     }
-    // PX4 has one number for both; it holds its place until it is told where to
+    // PX4 has one number for both; it holds its position until commanded
     hold(
         settings.software() == AutopilotSoftware.PX4 && requested == Mode.GUIDED
             ? Mode.HOLD
@@ -335,7 +335,7 @@ final class AutopilotStateMachine {
     }
   }
 
-  /** Goes down where it is. */
+  /** Lands at the current position. */
   int land(Instant time) {
     if (!armed) {
       return notNow();
@@ -346,7 +346,7 @@ final class AutopilotStateMachine {
     return ACCEPTED;
   }
 
-  /** Flies home and lands. */
+  /** Returns home and lands. */
   int goBack(Instant time) {
     MulticopterState flight = body.at(time);
     if (!armed || flight.up() < GROUND) {

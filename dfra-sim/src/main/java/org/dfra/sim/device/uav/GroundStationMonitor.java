@@ -5,26 +5,26 @@ import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Whether the ground station is still there.
+ * Detects the loss of the ground station.
  *
  * <pre>
- *   NEVER HEARD --heartbeat--&gt; THERE --silent for a while--&gt; MISSED --for longer--&gt; GIVEN UP
- *                                ^                             |                     |
- *                                +----------heartbeat----------+---------------------+
+ *   NEVER SEEN --heartbeat--&gt; PRESENT --timeout--&gt; LOST --longer timeout--&gt; GIVEN UP
+ *                                ^                  |                          |
+ *                                +----heartbeat-----+--------------------------+
  * </pre>
  *
- * <p>One that was never heard is not missed: the vehicle is flown by a person. Confined to one
+ * <p>Without any heartbeat yet, there is no loss: a human pilot flies the vehicle. Confined to one
  * thread.
  */
 final class GroundStationMonitor {
 
-  /** What has just become of it. */
+  /** The change of state. */
   enum Change {
-    /** Nothing. */
+    /** No change. */
     NONE,
-    /** It is missed. */
+    /** The ground station is lost. */
     LOST,
-    /** It is missed for so long that it is waited for no longer. */
+    /** It was lost for so long that the vehicle returns. */
     RETURN_DUE
   }
 
@@ -37,7 +37,7 @@ final class GroundStationMonitor {
     this.settings = settings;
   }
 
-  /** It has shown that it lives. */
+  /** A heartbeat was received. */
   void heartbeat(Instant time) {
     lastHeartbeat = time;
     missed = false;
@@ -48,7 +48,7 @@ final class GroundStationMonitor {
     return missed;
   }
 
-  /** Time has passed; only while it flies. */
+  /** Advances the time; call it only in flight. */
   Change step(Instant time) {
     if (lastHeartbeat == null) {
       return Change.NONE;

@@ -5,15 +5,15 @@ import java.nio.ByteOrder;
 import java.util.Arrays;
 
 /**
- * Takes what a ground station sends: heartbeats and commands for one vehicle. Everything else,
- * damaged frames among it, is passed over. Confined to one thread.
+ * Parses a ground station's heartbeats and commands for one vehicle. It ignores all other frames
+ * and damaged ones. Confined to one thread.
  */
 final class MavlinkCommandReader {
 
-  /** Takes what was found. */
+  /** Receives parsed messages. */
   interface Listener {
 
-    /** The ground station lives. */
+    /** A heartbeat of the ground station. */
     void heartbeat(int sender);
 
     /** A command for this vehicle. */
@@ -33,7 +33,7 @@ final class MavlinkCommandReader {
     this.listener = listener;
   }
 
-  /** Another computer is on the line: what was half said is forgotten. */
+  /** Another computer is connected: discards an incomplete frame. */
   void forget() {
     filled = 0;
   }
@@ -60,7 +60,7 @@ final class MavlinkCommandReader {
     return MavlinkFrameWriter.HEAD + (window[1] & 0xFF) + MavlinkFrameWriter.TAIL;
   }
 
-  /** Takes the frame at the beginning; returns its length, 0 when there is none. */
+  /** Consumes the frame at the beginning; returns its length, 0 when there is none. */
   private int frameLength() {
     if ((window[0] & 0xFF) != MavlinkFrameWriter.MARK
         || filled < MavlinkFrameWriter.HEAD
@@ -70,7 +70,7 @@ final class MavlinkCommandReader {
     int id = (window[7] & 0xFF) | (window[8] & 0xFF) << 8 | (window[9] & 0xFF) << 16;
     MavlinkMessageType message = MavlinkMessageType.of(id);
     if (message == null) {
-      return length(); // not for us, and its checksum not known
+      return length(); // not for us, and its checksum is unknown
     }
     int end = length() - MavlinkFrameWriter.TAIL;
     int sum = MavlinkFrameWriter.sum(window, 1, end, message.extra());

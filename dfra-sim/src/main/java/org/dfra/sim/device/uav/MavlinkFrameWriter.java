@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /**
- * The frames of MAVLink 2, packed and summed here. One object counts the frames of one sender.
+ * Encodes MAVLink 2 frames with their checksums. One object numbers the frames of one sender.
  * Confined to one thread.
  */
 final class MavlinkFrameWriter {
@@ -26,7 +26,7 @@ final class MavlinkFrameWriter {
     this.component = component;
   }
 
-  /** Room for the longest payload there is, lowest byte first. */
+  /** A buffer for the longest payload, little-endian. */
   static ByteBuffer payload() {
     return ByteBuffer.allocate(255).order(ByteOrder.LITTLE_ENDIAN);
   }
@@ -34,7 +34,7 @@ final class MavlinkFrameWriter {
   /**
    * A frame.
    *
-   * @param message what it is
+   * @param message type of the frame
    * @param payload up to its position
    */
   byte[] frame(MavlinkMessageType message, ByteBuffer payload) {
@@ -57,7 +57,7 @@ final class MavlinkFrameWriter {
     return frame;
   }
 
-  /** The checksum, bit by bit: polynomial 0x8408, begun with all ones. */
+  /** The checksum, bit by bit: polynomial 0x8408, initial value all ones. */
   static int sum(byte[] bytes, int from, int to, int extra) {
     int sum = 0xFFFF;
     for (int i = from; i <= to; i++) {

@@ -3,8 +3,8 @@ package org.dfra.sim.device.uav;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The messages that are sent or understood, with the byte that stands for their definition in the
- * checksum. Source: mavlink.io, common dialect.
+ * The messages that are sent or understood, with the CRC extra byte that represents their
+ * definition in the checksum. Source: mavlink.io, common dialect.
  */
 enum MavlinkMessageType {
   HEARTBEAT(0, 50),

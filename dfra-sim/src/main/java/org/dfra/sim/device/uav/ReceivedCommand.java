@@ -1,14 +1,15 @@
 package org.dfra.sim.device.uav;
 
 /**
- * A command that the vehicle was given.
+ * A command that the vehicle received.
  *
  * @param sender number of the ground station
- * @param senderComponent number of the part of it
+ * @param senderComponent number of its component
  * @param command {@code MAV_CMD}
- * @param confirmation how often it was sent before, as it says; 0 in {@code COMMAND_INT}
- * @param parameters seven of them; the fifth and sixth are degrees where they are a place
- * @param isCommandInt whether it came as {@code COMMAND_INT}
+ * @param confirmation number of earlier transmissions, as the command reports it; 0 in {@code
+ *     COMMAND_INT}
+ * @param parameters seven of them; the fifth and sixth are degrees where they are a position
+ * @param isCommandInt whether it arrived as {@code COMMAND_INT}
  */
 record ReceivedCommand(
     int sender,
@@ -33,7 +34,7 @@ record ReceivedCommand(
     return parameters[number - 1];
   }
 
-  /** A parameter that is a whole number, a mode or the like. */
+  /** A parameter as an integer, such as a mode. */
   int whole(int number) {
     return (int) parameter(number);
   }

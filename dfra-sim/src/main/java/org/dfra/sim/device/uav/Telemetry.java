@@ -13,10 +13,10 @@ import org.dfra.sim.device.uav.AutopilotSoftware.Mode;
 import org.dfra.sim.physics.BatteryPhysics.Charge;
 import org.dfra.sim.physics.MulticopterPhysics.MulticopterState;
 
-/** Packs what an autopilot tells. Confined to one thread. */
+/** Encodes an autopilot's telemetry. Confined to one thread. */
 final class Telemetry {
 
-  /** What a field of 16 bits is when its value is not known. */
+  /** Value of a 16-bit field that is unknown. */
   private static final short UNKNOWN = (short) 0xFFFF;
 
   private static final int QUADROTOR = 2;
@@ -68,13 +68,13 @@ final class Telemetry {
     return frames.frame(MavlinkMessageType.BATTERY_STATUS, out);
   }
 
-  /** Without the date while it has none. */
+  /** Without the date while it is unknown. */
   byte[] time(Instant time, Duration boot, boolean hasFix) {
     ByteBuffer out = MavlinkFrameWriter.payload().putLong(hasFix ? micros(time) : 0);
     return frames.frame(MavlinkMessageType.SYSTEM_TIME, out.putInt((int) boot.toMillis()));
   }
 
-  /** PX4 tells the time since it was switched on, ArduPilot that since 1970. */
+  /** PX4 sends the time since boot, ArduPilot the time since 1970. */
   byte[] receiver(AntennaState antenna, Instant time, Duration boot, boolean hasFix) {
     boolean px4 = settings.software() == AutopilotSoftware.PX4;
     ByteBuffer out =
@@ -143,7 +143,7 @@ final class Telemetry {
         MavlinkMessageType.STATUSTEXT, MavlinkFrameWriter.payload().put((byte) 4).put(letters));
   }
 
-  /** Of its nose: degrees from north, clockwise, 0 to less than 360. */
+  /** Heading, degrees from north, clockwise, 0 to less than 360. */
   private static double heading(MulticopterState flight) {
     double degrees = 90 - Math.toDegrees(flight.yaw());
     return ((degrees % 360) + 360) % 360;

@@ -12,11 +12,11 @@ import org.dfra.core.config.Place;
  *
  * @param kind of device
  * @param name unique on its robot, in lower_snake_case
- * @param mount where it stands on the robot, or on its parent
- * @param parent the pan-tilt unit that carries it, if one does
+ * @param mount pose on the robot, or on its parent
+ * @param parent the pan-tilt unit that carries it, if any
  * @param parameters the numbers that differ from the kind's own
- * @param emulator what is written for its emulator
- * @param place where it was written
+ * @param emulator settings of its emulator
+ * @param place its source location
  */
 public record DeviceDescription(
     DeviceKind kind,
@@ -31,7 +31,7 @@ public record DeviceDescription(
     parameters = Map.copyOf(parameters);
   }
 
-  /** With the kind's own numbers, on the robot itself. */
+  /** With the kind's defaults, on the robot itself. */
   public DeviceDescription(DeviceKind kind, String name, MountPose mount) {
     this(kind, name, mount, Optional.empty(), Map.of(), EmulatorDescription.NONE, Place.CODE);
   }
@@ -49,7 +49,7 @@ public record DeviceDescription(
         kind, name, mount, Optional.of(panTilt), parameters, emulator, place);
   }
 
-  /** A number of its kind: its own, or the kind's for robots of that type. */
+  /** A parameter: its own value, or the kind's default for robots of that type. */
   public double parameter(String parameter, VehicleType type) {
     Double own = parameters.get(parameter);
     if (own != null) {

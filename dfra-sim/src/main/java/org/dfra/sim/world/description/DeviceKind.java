@@ -3,7 +3,7 @@ package org.dfra.sim.world.description;
 import java.util.List;
 import java.util.Optional;
 
-/** The kinds of device that a robot can carry into a world, with the numbers each can be given. */
+/** The kinds of device that a robot can carry, with the parameters of each. */
 public enum DeviceKind {
   /** A satellite receiver; its mount is where its antenna is. */
   GPS(
@@ -15,7 +15,7 @@ public enum DeviceKind {
       number("velocity", 0.05, 0, 100, "m/s", "σ of the velocity, east and north each"),
       number("outages", 0, 0, 3600, "", "times in an hour at which it loses all satellites"),
       number("outage_time", 20, 0.1, 3600, "s", "how long that lasts on average")),
-  /** A range finder that turns a beam in its x-y plane. */
+  /** A range finder with a beam that rotates in its x-y plane. */
   LASER(
       "laser",
       number("white", 0.01, 0, 10, "m", "σ of each range"),
@@ -41,29 +41,29 @@ public enum DeviceKind {
       number("encoder_noise", 0.005, 0, 0.2, "", "σ of each side's scale, drawn once"),
       number("encoder_left", 0, -0.5, 0.5, "", "what the left side measures too much, besides"),
       number("encoder_right", 0, -0.5, 0.5, "", "what the right side measures too much, besides")),
-  /** A rate gyro; it feels what turns about its z axis. */
+  /** A rate gyro; it measures about its z axis. */
   GYRO(
       "gyro",
       number("bias", 0.005, 0, 10, "rad/s", "σ of what it is off by from the start, drawn once"),
       number("drift", 0.0002, 0, 10, "rad/s/√s", "σ of what that has changed by after a second"),
       number("white", 0.003, 0, 10, "rad/s", "σ of each reading, at 100 readings in a second")),
-  /** A pan-tilt unit; what names it as its parent looks where it points. */
+  /** A pan-tilt unit; it aims the devices that name it as their parent. */
   PAN_TILT("pan-tilt"),
-  /** A camera for visible light; it looks along its x axis. */
+  /** A camera for visible light; its optical axis is its x axis. */
   CAMERA(
       "camera",
       number("width", 320, 8, 2048, "", "pixels in a row"),
       number("height", 240, 8, 2048, "", "rows"),
       number("field_of_view", 1.05, 0.05, 2.8, "rad", "from the left edge to the right"),
       number("white", 3, 0, 100, "", "σ of each colour of each pixel, of 255")),
-  /** A thermal camera; it looks along its x axis. */
+  /** A thermal camera; its optical axis is its x axis. */
   THERMAL(
       "thermal",
       number("width", 320, 8, 2048, "", "pixels in a row"),
       number("height", 240, 8, 2048, "", "rows"),
       number("field_of_view", 0.8, 0.05, 2.8, "rad", "from the left edge to the right"),
       number("white", 0.08, 0, 10, "K", "σ of each pixel")),
-  /** The battery that a robot lives on. */
+  /** The battery that powers a robot. */
   BATTERY(
       "battery",
       number("capacity", 28, 5.2, 0.01, 10000, "Ah", "what it holds"),
@@ -100,17 +100,17 @@ public enum DeviceKind {
     this.parameters = List.of(parameters);
   }
 
-  /** As it is written in XML, such as {@code pan-tilt}. */
+  /** Its name in XML, such as {@code pan-tilt}. */
   public String text() {
     return text;
   }
 
-  /** The numbers it can be given. */
+  /** Its parameters. */
   public List<DeviceParameter> parameters() {
     return parameters;
   }
 
-  /** The number of that name, if there is one. */
+  /** The parameter of that name, if there is one. */
   public Optional<DeviceParameter> parameter(String name) {
     return parameters.stream().filter(parameter -> parameter.name().equals(name)).findFirst();
   }

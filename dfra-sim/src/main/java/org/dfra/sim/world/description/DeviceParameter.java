@@ -3,15 +3,15 @@ package org.dfra.sim.world.description;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A number that a kind of device can be given.
+ * A numeric parameter of a kind of device.
  *
  * @param name in lower_snake_case
- * @param ugvDefault what it is on a UGV where nothing is written
- * @param uavDefault what it is on a UAV where nothing is written
- * @param min that makes sense
- * @param max that makes sense
- * @param unit of it; empty for a plain number
- * @param meaning what it is, half a sentence
+ * @param ugvDefault default on a UGV
+ * @param uavDefault default on a UAV
+ * @param min minimum
+ * @param max maximum
+ * @param unit its unit; empty for a plain number
+ * @param meaning its description, half a sentence
  */
 public record DeviceParameter(
     String name,
@@ -22,12 +22,12 @@ public record DeviceParameter(
     String unit,
     String meaning) {
 
-  /** What it is where nothing is written. */
+  /** Its default. */
   public double defaultFor(VehicleType type) {
     return type == VehicleType.UAV ? uavDefault : ugvDefault;
   }
 
-  /** What is wrong with this value, and what to write; null if nothing is. */
+  /** The error of this value and how to correct it; null if it is valid. */
   public @Nullable String violation(double value) {
     String of = unit.isEmpty() ? "" : " " + unit;
     return value >= min && value <= max

@@ -11,10 +11,10 @@ import org.dfra.core.config.ConfigurationFaults;
 import org.dfra.core.config.DescriptionRules;
 import org.dfra.core.config.NearestName;
 
-/** What the devices of a robot must be like. */
+/** Validates the devices of a robot. */
 final class DeviceRules {
 
-  /** Of these a robot has one at most. */
+  /** Kinds of which a robot has at most one. */
   private static final Set<DeviceKind> SINGLE =
       EnumSet.of(DeviceKind.DRIVE, DeviceKind.FLIGHT, DeviceKind.BATTERY);
 

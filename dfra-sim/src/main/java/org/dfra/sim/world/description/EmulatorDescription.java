@@ -3,12 +3,12 @@ package org.dfra.sim.world.description;
 import java.util.Optional;
 
 /**
- * What is written for the emulator of a device; the world keeps it as it is.
+ * Settings of a device's emulator; the world stores them unchanged.
  *
- * @param protocol what it speaks, such as {@code m12}
- * @param link over which it is reached, such as {@code sim:atrv1/gps_front}
- * @param port at which it listens
- * @param baud bits per second of its line
+ * @param protocol its protocol, such as {@code m12}
+ * @param link its link, such as {@code sim:atrv1/gps_front}
+ * @param port TCP port on which it listens
+ * @param baud bits per second of its serial line
  */
 public record EmulatorDescription(
     Optional<String> protocol,
@@ -16,7 +16,7 @@ public record EmulatorDescription(
     Optional<String> port,
     Optional<String> baud) {
 
-  /** Nothing is written. */
+  /** No settings. */
   public static final EmulatorDescription NONE =
       new EmulatorDescription(
           Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty());

@@ -3,17 +3,16 @@ package org.dfra.sim.world.description;
 import org.dfra.core.config.Place;
 
 /**
- * A mine that lies on the ground. Cameras see it; lasers look over it.
+ * A mine that lies on the ground. Visible to cameras, below the beams of lasers.
  *
  * @param name unique in its world, in lower_snake_case
  * @param east of its centre, metres
  * @param north of its centre, metres
  * @param radius metres, above 0
  * @param height metres, above 0
- * @param thermalContrast how much warmer it is than the ground beside it, kelvin; colder is
- *     negative
+ * @param thermalContrast temperature minus that of the ground around it, kelvin; colder is negative
  * @param colour 0xRRGGBB
- * @param place where it was written
+ * @param place its source location
  */
 public record MineDescription(
     String name,
@@ -37,7 +36,7 @@ public record MineDescription(
   /** Olive. */
   public static final int COLOUR = 0x3F4526;
 
-  /** Written in code, of the usual size. */
+  /** Created in code, of the default size. */
   public MineDescription(String name, double east, double north) {
     this(name, east, north, RADIUS, HEIGHT, CONTRAST, COLOUR, Place.CODE);
   }

@@ -1,19 +1,19 @@
 package org.dfra.sim.world.description;
 
 /**
- * Where a device stands on what carries it, and how it is turned: first roll about x, then pitch
- * about y, then yaw about z, each about an axis of what carries it.
+ * Pose of a device on its carrier: rotated first by roll about x, then by pitch about y, then by
+ * yaw about z, each about an axis of the carrier.
  *
  * @param x forward, metres
  * @param y to the left, metres
- * @param z up, metres; on a robot above what the robot stands on
+ * @param z up, metres; on a robot above its base
  * @param roll radians, left side up is +
  * @param pitch radians, nose down is +
  * @param yaw radians, to the left is +
  */
 public record MountPose(double x, double y, double z, double roll, double pitch, double yaw) {
 
-  /** In the middle of what carries it, and not turned. */
+  /** At the origin of its carrier, not rotated. */
   public static final MountPose MIDDLE = new MountPose(0, 0, 0, 0, 0, 0);
 
   public MountPose {
@@ -35,7 +35,7 @@ public record MountPose(double x, double y, double z, double roll, double pitch,
     }
   }
 
-  /** Not turned. */
+  /** Not rotated. */
   public static MountPose at(double x, double y, double z) {
     return new MountPose(x, y, z, 0, 0, 0);
   }

@@ -5,14 +5,14 @@ import org.dfra.sim.world.shape.Disc;
 import org.dfra.sim.world.shape.PlanarShape;
 
 /**
- * Something that stands in the way: a post, a hedge, a house.
+ * An obstacle: a post, a hedge, a house.
  *
  * @param name unique in its world, in lower_snake_case
  * @param footprint seen from above, metres east and north of the datum
  * @param height metres, above 0
- * @param reflectivity part of a laser's light that it returns, 0 to 1; 0 is never seen
+ * @param reflectivity part of a laser's light that it returns, 0 to 1; 0 is invisible
  * @param colour 0xRRGGBB
- * @param place where it was written
+ * @param place its source location
  */
 public record ObstacleDescription(
     String name,
@@ -22,15 +22,15 @@ public record ObstacleDescription(
     int colour,
     Place place) {
 
-  /** Part of a laser's light that most things return. */
+  /** Default reflectivity. */
   public static final double REFLECTIVITY = 0.4;
 
-  /** Written in code, with the reflectivity and colour of most things. */
+  /** Created in code, with default reflectivity and colour. */
   public ObstacleDescription(String name, PlanarShape outline, double height) {
     this(name, outline, height, REFLECTIVITY, colour(outline), Place.CODE);
   }
 
-  /** What it is painted where nothing is written: a post as weathered wood, others as a hedge. */
+  /** Default colour: a post as weathered wood, others as a hedge. */
   public static int colour(PlanarShape outline) {
     return outline instanceof Disc ? 0x9A8F7D : 0x35562A;
   }

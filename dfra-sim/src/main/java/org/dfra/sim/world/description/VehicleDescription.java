@@ -6,18 +6,18 @@ import java.util.Optional;
 import org.dfra.core.config.Place;
 
 /**
- * A robot in a world: its body, where it stands at the start, and what it carries.
+ * A robot in a world: its body, its initial pose, and its devices.
  *
  * @param name unique in its world, in lower_snake_case
- * @param type what moves it
- * @param east of its middle at the start, metres
- * @param north of its middle at the start, metres
+ * @param type of its drive
+ * @param east of its centre at the start, metres
+ * @param north of its centre at the start, metres
  * @param yaw heading at the start, radians, 0 is east, counter-clockwise is +
  * @param length along its x axis, metres, above 0
  * @param width along its y axis, metres, above 0
- * @param height from what it stands on, metres, above 0
+ * @param height from its base, metres, above 0
  * @param devices in the order written
- * @param place where it was written
+ * @param place its source location
  */
 public record VehicleDescription(
     String name,
@@ -35,7 +35,7 @@ public record VehicleDescription(
     devices = List.copyOf(devices);
   }
 
-  /** Written in code, as big as its type is, without devices. */
+  /** Created in code, with its type's size, without devices. */
   public VehicleDescription(String name, VehicleType type, double east, double north, double yaw) {
     this(
         name,

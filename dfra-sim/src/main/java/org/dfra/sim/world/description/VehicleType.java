@@ -2,9 +2,9 @@ package org.dfra.sim.world.description;
 
 import java.util.Locale;
 
-/** What moves a robot, and how big it is where nothing else is written. */
+/** Type of a robot's drive, with its default size. */
 public enum VehicleType {
-  /** On four wheels, skid-steered; as big as an ATRV-Jr. */
+  /** On four wheels, skid-steered; the size of an ATRV-Jr. */
   UGV(0.78, 0.64, 0.55),
   /** A multicopter. */
   UAV(0.6, 0.6, 0.25);
@@ -29,12 +29,12 @@ public enum VehicleType {
     return width;
   }
 
-  /** From what it stands on to its top, masts left out, metres. */
+  /** From its base to its top, without masts, metres. */
   public double height() {
     return height;
   }
 
-  /** As it is written in XML: {@code ugv}, {@code uav}. */
+  /** Its name in XML: {@code ugv}, {@code uav}. */
   public String text() {
     return name().toLowerCase(Locale.ROOT);
   }

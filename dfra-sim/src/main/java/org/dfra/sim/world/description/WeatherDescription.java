@@ -6,15 +6,15 @@ import org.dfra.core.config.Place;
  * Sun, temperature and wind; they do not change.
  *
  * @param temperature of the air, kelvin, 200 to 350
- * @param groundWarming how much warmer than the air the sun has made bare ground, kelvin, −30 to
+ * @param groundWarming temperature of bare ground in the sun minus that of the air, kelvin, −30 to
  *     60; at night it is negative
- * @param sunAzimuth where the sun stands, radians from east, counter-clockwise is +
+ * @param sunAzimuth direction of the sun, radians from east, counter-clockwise is +
  * @param sunElevation above the horizon, radians, −π/2 to π/2; below 0 is night
  * @param windSpeed speed, metres per second, 0 to 50
- * @param windTowards where it blows to, radians from east, counter-clockwise is +
- * @param gustSigma σ of how the wind's velocity changes, east and north each, metres per second, 0
- *     to 50
- * @param place where it was written
+ * @param windTowards direction to which it blows, radians from east, counter-clockwise is +
+ * @param gustSigma σ of the wind's velocity changes, east and north each, metres per second, 0 to
+ *     50
+ * @param place its source location
  */
 public record WeatherDescription(
     double temperature,

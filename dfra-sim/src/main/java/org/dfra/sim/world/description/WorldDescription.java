@@ -10,21 +10,20 @@ import org.dfra.geometry.GeoPosition;
 import org.dfra.sim.world.shape.Polygon;
 
 /**
- * A world before its time begins. Two worlds made from equal descriptions are equal at all times,
- * if the robots are told the same.
+ * The initial state of a world. Two worlds created from equal descriptions are equal at all times,
+ * if the robots get the same commands.
  *
  * @param name of the world, in lower_snake_case
- * @param seed of all that is left to chance
- * @param datum where the world's frame has its origin; that of ENU, and the field's south-west
- *     corner
+ * @param seed of all random numbers
+ * @param datum origin of the world's ENU frame, and the field's south-west corner
  * @param ground the field
  * @param weather sun, temperature, wind
- * @param obstacles what stands in the way
- * @param mines what lies on the ground
- * @param region the part of the field that a mission is about, if one is given
- * @param vehicles the robots, in the order in which they move
- * @param place where it was written
- * @throws ConfigurationException naming all that is wrong with any part of it
+ * @param obstacles on the ground
+ * @param mines on the ground
+ * @param region of the field that a mission covers, if one is given
+ * @param vehicles the robots, in the order in which their motion is computed
+ * @param place its source location
+ * @throws ConfigurationException naming all errors of all parts
  */
 public record WorldDescription(
     String name,

@@ -14,20 +14,20 @@ import org.dfra.sim.world.shape.OrientedRectangle;
 import org.dfra.sim.world.shape.StaticObstacle;
 import org.jspecify.annotations.Nullable;
 
-/** What a world must be like: notes all that is wrong with one, each at its place. */
+/** Validates a world: records all errors with their source locations. */
 public final class WorldRules {
 
-  /** Nothing in a world is farther from its datum, metres. */
+  /** Maximum distance from the datum, metres. */
   private static final double FARTHEST = 10_000;
 
   private static final double LARGEST_FIELD = 100_000; // metres
   private static final double ROUGHEST = 0.2; // radians
   private static final double TALLEST = 1000; // metres
-  private static final double LAST_LATITUDE = 89; // degrees: nearer to a pole, east is a riddle
+  private static final double LAST_LATITUDE = 89; // degrees: nearer to a pole, east is ill-defined
 
   private WorldRules() {}
 
-  /** Notes what is wrong with a world as a whole. */
+  /** Records errors of a world as a whole. */
   public static void check(
       String name,
       GeoPosition datum,
@@ -52,7 +52,7 @@ public final class WorldRules {
     sky.between("gusts", "m/s", weather.gustSigma(), 0, 50);
   }
 
-  /** Notes what is wrong with the things of a world, each by itself and among themselves. */
+  /** Records errors of a world's objects, of each alone and between them. */
   public static void check(
       List<ObstacleDescription> obstacles,
       List<MineDescription> mines,
@@ -127,7 +127,7 @@ public final class WorldRules {
     return notes;
   }
 
-  /** Notes robots that start in something, if all could stand somewhere. */
+  /** Records robots that start inside an obstacle, if all initial poses are valid. */
   private static void starts(
       List<ObstacleDescription> obstacles,
       List<VehicleDescription> vehicles,
@@ -159,7 +159,7 @@ public final class WorldRules {
     return box;
   }
 
-  /** Notes what is wrong with the numbers of one thing. */
+  /** Records errors of the numbers of one object. */
   private record FaultCollector(Place place, String of, ConfigurationFaults faults) {
 
     void add(@Nullable String complaint) {

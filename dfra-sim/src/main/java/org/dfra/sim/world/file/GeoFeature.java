@@ -19,7 +19,7 @@ import org.dfra.sim.world.shape.Polygon;
 import org.dfra.sim.world.shape.Vertex;
 import org.jspecify.annotations.Nullable;
 
-/** One feature of GeoJSON: a thing in a world, if nothing is wrong with it. */
+/** One feature of GeoJSON: an object in a world, if it is valid. */
 final class GeoFeature {
 
   private static final List<String> OF_POINT = List.of("post", "mine");
@@ -162,7 +162,7 @@ final class GeoFeature {
     return colour.orElse(absent);
   }
 
-  /** The point east and north of the datum; heights in GeoJSON are left out. */
+  /** The point east and north of the datum; heights in GeoJSON are ignored. */
   private Vertex vertex(GeoPosition position) {
     LocalPosition at =
         frame.toLocal(

@@ -18,7 +18,7 @@ import org.dfra.sim.world.description.VehicleDescription;
 import org.dfra.sim.world.description.VehicleType;
 import org.jdom2.Element;
 
-/** Reads the robots of a world with their devices, and what goes for all devices of a kind. */
+/** Reads the robots of a world with their devices, and the defaults of each kind of device. */
 final class RobotElements {
 
   private final XmlValues values;
@@ -30,7 +30,7 @@ final class RobotElements {
     this.numbers = numbers;
   }
 
-  /** Notes what goes for all devices of a kind; to be read before the robots. */
+  /** Reads the defaults of each kind of device; call it before reading the robots. */
   void defaults(Element element) {
     kind(element)
         .ifPresent(
@@ -131,7 +131,7 @@ final class RobotElements {
     return parameters;
   }
 
-  /** One of several words, a fault where it is none of them. */
+  /** One of several words; any other word is a fault. */
   private <T> Optional<T> choice(
       Element element, String attribute, T[] all, Function<T, String> text) {
     String written = values.attribute(element, attribute);

@@ -12,7 +12,7 @@ import org.dfra.sim.world.description.ObstacleDescription;
 import org.dfra.sim.world.shape.Polygon;
 import org.jspecify.annotations.Nullable;
 
-/** What lies in a world, gathered from its XML and its GeoJSON. */
+/** Collects the objects of a world from its XML and its GeoJSON. */
 final class WorldObjectCollector {
 
   /** Of a post, metres. */
@@ -26,7 +26,7 @@ final class WorldObjectCollector {
   private final Map<String, Integer> counts = new HashMap<>();
   private @Nullable Polygon region;
 
-  /** The name given, or the kind with the number of things of it, as in {@code post_3}. */
+  /** The name given, or the kind with a running number, as in {@code post_3}. */
   String name(String kind, @Nullable String given) {
     int number = counts.merge(kind, 1, Integer::sum);
     return given == null ? kind + "_" + number : given;

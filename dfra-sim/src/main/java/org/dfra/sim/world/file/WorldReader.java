@@ -24,9 +24,8 @@ import org.dfra.sim.world.shape.PlanarShape;
 import org.jdom2.Element;
 
 /**
- * One reading of one world's XML. What the schema can tell is left to it; everything else that is
- * wrong is noted here or by {@link WorldRules}, and reading goes on, so that all of it is reported
- * at once.
+ * One reading of one world's XML. The schema finds its own errors; this class or {@link WorldRules}
+ * records all others, and reading continues, so that all errors are reported together.
  */
 final class WorldReader {
 
@@ -45,7 +44,7 @@ final class WorldReader {
     this.singles = values.uniqueNames();
   }
 
-  /** The world; empty, with the reasons among the faults, if there is anything wrong with it. */
+  /** The world; empty, with the reasons among the faults, if it is invalid. */
   Optional<WorldDescription> world(Element root) {
     String name = values.attribute(root, "name", "");
     long seed = numbers.seed(root);
@@ -100,7 +99,7 @@ final class WorldReader {
     return ground;
   }
 
-  /** The one element of that name; a fault where it is missing. */
+  /** The only element of that name; a fault where it is missing. */
   private List<Element> required(Element root, String name) {
     List<Element> found = single(root, name);
     if (found.isEmpty()) {
@@ -134,7 +133,7 @@ final class WorldReader {
     return weather;
   }
 
-  /** What lies in the world, in the order written. */
+  /** The objects of the world, in document order. */
   private void things(Element root, LocalFrame frame) {
     for (Element element : root.getChildren()) {
       switch (element.getName()) {
@@ -147,7 +146,7 @@ final class WorldReader {
                 .polygon(element)
                 .ifPresent(p -> things.region(p, values.place(element), faults));
         default -> {
-          // the schema knows which others there may be, and they are read elsewhere
+          // the schema permits others, which are read elsewhere
         }
       }
     }
@@ -205,7 +204,7 @@ final class WorldReader {
         return;
       }
     } catch (InvalidPathException e) {
-      // no path at all is no file either
+      // an invalid path is a missing file, too
     }
     values.check(
         element, "the file \"" + href + "\" does not exist; name one, relative to " + file);

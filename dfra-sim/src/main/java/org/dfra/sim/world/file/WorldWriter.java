@@ -21,7 +21,7 @@ import org.jdom2.output.Format;
 import org.jdom2.output.LineSeparator;
 import org.jdom2.output.XMLOutputter;
 
-/** Writes a world as XML in which nothing is left to be resolved. */
+/** Writes a world as XML without unresolved references. */
 final class WorldWriter {
 
   private WorldWriter() {}

@@ -27,10 +27,10 @@ public final class WorldXml {
   private WorldXml() {}
 
   /**
-   * Reads a world's XML and the GeoJSON it names; variables come from system properties and, where
-   * these are silent, from the environment.
+   * Reads a world's XML and the GeoJSON it names; variables come from system properties, otherwise
+   * from the environment.
    *
-   * @throws ConfigurationException naming everything that is wrong with them, a line each
+   * @throws ConfigurationException naming all errors, a line each
    */
   public static WorldDescription read(Path file) {
     return read(file, Substitution::environment);
@@ -40,7 +40,7 @@ public final class WorldXml {
    * Reads a world's XML and the GeoJSON it names.
    *
    * @param lookup gives the value of a variable, or null where it is not set
-   * @throws ConfigurationException naming everything that is wrong with them, a line each
+   * @throws ConfigurationException naming all errors, a line each
    */
   public static WorldDescription read(Path file, Function<String, @Nullable String> lookup) {
     ConfigurationFaults faults = new ConfigurationFaults();
@@ -54,14 +54,14 @@ public final class WorldXml {
 
   /**
    * The world as XML that needs neither variables nor GeoJSON: reading it gives an equal
-   * description, apart from the places.
+   * description, except for the source locations.
    */
   public static String text(WorldDescription world) {
     return WorldWriter.text(world);
   }
 
   /**
-   * Writes {@link #text} to a file, in place of what it held.
+   * Writes {@link #text} to a file, replacing its content.
    *
    * @throws IOException if it cannot be written
    */

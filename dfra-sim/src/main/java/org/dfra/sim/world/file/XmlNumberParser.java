@@ -10,7 +10,7 @@ import org.dfra.sim.world.shape.Polygon;
 import org.dfra.sim.world.shape.Vertex;
 import org.jdom2.Element;
 
-/** Takes numbers out of attributes. What is none is noted, and something else is given instead. */
+/** Parses numbers from attributes. It records an invalid number and returns a default instead. */
 final class XmlNumberParser {
 
   private static final Pattern NUMBER =
@@ -23,7 +23,7 @@ final class XmlNumberParser {
     this.values = values;
   }
 
-  /** The attribute as a number; what is given as absent where it is absent or none. */
+  /** The attribute as a number; the default where it is absent or invalid. */
   double number(Element element, String name, double absent) {
     String text = values.attribute(element, name);
     if (text == null) {
@@ -80,7 +80,7 @@ final class XmlNumberParser {
     return "colour is \"" + text + "\"; write red, green and blue as in #3F4526";
   }
 
-  /** The attribute {@code points}: pairs of east and north, separated by blanks. */
+  /** The attribute {@code points}: pairs of east and north, separated by spaces. */
   Optional<Polygon> polygon(Element element) {
     String text = values.attribute(element, "points");
     if (text == null) {

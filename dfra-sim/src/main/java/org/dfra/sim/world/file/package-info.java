@@ -1,5 +1,5 @@
 /**
- * How a world is written down: its XML, and GeoJSON with what lies in it.
+ * Files of a world: its XML, and GeoJSON with its objects.
  *
  * <pre>
  *   world.xml --WorldXml.read--&gt; WorldDescription --WorldXml.write--&gt; world.xml
@@ -8,9 +8,9 @@
  *   field.geojson
  * </pre>
  *
- * <p>Enter at {@link org.dfra.sim.world.file.WorldXml}. Whatever cannot be used ends in a {@link
- * org.dfra.core.config.ConfigurationException} that names all of it, a line each: file and line,
- * what is wrong, what to do. The reference for users is {@code docs/reference/world-xml.md}.
+ * <p>Enter at {@link org.dfra.sim.world.file.WorldXml}. Invalid input causes a {@link
+ * org.dfra.core.config.ConfigurationException} that names all errors, a line each: file and line,
+ * cause, remedy. The reference for users is {@code docs/reference/world-xml.md}.
  */
 @NullMarked
 package org.dfra.sim.world.file;

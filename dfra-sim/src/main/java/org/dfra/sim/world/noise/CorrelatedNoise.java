@@ -6,13 +6,12 @@ import java.util.Arrays;
  * Noise with a memory: a first-order Gauss-Markov process or a random walk in steps of equal
  * length, {@code x(n) = keep · x(n−1) + push · gaussian(n)}.
  *
- * <p>Asked for a step it goes there step by step, so its values depend on the stream alone. It
- * remembers the last {@value #REMEMBERED} steps for those who ask late. Confined to the world's
- * monitor.
+ * <p>It advances step by step to the requested step, so its values depend on the stream alone. It
+ * stores the last {@value #REMEMBERED} steps for late queries. Confined to the world's monitor.
  */
 public final class CorrelatedNoise {
 
-  /** Steps that can be asked for after a later one was. */
+  /** Number of steps stored for late queries. */
   public static final int REMEMBERED = 256;
 
   private final RandomStream draws;
@@ -29,8 +28,8 @@ public final class CorrelatedNoise {
   }
 
   /**
-   * A first-order Gauss-Markov process: normally distributed at every time, and with itself
-   * correlated by {@code exp(−t/time)}.
+   * A first-order Gauss-Markov process: normally distributed at every time, with autocorrelation
+   * {@code exp(−t/time)}.
    *
    * @param sigma its standard deviation, not negative
    * @param time its correlation time, seconds, above 0
@@ -46,8 +45,8 @@ public final class CorrelatedNoise {
   /**
    * A random walk.
    *
-   * @param first where it begins
-   * @param rate standard deviation of what it has moved after a second
+   * @param first initial value
+   * @param rate standard deviation of its change after a second
    * @param step from one step to the next, seconds
    */
   public static CorrelatedNoise walk(RandomStream draws, double first, double rate, double step) {
@@ -55,7 +54,7 @@ public final class CorrelatedNoise {
   }
 
   /**
-   * Its value at a step; at the oldest it remembers for one still older.
+   * Its value at a step; at the oldest stored step for an older one.
    *
    * @param step the first is 0
    */

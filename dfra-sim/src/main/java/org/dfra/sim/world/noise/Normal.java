@@ -1,9 +1,10 @@
 package org.dfra.sim.world.noise;
 
 /**
- * The normal distribution with mean 0 and standard deviation 1, by its quantiles: one even number
- * makes one normal number. Source: M. J. Wichura, "Algorithm AS 241: the percentage points of the
- * normal distribution", Applied Statistics 37 (1988), routine PPND16, good to about 1 in 10^16.
+ * The normal distribution with mean 0 and standard deviation 1, by its quantiles: one uniform
+ * number gives one normal number. Source: M. J. Wichura, "Algorithm AS 241: the percentage points
+ * of the normal distribution", Applied Statistics 37 (1988), routine PPND16, accurate to about 1 in
+ * 10^16.
  */
 final class Normal {
 
@@ -56,7 +57,7 @@ final class Normal {
   private Normal() {}
 
   /**
-   * The number that a normally distributed one stays below with this probability.
+   * The quantile of the standard normal distribution at this probability.
    *
    * @param probability more than 0 and less than 1
    */

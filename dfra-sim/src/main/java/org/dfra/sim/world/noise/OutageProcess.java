@@ -4,13 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Spells that come and go, such as those in which a receiver hears no satellite: the time until the
- * next one and how long it lasts are both exponentially distributed. Confined to the world's
- * monitor.
+ * Random outages, such as those in which a receiver tracks no satellite: the time until the next
+ * one and its duration are both exponentially distributed. Confined to the world's monitor.
  */
 public final class OutageProcess {
 
-  /** Spells that are remembered for those who ask late. */
+  /** Number of outages stored for late queries. */
   private static final int REMEMBERED = 16;
 
   private record Outage(double from, double to) {}
@@ -23,8 +22,8 @@ public final class OutageProcess {
   private double known;
 
   /**
-   * @param perHour how many there are, not negative; none if 0
-   * @param lasting how long one is on average, seconds, above 0
+   * @param perHour mean number per hour, not negative; none if 0
+   * @param lasting mean duration, seconds, above 0
    */
   public OutageProcess(RandomStream draws, double perHour, double lasting) {
     this.draws = draws;
@@ -33,9 +32,9 @@ public final class OutageProcess {
   }
 
   /**
-   * Whether there is one.
+   * Whether there is an outage at this time.
    *
-   * @param seconds since the world began
+   * @param seconds since the start of the world
    */
   public boolean isActive(double seconds) {
     while (known <= seconds && between < Double.POSITIVE_INFINITY) {

@@ -1,8 +1,8 @@
 package org.dfra.sim.world.noise;
 
 /**
- * A stream of random numbers that can be read at any place. The n-th 64 bits are those that {@code
- * new SplittableRandom(seed)} gives as its n-th {@code nextLong()}, since its state is a counter
+ * A stream of random numbers with random access. The n-th 64 bits are those that {@code new
+ * SplittableRandom(seed)} gives as its n-th {@code nextLong()}, since its state is a counter
  * (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014).
  *
  * @param seed of the stream
@@ -15,8 +15,8 @@ public record RandomStream(long seed) {
   private static final double UNIT = 0x1p-53;
 
   /**
-   * The stream of something in this stream, by its name: another name has an unrelated stream. Its
-   * seed is the draw at the name's 64-bit FNV-1a hash.
+   * A substream by name: another name has an independent stream. Its seed is the number at the
+   * name's 64-bit FNV-1a hash.
    */
   public RandomStream substream(String name) {
     long hash = FNV_OFFSET;
@@ -26,17 +26,17 @@ public record RandomStream(long seed) {
     return substream(hash);
   }
 
-  /** The stream of something in this stream, by its number. */
+  /** A substream by number. */
   public RandomStream substream(long number) {
     return new RandomStream(bits(number));
   }
 
-  /** The 64 bits at a place; the first is 0. */
+  /** The 64 bits at an index; the first is 0. */
   public long bits(long index) {
     return bits(seed, index);
   }
 
-  /** The 64 bits at a place of the stream of that seed. */
+  /** The 64 bits at an index of the stream of that seed. */
   public static long bits(long seed, long index) {
     long z = seed + (index + 1) * GAMMA;
     z = (z ^ (z >>> 30)) * 0xBF58476D1CE4E5B9L;
@@ -44,7 +44,7 @@ public record RandomStream(long seed) {
     return z ^ (z >>> 31);
   }
 
-  /** Evenly distributed over 0 to 1, both excluded. */
+  /** Uniformly distributed over 0 to 1, both excluded. */
   public double uniform(long index) {
     return uniformOf(bits(index));
   }
@@ -54,12 +54,12 @@ public record RandomStream(long seed) {
     return Normal.quantile(uniform(index));
   }
 
-  /** The number over 0 to 1, both excluded, that these bits stand for. */
+  /** The number between 0 and 1, both excluded, that these bits encode. */
   public static double uniformOf(long bits) {
     return ((bits >>> 11) + 0.5) * UNIT;
   }
 
-  /** The number of a normal distribution, mean 0 and standard deviation 1, of these bits. */
+  /** The number of a standard normal distribution that these bits encode. */
   public static double gaussianOf(long bits) {
     return Normal.quantile(uniformOf(bits));
   }

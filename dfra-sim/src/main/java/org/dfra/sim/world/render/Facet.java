@@ -1,13 +1,13 @@
 package org.dfra.sim.world.render;
 
 /**
- * A flat convex piece of a surface, seen from one side.
+ * A flat convex polygon, visible from one side.
  *
- * @param corners x, y, z of each, metres, counter-clockwise seen from outside
+ * @param corners x, y, z of each, metres, counter-clockwise as seen from outside
  * @param nx x of the unit vector that points outside
  * @param ny its y
  * @param nz its z
- * @param paint what it looks like
+ * @param paint its appearance
  */
 record Facet(double[] corners, double nx, double ny, double nz, Paint paint) {
 

@@ -3,7 +3,7 @@ package org.dfra.sim.world.render;
 import org.dfra.sim.world.noise.RandomStream;
 
 /**
- * The ground: a meadow with lush and dry places, fixed to the world. What is dry is warmer in the
+ * The ground: a meadow with lush and dry patches, fixed to the world. Dry patches are warmer in the
  * sun. Immutable.
  */
 final class GroundTexture {
@@ -17,10 +17,10 @@ final class GroundTexture {
   private static final int[] GRASS = {82, 108, 50};
   private static final int[] DRY = {150, 140, 84};
 
-  private static final double WARMEST = 0.25; // by how much dry places take on more of the sun
+  private static final double WARMEST = 0.25; // additional solar warming of dry patches
   private static final double BLADE_WARMTH = 0.35; // kelvin, of the largest pattern
 
-  /** In the shadow the ground takes on so much of the sun's warming. */
+  /** Fraction of the solar warming on ground in shadow. */
   private static final double SHADED = 0.45;
 
   private final MipmapTexture patches;
@@ -86,7 +86,7 @@ final class GroundTexture {
     return red << 16 | green << 8 | blue;
   }
 
-  /** How warm the ground is there in the sun, kelvin; over a square metre. */
+  /** Temperature of the ground there in the sun, kelvin; mean over a square metre. */
   double temperature(double east, double north) {
     return temperatures[patches.at(east, north, 1) + 128] / 100.0;
   }

@@ -2,7 +2,7 @@ package org.dfra.sim.world.render;
 
 import org.dfra.sim.world.description.WeatherDescription;
 
-/** The sun and the sky: how bright and how warm what faces where is. Immutable. */
+/** The sun and the sky: brightness and temperature of surfaces by their orientation. Immutable. */
 final class Light {
 
   private static final double AMBIENT = 0.55; // part of daylight that comes from the sky
@@ -11,7 +11,7 @@ final class Light {
   private static final int[] HORIZON = {206, 214, 222};
   private static final int[] ZENITH = {96, 146, 212};
 
-  /** How much colder than the air the sky seems, kelvin. */
+  /** Apparent sky temperature below that of the air, kelvin. */
   private static final double COLD_HORIZON = 8;
 
   private static final double COLD_ZENITH = 45;
@@ -46,7 +46,7 @@ final class Light {
     }
   }
 
-  /** Whether the sun throws shadows. */
+  /** Whether the sun casts shadows. */
   boolean hasShadows() {
     return sunZ > 0.05;
   }
@@ -65,7 +65,7 @@ final class Light {
     };
   }
 
-  /** How bright a surface is, as a part of what the ground is in full sun. */
+  /** Brightness of a surface, relative to the ground in full sun. */
   double brightness(double nx, double ny, double nz) {
     double facing = sunZ > 0 ? Math.max(0, nx * sunX + ny * sunY + nz * sunZ) : 0;
     double full = AMBIENT + (1 - AMBIENT) * Math.max(sunZ, 0.3);
@@ -74,12 +74,12 @@ final class Light {
     return daylight * (sky + (1 - AMBIENT) * facing) / full;
   }
 
-  /** How bright the ground is in the shadow, as a part of what it is in full sun. */
+  /** Brightness of the ground in shadow, relative to full sun. */
   double shadow() {
     return AMBIENT / (AMBIENT + (1 - AMBIENT) * Math.max(sunZ, 0.3));
   }
 
-  /** A sample of a surface that looks so and faces there. */
+  /** A sample of a surface with this appearance and orientation. */
   int surface(RenderMode band, Paint paint, double nx, double ny, double nz) {
     return switch (band) {
       case VISIBLE -> lit(paint.colour(), brightness(nx, ny, nz));

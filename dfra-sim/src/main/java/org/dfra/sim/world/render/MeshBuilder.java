@@ -7,12 +7,12 @@ import org.dfra.sim.world.shape.PlanarShape;
 import org.dfra.sim.world.shape.Polygon;
 import org.dfra.sim.world.shape.Vertex;
 
-/** Makes facets of upright prisms, boxes and wheels. */
+/** Creates the facets of upright prisms, boxes and wheels. */
 final class MeshBuilder {
 
   private MeshBuilder() {}
 
-  /** A prism over an outline; a disc gets so many sides. */
+  /** A prism over an outline; a disc is approximated by the given number of sides. */
   static List<Facet> prism(PlanarShape outline, int sides, double bottom, double top, Paint paint) {
     List<Facet> facets = new ArrayList<>();
     List<Vertex> corners = corners(outline, sides);

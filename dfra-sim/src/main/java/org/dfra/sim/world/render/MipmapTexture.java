@@ -3,12 +3,12 @@ package org.dfra.sim.world.render;
 import org.dfra.sim.world.noise.RandomStream;
 
 /**
- * A square pattern that repeats over the ground, −128 to 127, in ever coarser levels: where a pixel
- * covers much ground it takes the mean of it, so that nothing flickers far away.
+ * A square pattern that repeats over the ground, −128 to 127, in successively coarser levels: a
+ * pixel that covers a large area gets its mean, which prevents aliasing at a distance.
  */
 final class MipmapTexture {
 
-  private static final double FAR = 1 << 20; // texels: makes every place in a world positive
+  private static final double FAR = 1 << 20; // texels: makes every coordinate in a world positive
 
   private final int bits;
   private final double perMetre;
@@ -52,7 +52,7 @@ final class MipmapTexture {
   /**
    * The pattern there.
    *
-   * @param area of the ground that is asked for, square metres
+   * @param area of the ground to average over, square metres
    */
   int at(double east, double north, double area) {
     int level = Math.max(0, Math.min(bits, (Math.getExponent(area / texelArea) + 1) >> 1));
@@ -64,11 +64,11 @@ final class MipmapTexture {
   }
 
   /**
-   * Smooth noise that repeats: a draw at each point of a lattice, blended in between.
+   * Smooth periodic noise: a random number at each point of a lattice, interpolated in between.
    *
    * @param bits the pattern is 2 to the power of bits wide
    * @param lattice distance of the lattice's points, a power of two
-   * @param strength standard deviation of the draws
+   * @param strength standard deviation of the random numbers
    * @param values the noise is added to them
    */
   static void addNoise(

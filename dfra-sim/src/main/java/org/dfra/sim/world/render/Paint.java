@@ -1,13 +1,13 @@
 package org.dfra.sim.world.render;
 
 /**
- * What a surface looks like.
+ * Appearance of a surface.
  *
  * @param colour 0xRRGGBB in full light
- * @param warmth how much warmer than the air it is in the shade, kelvin
- * @param sunlit part of the ground's warming that it takes on where it faces the sun, 0 to 1
- * @param leafy whether it is rough as a hedge is
- * @param label whose it is in a picture of labels; 0 for nobody's
+ * @param warmth temperature in the shade minus that of the air, kelvin
+ * @param sunlit fraction of the ground's warming where it faces the sun, 0 to 1
+ * @param leafy whether it has the rough texture of a hedge
+ * @param label of its object in a label image; 0 for none
  */
 public record Paint(int colour, double warmth, double sunlit, boolean leafy, int label) {
 
@@ -16,7 +16,7 @@ public record Paint(int colour, double warmth, double sunlit, boolean leafy, int
     this(colour, warmth, sunlit, false, 0);
   }
 
-  /** As warm as this, however the sun shines, and labelled. */
+  /** With a fixed warmth, independent of the sun, and a label. */
   static Paint heated(int colour, double warmth, int label) {
     return new Paint(colour, warmth, 0, false, label);
   }

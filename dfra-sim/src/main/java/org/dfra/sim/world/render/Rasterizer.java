@@ -4,11 +4,11 @@ import java.util.Arrays;
 import org.dfra.sim.world.shape.MutableTransform;
 
 /**
- * A picture in the making: takes facets through a pin-hole, and of all that meet a pixel keeps the
- * nearest. The camera looks along its x axis; y is to the left and z up in the picture.
+ * Rasterises facets through a pinhole camera; each pixel keeps the nearest facet. The camera's
+ * optical axis is its x axis; y is to the left and z up in the image.
  *
- * <p>A pixel's sample is taken at its centre. One over the distance along x is an even function of
- * the place in the picture, so that is what is compared. Mutable, confined to one thread.
+ * <p>A pixel's sample is taken at its centre. The inverse distance along x is linear in image
+ * coordinates, so the depth test compares that. Mutable, confined to one thread.
  */
 final class Rasterizer {
 
@@ -19,9 +19,9 @@ final class Rasterizer {
   final int height;
   final double focal; // pixels
   final int[] samples;
-  final float[] inverseDepth; // one over metres; 0 where nothing stands
-  final boolean[] shaded; // where the sun does not reach the ground
-  final boolean[] leafy; // where what stands is rough as a hedge
+  final float[] inverseDepth; // inverse metres; 0 where no object is
+  final boolean[] shaded; // ground in shadow
+  final boolean[] leafy; // objects with the rough texture of a hedge
 
   private final MutableTransform camera = new MutableTransform();
   private final double[] x = new double[MOST_CORNERS];
@@ -57,7 +57,7 @@ final class Rasterizer {
     return camera;
   }
 
-  /** Whether something within a ball may be in the picture, and larger than a third of a pixel. */
+  /** Whether an object within a ball may be in the image, and larger than a third of a pixel. */
   boolean mayShow(double east, double north, double up, double radius) {
     double dx = east - camera.east;
     double dy = north - camera.north;
@@ -74,7 +74,7 @@ final class Rasterizer {
         && high - halfHeight * ahead < radius * (1 + halfHeight);
   }
 
-  /** Puts a corner of the next facet, in the world; the first clears those before. */
+  /** Sets a corner of the next facet, in the world; the first one clears the previous corners. */
   void corner(int i, double east, double north, double up) {
     double dx = east - camera.east;
     double dy = north - camera.north;
@@ -86,7 +86,7 @@ final class Rasterizer {
   }
 
   /**
-   * Fills the facet whose corners were put with a sample where nothing nearer was.
+   * Fills the current facet with a sample, where no pixel is nearer.
    *
    * @param nx east of the unit vector out of it
    */
@@ -96,7 +96,7 @@ final class Rasterizer {
     double b = nx * camera.xy + ny * camera.yy + nz * camera.zy;
     double c = nx * camera.xz + ny * camera.yz + nz * camera.zz;
     double d = a * x[0] + b * y[0] + c * z[0];
-    if (d >= 0 || !project()) { // seen from behind, or not at all
+    if (d >= 0 || !project()) { // seen from behind, or edge-on
       return;
     }
     double perColumn = -b / (focal * d);
@@ -119,7 +119,7 @@ final class Rasterizer {
     }
   }
 
-  /** Marks the ground under the outline whose corners were put as shaded. */
+  /** Marks the ground under the current outline as shaded. */
   void shade() {
     if (!project()) {
       return;
@@ -135,7 +135,7 @@ final class Rasterizer {
     }
   }
 
-  /** Cuts off what is too near and takes the rest to the picture; false if nothing is left. */
+  /** Clips at the near plane and projects the rest into the image; false if nothing is left. */
   private boolean project() {
     int behind = 0;
     for (int i = 0; i < corners; i++) {
@@ -154,7 +154,7 @@ final class Rasterizer {
     return true;
   }
 
-  /** Cuts at the nearest distance, corner by corner; u and v are free to work in until then. */
+  /** Clips at the near plane, corner by corner; u and v are scratch space until then. */
   private void cut() {
     int count = 0;
     double[] retainedX = new double[MOST_CORNERS];
@@ -194,7 +194,7 @@ final class Rasterizer {
     return bottom;
   }
 
-  /** Where the edges cross a row. */
+  /** The intersections of the edges with a row. */
   private void span(double row) {
     spanFrom = Double.POSITIVE_INFINITY;
     spanTo = Double.NEGATIVE_INFINITY;

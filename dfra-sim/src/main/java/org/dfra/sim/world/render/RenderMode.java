@@ -1,11 +1,11 @@
 package org.dfra.sim.world.render;
 
-/** What a picture shows. */
+/** The content of an image. */
 public enum RenderMode {
-  /** Light: each sample is 0xRRGGBB. */
+  /** Visible light: each sample is 0xRRGGBB. */
   VISIBLE,
   /** Heat: each sample is a temperature in hundredths of a kelvin. */
   THERMAL,
-  /** Whose pixel it is: each sample is the label of what is seen there, 0 for what has none. */
+  /** Labels: each sample is the label of the visible object, 0 for none. */
   LABELS
 }

@@ -5,20 +5,20 @@ import org.dfra.sim.world.noise.RandomStream;
 import org.dfra.sim.world.shape.MutableTransform;
 
 /**
- * A camera without noise: paints what it sees from where it stands. First the shadows, then what
- * stands and moves, at last ground and sky where nothing does.
+ * A camera without noise: renders the image from its pose. First the shadows, then obstacles and
+ * robots, last ground and sky where no object is.
  *
  * <p>Its pixels are square, row by row from the upper left, and the optical axis goes through the
- * middle. Mutable, made once and used for every picture; confined to one thread.
+ * image centre. Mutable, created once and used for every image; confined to one thread.
  */
 public final class Renderer {
 
-  /** Ground that is farther away looks as it does there, metres. */
+  /** Ground beyond this distance is textured as at it, metres. */
   private static final double FARTHEST = 3000;
 
   private static final double LEAF = 0.05; // metres
-  private static final double LEAF_CONTRAST = 0.45; // of the brightness, from edge to edge
-  private static final double LEAF_WARMTH = 150; // hundredths of a kelvin, from edge to edge
+  private static final double LEAF_CONTRAST = 0.45; // of the brightness, peak to peak
+  private static final double LEAF_WARMTH = 150; // hundredths of a kelvin, peak to peak
 
   private final Scenery scenery;
   private final RenderMode band;
@@ -26,7 +26,7 @@ public final class Renderer {
   private final double[] middle = new double[3];
   private final double[] world = new double[3 * 64];
 
-  /** A robot in the picture: what it looks like and where it stands. */
+  /** A robot in the image: its mesh and its pose. */
   public record PlacedRobot(RobotMesh model, MutableTransform stance) {}
 
   /**
@@ -40,17 +40,17 @@ public final class Renderer {
     this.canvas = new Rasterizer(width, height, fieldOfView);
   }
 
-  /** Pixels from the middle at which something is seen that lies aside by as much as ahead. */
+  /** Focal length, pixels. */
   public double focalLength() {
     return canvas.focal;
   }
 
   /**
-   * Paints a picture.
+   * Renders an image.
    *
-   * @param camera where it stands: it looks along its x axis, z is up in the picture
-   * @param placed the robots, its own too
-   * @return its samples row by row from the upper left; the next picture overwrites them
+   * @param camera its pose: its optical axis is x, z is up in the image
+   * @param placed the robots, including its own
+   * @return its samples row by row from the upper left; the next image overwrites them
    */
   public int[] paint(MutableTransform camera, List<PlacedRobot> placed) {
     canvas.begin(camera);
@@ -132,7 +132,7 @@ public final class Renderer {
         east - away * light.sunX, north - away * light.sunY, 0, radius / light.sunZ + radius);
   }
 
-  /** Marks where a facet, wherever it faces, keeps the sun from the ground. */
+  /** Marks the ground that a facet, in any orientation, shades from the sun. */
   private void shadow(double[] corners, int length) {
     Light light = scenery.light;
     for (int i = 0; 3 * i < length; i++) {
@@ -143,7 +143,7 @@ public final class Renderer {
     canvas.shade();
   }
 
-  /** Ground and sky, and the leaves of what is leafy. */
+  /** Ground and sky, and the leaf texture of leafy objects. */
   private void background() {
     MutableTransform camera = canvas.camera();
     double step = 1 / canvas.focal;

@@ -8,8 +8,8 @@ import org.dfra.sim.world.shape.Disc;
 import org.dfra.sim.world.shape.MutableTransform;
 
 /**
- * A robot as cameras see it, in its own frame: x forward, y left, z up from what it stands on. It
- * fills the box that its description tells.
+ * A robot's mesh, in its own frame: x forward, y left, z up from its base. It fills the box of its
+ * description.
  */
 public final class RobotMesh {
 
@@ -35,7 +35,7 @@ public final class RobotMesh {
             / 2;
   }
 
-  /** How a robot looks. */
+  /** The mesh of a robot. */
   public static RobotMesh of(VehicleDescription vehicle) {
     return new RobotMesh(
         vehicle.type() == VehicleType.UGV ? onWheels(vehicle) : onRotors(vehicle), vehicle);
@@ -86,7 +86,7 @@ public final class RobotMesh {
     return facets;
   }
 
-  /** Where the middle of it is, of a robot that stands so. */
+  /** Centre of a robot at this pose. */
   void middle(MutableTransform transform, double[] out) {
     out[0] = transform.east + middle * transform.xz;
     out[1] = transform.north + middle * transform.yz;

@@ -9,8 +9,8 @@ import org.dfra.sim.world.noise.RandomStream;
 import org.dfra.sim.world.shape.Disc;
 
 /**
- * What does not move in a world, as cameras see it. Made once for a world and shared by its
- * cameras; immutable.
+ * The meshes of a world's static objects. Created once for a world and shared by its cameras;
+ * immutable.
  */
 public final class Scenery {
 
@@ -20,7 +20,7 @@ public final class Scenery {
   private static final double PLATE_HEIGHT = 1.2; // of a mine's height
   private static final double PLATE_BRIGHTNESS = 0.8; // of its colour
 
-  /** What belongs together, within a ball. */
+  /** The facets of one object, with a bounding ball. */
   record Group(List<Facet> facets, double east, double north, double up, double radius) {}
 
   final Light light;
@@ -28,7 +28,7 @@ public final class Scenery {
   final List<Group> groups;
 
   /**
-   * @param draws for the pattern of the ground
+   * @param draws random numbers for the pattern of the ground
    */
   public Scenery(WorldDescription world, RandomStream draws) {
     light = new Light(world.weather());

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dfra.sim.world.shape.Vertex;
 
-/** Cuts a polygon into triangles, ear by ear. */
+/** Triangulates a polygon by ear clipping. */
 final class Triangles {
 
   private Triangles() {}
@@ -25,7 +25,7 @@ final class Triangles {
     return triangles;
   }
 
-  /** A corner that can be cut off; the first one if rounding leaves none. */
+  /** An ear that can be clipped; the first corner if rounding leaves none. */
   private static int ear(List<Vertex> corners) {
     int n = corners.size();
     for (int i = 0; i < n; i++) {

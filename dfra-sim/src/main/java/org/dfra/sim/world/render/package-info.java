@@ -1,15 +1,15 @@
 /**
- * Pictures of the world as cameras see them: a pin-hole camera, the ground with its pattern, the
- * sky, and everything that stands or lies or moves, in visible light or in heat.
+ * Renders camera images of the world: a pinhole camera, the ground with its pattern, the sky,
+ * obstacles, mines and robots, in visible light or thermal infrared.
  *
  * <pre>
- *   Facets of solids and mines (once) --+
- *   Facets of robots (each picture) ----+--&gt; Canvas: projects, keeps the nearest --&gt; samples
- *   Meadow, Sky, where nothing stands --+
+ *   Facets of obstacles and mines (once) --+
+ *   Facets of robots (each image) ---------+--&gt; Rasterizer: projects, depth test --&gt; samples
+ *   GroundTexture, Light: background ------+
  * </pre>
  *
- * <p>Enter at {@link org.dfra.sim.world.render.Renderer}. Nothing here knows time or chance but for
- * the pattern of the ground, which follows from a seed.
+ * <p>Enter at {@link org.dfra.sim.world.render.Renderer}. Nothing here depends on time or random
+ * numbers, except the pattern of the ground, which depends on a seed.
  */
 @NullMarked
 package org.dfra.sim.world.render;

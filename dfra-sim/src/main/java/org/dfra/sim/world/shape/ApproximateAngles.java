@@ -1,16 +1,16 @@
 package org.dfra.sim.world.shape;
 
-/** Angles good enough to tell which beams to look at, and fast; no result rests on them. */
+/** Fast approximate angles that select the beams to test; results do not depend on them. */
 final class ApproximateAngles {
 
-  /** How far {@link #atan2} may be off, radians. */
+  /** Maximum error of {@link #atan2}, radians. */
   static final double ERROR = 2e-5;
 
   private ApproximateAngles() {}
 
   /**
-   * About {@code atan2(y, x)}, by a polynomial. Source: Abramowitz and Stegun, "Handbook of
-   * Mathematical Functions", 4.4.49, good to 1e-5 rad.
+   * Approximates {@code atan2(y, x)} by a polynomial. Source: Abramowitz and Stegun, "Handbook of
+   * Mathematical Functions", 4.4.49, accurate to 1e-5 rad.
    */
   static double atan2(double x, double y) {
     double ax = Math.abs(x);
@@ -24,7 +24,7 @@ final class ApproximateAngles {
     return y < 0 ? -half : half;
   }
 
-  /** The same direction, between −π and π. */
+  /** The same angle, wrapped to −π to π. */
   static double wrapped(double angle) {
     return angle > Math.PI ? angle - 2 * Math.PI : angle < -Math.PI ? angle + 2 * Math.PI : angle;
   }

@@ -1,6 +1,6 @@
 package org.dfra.sim.world.shape;
 
-/** How straight lines between two points lie to each other. */
+/** Geometric predicates of line segments. */
 final class LineSegments {
 
   private LineSegments() {}
@@ -14,7 +14,7 @@ final class LineSegments {
     return side(a.east(), a.north(), b.east(), b.north(), p.east(), p.north());
   }
 
-  /** Whether the line from a to b holds the point. */
+  /** Whether the segment from a to b contains the point. */
   static boolean contains(Vertex a, Vertex b, double east, double north) {
     return side(a.east(), a.north(), b.east(), b.north(), east, north) == 0
         && Math.min(a.east(), b.east()) <= east
@@ -23,7 +23,7 @@ final class LineSegments {
         && north <= Math.max(a.north(), b.north());
   }
 
-  /** Whether the lines from a to b and from c to d have a point in common. */
+  /** Whether the segments from a to b and from c to d intersect. */
   static boolean intersect(Vertex a, Vertex b, Vertex c, Vertex d) {
     double abc = side(a, b, c);
     double abd = side(a, b, d);
@@ -39,8 +39,8 @@ final class LineSegments {
   }
 
   /**
-   * Whether the edges i (a to b) and j (c to d), j after i, of a polygon of n corners meet where
-   * they should not: neighbours share one corner only, others none.
+   * Whether the edges i (a to b) and j (c to d), j after i, of a polygon of n corners intersect
+   * improperly: neighbours share one corner only, others none.
    */
   static boolean neighboursCross(int i, int j, int n, Vertex a, Vertex b, Vertex c, Vertex d) {
     if (j == i + 1) {

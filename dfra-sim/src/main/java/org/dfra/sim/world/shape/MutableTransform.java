@@ -1,10 +1,10 @@
 package org.dfra.sim.world.shape;
 
 /**
- * Where a frame stands in the world and how it is turned: a point and the matrix that takes the
- * frame's axes to the world's. Column by column: the frame's x axis points to (xx, yx, zx) in east,
- * north, up, its y axis to (xy, yy, zy), its z axis to (xz, yz, zz). Mutable, made once and set for
- * every look; confined to one thread.
+ * Position and rotation of a frame in the world: a point and the matrix that transforms the frame's
+ * axes to the world's. Column by column: the frame's x axis points to (xx, yx, zx) in east, north,
+ * up, its y axis to (xy, yy, zy), its z axis to (xz, yz, zz). Mutable, created once and set for
+ * every measurement; confined to one thread.
  */
 public final class MutableTransform {
 
@@ -21,7 +21,7 @@ public final class MutableTransform {
   public double zy;
   public double zz = 1;
 
-  /** Makes it equal to another one. */
+  /** Copies another one. */
   public void set(MutableTransform other) {
     shift(other.east, other.north, other.up);
     xx = other.xx;
@@ -42,8 +42,8 @@ public final class MutableTransform {
   }
 
   /**
-   * Makes it stand so: turned first by roll about x, then by pitch about y, then by yaw about z,
-   * each about an axis of the parent.
+   * Sets position and rotation: rotated first by roll about x, then by pitch about y, then by yaw
+   * about z, each about an axis of the parent.
    *
    * @param roll radians, left side up is +
    * @param pitch radians, nose down is +
@@ -74,7 +74,7 @@ public final class MutableTransform {
     zz = cp * cr;
   }
 
-  /** Makes it the stance, in the world, of a frame that stands so in a parent. */
+  /** Sets it to the pose, in the world, of a frame with the given pose in a parent. */
   public void compose(MutableTransform parent, MutableTransform local) {
     double e =
         parent.east + parent.xx * local.east + parent.xy * local.north + parent.xz * local.up;

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Finds the solids near a place: squares of equal size, each with the solids whose bounds reach
- * into it. Confined to one thread, since it marks what it has found.
+ * Spatial index of obstacles: squares of equal size, each with the obstacles whose bounds overlap
+ * it. Confined to one thread, since a search marks its results.
  */
 public final class ObstacleIndex {
 
@@ -18,8 +18,8 @@ public final class ObstacleIndex {
   private final double south;
   private final int columns;
   private final int rows;
-  private final int[][] cells; // numbers of solids, row by row from the south-west
-  private final long[] seen; // by solid: the search that has it
+  private final int[][] cells; // numbers of obstacles, row by row from the south-west
+  private final long[] seen; // by obstacle: the last search that found it
   private long searches;
 
   public ObstacleIndex(List<StaticObstacle> all) {
@@ -73,21 +73,21 @@ public final class ObstacleIndex {
     return (int) Math.max(0, Math.min(rows - 1, Math.floor((north - south) / cell)));
   }
 
-  /** How many there are. */
+  /** Number of obstacles. */
   public int size() {
     return solids.length;
   }
 
-  /** One of them, by its number. */
+  /** An obstacle by its number. */
   public StaticObstacle solid(int number) {
     return solids[number];
   }
 
   /**
-   * Finds the solids whose bounds reach into a disc, each once.
+   * Finds the obstacles whose bounds overlap a disc, each once.
    *
-   * @param found takes their numbers; long enough for all there are
-   * @return how many it took
+   * @param found receives their numbers; long enough for all obstacles
+   * @return number of obstacles found
    */
   public int query(double east, double north, double radius, int[] found) {
     int count = 0;

@@ -1,8 +1,8 @@
 package org.dfra.sim.world.shape;
 
 /**
- * The rectangle of a body seen from above, wherever it is just now. Mutable, made once and moved;
- * confined to one thread.
+ * The footprint of a body at its current pose. Mutable, created once and moved; confined to one
+ * thread.
  */
 public final class OrientedRectangle {
 
@@ -39,7 +39,7 @@ public final class OrientedRectangle {
     this.sin = sin;
   }
 
-  /** Radius of the disc around its centre that it lies in, metres. */
+  /** Radius of its bounding disc, metres. */
   public double radius() {
     return radius;
   }
@@ -62,7 +62,7 @@ public final class OrientedRectangle {
     return corner < 2 ? halfWidth : -halfWidth;
   }
 
-  /** Whether it touches a solid's outline. */
+  /** Whether it touches an obstacle's outline. */
   public boolean touches(StaticObstacle solid) {
     Disc bounds = solid.bounds;
     double x = bounds.east() - east;
@@ -74,7 +74,7 @@ public final class OrientedRectangle {
     return solid.isDisc() ? touches(x, y, bounds.radius()) : touchesPolygon(solid);
   }
 
-  /** Whether it touches another box. */
+  /** Whether it touches another rectangle. */
   public boolean touches(OrientedRectangle other) {
     double x = other.east - east;
     double y = other.north - north;
@@ -82,7 +82,9 @@ public final class OrientedRectangle {
     return x * x + y * y <= reach * reach && !isApart(other, x, y) && !other.isApart(this, -x, -y);
   }
 
-  /** Whether one of this box's axes separates the two; x and y lead to the other's centre. */
+  /**
+   * Whether one of this rectangle's axes separates the two; x and y point to the other's centre.
+   */
   private boolean isApart(OrientedRectangle other, double x, double y) {
     double c = Math.abs(cos * other.cos + sin * other.sin);
     double s = Math.abs(cos * other.sin - sin * other.cos);
@@ -120,7 +122,10 @@ public final class OrientedRectangle {
     return cos * (solid.north[corner] - north) - sin * (solid.east[corner] - east);
   }
 
-  /** Whether a part of a line lies in it, all in its own frame: it is cut at the four sides. */
+  /**
+   * Whether a segment intersects it, all in its own frame: the segment is clipped at the four
+   * sides.
+   */
   private boolean holdsPartOf(double ax, double ay, double bx, double by) {
     double from = 0;
     double to = 1;

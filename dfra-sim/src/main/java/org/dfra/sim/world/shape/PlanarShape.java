@@ -1,11 +1,11 @@
 package org.dfra.sim.world.shape;
 
-/** The outline of something seen from above. */
+/** The outline of an object, seen from above. */
 public sealed interface PlanarShape permits Disc, Polygon {
 
   /** Whether a point lies in it or on its edge. */
   boolean contains(double east, double north);
 
-  /** A disc that it lies in. */
+  /** A bounding disc. */
   Disc bounds();
 }

@@ -6,7 +6,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A polygon that does not cross itself.
+ * A simple polygon.
  *
  * @param corners at least three, counter-clockwise, the first not repeated at the end
  */
@@ -14,7 +14,7 @@ public record Polygon(List<Vertex> corners) implements PlanarShape {
 
   private static final double LEAST_AREA = 1e-6; // square metres
 
-  /** Turns the corners counter-clockwise and drops a last one that repeats the first. */
+  /** Orders the corners counter-clockwise and drops a last one that repeats the first. */
   public Polygon {
     List<Vertex> given = new ArrayList<>(corners);
     if (given.size() > 1 && given.get(0).equals(given.get(given.size() - 1))) {
@@ -69,7 +69,7 @@ public record Polygon(List<Vertex> corners) implements PlanarShape {
     return new Disc(x, y, Math.sqrt(farthest) * (1 + 1e-12));
   }
 
-  /** What keeps these corners from being a polygon's; null if nothing does. */
+  /** The reason why these corners are no simple polygon; null if they are one. */
   private static @Nullable String complaint(List<Vertex> corners) {
     int n = corners.size();
     if (n < 3) {
@@ -108,7 +108,7 @@ public record Polygon(List<Vertex> corners) implements PlanarShape {
     return corner.east() + "," + corner.north();
   }
 
-  /** Square metres; negative where the corners go round clockwise. */
+  /** Square metres; negative for clockwise corners. */
   private static double area(List<Vertex> corners) {
     double twice = 0;
     Vertex origin = corners.get(0);

@@ -3,15 +3,15 @@ package org.dfra.sim.world.shape;
 import java.util.Arrays;
 
 /**
- * The beams of a range finder: how far each gets among solids and boxes.
+ * Casts the beams of a range finder against obstacles and robots.
  *
- * <p>It does not follow each beam but goes through what is near: the corners of an outline are
- * taken into the plane of the beams, their bearings say which beams may meet an edge, and each of
- * these is cut with it. So the cost follows what there is to be seen, not how far there is nothing.
- * Tilted fans work too; those that look down meet the ground. What lies under a beam when it
- * crosses its outline it does not meet, even where it comes down on its top behind.
+ * <p>It iterates over near objects, not over beams: it transforms the corners of an outline into
+ * the plane of the beams; their bearings select the beams that may hit an edge, and each of these
+ * is intersected with it. So the cost depends on the visible objects, not on the free distance. It
+ * supports tilted fans; beams that point down hit the ground. A beam that crosses an outline above
+ * the object does not hit it, even where it would hit its top farther on.
  *
- * <p>Mutable, made once and used for every look; confined to one thread.
+ * <p>Mutable, created once and used for every scan; confined to one thread.
  */
 public final class RayCaster {
 
@@ -19,7 +19,7 @@ public final class RayCaster {
   public static final double GROUND_REFLECTIVITY = 0.2;
 
   private static final double TURN = 2 * Math.PI;
-  private static final double EDGE = 1e-12; // an edge is so much longer, so that none slips through
+  private static final double EDGE = 1e-12; // extends edges, so that no beam passes between two
   private static final double LEVEL = 1e-12;
 
   private double first;
@@ -41,7 +41,7 @@ public final class RayCaster {
   private double reflectivity;
 
   /**
-   * Says which beams there are.
+   * Sets the beams.
    *
    * @param firstAngle angle of the first beam in its own frame, radians, to the left is +
    * @param angleStep from one to the next, radians, not 0
@@ -69,10 +69,10 @@ public final class RayCaster {
   }
 
   /**
-   * Begins a look.
+   * Starts a scan.
    *
-   * @param from where it stands and how it is turned; within 60° of level, upside down or not
-   * @param maxRange metres that the beams get
+   * @param from pose of the range finder; within 60° of level, upside down or not
+   * @param maxRange maximum range, metres
    */
   public void beginScan(MutableTransform from, double maxRange) {
     stance.set(from);
@@ -93,12 +93,12 @@ public final class RayCaster {
     }
   }
 
-  /** How far a beam got in metres; positive infinity where it met nothing. */
+  /** Range of a beam, metres; positive infinity without a hit. */
   public double distance(int beam) {
     return reflectivities[beam] > 0 ? distances[beam] : Double.POSITIVE_INFINITY;
   }
 
-  /** Part of its light that what a beam met returns; 0 where it met nothing. */
+  /** Reflectivity of a beam's target; 0 without a hit. */
   public double reflectivity(int beam) {
     return reflectivities[beam];
   }
@@ -113,7 +113,7 @@ public final class RayCaster {
     }
   }
 
-  /** Looks at a solid, from outside of it. */
+  /** Casts the beams against an obstacle, from outside of it. */
   public void intersect(StaticObstacle solid) {
     Disc bounds = solid.bounds;
     if (isFar(bounds.east(), bounds.north(), bounds.radius())) {
@@ -137,7 +137,7 @@ public final class RayCaster {
   }
 
   /**
-   * Looks at a box, from outside of it.
+   * Casts the beams against a box, from outside of it.
    *
    * @param bottom metres above the ground
    * @param top metres above the ground
@@ -168,7 +168,7 @@ public final class RayCaster {
     return x * x + y * y > reach * reach;
   }
 
-  /** An edge with the inside to its left; from there it is not seen. */
+  /** An edge with the inside to its left; it is not visible from there. */
   private void intersectEdge(double ax, double ay, double bx, double by) {
     if (LineSegments.side(ax, ay, bx, by, stance.east, stance.north) >= 0) {
       return;
@@ -184,7 +184,7 @@ public final class RayCaster {
     cut(Math.min(from, from + turn), Math.abs(turn), px, py, ex, ey);
   }
 
-  /** Cuts an edge with the beams whose bearings lie between its ends'. */
+  /** Intersects an edge with the beams whose bearings lie between those of its ends. */
   private void cut(double from, double turn, double px, double py, double ex, double ey) {
     double margin = ApproximateAngles.ERROR / Math.abs(step) + 1e-6;
     double low = (step > 0 ? from - first : from + turn - first) / step - margin;

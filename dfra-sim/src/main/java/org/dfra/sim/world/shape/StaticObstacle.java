@@ -1,9 +1,10 @@
 package org.dfra.sim.world.shape;
 
 /**
- * Something with an outline that stands on the ground and does not move. Immutable.
+ * A static obstacle on the ground. Immutable.
  *
- * <p>Its coordinates lie in arrays, since beams and bodies meet it a million times in a second.
+ * <p>Its coordinates are in arrays, since beams and bodies are tested against it a million times a
+ * second.
  */
 public final class StaticObstacle {
 
@@ -34,7 +35,7 @@ public final class StaticObstacle {
     }
   }
 
-  /** What it is called. */
+  /** Its name. */
   public String name() {
     return name;
   }

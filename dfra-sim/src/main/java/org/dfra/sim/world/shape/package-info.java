@@ -1,15 +1,14 @@
 /**
- * The outlines of things seen from above, and what can be asked of them: whether two touch, and how
- * far a beam gets.
+ * Outlines of objects seen from above, with collision tests and ray casting.
  *
  * <pre>
- *   Outline: Disc, Polygon --&gt; Solid, an outline with a height --&gt; ObstacleIndex: which are near?
- *                                                                    |            |
- *                                                    Footprint: touches it?   RayCaster: sees it?
+ *   PlanarShape: Disc, Polygon --&gt; StaticObstacle: a shape with a height --&gt; ObstacleIndex: search
+ *                                                                               |            |
+ *                                               OrientedRectangle: intersection test   RayCaster
  * </pre>
  *
  * <p>Coordinates are metres east and north in the world's frame, angles radians, 0 is east,
- * counter-clockwise is +. Nothing here knows time or chance.
+ * counter-clockwise is +. Nothing here depends on time or random numbers.
  */
 @NullMarked
 package org.dfra.sim.world.shape;
