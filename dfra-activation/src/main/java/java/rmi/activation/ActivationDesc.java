@@ -32,7 +32,9 @@ public final class ActivationDesc implements Serializable {
    */
   private final String location;
 
-  /** @serial the argument of the object's constructor, or null */
+  /**
+   * @serial the argument of the object's constructor, or null
+   */
   private final MarshalledObject<?> data;
 
   /**

@@ -49,7 +49,9 @@ public abstract class ActivationGroup extends UnicastRemoteObject
   /** The group that {@link #createGroup} exported last, even if its constructor failed then. */
   private static ActivationGroup exported;
 
-  /** @serial the identity of this group */
+  /**
+   * @serial the identity of this group
+   */
   private final ActivationGroupID groupID;
 
   /**

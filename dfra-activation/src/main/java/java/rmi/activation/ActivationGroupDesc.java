@@ -27,7 +27,9 @@ public final class ActivationGroupDesc implements Serializable {
    */
   private final String location;
 
-  /** @serial the argument of the group's constructor, or null */
+  /**
+   * @serial the argument of the group's constructor, or null
+   */
   private final MarshalledObject<?> data;
 
   /**

@@ -18,7 +18,9 @@ public class ActivationGroupID implements Serializable {
    */
   private final ActivationSystem system;
 
-  /** @serial the unique part */
+  /**
+   * @serial the unique part
+   */
   private final UID uid = new UID();
 
   /**

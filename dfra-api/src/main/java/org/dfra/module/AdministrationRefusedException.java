@@ -8,7 +8,9 @@ public final class AdministrationRefusedException extends SecurityException {
 
   private static final long serialVersionUID = 1L;
 
-  /** @param message one sentence: the method, the caller's address, and what to configure */
+  /**
+   * @param message one sentence: the method, the caller's address, and what to configure
+   */
   public AdministrationRefusedException(String message) {
     super(message);
   }

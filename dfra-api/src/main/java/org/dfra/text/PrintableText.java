@@ -4,9 +4,8 @@ package org.dfra.text;
  * Text that is safe to display. A name or a message of another computer may contain characters that
  * control a terminal, begin a new line, change the writing direction or are invisible. Each is
  * replaced by its escape as in Java and JSON: a backslash, the letter u and four hexadecimal
- * digits. A line feed becomes {@code
- * }, a carriage return {@code \r}, a tab {@code \t}. All other text is unchanged, except that every
- * kind of space becomes a plain one.
+ * digits. A line feed becomes {@code }, a carriage return {@code \r}, a tab {@code \t}. All other
+ * text is unchanged, except that every kind of space becomes a plain one.
  *
  * <p>Escaped are control characters (C0, C1 and DEL), format characters (among them bidi overrides
  * and isolates, and zero-width characters), line and paragraph separators, lone surrogates,

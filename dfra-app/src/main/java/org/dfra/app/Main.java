@@ -118,9 +118,7 @@ public final class Main {
   /** The full command line, for commands that inspect it. */
   static CommandLine commandLine() {
     CommandLine line = prepared(new CommandLine(new Main()));
-    line.getCommandSpec()
-        .usageMessage()
-        .footer(ScriptVerbs.help()); // not inherited by subcommands
+    line.getCommandSpec().usageMessage().footer(ScriptVerbs.help()); // not inherited by subcommands
     return line;
   }
 

@@ -22,7 +22,9 @@ public final class DeliveryCounter implements ModuleListener {
   private long received;
   private long lost;
 
-  /** @param listener receives the events that are not duplicates */
+  /**
+   * @param listener receives the events that are not duplicates
+   */
   public DeliveryCounter(ModuleListener listener) {
     this.listener = listener;
     Arrays.fill(last, NONE);

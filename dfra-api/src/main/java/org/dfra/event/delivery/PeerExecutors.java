@@ -62,7 +62,9 @@ public final class PeerExecutors {
     }
   }
 
-  /** @param pool runs the tasks on other threads than the caller's; it drops none */
+  /**
+   * @param pool runs the tasks on other threads than the caller's; it drops none
+   */
   public PeerExecutors(Executor pool, TaskLimits limits) {
     this.pool = pool;
     this.limits = limits;

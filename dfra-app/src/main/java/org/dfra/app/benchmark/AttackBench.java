@@ -87,7 +87,9 @@ final class AttackBench implements Bench {
     }
   }
 
-  /** @param seconds duration of each attack before the wheels are measured, at least 1 */
+  /**
+   * @param seconds duration of each attack before the wheels are measured, at least 1
+   */
   AttackBench(int seconds) {
     this.seconds = seconds;
   }

@@ -33,7 +33,9 @@ final class BenchRegistrar implements AutoCloseable {
   private final EmbeddedRegistrar reggie;
   private final AtomicLong bytes = new AtomicLong();
 
-  /** @param leaseMillis longest lease that it grants, milliseconds */
+  /**
+   * @param leaseMillis longest lease that it grants, milliseconds
+   */
   BenchRegistrar(long leaseMillis) throws IOException {
     this.reggie =
         new EmbeddedRegistrar(

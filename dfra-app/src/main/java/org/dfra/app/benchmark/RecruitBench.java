@@ -52,7 +52,9 @@ final class RecruitBench implements Bench {
 
   private final Path folder;
 
-  /** @param folder for the delays */
+  /**
+   * @param folder for the delays
+   */
   RecruitBench(Path folder) {
     this.folder = folder;
   }

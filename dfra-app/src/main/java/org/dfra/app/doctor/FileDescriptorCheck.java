@@ -19,7 +19,9 @@ final class FileDescriptorCheck implements Check {
 
   private final Path limits;
 
-  /** @param limits the file with a process's limits; if it does not exist, there are no findings */
+  /**
+   * @param limits the file with a process's limits; if it does not exist, there are no findings
+   */
   FileDescriptorCheck(Path limits) {
     this.limits = limits;
   }

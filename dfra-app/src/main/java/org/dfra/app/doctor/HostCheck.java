@@ -21,7 +21,9 @@ final class HostCheck implements Check {
   private final HostResolver names;
   private final String wanted;
 
-  /** @param wanted configured address or name, or {@code auto} */
+  /**
+   * @param wanted configured address or name, or {@code auto}
+   */
   HostCheck(HostResolver names, String wanted) {
     this.names = names;
     this.wanted = wanted;

@@ -30,7 +30,9 @@ final class MulticastCheck implements Check {
   private final Network network;
   private final List<String> groups;
 
-  /** @param groups the requested discovery groups; none if empty */
+  /**
+   * @param groups the requested discovery groups; none if empty
+   */
   MulticastCheck(Network network, List<String> groups) {
     this.network = network;
     this.groups = groups;

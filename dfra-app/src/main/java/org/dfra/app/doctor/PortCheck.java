@@ -26,7 +26,9 @@ final class PortCheck implements Check {
   private final PortProbe ports;
   private final Map<Integer, String> uses;
 
-  /** @param uses the purpose of each port */
+  /**
+   * @param uses the purpose of each port
+   */
   PortCheck(PortProbe ports, Map<Integer, String> uses) {
     this.ports = ports;
     this.uses = uses;

@@ -15,7 +15,9 @@ final class EventWindow {
   private final Deque<Arrival> arrivals = new ArrayDeque<>();
   private long events;
 
-  /** @param width maximum number of events; further ones replace the oldest */
+  /**
+   * @param width maximum number of events; further ones replace the oldest
+   */
   EventWindow(int width) {
     this.width = width;
   }

@@ -56,7 +56,9 @@ final class ListeningSession implements AutoCloseable {
   private final Thread hook = new Thread(this::interrupted, "dfra-listening-end");
   private volatile @Nullable Subscription subscription;
 
-  /** @param count number of events after which the session ends */
+  /**
+   * @param count number of events after which the session ends
+   */
   ListeningSession(ModuleListing<Module> module, EventHandler ear, long count) {
     this.module = module;
     this.ear = ear;

@@ -49,7 +49,9 @@ public final class PrintableTrace {
     }
   }
 
-  /** @param indent tab characters before each of its frames */
+  /**
+   * @param indent tab characters before each of its frames
+   */
   private void append(IThrowableProxy thrown, String relation, int indent) {
     String what = PrintableText.line(thrown.getClassName() + ": " + thrown.getMessage());
     line(

@@ -93,7 +93,9 @@ public final class HtmlReport {
     return this;
   }
 
-  /** @param areNumbers for each column whether it is right-aligned */
+  /**
+   * @param areNumbers for each column whether it is right-aligned
+   */
   private void row(String cell, List<String> texts, List<Boolean> areNumbers) {
     body.append("<tr>");
     for (int i = 0; i < texts.size(); i++) {

@@ -26,7 +26,9 @@ final class NumberTags {
 
   private record Tag(Point2D at, String number) {}
 
-  /** @param area that contains the discs */
+  /**
+   * @param area that contains the discs
+   */
   NumberTags(Rectangle2D area) {
     this.area = area;
   }

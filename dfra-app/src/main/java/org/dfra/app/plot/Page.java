@@ -41,7 +41,9 @@ public final class Page {
 
   private record Row(int height, List<Panel> panels) {}
 
-  /** @param title of the whole image; empty for none */
+  /**
+   * @param title of the whole image; empty for none
+   */
   public Page(String title) {
     this.title = title;
   }

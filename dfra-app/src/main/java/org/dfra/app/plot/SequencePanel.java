@@ -28,7 +28,9 @@ public final class SequencePanel implements Panel {
   /** A message; {@code to} is negative for a broadcast. */
   private record Arrow(String time, int from, int to, String text) {}
 
-  /** @param names of the participants, from left to right; two at least */
+  /**
+   * @param names of the participants, from left to right; two at least
+   */
   public SequencePanel(List<String> names) {
     if (names.size() < 2) {
       throw new IllegalArgumentException("it takes two to talk");

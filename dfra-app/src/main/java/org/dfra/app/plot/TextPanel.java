@@ -16,7 +16,9 @@ public final class TextPanel implements Panel {
   private final List<String> lines;
   private final int columns;
 
-  /** @param columns number of columns; the first is filled first */
+  /**
+   * @param columns number of columns; the first is filled first
+   */
   public TextPanel(String title, List<String> lines, int columns) {
     this.title = title;
     this.lines = List.copyOf(lines);

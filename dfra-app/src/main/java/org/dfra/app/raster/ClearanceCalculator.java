@@ -24,7 +24,9 @@ public final class ClearanceCalculator {
   private final List<Obstacle> obstacles = new ArrayList<>();
   private final Map<String, VehicleDescription> vehicles = new HashMap<>();
 
-  /** @param world with the obstacles and robots */
+  /**
+   * @param world with the obstacles and robots
+   */
   public ClearanceCalculator(WorldDescription world) {
     for (ObstacleDescription each : world.obstacles()) {
       if (each.footprint() instanceof Disc disc) {

@@ -22,7 +22,9 @@ final class RunProgress implements Experiment.Progress {
   private final long began;
   private long reported; // guarded by this
 
-  /** @param nanos a monotonic real-time clock with any origin */
+  /**
+   * @param nanos a monotonic real-time clock with any origin
+   */
   RunProgress(ProgressReporter tell, LongSupplier nanos) {
     this.tell = tell;
     this.nanos = nanos;

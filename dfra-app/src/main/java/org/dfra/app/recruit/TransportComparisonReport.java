@@ -32,7 +32,9 @@ final class TransportComparisonReport {
   private final List<TransportComparison> all;
   private final String setting;
 
-  /** @param setting description of the runs */
+  /**
+   * @param setting description of the runs
+   */
   TransportComparisonReport(List<TransportComparison> all, String setting) {
     this.all = List.copyOf(all);
     this.setting = setting;

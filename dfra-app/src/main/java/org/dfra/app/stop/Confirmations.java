@@ -31,7 +31,9 @@ final class Confirmations {
   private final Set<String> robots = new TreeSet<>();
   private final List<UnconfirmedGroup> unconfirmed = new ArrayList<>();
 
-  /** @param answers of each phoenix */
+  /**
+   * @param answers of each phoenix
+   */
   Confirmations(Collection<PhoenixAnswer> answers) {
     this.answers = List.copyOf(answers);
     for (PhoenixAnswer each : answers) {
@@ -116,10 +118,11 @@ final class Confirmations {
    * effector. It counts if
    *
    * <ul>
-   * <li>no configured phoenix has a robot of that name, and none is unresponsive,
-   * <li>a lookup service of such a phoenix's own computer lists the effector, and
-   * <li>for each lookup service that lists its identity, the phoenix of that computer confirms the
-   *     stop too; or, if no phoenix with the robot runs there, the effector's proxy from there.
+   *   <li>no configured phoenix has a robot of that name, and none is unresponsive,
+   *   <li>a lookup service of such a phoenix's own computer lists the effector, and
+   *   <li>for each lookup service that lists its identity, the phoenix of that computer confirms
+   *       the stop too; or, if no phoenix with the robot runs there, the effector's proxy from
+   *       there.
    * </ul>
    *
    * @param stop their report

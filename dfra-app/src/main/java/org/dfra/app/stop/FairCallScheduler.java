@@ -101,7 +101,9 @@ final class FairCallScheduler implements AutoCloseable {
   private int underWay; // guarded by this
   private boolean closed; // guarded by this
 
-  /** @param patience timeout of a call, from its start */
+  /**
+   * @param patience timeout of a call, from its start
+   */
   FairCallScheduler(Limits limits, Duration patience) {
     this.limits = limits;
     this.patience = patience;

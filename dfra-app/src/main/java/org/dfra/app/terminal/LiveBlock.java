@@ -24,7 +24,9 @@ public final class LiveBlock {
   private List<String> lines = List.of(); // the lines to be shown
   private List<String> drawn = List.of(); // number of lines currently drawn
 
-  /** @param size of the terminal, queried at each drawing */
+  /**
+   * @param size of the terminal, queried at each drawing
+   */
   public LiveBlock(Supplier<Terminal.Size> size) {
     this.size = size;
   }

@@ -8,7 +8,9 @@ public final class DelegateHeldException extends RuntimeException {
 
   private static final long serialVersionUID = 1L;
 
-  /** @param message a sentence without the full stop */
+  /**
+   * @param message a sentence without the full stop
+   */
   public DelegateHeldException(String message) {
     super(message);
   }

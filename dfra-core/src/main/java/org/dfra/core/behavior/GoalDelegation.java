@@ -308,7 +308,8 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
       @Nullable UUID unwanted = left.unwanted(found);
       if (unwanted != null) {
         left.worker()
-            .cancelUnattended(unwanted); // by name: the worker may have another client's goal by now
+            .cancelUnattended(
+                unwanted); // by name: the worker may have another client's goal by now
       }
       unresolvedGoal = null;
       if (found.heldSince() == null) {

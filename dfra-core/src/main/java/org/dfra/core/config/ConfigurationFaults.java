@@ -13,7 +13,9 @@ public final class ConfigurationFaults {
 
   private final Set<Fault> faults = new LinkedHashSet<>();
 
-  /** @param sentence the fault; the remedy */
+  /**
+   * @param sentence the fault; the remedy
+   */
   public void add(Place place, String sentence) {
     faults.add(new Fault(place, sentence));
   }

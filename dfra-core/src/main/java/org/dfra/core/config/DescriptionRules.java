@@ -42,7 +42,9 @@ public final class DescriptionRules {
     }
   }
 
-  /** @param what the kind of the named object, such as {@code robot} */
+  /**
+   * @param what the kind of the named object, such as {@code robot}
+   */
   public static @Nullable String name(String what, String name) {
     if (SNAKE.matcher(name).matches()) {
       return null;
@@ -62,7 +64,9 @@ public final class DescriptionRules {
             : "small letters, digits and single underscores, a letter first");
   }
 
-  /** @param label the owner of the class: {@code module} and its name */
+  /**
+   * @param label the owner of the class: {@code module} and its name
+   */
   static @Nullable String className(String label, String key, String name) {
     return CLASS.matcher(name).matches()
         ? null

@@ -21,7 +21,9 @@ public final class Substitution {
   private final Function<String, @Nullable String> lookup;
   private final ConfigurationFaults faults;
 
-  /** @param lookup returns the value of a variable, or null if it is not set */
+  /**
+   * @param lookup returns the value of a variable, or null if it is not set
+   */
   public Substitution(Function<String, @Nullable String> lookup, ConfigurationFaults faults) {
     this.lookup = lookup;
     this.faults = faults;

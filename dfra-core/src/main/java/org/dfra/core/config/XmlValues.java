@@ -13,7 +13,9 @@ public final class XmlValues {
   private final Substitution substitution;
   private final ConfigurationFaults faults;
 
-  /** @param file the elements' file, as named to the reader */
+  /**
+   * @param file the elements' file, as named to the reader
+   */
   public XmlValues(String file, Substitution substitution, ConfigurationFaults faults) {
     this.file = file;
     this.substitution = substitution;
@@ -80,7 +82,9 @@ public final class XmlValues {
 
     private UniqueNames() {}
 
-    /** @param what the named object, with its name, for the error message about a duplicate */
+    /**
+     * @param what the named object, with its name, for the error message about a duplicate
+     */
     public void requireFirst(Element element, String name, String what, String remedy) {
       Place earlier = first.putIfAbsent(name, place(element));
       if (earlier != null) {

@@ -61,7 +61,9 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
   private final List<ListenerNotifier<?>> feeds = new ArrayList<>(); // guarded by lock
   private boolean closed; // guarded by lock
 
-  /** @param clock the clock by which staleness is measured */
+  /**
+   * @param clock the clock by which staleness is measured
+   */
   protected CachedModuleDirectory(InstantSource clock) {
     this(clock, Scheduler.system());
   }

@@ -36,7 +36,8 @@ final class ListenerNotifier<M extends Module> implements DirectoryRegistration,
   private final Executor threads;
   private final Scheduler scheduler;
   private final Runnable onClose;
-  private final Map<UUID, ModuleListing<M>> notified = new HashMap<>(); // used by the draining thread only
+  private final Map<UUID, ModuleListing<M>> notified =
+      new HashMap<>(); // used by the draining thread only
   private final Set<UUID> waiting = new LinkedHashSet<>(); // guarded by this
   private boolean draining; // guarded by this
   private boolean closed; // guarded by this

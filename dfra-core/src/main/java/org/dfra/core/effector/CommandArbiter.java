@@ -57,7 +57,8 @@ public final class CommandArbiter {
    */
   private volatile boolean isStopOwed;
 
-  private volatile @Nullable CommandKey stopped; // written with the lock of this held; deposed by the last stop
+  private volatile @Nullable CommandKey
+      stopped; // written with the lock of this held; deposed by the last stop
 
   /**
    * @param module the effector's path, {@code robot/name}

@@ -41,7 +41,8 @@ public final class EmergencyStopLatch {
   private final Object file = new Object();
 
   private volatile Latched now; // written with the lock of this held
-  private volatile @Nullable String persistFault; // written with the lock file held; why it cannot be stored
+  private volatile @Nullable String
+      persistFault; // written with the lock file held; why it cannot be stored
 
   /**
    * The current state.

@@ -93,8 +93,7 @@ final class BringUp {
     before = loader.registeredGroups();
     Map<String, Long> processes = incarnations();
     for (GroupDescription group : robot.groups()) {
-      if (before(group.name())
-          .isPresent()) { // a restarted process starts as described
+      if (before(group.name()).isPresent()) { // a restarted process starts as described
         ActivationGroupID unused = loader.registerGroup(group);
       }
     }

@@ -90,8 +90,7 @@ final class ReadinessReporter {
         thread.setDaemon(true);
         try {
           thread.start();
-        } catch (
-            OutOfMemoryError e) { // no further thread; the next instantiation retries
+        } catch (OutOfMemoryError e) { // no further thread; the next instantiation retries
           thread = null;
           LOG.warn("The readiness of {} is not reported: {}", id, e.toString());
         }

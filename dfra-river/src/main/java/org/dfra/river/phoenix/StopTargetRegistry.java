@@ -71,8 +71,7 @@ final class StopTargetRegistry {
    */
   void made(ActivationID id, Remote object, long ordersBefore) {
     active.put(id, object);
-    NumberedStopRequest now =
-        last; // after the object was put: a later request finds it there
+    NumberedStopRequest now = last; // after the object was put: a later request finds it there
     if (now.number() != ordersBefore && object instanceof StopTarget target) {
       try {
         EmergencyStopState unused = target.emergencyStop(now.by());

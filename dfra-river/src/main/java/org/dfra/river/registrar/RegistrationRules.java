@@ -25,8 +25,8 @@ import org.jspecify.annotations.Nullable;
  *       limited, and so is their total memory.
  * </ul>
  *
- * <p>Not thread-safe: the caller holds a lock from the check until the registration is recorded.
- * So of two registrations of one ID, the second check sees the first registration.
+ * <p>Not thread-safe: the caller holds a lock from the check until the registration is recorded. So
+ * of two registrations of one ID, the second check sees the first registration.
  */
 final class RegistrationRules {
 

@@ -14,10 +14,10 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Commands: {@code @@Ha}, {@code @@Hb}, {@code @@Hn}, {@code @@Ea}, {@code @@En} with a rate
  * byte (0 once, n at once and every n seconds), {@code @@Bb} and {@code @@Bo} (at once; where their
- * byte is not 0 also {@code @@Bb} every half minute, and {@code @@Bo} when it changes), {@code
- * @@Cj} (identification), {@code @@Aw} (1 selects UTC, 0 GPS time, FF queries), {@code @@Gd} (0 to
- * 3, FF queries), {@code @@At} (0 to 2, FF queries), {@code @@Ge} (time RAIM), {@code @@Gb} (date
- * and time, executed only without a fix), {@code @@As} (the position to hold; out of range
+ * byte is not 0 also {@code @@Bb} every half minute, and {@code @@Bo} when it changes),
+ * {@code @@Cj} (identification), {@code @@Aw} (1 selects UTC, 0 GPS time, FF queries), {@code @@Gd}
+ * (0 to 3, FF queries), {@code @@At} (0 to 2, FF queries), {@code @@Ge} (time RAIM), {@code @@Gb}
+ * (date and time, executed only without a fix), {@code @@As} (the position to hold; out of range
  * queries), {@code @@Cf} (defaults: ends all unsolicited messages). Unknown and damaged commands
  * are ignored. The settings survive a change of client, as a receiver keeps its settings when its
  * computer is disconnected.

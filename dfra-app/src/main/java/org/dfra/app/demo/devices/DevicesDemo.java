@@ -52,7 +52,9 @@ public final class DevicesDemo implements Demo {
   private @Nullable Instant killed;
   private @Nullable Instant lastCommand;
 
-  /** @param report the folder of its report */
+  /**
+   * @param report the folder of its report
+   */
   public DevicesDemo(ProgressReporter narration, Path report) {
     this.tell = narration;
     this.report = report;

@@ -76,8 +76,7 @@ public final class DemoRunner {
   private static void quietenLogs() {
     if (System.getenv(LogbackSetup.LEVEL) == null) {
       LogLevelControl.service().set("org.dfra", LogLevel.ERROR);
-      LogLevelControl.service()
-          .set("dfra", LogLevel.ERROR); // modules, if they run in this process
+      LogLevelControl.service().set("dfra", LogLevel.ERROR); // modules, if they run in this process
     }
   }
 

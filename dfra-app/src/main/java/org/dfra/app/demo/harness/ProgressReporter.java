@@ -51,7 +51,9 @@ public final class ProgressReporter {
   private volatile String step = "setting the stage";
   private boolean spaced; // the last line was empty; guarded by this
 
-  /** @param nanos a monotonic clock with any origin, in nanoseconds */
+  /**
+   * @param nanos a monotonic clock with any origin, in nanoseconds
+   */
   public ProgressReporter(PrintWriter out, LongSupplier nanos) {
     this(out, nanos, false);
   }

@@ -34,7 +34,9 @@ final class LiveProgress implements MissionListener {
   private double clearance = Double.POSITIVE_INFINITY;
   private long reported;
 
-  /** @param nanos a monotonic real-time clock with any origin */
+  /**
+   * @param nanos a monotonic real-time clock with any origin
+   */
   LiveProgress(ProgressReporter tell, LongSupplier nanos, Scenario scenario) {
     this.tell = tell;
     this.nanos = nanos;

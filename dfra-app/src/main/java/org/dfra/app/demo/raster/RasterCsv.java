@@ -25,7 +25,9 @@ final class RasterCsv {
 
   private final Path folder;
 
-  /** @param folder for the files; it exists */
+  /**
+   * @param folder for the files; it exists
+   */
   RasterCsv(Path folder) {
     this.folder = folder;
   }

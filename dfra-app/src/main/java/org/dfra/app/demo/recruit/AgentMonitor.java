@@ -54,7 +54,9 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
   /** An event of a robot that its agent does not publish. */
   record OperatorEvent(Instant time, String robot, String what) {}
 
-  /** @param began the robots' time to which reported seconds are relative */
+  /**
+   * @param began the robots' time to which reported seconds are relative
+   */
   @SuppressWarnings("this-escape") // no events before the registration
   AgentMonitor(ModuleDirectory directory, ProgressReporter tell, Instant began) {
     this.tell = tell;

@@ -32,7 +32,9 @@ final class TrueTrajectories implements AutoCloseable {
             return made;
           });
 
-  /** @param clock the world's clock */
+  /**
+   * @param clock the world's clock
+   */
   TrueTrajectories(List<String> robots, GroundTruth truth, InstantSource clock) {
     this.robots = List.copyOf(robots);
     this.truth = truth;

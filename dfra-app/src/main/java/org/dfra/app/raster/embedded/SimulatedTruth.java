@@ -22,7 +22,9 @@ final class SimulatedTruth implements TruthSource {
   private final InstantSource clock;
   private Instant next;
 
-  /** @param clock the world's clock */
+  /**
+   * @param clock the world's clock
+   */
   SimulatedTruth(World world, InstantSource clock) {
     this.truth = world.groundTruth();
     this.clock = clock;

@@ -60,7 +60,9 @@ public final class RobotSubscriptions implements AutoCloseable {
   private BehaviorStatus newest;
   private BehaviorStatus status;
 
-  /** @param first status of the search before the first received one */
+  /**
+   * @param first status of the search before the first received one
+   */
   RobotSubscriptions(String robot, RobotLog log, BehaviorStatus first) {
     this.robot = robot;
     this.log = log;

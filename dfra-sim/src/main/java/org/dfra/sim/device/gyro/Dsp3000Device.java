@@ -25,7 +25,8 @@ public final class Dsp3000Device implements SerialDevice {
   private static final int PLACES = 6; // of its numbers
   private static final long MILLION = 1_000_000;
   private static final int LONGEST_QUEUE = 1024; // bytes; above this a line is skipped
-  private static final Duration LONGEST_SLEEP = Duration.ofSeconds(10); // missed lines are sent for this
+  private static final Duration LONGEST_SLEEP =
+      Duration.ofSeconds(10); // missed lines are sent for this
 
   private final GyroInput view;
   private final UartLine line;
