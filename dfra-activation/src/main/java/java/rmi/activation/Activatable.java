@@ -12,12 +12,12 @@ import java.rmi.server.RemoteServer;
 import java.rmi.server.UnicastRemoteObject;
 
 /**
- * Activatable objects over JRMP: a base class for them, and methods for those that have another.
+ * Activatable objects over JRMP: a base class, and methods for objects with another base class.
  *
  * <p>{@link #register} and {@link #exportObject(Remote, ActivationID, int)} return proxies that
- * have the object activated when it is not running. They differ from the former JDK's in one point:
- * an exported object that is itself passed in a remote call is replaced by the plain stub of its
- * present life, which does not activate. Pass on what these methods returned instead.
+ * activate the object when it is not running. They differ from the former JDK's in one point: an
+ * exported object that is itself passed in a remote call is replaced by the plain stub of its
+ * current instance, which does not activate. Pass on the returned proxies instead.
  *
  * <p>Apache River's JERI services do not need this class; its JrmpExporter does.
  */
@@ -34,7 +34,7 @@ public abstract class Activatable extends RemoteServer {
    * Registers this object in this JVM's group, exports it and reports it active.
    *
    * @param location the codebase of its class: URLs separated by spaces, or null
-   * @param data what its constructor is given when it is activated anew, or null
+   * @param data the argument of its constructor when it is activated again, or null
    * @param restart true: activated when the daemon starts and after a crash; false: on demand only
    * @param port the TCP port, 0 for any
    * @throws ActivationException if this JVM has no group, or the system refuses
@@ -49,7 +49,7 @@ public abstract class Activatable extends RemoteServer {
    * Registers this object in this JVM's group, exports it and reports it active.
    *
    * @param location the codebase of its class: URLs separated by spaces, or null
-   * @param data what its constructor is given when it is activated anew, or null
+   * @param data the argument of its constructor when it is activated again, or null
    * @param restart true: activated when the daemon starts and after a crash; false: on demand only
    * @param port the TCP port, 0 for any
    * @param csf makes the clients' sockets, or null for plain ones
@@ -96,7 +96,7 @@ public abstract class Activatable extends RemoteServer {
   }
 
   /**
-   * Who this object is to the daemon.
+   * The identity under which the daemon knows this object.
    *
    * @return its identity
    */
@@ -108,7 +108,7 @@ public abstract class Activatable extends RemoteServer {
    * Registers an object without constructing it.
    *
    * @param desc how it is constructed; its class is loaded here, for its remote interfaces
-   * @return a proxy with these interfaces; the first call has the object activated
+   * @return a proxy with these interfaces; the first call activates the object
    * @throws UnknownGroupException if the descriptor's group is not registered
    * @throws ActivationException if there is no system, it refuses, or the class cannot be loaded or
    *     has no remote interface; then the object is not registered
@@ -130,13 +130,13 @@ public abstract class Activatable extends RemoteServer {
   }
 
   /**
-   * Puts an object of this JVM's group to sleep: unexported if it is idle, and the daemon told.
+   * Deactivates an object of this JVM's group: unexports it if it is idle, and notifies the daemon.
    *
    * @param id whose object
    * @return true if it is inactive now, false if it is busy
    * @throws UnknownObjectException if it is not active or not registered
    * @throws ActivationException if this JVM has no group
-   * @throws RemoteException if the daemon cannot be told
+   * @throws RemoteException if the daemon cannot be notified
    */
   public static boolean inactive(ActivationID id)
       throws UnknownObjectException, ActivationException, RemoteException {
@@ -144,7 +144,7 @@ public abstract class Activatable extends RemoteServer {
   }
 
   /**
-   * Forgets a registered object.
+   * Unregisters an object.
    *
    * @param id whose object
    * @throws UnknownObjectException if it is not registered
@@ -161,7 +161,7 @@ public abstract class Activatable extends RemoteServer {
    *
    * @param obj the object
    * @param location the codebase of its class: URLs separated by spaces, or null
-   * @param data what its constructor is given when it is activated anew, or null
+   * @param data the argument of its constructor when it is activated again, or null
    * @param restart true: activated when the daemon starts and after a crash; false: on demand only
    * @param port the TCP port, 0 for any
    * @return its identity from now on
@@ -180,7 +180,7 @@ public abstract class Activatable extends RemoteServer {
    *
    * @param obj the object
    * @param location the codebase of its class: URLs separated by spaces, or null
-   * @param data what its constructor is given when it is activated anew, or null
+   * @param data the argument of its constructor when it is activated again, or null
    * @param restart true: activated when the daemon starts and after a crash; false: on demand only
    * @param port the TCP port, 0 for any
    * @param csf makes the clients' sockets, or null for plain ones
@@ -228,7 +228,7 @@ public abstract class Activatable extends RemoteServer {
    * @param obj the object
    * @param id its identity
    * @param port the TCP port, 0 for any
-   * @return a proxy with its remote interfaces, which has it activated when it is not running
+   * @return a proxy with its remote interfaces, which activates it when it is not running
    * @throws RemoteException if it cannot be exported
    */
   public static Remote exportObject(Remote obj, ActivationID id, int port) throws RemoteException {
@@ -243,7 +243,7 @@ public abstract class Activatable extends RemoteServer {
    * @param port the TCP port, 0 for any
    * @param csf makes the clients' sockets, or null for plain ones
    * @param ssf makes the server's sockets, or null for plain ones
-   * @return a proxy with its remote interfaces, which has it activated when it is not running
+   * @return a proxy with its remote interfaces, which activates it when it is not running
    * @throws RemoteException if it cannot be exported
    */
   public static Remote exportObject(
@@ -254,7 +254,7 @@ public abstract class Activatable extends RemoteServer {
   }
 
   /**
-   * Ends an object's export; the daemon is not told.
+   * Unexports an object without notifying the daemon.
    *
    * @param obj the object
    * @param force true: even while calls are in progress

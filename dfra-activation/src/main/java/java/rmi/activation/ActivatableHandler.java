@@ -16,8 +16,8 @@ import java.util.Objects;
 import java.util.Set;
 
 /**
- * The client's half of an activatable JRMP reference: calls the live object it knows, and has the
- * object activated when there is none or it is gone.
+ * The client's half of an activatable JRMP reference. It calls the live object that it knows, and
+ * activates the object when there is none or it is gone.
  *
  * <p>A call is repeated only when it certainly was not executed, so it is executed at most once.
  * Two proxies are equal when their identities are.
@@ -26,7 +26,7 @@ final class ActivatableHandler implements InvocationHandler, Serializable {
 
   private static final long serialVersionUID = 1L;
 
-  /** With the proxy as known, with the one the activator knows, with one the group confirmed. */
+  /** With the known proxy, with the activator's, and with one that the group has confirmed. */
   private static final int ATTEMPTS = 3;
 
   private final ActivationID id;
@@ -48,7 +48,7 @@ final class ActivatableHandler implements InvocationHandler, Serializable {
             new ActivatableHandler(id, live));
   }
 
-  /** Every remote interface of a class; a class without is refused. */
+  /** Every remote interface of a class; a class without any is refused. */
   static Class<?>[] interfaces(Class<?> implementation) {
     Set<Class<?>> interfaces = new LinkedHashSet<>();
     for (Class<?> c = implementation; c != null; c = c.getSuperclass()) {
@@ -124,7 +124,7 @@ final class ActivatableHandler implements InvocationHandler, Serializable {
         : null;
   }
 
-  /** Through the handler where possible: reflection would stumble over non-public interfaces. */
+  /** Through the handler where possible: reflection fails on non-public interfaces. */
   private static Object call(Remote target, Method method, Object[] args) throws Throwable {
     InvocationHandler handler = handlerOf(target);
     if (handler != null) {

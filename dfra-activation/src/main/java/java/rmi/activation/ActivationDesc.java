@@ -8,8 +8,8 @@ import java.rmi.MarshalledObject;
 import java.util.Objects;
 
 /**
- * How to construct an activatable object: in which group, of which class from where, with what
- * data, and whether the daemon restarts it unasked.
+ * How to construct an activatable object: its group, class, codebase and data, and whether the
+ * daemon restarts it automatically.
  *
  * <p>Immutable.
  */
@@ -32,13 +32,11 @@ public final class ActivationDesc implements Serializable {
    */
   private final String location;
 
-  /**
-   * @serial what the object's constructor is given, or null
-   */
+  /** @serial the argument of the object's constructor, or null */
   private final MarshalledObject<?> data;
 
   /**
-   * @serial whether the object is activated with the daemon and after a crash of its group
+   * @serial whether the object is activated when the daemon starts and after a crash of its group
    */
   private final boolean restart;
 
@@ -47,7 +45,7 @@ public final class ActivationDesc implements Serializable {
    *
    * @param className the object's class, fully qualified
    * @param location the codebase of the class: URLs separated by spaces, or null
-   * @param data what the object's constructor is given, or null
+   * @param data the argument of the object's constructor, or null
    * @throws ActivationException if this JVM has no activation group
    */
   public ActivationDesc(String className, String location, MarshalledObject<?> data)
@@ -60,7 +58,7 @@ public final class ActivationDesc implements Serializable {
    *
    * @param className the object's class, fully qualified
    * @param location the codebase of the class: URLs separated by spaces, or null
-   * @param data what the object's constructor is given, or null
+   * @param data the argument of the object's constructor, or null
    * @param restart true: activated when the daemon starts and after a crash of its group; false: on
    *     demand only
    * @throws ActivationException if this JVM has no activation group
@@ -77,7 +75,7 @@ public final class ActivationDesc implements Serializable {
    * @param groupID the group in whose JVM the object is constructed
    * @param className the object's class, fully qualified
    * @param location the codebase of the class: URLs separated by spaces, or null
-   * @param data what the object's constructor is given, or null
+   * @param data the argument of the object's constructor, or null
    * @throws IllegalArgumentException if the group is null
    */
   public ActivationDesc(
@@ -91,7 +89,7 @@ public final class ActivationDesc implements Serializable {
    * @param groupID the group in whose JVM the object is constructed
    * @param className the object's class, fully qualified
    * @param location the codebase of the class: URLs separated by spaces, or null
-   * @param data what the object's constructor is given, or null
+   * @param data the argument of the object's constructor, or null
    * @param restart true: activated when the daemon starts and after a crash of its group; false: on
    *     demand only
    * @throws IllegalArgumentException if the group is null
@@ -128,7 +126,7 @@ public final class ActivationDesc implements Serializable {
   }
 
   /**
-   * In whose JVM the object is constructed.
+   * The group in whose JVM the object is constructed.
    *
    * @return the group, never null
    */
@@ -146,16 +144,16 @@ public final class ActivationDesc implements Serializable {
   }
 
   /**
-   * Where the class comes from.
+   * The codebase of the class.
    *
-   * @return its codebase: URLs separated by spaces, or null
+   * @return URLs separated by spaces, or null
    */
   public String getLocation() {
     return location;
   }
 
   /**
-   * What the object's constructor is given.
+   * The argument of the object's constructor.
    *
    * @return the data, still marshalled, or null
    */
@@ -164,16 +162,16 @@ public final class ActivationDesc implements Serializable {
   }
 
   /**
-   * Whether the daemon activates the object unasked.
+   * Whether the daemon activates the object automatically.
    *
-   * @return true: with the daemon and after a crash of its group; false: on demand only
+   * @return true: when the daemon starts and after a crash of its group; false: on demand only
    */
   public boolean getRestartMode() {
     return restart;
   }
 
   /**
-   * Whether both describe the same.
+   * Whether both descriptors are equal.
    *
    * @param other anything
    * @return true for an ActivationDesc equal in group, class, location, data and restart mode
@@ -189,7 +187,7 @@ public final class ActivationDesc implements Serializable {
   }
 
   /**
-   * Of all parts.
+   * Computed from all parts.
    *
    * @return equal for equal descriptors
    */

@@ -1,10 +1,10 @@
 package java.rmi.activation;
 
 /**
- * What went wrong in activation, with the failure below it if there is one.
+ * A failure of activation, with its nested cause if there is one.
  *
  * <p>The nested failure is the public field {@link #detail}; {@link #getCause} returns the same
- * object, whichever way it was set.
+ * object, however it was set.
  */
 public class ActivationException extends Exception {
 

@@ -18,13 +18,14 @@ import java.rmi.server.RMIClassLoader;
 import java.rmi.server.UnicastRemoteObject;
 
 /**
- * Constructs activatable objects in its JVM and tells the daemon what is active; one per JVM.
+ * Constructs activatable objects in its JVM and reports to the daemon which are active. There is
+ * one group per JVM.
  *
- * <p>The daemon starts a JVM whose first act is {@link #createGroup}. A concrete subclass does the
- * constructing in {@link #newInstance}; there is none in this package, so a group descriptor must
- * name one. The constructor exports the group by JRMP; a subclass that wants another protocol
- * unexports itself first and has a {@code writeReplace} that returns its own proxy, since the group
- * hands itself to {@link ActivationSystem#activeGroup}.
+ * <p>The daemon starts a JVM whose first act is {@link #createGroup}. A concrete subclass
+ * constructs objects in {@link #newInstance}. This package has no such subclass, so a group
+ * descriptor must name one. The constructor exports the group by JRMP; a subclass that wants
+ * another protocol unexports itself first and has a {@code writeReplace} that returns its own
+ * proxy, since the group passes itself to {@link ActivationSystem#activeGroup}.
  */
 public abstract class ActivationGroup extends UnicastRemoteObject
     implements ActivationInstantiator {
@@ -35,7 +36,7 @@ public abstract class ActivationGroup extends UnicastRemoteObject
   private static final String NO_MONITOR =
       "The activation system gave this group no monitor, so the group cannot report to it.";
 
-  /** How often the group is reported to a system that does not answer in time. */
+  /** Attempts to report the group to a system that does not answer in time. */
   private static final int REPORTS = 3;
 
   private static final String PORT_PROPERTY = "java.rmi.activation.port";
@@ -45,17 +46,15 @@ public abstract class ActivationGroup extends UnicastRemoteObject
   private static ActivationGroupID currentID;
   private static ActivationSystem currentSystem;
 
-  /** The group that {@link #createGroup} has exported last, even if its constructor failed then. */
+  /** The group that {@link #createGroup} exported last, even if its constructor failed then. */
   private static ActivationGroup exported;
 
-  /**
-   * @serial which group this is
-   */
+  /** @serial the identity of this group */
   private final ActivationGroupID groupID;
 
   /**
-   * @serial whom it tells of its objects; null until the system knows the group, and where the
-   *     system gave none
+   * @serial the monitor to which it reports its objects; null until the system knows the group, and
+   *     if the system returned none
    */
   private ActivationMonitor monitor;
 
@@ -68,7 +67,7 @@ public abstract class ActivationGroup extends UnicastRemoteObject
    * Exports the group by JRMP on an anonymous TCP port of the loopback interface: only the daemon
    * of the same host can reach it.
    *
-   * @param groupID which group this is
+   * @param groupID the identity of this group
    * @throws RemoteException if it cannot be exported
    */
   protected ActivationGroup(ActivationGroupID groupID) throws RemoteException {
@@ -85,14 +84,14 @@ public abstract class ActivationGroup extends UnicastRemoteObject
   }
 
   /**
-   * An object goes to sleep. This implementation only tells the daemon; a subclass unexports the
-   * object first, and returns false without telling if a call is in progress.
+   * Deactivates an object. This implementation only notifies the daemon. A subclass unexports the
+   * object first, and returns false without notifying the daemon if a call is in progress.
    *
    * @param id whose object
    * @return true if the object is inactive now, false if it is busy
    * @throws ActivationException if the group is not active
    * @throws UnknownObjectException if the object is not registered
-   * @throws RemoteException if the daemon cannot be told
+   * @throws RemoteException if the daemon cannot be notified
    */
   public boolean inactiveObject(ActivationID id)
       throws ActivationException, UnknownObjectException, RemoteException {
@@ -101,13 +100,13 @@ public abstract class ActivationGroup extends UnicastRemoteObject
   }
 
   /**
-   * An object became active by itself rather than through {@link #newInstance}.
+   * Reports an object that became active other than through {@link #newInstance}.
    *
    * @param id whose object
    * @param obj the exported object
    * @throws ActivationException if the group is not active
    * @throws UnknownObjectException if the object is not registered
-   * @throws RemoteException if the daemon cannot be told
+   * @throws RemoteException if the daemon cannot be notified
    */
   public abstract void activeObject(ActivationID id, Remote obj)
       throws ActivationException, UnknownObjectException, RemoteException;
@@ -117,17 +116,17 @@ public abstract class ActivationGroup extends UnicastRemoteObject
    *
    * <p>The class named in the descriptor is loaded with {@link RMIClassLoader#loadClass(String,
    * String)}, must be a concrete subclass of this one, and have a public constructor {@code
-   * (ActivationGroupID, MarshalledObject)}. The system becomes the one in the identity. A system
-   * may answer with no monitor (null); then the group is created all the same, and cannot report.
+   * (ActivationGroupID, MarshalledObject)}. The identity's system becomes this JVM's activation
+   * system. If the system returns no monitor (null), the group is created but cannot report.
    *
-   * @param id what the group was registered as
-   * @param desc how; a class name must be given
+   * @param id the identity under which the group was registered
+   * @param desc the group's descriptor; it must name a class
    * @param incarnation the number given to this JVM when it was started
    * @return the group, an instance of the class named
    * @throws ActivationException if there is a group already, the identity names no system, the
-   *     class is no such class, or the system refuses the group; then a group already constructed
-   *     is no longer exported by JRMP, and it is closed if it is {@link Closeable}, so that it does
-   *     not keep its JVM alive
+   *     class does not fit, or the system refuses the group. A group that was already constructed
+   *     is then unexported from JRMP, and closed if it is {@link Closeable}, so that it does not
+   *     keep its JVM alive
    */
   public static synchronized ActivationGroup createGroup(
       ActivationGroupID id, ActivationGroupDesc desc, long incarnation) throws ActivationException {
@@ -164,8 +163,8 @@ public abstract class ActivationGroup extends UnicastRemoteObject
   }
 
   /**
-   * Reports the group to the system. An answer that is late or lost is no refusal, and the same
-   * report may be made again; where nothing listens, or the system refuses it, it is not repeated.
+   * Reports the group to the system. The report is repeated if the answer is late or lost. It is
+   * not repeated if the connection is refused or the system refuses the group.
    */
   private static ActivationMonitor report(
       ActivationSystem system, ActivationGroupID id, ActivationGroup group, long incarnation)
@@ -184,10 +183,10 @@ public abstract class ActivationGroup extends UnicastRemoteObject
   }
 
   /**
-   * A group that was refused keeps nothing exported, since an export keeps its JVM alive.
+   * Unexports a refused group, since an export keeps its JVM alive.
    *
    * @param group the group; null if its constructor failed
-   * @param refusal takes what goes wrong here
+   * @param refusal receives failures that occur here as suppressed exceptions
    */
   private static void withdraw(ActivationGroup group, Throwable refusal) {
     if (exported != null) {
@@ -242,7 +241,7 @@ public abstract class ActivationGroup extends UnicastRemoteObject
     try {
       unexportObject(group, true);
     } catch (NoSuchObjectException e) {
-      // Its own class had unexported it, to export it otherwise.
+      // Its own class had unexported it, to export it by another protocol.
     }
   }
 
@@ -255,7 +254,7 @@ public abstract class ActivationGroup extends UnicastRemoteObject
     return currentID;
   }
 
-  /** This JVM's group itself; refused while there is none. */
+  /** This JVM's group; throws while there is none. */
   static synchronized ActivationGroup currentGroup() throws ActivationException {
     if (currentGroup == null) {
       throw new ActivationException(
@@ -280,10 +279,10 @@ public abstract class ActivationGroup extends UnicastRemoteObject
   }
 
   /**
-   * This JVM's activation system: the one of its group, or set, or else bound as {@code
-   * java.rmi.activation.ActivationSystem} in this host's RMI registry, at the TCP port in the
-   * system property {@code java.rmi.activation.port}, by default {@link
-   * ActivationSystem#SYSTEM_PORT}. The registry is asked at the loopback address.
+   * This JVM's activation system: the one of its group, or the one that was set, or else the one
+   * bound as {@code java.rmi.activation.ActivationSystem} in this host's RMI registry, at the TCP
+   * port in the system property {@code java.rmi.activation.port}, by default {@link
+   * ActivationSystem#SYSTEM_PORT}. The registry is queried at the loopback address.
    *
    * @return the system, never null
    * @throws ActivationException if none was set and none can be looked up
@@ -314,14 +313,14 @@ public abstract class ActivationGroup extends UnicastRemoteObject
   }
 
   /**
-   * Tells the daemon that an object became active; for subclasses' {@link #activeObject(
+   * Notifies the daemon that an object became active; for subclasses' {@link #activeObject(
    * ActivationID, Remote)}.
    *
    * @param id whose object
    * @param mobj its proxy, marshalled
    * @throws ActivationException if the group is not active
    * @throws UnknownObjectException if the object is not registered
-   * @throws RemoteException if the daemon cannot be told
+   * @throws RemoteException if the daemon cannot be notified
    */
   protected void activeObject(ActivationID id, MarshalledObject<? extends Remote> mobj)
       throws ActivationException, UnknownObjectException, RemoteException {
@@ -329,11 +328,11 @@ public abstract class ActivationGroup extends UnicastRemoteObject
   }
 
   /**
-   * Tells the daemon that the group has nothing left to run. Whether or not the daemon can be told,
-   * this JVM has no current group afterwards.
+   * Notifies the daemon that the group has no active objects left. This JVM has no current group
+   * afterwards, even if the notification fails.
    *
    * @throws UnknownGroupException if the group is not active, or the daemon does not know it
-   * @throws RemoteException if the daemon cannot be told
+   * @throws RemoteException if the daemon cannot be notified
    */
   protected void inactiveGroup() throws UnknownGroupException, RemoteException {
     ActivationMonitor told;

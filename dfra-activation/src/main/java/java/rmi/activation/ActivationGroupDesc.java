@@ -27,9 +27,7 @@ public final class ActivationGroupDesc implements Serializable {
    */
   private final String location;
 
-  /**
-   * @serial what the group's constructor is given, or null
-   */
+  /** @serial the argument of the group's constructor, or null */
   private final MarshalledObject<?> data;
 
   /**
@@ -43,7 +41,7 @@ public final class ActivationGroupDesc implements Serializable {
   private final Properties props;
 
   /**
-   * A group of the class the daemon uses when none is named.
+   * A group of the daemon's default class.
    *
    * @param overrides system properties of the group's JVM, or null
    * @param cmd the command that starts it, or null for the daemon's own
@@ -58,7 +56,7 @@ public final class ActivationGroupDesc implements Serializable {
    * @param className a subclass of {@link ActivationGroup}, fully qualified, or null for the
    *     daemon's own
    * @param location the codebase of the class: URLs separated by spaces, or null
-   * @param data what the group's constructor is given, or null
+   * @param data the argument of the group's constructor, or null
    * @param overrides system properties of the group's JVM, or null
    * @param cmd the command that starts it, or null for the daemon's own
    */
@@ -89,16 +87,16 @@ public final class ActivationGroupDesc implements Serializable {
   }
 
   /**
-   * Where the class comes from.
+   * The codebase of the class.
    *
-   * @return its codebase: URLs separated by spaces, or null
+   * @return URLs separated by spaces, or null
    */
   public String getLocation() {
     return location;
   }
 
   /**
-   * What the group's constructor is given.
+   * The argument of the group's constructor.
    *
    * @return the data, still marshalled, or null
    */
@@ -125,7 +123,7 @@ public final class ActivationGroupDesc implements Serializable {
   }
 
   /**
-   * Whether both describe the same.
+   * Whether both descriptors are equal.
    *
    * @param other anything
    * @return true for an ActivationGroupDesc equal in class, location, data, command and properties
@@ -141,7 +139,7 @@ public final class ActivationGroupDesc implements Serializable {
   }
 
   /**
-   * Of all parts.
+   * Computed from all parts.
    *
    * @return equal for equal descriptors
    */
@@ -151,7 +149,7 @@ public final class ActivationGroupDesc implements Serializable {
   }
 
   /**
-   * The command that starts a group's JVM: which executable, with which options.
+   * The command that starts a group's JVM: the executable and its options.
    *
    * <p>Immutable; the options are copied on the way in and out.
    */
@@ -181,7 +179,7 @@ public final class ActivationGroupDesc implements Serializable {
     }
 
     /**
-     * Which executable.
+     * The executable.
      *
      * @return its path, or null for the daemon's own
      */
@@ -212,7 +210,7 @@ public final class ActivationGroupDesc implements Serializable {
     }
 
     /**
-     * Of both parts.
+     * Computed from both parts.
      *
      * @return equal for equal commands
      */

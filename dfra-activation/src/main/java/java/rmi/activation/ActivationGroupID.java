@@ -5,7 +5,7 @@ import java.rmi.server.UID;
 import java.util.Objects;
 
 /**
- * The identity of a registered group: unique, and it knows the system that registered it.
+ * The identity of a registered group: unique, with a reference to the system that registered it.
  *
  * <p>Immutable.
  */
@@ -18,9 +18,7 @@ public class ActivationGroupID implements Serializable {
    */
   private final ActivationSystem system;
 
-  /**
-   * @serial what makes the group unique
-   */
+  /** @serial the unique part */
   private final UID uid = new UID();
 
   /**
@@ -33,7 +31,7 @@ public class ActivationGroupID implements Serializable {
   }
 
   /**
-   * Where the group is registered.
+   * The system that registered the group.
    *
    * @return the system given at construction
    */
@@ -42,7 +40,7 @@ public class ActivationGroupID implements Serializable {
   }
 
   /**
-   * Of the unique part alone.
+   * Computed from the unique part alone.
    *
    * @return equal for equal identities
    */

@@ -10,8 +10,8 @@ import java.rmi.server.RemoteRef;
 /**
  * The JRMP stub of a group, found by JRMP through its name.
  *
- * <p>Older releases list it in their public API and exchange it by name, so it is kept; nobody
- * constructs it by hand.
+ * <p>Older releases list it in their public API and exchange it by name, so it is kept.
+ * Applications do not construct it.
  */
 @SuppressWarnings({"deprecation", "rawtypes", "unchecked"})
 public final class ActivationGroup_Stub extends java.rmi.server.RemoteStub
@@ -19,7 +19,7 @@ public final class ActivationGroup_Stub extends java.rmi.server.RemoteStub
 
   private static final long serialVersionUID = 2L;
 
-  /** JRMP's number of the method below: the start of the SHA-1 of its name and descriptor. */
+  /** JRMP's hash of the method below: the start of the SHA-1 of its name and descriptor. */
   private static final long NEW_INSTANCE_HASH = -5274445189091581345L;
 
   private static final Method NEW_INSTANCE = newInstanceMethod();
@@ -27,7 +27,7 @@ public final class ActivationGroup_Stub extends java.rmi.server.RemoteStub
   /**
    * A stub of the group behind a reference.
    *
-   * @param ref where the group is
+   * @param ref the reference to the group
    */
   public ActivationGroup_Stub(RemoteRef ref) {
     super(ref);

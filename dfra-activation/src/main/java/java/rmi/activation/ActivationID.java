@@ -13,10 +13,10 @@ import java.rmi.server.UID;
 import java.util.Objects;
 
 /**
- * The identity of a registered object: unique, and it knows the activator that can start it.
+ * The identity of a registered object: unique, with a reference to the activator that can start it.
  *
- * <p>The serial form can carry only an activator exported by JRMP. A system whose activator is
- * exported otherwise (JERI) hands out a subclass with a {@code writeReplace}, and overrides {@link
+ * <p>The serial form supports only an activator exported by JRMP. A system whose activator is
+ * exported otherwise (JERI) issues a subclass with a {@code writeReplace}, and overrides {@link
  * #equals}, {@link #hashCode} and {@link #activate} as it needs.
  */
 public class ActivationID implements Serializable {
@@ -29,21 +29,21 @@ public class ActivationID implements Serializable {
   /**
    * A new identity, different from all others.
    *
-   * @param activator whom {@link #activate} calls
+   * @param activator the activator that {@link #activate} calls
    */
   public ActivationID(Activator activator) {
     this.activator = activator;
   }
 
   /**
-   * Has the object started if it is not running, and returns its proxy.
+   * Starts the object if it is not running, and returns its proxy.
    *
-   * @param force false: the proxy the activator knows will do; true: the caller found that proxy
-   *     dead, so the activator asks the object's group
+   * @param force false: the activator may return a cached proxy; true: that proxy failed, so the
+   *     activator asks the object's group
    * @return the object's proxy
    * @throws ActivationException if the object or its group cannot be started
    * @throws UnknownObjectException if the object is not registered with the activator
-   * @throws UnmarshalException if the proxy came but cannot be unmarshalled here
+   * @throws UnmarshalException if the returned proxy cannot be unmarshalled here
    * @throws RemoteException if the call to the activator fails
    */
   public Remote activate(boolean force)
@@ -63,7 +63,7 @@ public class ActivationID implements Serializable {
   }
 
   /**
-   * Of the unique part alone.
+   * Computed from the unique part alone.
    *
    * @return equal for equal identities
    */
@@ -86,7 +86,7 @@ public class ActivationID implements Serializable {
   }
 
   /**
-   * Writes the identity by hand, without default fields.
+   * Writes the identity without default fields.
    *
    * @serialData the {@link UID} with {@code writeObject}; the class name of the activator's JRMP
    *     reference without its package with {@code writeUTF}; then that reference's external form,

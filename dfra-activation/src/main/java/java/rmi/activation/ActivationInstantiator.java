@@ -4,7 +4,9 @@ import java.rmi.MarshalledObject;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
 
-/** The group's side that the daemon calls to have an object constructed in the group's JVM. */
+/**
+ * The group's remote interface, which the daemon calls to construct an object in the group's JVM.
+ */
 public interface ActivationInstantiator extends Remote {
 
   /**

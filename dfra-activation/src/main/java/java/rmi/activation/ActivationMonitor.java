@@ -5,14 +5,14 @@ import java.rmi.Remote;
 import java.rmi.RemoteException;
 
 /**
- * The daemon's side that a group tells what became active or inactive in its JVM.
+ * The daemon's remote interface to which a group reports what became active or inactive in its JVM.
  *
  * <p>A group receives its monitor from {@link ActivationSystem#activeGroup}.
  */
 public interface ActivationMonitor extends Remote {
 
   /**
-   * An object went to sleep: the next call has to activate it anew.
+   * Reports that an object became inactive: the next call has to activate it again.
    *
    * @param id whose object
    * @throws UnknownObjectException if it is not registered
@@ -21,7 +21,8 @@ public interface ActivationMonitor extends Remote {
   void inactiveObject(ActivationID id) throws UnknownObjectException, RemoteException;
 
   /**
-   * An object became active other than through {@link ActivationInstantiator#newInstance}.
+   * Reports that an object became active other than through {@link
+   * ActivationInstantiator#newInstance}.
    *
    * @param id whose object
    * @param obj its proxy, marshalled
@@ -32,9 +33,10 @@ public interface ActivationMonitor extends Remote {
       throws UnknownObjectException, RemoteException;
 
   /**
-   * The group's JVM has nothing left to run: the next activation in it needs a new JVM.
+   * Reports that the group's JVM has no active objects left: the group's next activation needs a
+   * new JVM.
    *
-   * @param id which group
+   * @param id the group
    * @param incarnation the number under which this JVM reported itself active
    * @throws UnknownGroupException if the group is not registered, or runs under another number
    * @throws RemoteException if the call fails

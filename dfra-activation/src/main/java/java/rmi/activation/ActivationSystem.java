@@ -4,14 +4,14 @@ import java.rmi.Remote;
 import java.rmi.RemoteException;
 
 /**
- * The daemon's side with which groups and objects are registered.
+ * The daemon's remote interface with which groups and objects are registered.
  *
- * <p>It keeps descriptors, so that a JVM can be started again after a crash. Every method throws
+ * <p>It stores descriptors, so that a JVM can be started again after a crash. Every method throws
  * {@link RemoteException} if the call fails.
  */
 public interface ActivationSystem extends Remote {
 
-  /** The TCP port of the registry in which the local system is bound, unless configured. */
+  /** The TCP port of the registry in which the local system is bound by default. */
   int SYSTEM_PORT = 1098;
 
   /**
@@ -27,7 +27,7 @@ public interface ActivationSystem extends Remote {
       throws ActivationException, UnknownGroupException, RemoteException;
 
   /**
-   * Forgets an object; it can no longer be activated.
+   * Unregisters an object; it can no longer be activated.
    *
    * @param id whose object
    * @throws ActivationException if it cannot be unregistered
@@ -38,7 +38,7 @@ public interface ActivationSystem extends Remote {
       throws ActivationException, UnknownObjectException, RemoteException;
 
   /**
-   * Registers a group, that is: how its JVM is started.
+   * Registers a group, with the descriptor that its JVM is started from.
    *
    * @param desc the group's class, data, properties and command
    * @return the group's identity from now on
@@ -49,12 +49,12 @@ public interface ActivationSystem extends Remote {
       throws ActivationException, RemoteException;
 
   /**
-   * The group reports from its JVM that it is ready to construct objects.
+   * Reports that a group's JVM is ready to construct objects.
    *
-   * @param id which group
-   * @param group how to reach it
+   * @param id the group
+   * @param group its remote reference
    * @param incarnation the number given to this JVM when it was started
-   * @return whom the group tells of its objects
+   * @return the monitor to which the group reports its objects
    * @throws UnknownGroupException if the group is not registered
    * @throws ActivationException if it is active already
    * @throws RemoteException if the call fails
@@ -64,9 +64,9 @@ public interface ActivationSystem extends Remote {
       throws UnknownGroupException, ActivationException, RemoteException;
 
   /**
-   * Forgets a group and every object in it.
+   * Unregisters a group and every object in it.
    *
-   * @param id which group
+   * @param id the group
    * @throws ActivationException if it cannot be unregistered
    * @throws UnknownGroupException if it is not registered
    * @throws RemoteException if the call fails
@@ -75,7 +75,7 @@ public interface ActivationSystem extends Remote {
       throws ActivationException, UnknownGroupException, RemoteException;
 
   /**
-   * Ends the daemon and every group's JVM it started.
+   * Shuts down the daemon and every group's JVM that it started.
    *
    * @throws RemoteException if the call fails
    */
@@ -86,7 +86,7 @@ public interface ActivationSystem extends Remote {
    *
    * @param id whose object
    * @param desc the new descriptor
-   * @return the one before
+   * @return the previous descriptor
    * @throws ActivationException if it cannot be replaced
    * @throws UnknownObjectException if the object is not registered
    * @throws UnknownGroupException if the descriptor's group is not registered
@@ -98,9 +98,9 @@ public interface ActivationSystem extends Remote {
   /**
    * Replaces a group's descriptor; used from the next start of its JVM on.
    *
-   * @param id which group
+   * @param id the group
    * @param desc the new descriptor
-   * @return the one before
+   * @return the previous descriptor
    * @throws ActivationException if it cannot be replaced
    * @throws UnknownGroupException if the group is not registered
    * @throws RemoteException if the call fails
@@ -112,8 +112,8 @@ public interface ActivationSystem extends Remote {
    * An object's descriptor.
    *
    * @param id whose object
-   * @return what it is registered with
-   * @throws ActivationException if it cannot be told
+   * @return the descriptor that it is registered with
+   * @throws ActivationException if it cannot be returned
    * @throws UnknownObjectException if the object is not registered
    * @throws RemoteException if the call fails
    */
@@ -123,9 +123,9 @@ public interface ActivationSystem extends Remote {
   /**
    * A group's descriptor.
    *
-   * @param id which group
-   * @return what it is registered with
-   * @throws ActivationException if it cannot be told
+   * @param id the group
+   * @return the descriptor that it is registered with
+   * @throws ActivationException if it cannot be returned
    * @throws UnknownGroupException if the group is not registered
    * @throws RemoteException if the call fails
    */

@@ -4,15 +4,18 @@ import java.rmi.MarshalledObject;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
 
-/** The daemon's side that clients call, through {@link ActivationID#activate}, to start objects. */
+/**
+ * The daemon's remote interface that clients call, through {@link ActivationID#activate}, to start
+ * objects.
+ */
 public interface Activator extends Remote {
 
   /**
-   * Makes sure that an object is running, and says how to reach it.
+   * Starts an object if it is not running, and returns its proxy.
    *
    * @param id whose object
-   * @param force false: the proxy known from an earlier activation will do; true: the caller found
-   *     that proxy dead, so ask the object's group
+   * @param force false: the proxy of an earlier activation may be returned; true: that proxy
+   *     failed, so the activator asks the object's group
    * @return the object's proxy, marshalled by its group
    * @throws ActivationException if the object or its group cannot be started
    * @throws UnknownObjectException if the object is not registered here

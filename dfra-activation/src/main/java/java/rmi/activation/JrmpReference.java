@@ -24,10 +24,10 @@ import java.rmi.server.RemoteRef;
  * A JRMP reference as {@link ActivationID} writes and reads it: its class name, then its external
  * form.
  *
- * <p>The reference classes are the JDK's own and no longer open to be constructed by name. But the
- * same bytes, in the same order, are also the serial form of a {@link RemoteObject}, which is
- * public. So the bytes are read as documented there, written anew as a remote invocation handler's,
- * and deserialized by the JDK itself.
+ * <p>The reference classes are internal to the JDK and can no longer be constructed by name. But
+ * the same bytes, in the same order, are also the public serial form of a {@link RemoteObject}. So
+ * the bytes are read as documented there, rewritten as a remote invocation handler's, and
+ * deserialized by the JDK.
  */
 final class JrmpReference {
 
@@ -43,7 +43,7 @@ final class JrmpReference {
     try {
       stub = remote == null ? null : RemoteObject.toStub(remote);
     } catch (NoSuchObjectException e) {
-      // Not of JRMP: reported below, with what it is.
+      // Not exported by JRMP: reported below, with its class.
     }
     if (stub instanceof RemoteObject object && object.getRef() != null) {
       return new JrmpReference(object.getRef());
@@ -124,7 +124,7 @@ final class JrmpReference {
                 form.writeTo((ObjectOutput) args[0]);
                 yield null;
               }
-              // Serialization calls nothing else.
+              // Serialization calls no other method.
               default -> throw new UnsupportedOperationException(method.toString());
             };
     RemoteRef replay =
@@ -139,7 +139,7 @@ final class JrmpReference {
     }
   }
 
-  /** Stands for the socket factory, whose class the second reading might not find. */
+  /** Replaces the socket factory, whose class the second read might not find. */
   private static final class Placeholder implements Serializable {
     private static final long serialVersionUID = 1L;
   }

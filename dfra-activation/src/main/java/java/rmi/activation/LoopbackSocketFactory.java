@@ -9,17 +9,17 @@ import java.rmi.server.RMIClientSocketFactory;
 import java.rmi.server.RMIServerSocketFactory;
 
 /**
- * Sockets that never leave the host: a group's instantiator is for its own host's daemon alone.
+ * Sockets that never leave the host: only the daemon of the same host calls a group's instantiator.
  *
- * <p>The client's half ignores the host written in the stub, which JRMP takes from the host's name
- * and which need not be a loopback address.
+ * <p>The client side ignores the host in the stub, which JRMP takes from the host's name and which
+ * need not be a loopback address.
  */
 final class LoopbackSocketFactory
     implements RMIClientSocketFactory, RMIServerSocketFactory, Serializable {
 
   private static final long serialVersionUID = 1L;
 
-  /** As {@link ServerSocket} has it when nothing is said: waiting connections. */
+  /** The default backlog of {@link ServerSocket}: pending connections. */
   private static final int BACKLOG = 50;
 
   @Override
@@ -32,7 +32,7 @@ final class LoopbackSocketFactory
     return new ServerSocket(port, BACKLOG, InetAddress.getLoopbackAddress());
   }
 
-  /** All are alike, so that JRMP shares their ports and connections. */
+  /** All instances are equal, so that JRMP shares their ports and connections. */
   @Override
   public boolean equals(Object other) {
     return other instanceof LoopbackSocketFactory;

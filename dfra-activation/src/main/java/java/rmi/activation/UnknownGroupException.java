@@ -1,8 +1,8 @@
 package java.rmi.activation;
 
 /**
- * An {@link ActivationGroupID} means nothing to the one asked: never registered there,
- * unregistered, or of another incarnation.
+ * The receiver of a call does not know an {@link ActivationGroupID}: it was never registered there,
+ * was unregistered, or has another incarnation.
  */
 public class UnknownGroupException extends ActivationException {
 
@@ -11,7 +11,7 @@ public class UnknownGroupException extends ActivationException {
   /**
    * An exception without a cause.
    *
-   * @param message which one is unknown, and to whom
+   * @param message which group is unknown, and to which receiver
    */
   public UnknownGroupException(String message) {
     super(message);

@@ -1,7 +1,8 @@
 package java.rmi.activation;
 
 /**
- * An {@link ActivationID} means nothing to the one asked: never registered there, or unregistered.
+ * The receiver of a call does not know an {@link ActivationID}: it was never registered there, or
+ * was unregistered.
  */
 public class UnknownObjectException extends ActivationException {
 
@@ -10,7 +11,7 @@ public class UnknownObjectException extends ActivationException {
   /**
    * An exception without a cause.
    *
-   * @param message which one is unknown, and to whom
+   * @param message which object is unknown, and to which receiver
    */
   public UnknownObjectException(String message) {
     super(message);

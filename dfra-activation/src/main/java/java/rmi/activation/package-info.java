@@ -1,8 +1,8 @@
 /**
- * The RMI activation API for JDK 17 and later, which no longer carry it.
+ * The RMI activation API for JDK 17 and later, which no longer include it.
  *
- * <p>Objects that need not be running to be called: an {@link java.rmi.activation.ActivationSystem}
- * remembers their {@linkplain java.rmi.activation.ActivationDesc descriptors}, an {@link
+ * <p>Clients can call objects that are not running: an {@link java.rmi.activation.ActivationSystem}
+ * stores their {@linkplain java.rmi.activation.ActivationDesc descriptors}, an {@link
  * java.rmi.activation.Activator} starts them on the first call, in the JVM of their {@linkplain
  * java.rmi.activation.ActivationGroup group}.
  *
@@ -12,10 +12,10 @@
  *                                     (the daemon)                              object
  * </pre>
  *
- * <p>Enter at {@link java.rmi.activation.ActivationGroup} for what runs inside a group's JVM, at
- * {@link java.rmi.activation.ActivationSystem} for registration, at {@link
- * java.rmi.activation.ActivationID} for what a client holds. Apache River's JERI needs this package
- * at class initialisation even when nothing is ever activated.
+ * <p>Start at {@link java.rmi.activation.ActivationGroup} for the code inside a group's JVM, at
+ * {@link java.rmi.activation.ActivationSystem} for registration, and at {@link
+ * java.rmi.activation.ActivationID} for the client's reference. Apache River's JERI needs this
+ * package at class initialisation even if no object is ever activated.
  *
  * <p>Written from the public specification of Java SE 16: the same names, signatures,
  * serialVersionUIDs and serial forms, so peers on older releases interoperate. The classes are not

@@ -19,11 +19,13 @@ import org.jspecify.annotations.Nullable;
  * </ul>
  *
  * <p>It runs before the main class is loaded. If the boot loader has the package already, it does
- * nothing. If it cannot help, the JVM does not start, with a sentence that says why.
+ * nothing. If it fails, the JVM does not start, and an error message gives the reason.
  */
 public final class BootPathAgent {
 
-  /** JERI's first need; present only where this module or a JDK before 17 provides it. */
+  /**
+   * The first class that JERI needs; present only where this module or a JDK before 17 provides it.
+   */
   private static final String WANTED = "java.rmi.activation.ActivationID";
 
   private BootPathAgent() {}

@@ -1,8 +1,8 @@
 /**
- * Puts {@code java.rmi.activation} on the boot class path, where alone it may be defined.
+ * Puts {@code java.rmi.activation} on the boot class path, the only place where it may be defined.
  *
- * <p>Enter at {@link org.dfra.activation.BootPathAgent}, which the manifest of this jar names; it
- * has nothing else to offer.
+ * <p>Start at {@link org.dfra.activation.BootPathAgent}, which the manifest of this jar names. It
+ * is the only public type.
  */
 @NullMarked
 package org.dfra.activation;

@@ -2,16 +2,17 @@ package org.dfra.agent;
 
 import java.io.Serializable;
 
-/** What one agent tells another. Immutable. It may come late, twice, or never. */
+/** A message that one agent sends to another. Immutable. It may arrive late, twice, or never. */
 public interface AgentMessage extends Serializable {
 
   /** Name of the robot that sent it. */
   String sender();
 
   /**
-   * Grows with each message that this robot sends, whomever to, also over its process' deaths. A
-   * smaller one that comes after a greater one was overtaken; the same one is a duplicate. Where
-   * numbers are missing, they were for others or are lost.
+   * The sender's sequence number. It grows with each message that this robot sends to any receiver,
+   * also across restarts of its process. A smaller number after a greater one means that the
+   * message was overtaken; an equal number means a duplicate. Missing numbers belong to messages to
+   * other receivers or to lost messages.
    */
   long number();
 }

@@ -6,20 +6,20 @@ import java.util.Objects;
 import org.dfra.geometry.GeoPosition;
 
 /**
- * What help is wanted.
+ * A request for help.
  *
- * @param percept that the helper must be able to observe, e.g. {@code mine}
- * @param position where, frame WGS84
- * @param stayDuration for how long the helper is wanted there, above 0, at most {@link
- *     #MAX_DURATION}; one may have less time than that
- * @param searchTimeout for how long helpers are looked for, likewise; one that was chosen by then
- *     may still come
+ * @param percept the percept that the helper must be able to observe, e.g. {@code mine}
+ * @param position where help is needed, frame WGS84
+ * @param stayDuration how long the helper is needed there, above 0, at most {@link #MAX_DURATION};
+ *     a helper may have less time than that
+ * @param searchTimeout how long helpers are searched for, with the same limits; a helper chosen by
+ *     then may still arrive later
  */
 public record HelpCall(
     String percept, GeoPosition position, Duration stayDuration, Duration searchTimeout)
     implements Serializable {
 
-  /** Beyond it no span of a recruitment goes. */
+  /** The upper limit of every duration in a recruitment. */
   public static final Duration MAX_DURATION = Duration.ofDays(30);
 
   public HelpCall {

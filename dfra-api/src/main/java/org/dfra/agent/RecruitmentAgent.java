@@ -4,17 +4,17 @@ import java.rmi.RemoteException;
 import org.dfra.module.Idempotent;
 
 /**
- * Asks other robots for help on behalf of its own, and decides whether its own helps another. It
- * finds the others by their persona: {@link org.dfra.persona.RecruitmentAttributes} says what a
- * robot can observe.
+ * Asks other robots for help on behalf of its own robot, and decides whether its own robot helps
+ * another. It finds the others by their persona: {@link org.dfra.persona.RecruitmentAttributes}
+ * lists what a robot can observe.
  */
 public interface RecruitmentAgent extends RecruitmentControl {
 
   /**
-   * Takes a message from another agent. Returns at once; what follows from it, follows later.
-   * Between two virtual machines it is a remote event.
+   * Receives a message from another agent. Returns at once; the message is processed later. Between
+   * two virtual machines it is a remote event.
    *
-   * @throws IllegalArgumentException if it is none that this agent knows
+   * @throws IllegalArgumentException if this agent does not know the type of message
    */
   @Idempotent
   void receive(AgentMessage message) throws RemoteException;

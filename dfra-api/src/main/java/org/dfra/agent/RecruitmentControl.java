@@ -4,31 +4,32 @@ import java.rmi.RemoteException;
 import org.dfra.module.Idempotent;
 import org.dfra.module.Module;
 
-/** What a robot's operators and its other modules ask of its recruitment agent. */
+/** The interface of a recruitment agent for its robot's operators and other modules. */
 public interface RecruitmentControl extends Module {
 
   /**
-   * Calls for help. How it goes on, {@link #status} and its readings tell.
+   * Calls for help. {@link #status} and its readings report the progress.
    *
-   * @throws HelpCallRejectedException if nobody in reach can observe the percept, the place is
-   *     outside the field, or a call is under way; nothing was sent
-   * @throws org.dfra.module.NotReadyException if the agent does not serve
+   * @throws HelpCallRejectedException if no reachable robot can observe the percept, the place is
+   *     outside the field, or a call is in progress; nothing was sent
+   * @throws org.dfra.module.NotReadyException if the agent is not ready
    */
   void callForHelp(HelpCall call) throws RemoteException;
 
-  /** Gives the call up, and lets the helper go. Does nothing where there is none. */
+  /** Cancels the call, and releases the helper. Does nothing if there is no call. */
   @Idempotent
   void release() throws RemoteException;
 
   /**
-   * Has a robot that is {@linkplain RecruitmentStatus#holdReason held} answer calls for help again,
-   * for somebody who knows that it may move. Nothing moves by this, and what is paused stays
-   * paused. It does not end an emergency stop: a robot that is stopped stays held.
+   * Lets a robot that is {@linkplain RecruitmentStatus#holdReason held} answer calls for help
+   * again. An operator calls this who knows that the robot may move. The call itself moves nothing,
+   * and what is paused stays paused. It does not end an emergency stop: a robot that is stopped
+   * stays held.
    */
   @Idempotent
   void resume() throws RemoteException;
 
-  /** What it is at. */
+  /** The agent's current state. */
   @Idempotent
   RecruitmentStatus status() throws RemoteException;
 }

@@ -5,17 +5,17 @@ import org.dfra.event.Reading;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a recruitment agent is at; told whenever it changes.
+ * The state of a recruitment agent, published whenever it changes.
  *
- * @param measured when it was so, by the robot's clock, UTC
- * @param requesterPhase what it is at as one that needs help
- * @param helperRobot the robot that it has chosen; null where it has chosen none
- * @param responderPhase what it is at as one that helps
- * @param helpedRobot the robot that it helps, or has offered to; null where there is none
- * @param urge how much it feels that it should help, 0 to 1; at 1 it does
- * @param lastChange what changed last, for people, as a clause
- * @param holdReason why its robot answers no call, since somebody stopped it and nobody let it go
- *     on, as a clause; null where it is not held
+ * @param measured when this was the state, by the robot's clock, UTC
+ * @param requesterPhase its phase as a requester
+ * @param helperRobot the robot that it has chosen; null if none
+ * @param responderPhase its phase as a responder
+ * @param helpedRobot the robot that it helps or has offered to help; null if none
+ * @param urge its motivation to help, 0 to 1; at 1 it helps
+ * @param lastChange the last change, as a clause for operators
+ * @param holdReason why its robot answers no calls, as a clause: an operator stopped it and none
+ *     has resumed it; null if it is not held
  */
 public record RecruitmentStatus(
     Instant measured,
@@ -28,7 +28,7 @@ public record RecruitmentStatus(
     @Nullable String holdReason)
     implements Reading {
 
-  /** Of a robot that nobody holds. */
+  /** The status of a robot that is not held. */
   public RecruitmentStatus(
       Instant measured,
       RequesterPhase requester,

@@ -1,32 +1,32 @@
 package org.dfra.agent;
 
 /**
- * What an agent that needs help is at.
+ * The phase of an agent that needs help.
  *
  * <pre>
  *   IDLE --call: HELP--&gt; CALLING --ACCEPT--&gt; COLLECTING --window: RESPONDER_ID--&gt; AWARDED
  *    ^                    |  ^                                                     |
- *    |     nobody in time |  '--- it did not come, refused, or left: replaced -----+ ARRIVAL:
+ *    |   no offer in time |  '--- no arrival, refused, or left: replaced ----------+ ARRIVAL:
  *    |&lt;-------------------'                     ^                                   | AGREE
  *    |                                          |                                  v
  *    '--lease over, or it is released-- DONE &lt;--'----ACK_ACK------------------- ON_SITE
  * </pre>
  */
 public enum RequesterPhase {
-  /** Needs nobody. */
+  /** Needs no help. */
   IDLE,
-  /** Has called, and awaits a first offer; calls again at intervals. */
+  /** Has called, and awaits the first offer; repeats the call at intervals. */
   CALLING,
-  /** Has an offer, and awaits others for a short time. */
+  /** Has an offer, and awaits further offers for a short time. */
   COLLECTING,
-  /** Has chosen one, and awaits its arrival. */
+  /** Has chosen a helper, and awaits its arrival. */
   AWARDED,
-  /** Has heard that it arrived and agreed; awaits that it heard that. */
+  /** Has received the helper's arrival and agreed; awaits the acknowledgement. */
   ON_SITE,
-  /** Is being helped; awaits the lease's end. */
+  /** Is being helped until the lease ends. */
   BEING_HELPED;
 
-  /** Whether it looks for somebody, or waits for somebody to come. */
+  /** Whether it searches for a helper or awaits a helper's arrival. */
   public boolean isUnderWay() {
     return this != IDLE && this != BEING_HELPED;
   }

@@ -1,32 +1,32 @@
 package org.dfra.agent;
 
 /**
- * What an agent is at that may help others.
+ * The phase of an agent that may help others.
  *
  * <pre>
  *          it accepts: ACCEPT            RESPONDER_ID names it
  *   FREE --------------------&gt; OFFERED -----------------------&gt; TRAVELLING
- *    ^                            |                               |    | is there: ARRIVAL
- *    |&lt;--another, no answer-------'     cannot, too late, not     |    v
- *    |&lt;---------------------------------- wanted any more --------'  ARRIVED
+ *    ^                            |                               |    | arrived: ARRIVAL
+ *    |&lt;--another, no answer-------'     failed, too late, not     |    v
+ *    |&lt;---------------------------------- needed any more --------'  ARRIVED
  *    |&lt;--no answer, released-----------------------------------------|  | AGREE: ACK_ACK
  *    |                                                                  v
  *    '--lease over, released----------------------------------------- LEASED
  * </pre>
  */
 public enum ResponderPhase {
-  /** Helps nobody. */
+  /** Helps no robot. */
   FREE,
-  /** Has offered to come, and awaits who was chosen; goes on with what it did. */
+  /** Has offered to help, and awaits the requester's choice; continues its own work. */
   OFFERED,
-  /** Is on its way; awaits to be there. */
+  /** Drives to the place. */
   TRAVELLING,
-  /** Is there and says so; awaits the requester's agreement. */
+  /** Has arrived and reports it; awaits the requester's agreement. */
   ARRIVED,
-  /** Observes for the requester; awaits the lease's end. */
+  /** Observes for the requester until the lease ends. */
   LEASED;
 
-  /** Whether it left what it did, for a requester. */
+  /** Whether it has interrupted its own work for a requester. */
   public boolean isCommitted() {
     return this != FREE && this != OFFERED;
   }

@@ -1,6 +1,6 @@
 /**
- * Agents: what a robot decides with others. A {@link org.dfra.agent.RecruitmentAgent} asks the team
- * for help, and answers when another asks.
+ * Agents: decisions that a robot makes with others. A {@link org.dfra.agent.RecruitmentAgent} asks
+ * the team for help, and answers the calls of others.
  *
  * <pre>
  *   requester                                   responder
@@ -13,7 +13,7 @@
  *      |&lt;--- ACK_ACK ---------------------------|  observes, until its lease ends
  * </pre>
  *
- * <p>Enter at {@link org.dfra.agent.RecruitmentAgent}. The messages are records of dfra-recruit.
+ * <p>Start at {@link org.dfra.agent.RecruitmentAgent}. The messages are records of dfra-recruit.
  */
 @NullMarked
 package org.dfra.agent;

@@ -6,79 +6,79 @@ import org.dfra.flow.Schema;
 import org.dfra.module.Idempotent;
 
 /**
- * A module that reaches goals, one at a time. What it does meanwhile it tells its listeners as
- * {@link BehaviorStatus}.
+ * A module that pursues goals, one at a time. It publishes its progress to its listeners as {@link
+ * BehaviorStatus}.
  *
- * @param <G> what it can reach
+ * @param <G> the goals that it can pursue
  */
 public interface Behavior<G extends Goal> extends Schema {
 
   /**
-   * Takes up a goal for somebody who knows that the robot may move. It has begun to when the call
-   * returns. Where the goal needs the robot's wheels, and their parking brake is set, this call
-   * releases it; a brake that is set later is not released, and pauses the goal.
+   * Starts a goal for an operator who knows that the robot may move. The goal has started when the
+   * call returns. If the goal needs the robot's wheels and their parking brake is set, this call
+   * releases the brake. A brake that is set later is not released, and pauses the goal.
    *
-   * @return names this pursuit in every {@link BehaviorStatus}
-   * @throws GoalRefusedException if the goal cannot be reached, or another is being pursued
-   * @throws org.dfra.module.NotReadyException if a module that it needs is not there
+   * @return the goal's identity in every {@link BehaviorStatus}
+   * @throws GoalRefusedException if the goal cannot be reached, or another is in progress
+   * @throws org.dfra.module.NotReadyException if a required module is not available
    */
   UUID pursue(G goal) throws RemoteException;
 
   /**
-   * The same for a program that acts without a person, such as another behaviour: a parking brake
-   * that is set stays set, and pauses the goal.
+   * Does the same for a program that acts without an operator, such as another behaviour: a parking
+   * brake that is set stays set, and pauses the goal.
    */
   UUID pursueUnattended(G goal) throws RemoteException;
 
-  /** How far it is. */
+  /** The current status. */
   @Idempotent
   BehaviorStatus status() throws RemoteException;
 
   /**
-   * Stands still and keeps the goal, for a person. From then on only {@link #resume} has it go on,
-   * also where a program had paused it before.
+   * Stops the robot and keeps the goal, for an operator. Only {@link #resume} then continues the
+   * goal, even if a program had paused it before.
    */
   @Idempotent
   void pause() throws RemoteException;
 
   /**
-   * The same for a program that acts without a person and means to have it go on by {@link
-   * #resumeUnattended}. Does nothing unless it runs.
+   * Does the same for a program that acts without an operator and continues the goal by {@link
+   * #resumeUnattended}. Does nothing unless the goal is running.
    */
   @Idempotent
   void pauseUnattended() throws RemoteException;
 
   /**
-   * Goes on after a pause, for somebody who knows that the robot may move: releases the parking
-   * brake as {@link #pursue} does. Does nothing unless it is paused.
+   * Resumes after a pause, for an operator who knows that the robot may move: releases the parking
+   * brake as {@link #pursue} does. Does nothing unless the goal is paused.
    */
   @Idempotent
   void resume() throws RemoteException;
 
   /**
-   * Goes on after {@link #pauseUnattended}; a parking brake that is set stays set. Does nothing
-   * where it is paused for another reason, such as a brake, or where somebody has called {@link
-   * #pause} since, or its process is another one since.
+   * Resumes after {@link #pauseUnattended}; a parking brake that is set stays set. Does nothing if
+   * the goal is paused for another reason, such as a brake, or if {@link #pause} was called or the
+   * process was restarted in the meantime.
    */
   @Idempotent
   void resumeUnattended() throws RemoteException;
 
-  /** Stands still and gives the goal up. Does nothing unless one is being pursued. */
+  /** Stops the robot and cancels the goal. Does nothing unless a goal is in progress. */
   @Idempotent
   void cancel() throws RemoteException;
 
   /**
-   * Gives up this goal, and no other: does nothing where another has been taken up since.
+   * Cancels only this goal: does nothing if another has been started since.
    *
-   * @param goal as {@link #pursue} has named it
+   * @param goal the identity that {@link #pursue} returned
    */
   @Idempotent
   void cancel(UUID goal) throws RemoteException;
 
   /**
-   * The same for a program that acts without a person, such as the behaviour that began the goal:
-   * the goal does not become {@linkplain BehaviorStatus#heldSince held} by it, and stays held where
-   * somebody has stopped it before.
+   * Does the same for a program that acts without an operator, such as the behaviour that started
+   * the goal. The goal does not become {@linkplain BehaviorStatus#heldSince held} by it, and stays
+   * held if an operator stopped it before.
    */
   @Idempotent
   void cancelUnattended(UUID goal) throws RemoteException;

@@ -6,21 +6,22 @@ import org.dfra.event.Reading;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How far a behaviour is; told whenever it changes.
+ * The progress of a behaviour, published whenever it changes.
  *
- * @param measured when it was so, by the robot's clock, UTC
- * @param goal names the pursuit; null where there has not been any
- * @param phase where it is in the picture at {@link Phase}
- * @param activity what it does or why it does not, for people, as a clause
- * @param completion share of the goal that is dealt with, 0 to 1; never falls during a pursuit
- * @param skippedParts how many parts of that, such as waypoints, were left out, since they could
+ * @param measured when this was the status, by the robot's clock, UTC
+ * @param goal the goal's identity; null if there has not been a goal
+ * @param phase its phase, see the diagram at {@link Phase}
+ * @param activity what it does, or why it does nothing, as a clause for operators
+ * @param completion fraction of the goal that is finished, 0 to 1; never decreases during a goal
+ * @param skippedParts how many of those parts, such as waypoints, were skipped because they could
  *     not be reached
- * @param heldSince when a person, a parking brake or an emergency stop stopped it, by the robot's
- *     clock, UTC; no program resumes it. Null where none of them has, and from the next goal on
- * @param completedParts how many of the goal's parts, such as waypoints, are dealt with, those that
- *     were left out among them
- * @param totalParts how many parts the goal has; 0 where they are not counted, as by servers that
- *     are older than this number
+ * @param heldSince when an operator, a parking brake or an emergency stop stopped it, by the
+ *     robot's clock, UTC; no program resumes it. Null if none of them has, and from the next goal
+ *     on
+ * @param completedParts how many of the goal's parts, such as waypoints, are finished, including
+ *     skipped ones
+ * @param totalParts how many parts the goal has; 0 if they are not counted, as by servers older
+ *     than this component
  */
 public record BehaviorStatus(
     Instant measured,
@@ -35,7 +36,7 @@ public record BehaviorStatus(
     implements Reading {
 
   /**
-   * What a behaviour is at.
+   * The phase of a behaviour.
    *
    * <pre>
    *   IDLE --pursue--&gt; RUNNING --reached--&gt; SUCCEEDED
@@ -46,8 +47,8 @@ public record BehaviorStatus(
    * </pre>
    *
    * <p>From each phase on the right the next goal leads to RUNNING again. A goal that was RUNNING
-   * when the behaviour's process died is IDLE in the next process: nobody pursues it, and nobody
-   * has stopped it. Whoever pauses or cancels it then finds it CANCELLED.
+   * when the behaviour's process died is IDLE in the next process: it is neither pursued nor
+   * stopped. Pausing or cancelling it then makes it CANCELLED.
    */
   public enum Phase {
     IDLE,
@@ -57,13 +58,13 @@ public record BehaviorStatus(
     FAILED,
     CANCELLED;
 
-    /** Whether a goal is being pursued, even if not now. */
+    /** Whether a goal is in progress, running or paused. */
     public boolean isUnderWay() {
       return this == RUNNING || this == PAUSED;
     }
   }
 
-  /** Of a goal that nobody has stopped, and whose parts are not counted. */
+  /** The status of a goal that is not held and whose parts are not counted. */
   public BehaviorStatus(
       Instant measured, @Nullable UUID goal, Phase phase, String doing, double done, int missed) {
     this(measured, goal, phase, doing, done, missed, null, 0, 0);

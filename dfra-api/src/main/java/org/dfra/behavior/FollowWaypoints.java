@@ -1,4 +1,4 @@
 package org.dfra.behavior;
 
-/** Drives a robot from place to place, by way of {@link GoToWaypoint}. */
+/** Drives a robot along several waypoints by using {@link GoToWaypoint}. */
 public interface FollowWaypoints extends Behavior<PathGoal> {}

@@ -4,16 +4,15 @@ import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.UUID;
 
-/** Drives a robot along a line to its end, around what is in the way. */
+/** Drives a robot along a line to its end, around obstacles. */
 public interface GoToWaypoint extends Behavior<LegGoal> {
 
   /**
-   * Gives a goal that is being pursued another {@linkplain LegGoal#timeLimit time limit}; the robot
-   * drives on meanwhile. Does nothing where another goal is pursued, or none.
+   * Changes the {@linkplain LegGoal#timeLimit time limit} of a goal in progress without stopping
+   * the robot. Does nothing if another goal or none is in progress.
    *
-   * @param goal as {@link #pursue} has named it
-   * @param limit the goal has failed when this has passed from now on, by the clock of the
-   *     behaviour
+   * @param goal the identity that {@link #pursue} returned
+   * @param limit the goal fails after this time from now, by the clock of the behaviour
    * @throws IllegalArgumentException if it is below 0
    */
   void setTimeLimit(UUID goal, Duration limit) throws RemoteException;

@@ -2,5 +2,5 @@ package org.dfra.behavior;
 
 import java.io.Serializable;
 
-/** What a {@link Behavior} is to reach. Immutable. */
+/** What a {@link Behavior} shall achieve. Immutable. */
 public interface Goal extends Serializable {}

@@ -1,8 +1,8 @@
 package org.dfra.behavior;
 
 /**
- * A goal was not taken up: it cannot be reached, or another one is being pursued; the message says
- * which, and what to do. Nothing has moved.
+ * A goal was refused: it cannot be reached, or another one is in progress. The message gives the
+ * reason and the remedy. Nothing has moved.
  */
 public final class GoalRefusedException extends IllegalArgumentException {
 
@@ -20,12 +20,12 @@ public final class GoalRefusedException extends IllegalArgumentException {
     this.isBusy = isBusy;
   }
 
-  /** Another goal is being pursued; later on this one may be taken up. */
+  /** Another goal is in progress; this one may be accepted later. */
   public static GoalRefusedException busy(String message) {
     return new GoalRefusedException(message, true);
   }
 
-  /** Whether the goal itself could be reached, but for another that is being pursued now. */
+  /** Whether the goal was refused only because another one is in progress. */
   public boolean isBusy() {
     return isBusy;
   }

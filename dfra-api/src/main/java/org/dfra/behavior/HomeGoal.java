@@ -1,9 +1,9 @@
 package org.dfra.behavior;
 
 /**
- * To be back where the robot began.
+ * To return to the robot's start position.
  *
- * @param tolerance how near is near enough, metres, above 0
+ * @param tolerance accepted distance from it, metres, above 0
  */
 public record HomeGoal(double tolerance) implements Goal {
 

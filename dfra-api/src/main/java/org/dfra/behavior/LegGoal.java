@@ -6,14 +6,14 @@ import org.dfra.geometry.Leg;
 import org.jspecify.annotations.Nullable;
 
 /**
- * To be at the end of a line, by way of the line.
+ * To follow a line to its end.
  *
- * @param from where the line begins, frame WGS84; null for where the robot is
+ * @param from where the line begins, frame WGS84; null for the robot's position
  * @param to where it ends, frame WGS84
- * @param tolerance how near its end is near enough, metres, above 0
- * @param timeLimit the robot stops, and the goal has failed, when this has passed since it was
- *     begun, by the clock of the behaviour that pursues it; null for no limit. It ends a drive
- *     whose client cannot end it: a client that is suspended, or cut off
+ * @param tolerance accepted distance from its end, metres, above 0
+ * @param timeLimit the robot stops, and the goal fails, after this time from the goal's start, by
+ *     the clock of the behaviour that pursues it; null for no limit. It stops a robot whose client
+ *     cannot stop it because the client is suspended or disconnected
  */
 public record LegGoal(
     @Nullable GeoPosition from, GeoPosition to, double tolerance, @Nullable Duration timeLimit)

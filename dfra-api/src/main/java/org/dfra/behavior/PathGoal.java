@@ -5,11 +5,12 @@ import org.dfra.geometry.GeoPosition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * To have been at several places in order.
+ * To visit several places in order.
  *
- * @param from where the line to the first of them begins, frame WGS84; null for where the robot is
- * @param waypoints the places, frame WGS84; one at least
- * @param tolerance how near each is near enough, metres, above 0
+ * @param from where the line to the first of them begins, frame WGS84; null for the robot's
+ *     position
+ * @param waypoints the places, frame WGS84; at least one
+ * @param tolerance accepted distance from each, metres, above 0
  */
 public record PathGoal(@Nullable GeoPosition from, List<GeoPosition> waypoints, double tolerance)
     implements Goal {

@@ -4,14 +4,14 @@ import java.util.List;
 import org.dfra.geometry.GeoPosition;
 
 /**
- * To have seen every point of a region.
+ * To observe every point of a region.
  *
- * @param region the corners of a polygon in order, frame WGS84, the first not repeated; three at
- *     least
- * @param swath how wide a strip the robot sees on its way, metres, above 0
- * @param spacing from one lane to the next, metres, above 0 and at most the swath; the rest is for
- *     what the robot strays from its lane
- * @param reversed whether the last lane comes first and each is driven the other way
+ * @param region the corners of a polygon in order, frame WGS84, the first not repeated; at least
+ *     three
+ * @param swath width of the strip that the robot observes along its path, metres, above 0
+ * @param spacing distance between lanes, metres, above 0 and at most the swath; the difference is a
+ *     margin for cross-track error
+ * @param reversed whether the lanes are driven in reverse order, each in the opposite direction
  */
 public record RasterGoal(List<GeoPosition> region, double swath, double spacing, boolean reversed)
     implements Goal {

@@ -1,7 +1,7 @@
 package org.dfra.behavior;
 
 /**
- * Drives a robot over a region in lanes until it has seen all of it. It remembers how far it is:
- * where it was at work when its process died, it goes on when it is back.
+ * Drives a robot over a region in lanes until it has observed all of it. It stores its progress: if
+ * its process dies during a search, the search resumes after the restart.
  */
 public interface RasterSearch extends Script<RasterGoal> {}

@@ -1,4 +1,4 @@
 package org.dfra.behavior;
 
-/** Drives a robot back to where it began. */
+/** Drives a robot back to its start position. */
 public interface ReturnHome extends Behavior<HomeGoal> {}

@@ -1,4 +1,4 @@
 package org.dfra.behavior;
 
-/** A behaviour that is made of behaviours, one after the other. */
+/** A behaviour that executes other behaviours in sequence. */
 public interface Script<G extends Goal> extends Behavior<G> {}

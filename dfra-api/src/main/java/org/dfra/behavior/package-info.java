@@ -1,6 +1,6 @@
 /**
- * What a robot does for a purpose. A behaviour joins perceptual and motor schemas to reach a goal;
- * a script joins behaviours.
+ * Goal-directed actions of a robot. A behaviour combines perceptual and motor schemas to reach a
+ * goal; a script combines behaviours.
  *
  * <pre>
  *   RasterSearch (script)
@@ -12,7 +12,7 @@
  *   ReturnHome
  * </pre>
  *
- * <p>Each is a module that others find and use, on its own robot or another.
+ * <p>Each is a module that others can find and use, on the same robot or another.
  */
 @NullMarked
 package org.dfra.behavior;

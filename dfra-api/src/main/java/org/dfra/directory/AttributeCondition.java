@@ -55,7 +55,7 @@ record AttributeCondition(
 
   /** Whether one of the records meets the condition. */
   boolean test(List<Attributes> attributes) {
-    for (int i = 0; i < attributes.size(); i++) { // ten thousand lists a question: no iterators
+    for (int i = 0; i < attributes.size(); i++) { // ten thousand lists per query: no iterators
       Attributes each = attributes.get(i);
       if (each.getClass() == type) {
         return condition.test(reader.apply(each));
@@ -64,7 +64,7 @@ record AttributeCondition(
     return false;
   }
 
-  /** The reader follows from the other components. */
+  /** The reader is derived from the other components. */
   @Override
   public boolean equals(@Nullable Object other) {
     return other instanceof AttributeCondition that

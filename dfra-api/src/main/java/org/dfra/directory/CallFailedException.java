@@ -10,8 +10,8 @@ public final class CallFailedException extends RemoteException implements Execut
   private final boolean mayHaveRun;
 
   /**
-   * @param call what was called, on which module
-   * @param mayHaveRun whether the module may have carried it out
+   * @param call the method and the module
+   * @param mayHaveRun whether the module may have executed it
    */
   public CallFailedException(String call, boolean mayHaveRun, RemoteException cause) {
     super(

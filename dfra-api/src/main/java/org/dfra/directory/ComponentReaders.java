@@ -13,7 +13,7 @@ import java.util.function.Function;
 import org.dfra.persona.Attributes;
 import org.jspecify.annotations.Nullable;
 
-/** Reads components of attribute records as fast as code that names them would. */
+/** Reads components of attribute records as fast as direct accessor calls. */
 final class ComponentReaders {
 
   private static final ClassValue<Map<String, Function<Attributes, @Nullable Object>>> READERS =
@@ -35,7 +35,7 @@ final class ComponentReaders {
     return Objects.requireNonNull(READERS.get(type).get(component));
   }
 
-  @SuppressWarnings("unchecked") // the lambda is made with these types
+  @SuppressWarnings("unchecked") // the lambda is created with these types
   private static Function<Attributes, @Nullable Object> reader(Class<?> type, Method accessor) {
     try {
       MethodHandles.Lookup lookup = MethodHandles.privateLookupIn(type, MethodHandles.lookup());

@@ -5,7 +5,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What one component of an attribute record must be. An unknown value, null, meets no condition.
+ * A condition on one component of an attribute record. An unknown value, null, meets no condition.
  */
 public sealed interface Condition {
 
@@ -14,30 +14,30 @@ public sealed interface Condition {
     return new EqualTo(value);
   }
 
-  /** A number not below {@code least}. */
+  /** A number not below {@code min}. */
   static Condition atLeast(double min) {
     return new InRange(min, Double.POSITIVE_INFINITY);
   }
 
-  /** A number not above {@code most}. */
+  /** A number not above {@code max}. */
   static Condition atMost(double max) {
     return new InRange(Double.NEGATIVE_INFINITY, max);
   }
 
-  /** A number from {@code least} to {@code most}, both included. */
+  /** A number from {@code min} to {@code max}, both included. */
   static Condition between(double min, double max) {
     return new InRange(min, max);
   }
 
-  /** A list with this text among its texts, or a text with this one somewhere in it. */
+  /** A list of texts that contains this text, or a text that contains it as a substring. */
   static Condition contains(String text) {
     return new Containing(text);
   }
 
-  /** Whether a component's value is what it must be. */
+  /** Whether a component's value meets the condition. */
   boolean test(@Nullable Object value);
 
-  /** What is wrong with asking this of a component of that type; null if nothing is. */
+  /** Why this condition does not apply to a component of that type; null if it applies. */
   @Nullable String validationError(Class<?> type);
 
   /** See {@link #equalTo}. */
@@ -65,7 +65,7 @@ public sealed interface Condition {
               + value;
     }
 
-    /** Numbers are equal as numbers, here too. */
+    /** Compares numbers as numbers, as {@link Condition#equalTo} does. */
     @Override
     public boolean equals(@Nullable Object other) {
       if (!(other instanceof EqualTo that)) {
@@ -89,7 +89,7 @@ public sealed interface Condition {
     }
   }
 
-  /** See {@link #between}; an infinite end is none. */
+  /** See {@link #between}; an infinite end is no limit. */
   record InRange(double min, double max) implements Condition {
 
     public InRange {

@@ -3,20 +3,20 @@ package org.dfra.directory;
 import org.dfra.module.Module;
 
 /**
- * Is told of the modules that match a query. One call at a time, on a thread of the directory's; a
- * slow listener holds up nobody else, and learns of a module that changed several times meanwhile
- * only how it is at last.
+ * Is notified of the modules that match a query. Calls are made one at a time, on a thread of the
+ * directory. A slow listener delays no other listener. If a module changes several times meanwhile,
+ * the listener receives only its last state.
  *
- * @param <M> the interface that is asked for
+ * @param <M> the interface that is queried
  */
 public interface DirectoryListener<M extends Module> {
 
-  /** A module matches that did not before. Those that match already when it begins come first. */
+  /** A module has begun to match. Modules that already match at registration are reported first. */
   void matched(ModuleListing<M> listing);
 
   /** A module that matches has changed: its attributes, its proxy, or whether it is stale. */
   default void changed(ModuleListing<M> before, ModuleListing<M> now) {}
 
-  /** A module does not match any more, or is gone. */
+  /** A module no longer matches, or has disappeared. */
   default void unmatched(ModuleListing<M> last) {}
 }

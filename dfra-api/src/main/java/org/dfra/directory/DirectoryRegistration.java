@@ -1,9 +1,9 @@
 package org.dfra.directory;
 
-/** Something that goes on until it is closed. */
+/** A registration with a directory, valid until it is closed. */
 public interface DirectoryRegistration extends AutoCloseable {
 
-  /** Ends it. A call that is under way may still finish. */
+  /** Ends it. A call in progress may still finish. */
   @Override
   void close();
 }

@@ -1,8 +1,8 @@
 package org.dfra.directory;
 
-/** A failed remote call's exception that knows whether the call may have run nevertheless. */
+/** An exception of a failed remote call that states whether the call may have been executed. */
 public interface ExecutionCertainty {
 
-  /** Whether the module may have carried out the call; false means it certainly has not. */
+  /** Whether the module may have executed the call; false means it certainly has not. */
   boolean mayHaveRun();
 }

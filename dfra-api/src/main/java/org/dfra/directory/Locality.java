@@ -1,10 +1,10 @@
 package org.dfra.directory;
 
-/** How far away a module is, the nearest first. */
+/** The network distance of a module, the nearest first. */
 public enum Locality {
-  /** In the asker's own virtual machine: a call is a method call. */
+  /** In the caller's virtual machine: a call is a method call. */
   SAME_VM,
-  /** On the asker's machine: a call crosses no cable and no radio. */
+  /** On the caller's machine: a call crosses no cable and no radio link. */
   SAME_HOST,
   /** Anywhere else. */
   REMOTE

@@ -11,20 +11,19 @@ import org.dfra.persona.ModuleAttributes;
 import org.dfra.text.PrintableText;
 
 /**
- * A module as the directory knows it. A snapshot: it does not change any more.
+ * A module as the directory knows it. An immutable snapshot.
  *
  * @param id the module's identity, the same after every restart
  * @param module the module, or its proxy
- * @param robot name of its robot, a {@linkplain PrintableText#word printable word}; empty where it
- *     has not told
- * @param name name of the module, likewise; empty where it has not told
- * @param attributes what it says of itself
- * @param locality how far away it is
- * @param stale whether nobody vouches for it any more: every lookup service that knew it is out of
- *     reach. It may still answer.
- * @param confirmed since when it is known as it is here, or, where it is stale, when somebody last
- *     vouched for it; the asker's clock, UTC
- * @param <M> the interface that it was asked for by
+ * @param robot name of its robot, a {@linkplain PrintableText#word printable word}; empty if it has
+ *     not published one
+ * @param name name of the module, likewise; empty if it has not published one
+ * @param attributes the attributes that it publishes
+ * @param locality its network distance
+ * @param stale whether no reachable lookup service lists it any more. It may still answer.
+ * @param confirmed since when it has been known in this state, or, if it is stale, when a lookup
+ *     service last listed it; the caller's clock, UTC
+ * @param <M> the interface that was queried
  */
 public record ModuleListing<M extends Module>(
     UUID id,
@@ -42,9 +41,9 @@ public record ModuleListing<M extends Module>(
     attributes = List.copyOf(attributes);
   }
 
-  /** The attributes of one kind, if the module has told any. */
+  /** The attributes of one kind, if the module has published any. */
   public <A extends Attributes> Optional<A> attributes(Class<A> kind) {
-    for (int i = 0; i < attributes.size(); i++) { // asked very often: no iterators
+    for (int i = 0; i < attributes.size(); i++) { // called very often: no iterators
       Attributes each = attributes.get(i);
       if (kind.isInstance(each)) {
         return Optional.of(kind.cast(each));
@@ -54,14 +53,14 @@ public record ModuleListing<M extends Module>(
   }
 
   /**
-   * Address or name of the computer that it runs on, as it says itself; empty where it has not.
-   * Robots of one name differ by it.
+   * Address or name of the computer that it runs on, as it reports itself; empty if it has not. It
+   * distinguishes robots of the same name.
    */
   public String host() {
     return attributes(ModuleAttributes.class).map(ModuleAttributes::host).orElse("");
   }
 
-  /** How long nobody has vouched for it; zero where it is not stale. */
+  /** How long no reachable lookup service has listed it; zero if it is not stale. */
   public Duration staleness(Instant now) {
     Duration since = Duration.between(confirmed, now);
     return stale && !since.isNegative() ? since : Duration.ZERO;

@@ -13,8 +13,8 @@ import org.dfra.persona.LocationAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What somebody looks for: modules that implement an interface and meet every condition added.
- * Immutable; each method gives a further query. What cannot be asked is refused when it is added.
+ * A query for modules that implement an interface and meet every added condition. Immutable; each
+ * method returns a new query. An invalid condition is refused when it is added.
  *
  * <pre>{@code
  * ModuleQuery.of(LocationSensor.class)
@@ -59,7 +59,7 @@ public final class ModuleQuery<M extends Module> {
   /**
    * Every module of a kind, on any robot.
    *
-   * @throws IllegalArgumentException if {@code kind} is no interface
+   * @throws IllegalArgumentException if {@code kind} is not an interface
    */
   public static <M extends Module> ModuleQuery<M> of(Class<M> kind) {
     if (!kind.isInterface()) {
@@ -70,9 +70,9 @@ public final class ModuleQuery<M extends Module> {
   }
 
   /**
-   * The same by the interface's full name, for those who take it from a person.
+   * The same by the interface's full name, as an operator enters it.
    *
-   * @throws IllegalArgumentException if there is no such interface, or it is no module's
+   * @throws IllegalArgumentException if there is no such interface, or it is not a module's
    */
   public static ModuleQuery<? extends Module> ofKind(String kind) {
     @Nullable ClassLoader context = Thread.currentThread().getContextClassLoader();
@@ -121,9 +121,9 @@ public final class ModuleQuery<M extends Module> {
   }
 
   /**
-   * Only where a test of the caller's own is passed, which knows more than attributes say. It is
-   * asked last, by any thread, whenever the directory looks, so it must be quick, and answer alike
-   * for one listing. A query's text does not tell of it.
+   * Only where a predicate of the caller holds, which may use more than attributes. It is evaluated
+   * last, on any thread, at every evaluation of the query, so it must be fast, and return the same
+   * result for the same listing. The query's text does not contain it.
    */
   public ModuleQuery<M> where(Predicate<ModuleListing<?>> test) {
     List<Predicate<ModuleListing<?>>> more = new ArrayList<>(others);
@@ -132,12 +132,12 @@ public final class ModuleQuery<M extends Module> {
   }
 
   /**
-   * Only near a position. A module is where its {@link LocationAttributes} say; one without them is
-   * where its robot is, by those of the robot's other modules on the same host; one on a robot that
-   * does not say where it is, is near nothing.
+   * Only near a position. A module's position is that of its {@link LocationAttributes}. Without
+   * them it is the position of its robot, from the attributes of the robot's other modules on the
+   * same host. A module on a robot without a position matches no circle.
    *
    * @param radius the greatest distance in metres, as {@link GeoPosition#groundDistance}
-   * @throws IllegalArgumentException if the distance is negative or no number
+   * @throws IllegalArgumentException if the distance is negative or NaN
    */
   public ModuleQuery<M> within(double radius, GeoPosition position) {
     if (!(radius >= 0)) {
@@ -147,20 +147,20 @@ public final class ModuleQuery<M extends Module> {
     return new ModuleQuery<>(kind, robot, name, tests, new Circle(radius, position), others);
   }
 
-  /** The interface that is asked for. */
+  /** The interface that is queried. */
   public Class<M> kind() {
     return kind;
   }
 
-  /** The robot that is asked for; empty where any robot will do. */
+  /** The robot that is queried; empty for any robot. */
   public Optional<String> robot() {
     return Optional.ofNullable(robot);
   }
 
   /**
-   * Whether a module is what is asked for.
+   * Whether a module matches the query.
    *
-   * @param positionOfRobot where the robot of a module is
+   * @param positionOfRobot returns the position of the robot of a module
    */
   public boolean matches(
       ModuleListing<?> candidate,
@@ -208,8 +208,8 @@ public final class ModuleQuery<M extends Module> {
   }
 
   /**
-   * In words, as the end of "there is no …", and as {@code ./dfra persona find} and the query
-   * parser of dfra-core read them.
+   * The query as text, usable after "there is no …", and as {@code ./dfra persona find} and the
+   * query parser of dfra-core read it.
    */
   @Override
   public String toString() {

@@ -13,12 +13,12 @@ import org.dfra.text.PrintableText;
  *
  * @param robot name of the robot, a {@linkplain PrintableText#word printable word}; another robot
  *     may have it on another host
- * @param host address or name of the computer it runs on, as its modules and its registrar say;
- *     empty where that is not known
- * @param attributes its role, goals and limitations, if it has told them
+ * @param host address or name of the computer it runs on, as its modules and its registrar report;
+ *     empty if unknown
+ * @param attributes its role, goals and limitations, if it has published them
  * @param modules its modules, by name
- * @param stale whether nobody vouches for anything of it any more
- * @param confirmed when somebody last vouched for it, where it is stale; else since when it has
+ * @param stale whether no reachable lookup service lists any of its modules any more
+ * @param confirmed if it is stale, when a lookup service last listed it; else since when it has
  *     been known
  */
 public record Persona(
@@ -34,7 +34,7 @@ public record Persona(
     modules = List.copyOf(modules);
   }
 
-  /** How long nobody has vouched for it; zero where it is not stale. */
+  /** How long no reachable lookup service has listed it; zero if it is not stale. */
   public Duration staleness(Instant now) {
     Duration since = Duration.between(confirmed, now);
     return stale && !since.isNegative() ? since : Duration.ZERO;

@@ -3,14 +3,14 @@ package org.dfra.directory;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** How names and values are written in a query's words. */
+/** Formats names and values in a query's text. */
 final class QueryFormatter {
 
   private static final String PLAIN = "[\\w./-]+";
 
   private QueryFormatter() {}
 
-  /** A name as it is, or in quotation marks where it would not be read as one word. */
+  /** The name, in quotation marks if the parser would not read it as one word. */
   static String name(String name) {
     return name.matches(PLAIN) ? name : quoted(name);
   }

@@ -3,8 +3,8 @@ package org.dfra.directory;
 /**
  * A robot's registrar refused a registration: its service ID belongs to another computer, it claims
  * to be part of a robot that runs elsewhere, or there are too many from that address. Nothing was
- * registered. To try again is of use only after the lease in question has ended, or after the
- * registrar was configured.
+ * registered. A retry can succeed only after the conflicting lease has ended, or after the
+ * registrar was reconfigured.
  */
 public final class RegistrationRefusedException extends SecurityException {
 

@@ -1,14 +1,14 @@
 /**
- * The directory: how modules are found by what they can do.
+ * The directory: finds modules by their capabilities.
  *
  * <pre>
- *   ModuleQuery --&gt; ModuleDirectory --&gt; ModuleListing: proxy, attributes, stale or not, how near
+ *   ModuleQuery --&gt; ModuleDirectory --&gt; ModuleListing: proxy, attributes, staleness, locality
  *                        |--listen----&gt; DirectoryListener: matched, changed, unmatched
  *                        |--personas--&gt; Persona: a robot and its modules
  *                        +--proxyFor--&gt; a proxy that fails over among equal modules
  * </pre>
  *
- * <p>Enter at {@link org.dfra.directory.ModuleDirectory}. No network type appears here: the same
+ * <p>Start at {@link org.dfra.directory.ModuleDirectory}. No network type appears here: the same
  * code runs on one robot without a network and on a team of them.
  */
 @NullMarked

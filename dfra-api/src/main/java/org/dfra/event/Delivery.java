@@ -4,14 +4,14 @@ import java.io.Serializable;
 import java.time.Instant;
 
 /**
- * An event on its way to one listener.
+ * The delivery of an event to one listener.
  *
  * @param module the module's path, {@code robot/name}
- * @param epoch counts the module's lives: it grows by one with each activation
- * @param sequence the event's number among the module's events of its kind; they are numbered
- *     without gap, through all its lives, so a gap between two of a kind is a loss
+ * @param epoch counts the module's activations
+ * @param sequence the event's sequence number among the module's events of its kind. Numbers are
+ *     consecutive across restarts, so a gap means a loss
  * @param dropped events that this listener's own policy has dropped since its last delivery,
- *     because it was slow or wanted fewer; they are missing in the sequence too
+ *     because the listener was slow or its rate is limited; their sequence numbers are missing too
  * @param published when the module published it, by its own clock
  * @param event what happened
  */
@@ -34,7 +34,7 @@ public record Delivery(
     }
   }
 
-  /** The same after so many more dropped events; itself where there are none. */
+  /** A copy with this many more dropped events; this object if there are none. */
   public Delivery afterDropping(long more) {
     return more == 0
         ? this

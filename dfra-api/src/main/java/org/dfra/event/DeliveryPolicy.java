@@ -6,13 +6,13 @@ import java.util.EnumSet;
 import java.util.Set;
 
 /**
- * What one listener can take.
+ * Which events one listener receives, and how many are queued for it.
  *
- * @param kinds which kinds of event it wants; at least one
- * @param queueDepth events kept for it while it is busy, at least 1; past that the oldest are
+ * @param kinds the kinds of event that it receives; at least one
+ * @param queueDepth events kept for it while it is busy, at least 1; beyond that the oldest are
  *     dropped and counted
- * @param maxRate deliveries per second at the most; between two, only the newest events are kept,
- *     {@code depth} of them; infinity for no limit
+ * @param maxRate maximum deliveries per second; between two, only the newest {@code queueDepth}
+ *     events are kept; infinity for no limit
  */
 public record DeliveryPolicy(Set<EventKind> kinds, int queueDepth, double maxRate)
     implements Serializable {
@@ -56,8 +56,8 @@ public record DeliveryPolicy(Set<EventKind> kinds, int queueDepth, double maxRat
   }
 
   /**
-   * Looks at each before any is hashed: what comes over the network may hold anything, also objects
-   * whose hash codes take for ever.
+   * Checks each element's type before hashing any: a collection from the network may contain any
+   * object, even one whose hash code takes forever.
    */
   private static Set<EventKind> checked(Collection<?> kinds) {
     Set<EventKind> all = EnumSet.noneOf(EventKind.class);
@@ -77,12 +77,12 @@ public record DeliveryPolicy(Set<EventKind> kinds, int queueDepth, double maxRat
     return new DeliveryPolicy(EnumSet.allOf(EventKind.class), depth, Double.POSITIVE_INFINITY);
   }
 
-  /** Only readings, and of those only the newest when the listener is busy. */
+  /** Only readings, and only the newest one while the listener is busy. */
   public static DeliveryPolicy latestReading() {
     return new DeliveryPolicy(Set.of(EventKind.READING), 1, Double.POSITIVE_INFINITY);
   }
 
-  /** The same at no more than so many deliveries per second. */
+  /** The same with at most this many deliveries per second. */
   public DeliveryPolicy withMaxRate(double hertz) {
     return new DeliveryPolicy(kinds, queueDepth, hertz);
   }

@@ -4,10 +4,10 @@ import java.io.Serializable;
 import org.dfra.module.Incident;
 import org.dfra.module.Readiness;
 
-/** What a module can tell. */
+/** An event that a module can publish. */
 public sealed interface ModuleEvent extends Serializable {
 
-  /** The module moved along an arrow of {@link Readiness}. */
+  /** The module made a transition of {@link Readiness}. */
   record ReadinessChanged(Readiness from, Readiness to) implements ModuleEvent {}
 
   /** The module has a new reading; its type is the one that the module's interface returns. */
@@ -16,6 +16,6 @@ public sealed interface ModuleEvent extends Serializable {
   /** A parameter was set. */
   record ParameterChanged(String name, String text) implements ModuleEvent {}
 
-  /** Something entered the module's history. */
+  /** An incident was recorded in the module's history. */
   record IncidentRecorded(Incident incident) implements ModuleEvent {}
 }

@@ -3,15 +3,14 @@ package org.dfra.event;
 import java.rmi.RemoteException;
 
 /**
- * Is told a module's events, one at a time, in order, on a thread that is not the module's.
+ * Receives a module's events, one at a time, in order, on a thread that is not the module's.
  *
- * <p>A listener may take its time: it delays itself only, and what its {@link DeliveryPolicy} does
- * not keep for it meanwhile is dropped and counted. One that throws is told the next event all the
- * same.
+ * <p>A slow listener delays only itself: events that its {@link DeliveryPolicy} does not keep
+ * meanwhile are dropped and counted. A listener that throws still receives the next event.
  */
 @FunctionalInterface
 public interface ModuleListener {
 
-  /** Something happened. */
+  /** Notifies the listener of an event. */
   void notify(Delivery delivery) throws RemoteException;
 }

@@ -3,9 +3,9 @@ package org.dfra.event;
 import java.io.Serializable;
 import java.time.Instant;
 
-/** Something measured or computed, with the time it belongs to. Immutable. */
+/** A measured or computed value with its time. Immutable. */
 public interface Reading extends Serializable {
 
-  /** The time that the reading is of, UTC; not the time it arrived. */
+  /** The time of the measurement, UTC; not the time of arrival. */
   Instant measured();
 }

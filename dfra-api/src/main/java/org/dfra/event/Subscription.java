@@ -4,8 +4,8 @@ import java.time.Instant;
 import java.util.Optional;
 
 /**
- * A listener's tie to a module. It renews its lease by itself, comes back by itself when the module
- * was dead, and ends when it is closed or its virtual machine dies.
+ * A listener's subscription to a module. It renews its lease and re-subscribes after a restart of
+ * the module automatically. It ends when it is closed or its virtual machine dies.
  */
 public interface Subscription extends AutoCloseable {
 
@@ -15,12 +15,12 @@ public interface Subscription extends AutoCloseable {
   /** Events that the listener did not get: dropped by its policy, or missing in the sequence. */
   long lost();
 
-  /** Since when the module has not been reached, while that is so. */
+  /** Since when the module has been unreachable, if it is. */
   Optional<Instant> interruptedSince();
 
   /**
-   * Whether it goes on, be it interrupted or not: it was not closed, no administrator has revoked
-   * its lease, and the module in this virtual machine has not ended.
+   * Whether it is active, even if interrupted: it was not closed, no administrator has revoked its
+   * lease, and, for a module in this virtual machine, the module has not ended.
    */
   boolean isOpen();
 

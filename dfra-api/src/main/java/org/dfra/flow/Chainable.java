@@ -6,7 +6,7 @@ import org.dfra.module.Administrative;
 import org.dfra.module.Idempotent;
 
 /**
- * A link of a chain: what it takes in and what it puts out.
+ * A module in a processing chain: its inputs and outputs.
  *
  * <pre>
  *   atrv1/laser --LaserScan--&gt; atrv1/obstacles --ObstacleMap--&gt; atrv1/avoid
@@ -15,41 +15,41 @@ import org.dfra.module.Idempotent;
  * </pre>
  *
  * <p>Modules are named by their paths, {@code robot/name}, and what flows by the simple name of its
- * record's class. A chain can be set and set anew while it runs.
+ * record's class. A chain can be configured and reconfigured while it runs.
  */
 public interface Chainable {
 
-  /** The types it takes in, in the order of its inputs; none where it senses the world itself. */
+  /** The input types, in the order of its inputs; empty if it senses the world itself. */
   @Idempotent
   List<String> inputTypes() throws RemoteException;
 
-  /** The types it puts out. */
+  /** The output types. */
   @Idempotent
   List<String> outputTypes() throws RemoteException;
 
-  /** The modules it takes its input from; empty while it is not wired. */
+  /** The modules that provide its input; empty while it is not wired. */
   @Idempotent
   List<String> inputs() throws RemoteException;
 
-  /** The modules that its output is for. */
+  /** The modules that receive its output. */
   @Idempotent
   List<String> outputs() throws RemoteException;
 
   /**
-   * Takes its input from these modules from now on, and from no others.
+   * Replaces its input modules.
    *
    * @param modules as many as there are input types, or none
-   * @throws IllegalArgumentException if there are more or fewer, or one is no module's path
+   * @throws IllegalArgumentException if there are more or fewer, or one is not a module's path
    */
   @Administrative
   @Idempotent
   void setInputs(List<String> modules) throws RemoteException;
 
   /**
-   * Puts its output out for these modules from now on.
+   * Replaces its output modules.
    *
-   * @throws IllegalArgumentException if one is no module's path, is named twice, or there is no
-   *     output
+   * @throws IllegalArgumentException if one is not a module's path, is named twice, or the module
+   *     has no output
    */
   @Administrative
   @Idempotent

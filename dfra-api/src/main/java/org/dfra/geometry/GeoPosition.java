@@ -31,8 +31,8 @@ public record GeoPosition(double latitude, double longitude, double height)
   }
 
   /**
-   * The straight line to another position in metres, heights left out: both positions are taken
-   * down to the ellipsoid. It is shorter than the way along the ground by 1 m in 100 km, and by
+   * The straight line to another position in metres, without heights: both positions are projected
+   * to the ellipsoid. It is shorter than the distance along the ground by 1 m in 100 km, and by
    * less than 0.1 µm in 100 m.
    */
   public double groundDistance(GeoPosition other) {

@@ -3,9 +3,9 @@ package org.dfra.geometry;
 import java.io.Serializable;
 
 /**
- * A straight way over the ground.
+ * A straight path over the ground.
  *
- * @param from where it begins, frame WGS84; its height does not count
+ * @param from where it begins, frame WGS84; its height is ignored
  * @param to where it ends, likewise
  */
 public record Leg(GeoPosition from, GeoPosition to) implements Serializable {

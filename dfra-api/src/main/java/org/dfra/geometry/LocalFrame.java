@@ -2,14 +2,14 @@ package org.dfra.geometry;
 
 /**
  * The local east-north-up frame of a datum on the WGS84 ellipsoid: geodetic coordinates to
- * earth-centred ones (ECEF), less the datum's, turned into the datum's horizon. Exact at any
- * distance. Source: NIMA TR8350.2, WGS84 parameters; the formulas are textbook geodesy.
+ * earth-centred ones (ECEF), minus the datum's, rotated into the datum's horizontal plane. Exact at
+ * any distance. Source: NIMA TR8350.2, WGS84 parameters; the formulas are textbook geodesy.
  *
- * <p>Either way agrees with GeographicLib to 0.1 µm, near the poles and at the antimeridian too,
- * which {@code GeodesyTest} tries.
+ * <p>Both directions agree with GeographicLib to 0.1 µm, also near the poles and at the
+ * antimeridian, as {@code GeodesyTest} checks.
  *
- * <p>Immutable; made once for a datum, it costs one conversion per position. Its arithmetic gives
- * the same bits on every machine.
+ * <p>Immutable; constructing it costs one conversion of the datum. Its arithmetic gives the same
+ * bits on every machine.
  */
 public final class LocalFrame {
 
@@ -61,8 +61,8 @@ public final class LocalFrame {
   }
 
   /**
-   * The position on the earth of one in this frame: {@link #toLocal} the other way round, to 20 nm
-   * near the ground. By Bowring's method, taken twice. Source: B. R. Bowring, "Transformation from
+   * The position on the earth of one in this frame: the inverse of {@link #toLocal}, to 20 nm near
+   * the ground. Two iterations of Bowring's method. Source: B. R. Bowring, "Transformation from
    * spatial to geographical coordinates", Survey Review 23 (1976).
    */
   public GeoPosition toGeo(LocalPosition position) {

@@ -3,13 +3,14 @@ package org.dfra.geometry;
 import java.io.Serializable;
 
 /**
- * Where one frame stands in another, its parent: takes coordinates in the frame to coordinates in
- * the parent, first turning, then shifting. Frames are right-handed, x forward, y left, z up.
+ * The pose of one frame in another, its parent: maps coordinates in the frame to coordinates in the
+ * parent, by a rotation followed by a translation. Frames are right-handed, x forward, y left, z
+ * up.
  *
  * @param x forward offset in the parent frame, metres
  * @param y offset to the left in the parent frame, metres
  * @param z upward offset in the parent frame, metres
- * @param qw real part of the turning unit quaternion
+ * @param qw real part of the rotation's unit quaternion
  * @param qx its part along x
  * @param qy its part along y
  * @param qz its part along z
@@ -17,10 +18,10 @@ import java.io.Serializable;
 public record Transform(double x, double y, double z, double qw, double qx, double qy, double qz)
     implements Serializable {
 
-  /** The frame is its parent. */
+  /** The frame coincides with its parent. */
   public static final Transform IDENTITY = new Transform(0, 0, 0, 1, 0, 0, 0);
 
-  /** How far from 1 the quaternion's length may be; it is made 1. */
+  /** Accepted deviation of the quaternion's norm from 1; the quaternion is normalized. */
   private static final double TOLERANCE = 1e-6;
 
   public Transform {
@@ -49,15 +50,15 @@ public record Transform(double x, double y, double z, double qw, double qx, doub
     qz /= length;
   }
 
-  /** A shift only. */
+  /** A translation only. */
   public static Transform translation(double x, double y, double z) {
     return new Transform(x, y, z, 1, 0, 0, 0);
   }
 
   /**
-   * A shift and a turn, the turn as three, each about an axis of the parent frame: first roll about
-   * x, then pitch about y, then yaw about z. (The same as yaw, pitch, roll, each about the axis as
-   * turned so far.)
+   * A translation and a rotation. The rotation consists of three, each about an axis of the parent
+   * frame: first roll about x, then pitch about y, then yaw about z. (The same as yaw, pitch, roll,
+   * each about the rotated axis.)
    *
    * @param x forward offset in the parent frame, metres
    * @param y offset to the left in the parent frame, metres

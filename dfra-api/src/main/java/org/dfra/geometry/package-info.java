@@ -1,6 +1,6 @@
 /**
- * Where things are. Lengths in metres and angles in radians everywhere but in {@link
- * org.dfra.geometry.GeoPosition}, which keeps WGS84 degrees for the edges: receivers and people.
+ * Positions, frames and transforms. Lengths are in metres and angles in radians, except in {@link
+ * org.dfra.geometry.GeoPosition}, which uses WGS84 degrees as receivers and operators do.
  */
 @NullMarked
 package org.dfra.geometry;

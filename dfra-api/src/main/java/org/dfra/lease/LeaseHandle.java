@@ -9,10 +9,10 @@ import java.util.Objects;
 import java.util.UUID;
 
 /**
- * The public name of a lease: what listings show, and what an administrator revokes it by. It is no
- * secret. Renewing and cancelling need the lease's ID, which only its holder and its grantor know;
- * the handle is a one-way digest of it, so both can compute the handle, and nobody can compute the
- * ID from it.
+ * The public name of a lease: listings show it, and an administrator uses it to revoke the lease.
+ * It is not secret. Renewing and cancelling need the lease's ID, which only its holder and its
+ * grantor know; the handle is a one-way digest of it, so both can compute the handle, but the ID
+ * cannot be computed from it.
  *
  * @param value the first 128 bits of the digest
  */
@@ -27,8 +27,7 @@ public record LeaseHandle(UUID value) implements Serializable, Comparable<LeaseH
   /**
    * The handle of a lease.
    *
-   * @param secret the lease's ID; it must be random, since a digest hides nothing that can be
-   *     guessed
+   * @param secret the lease's ID; it must be random, since a digest does not hide a guessable value
    */
   public static LeaseHandle of(UUID secret) {
     MessageDigest digest = sha256();
@@ -55,7 +54,7 @@ public record LeaseHandle(UUID value) implements Serializable, Comparable<LeaseH
     return value.compareTo(other.value);
   }
 
-  /** As listings show it. */
+  /** The handle as listings show it. */
   @Override
   public String toString() {
     return value.toString();

@@ -1,7 +1,7 @@
 package org.dfra.lease;
 
 /**
- * A lease was not granted; the message says what was asked, what is allowed and what to ask for.
+ * A lease was refused. The message names the request, what is allowed, and what to request instead.
  */
 public class LeaseRefusedException extends Exception {
 

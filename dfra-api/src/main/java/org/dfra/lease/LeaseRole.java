@@ -1,12 +1,12 @@
 package org.dfra.lease;
 
-/** What the holder of a lease is to the module. */
+/** The role of a lease's holder towards the module. */
 public enum LeaseRole {
-  /** Makes the module work. */
+  /** Uses the module, which must therefore work. */
   CLIENT,
-  /** Makes an effector work, and tells it what to do; there is one at most. */
+  /** Uses and commands an effector; there is at most one. */
   COMMANDER,
-  /** Watches it, whether it works or not. */
+  /** Observes the module, whether it works or not. */
   OBSERVER;
 
   /** Whether a module with such a holder has to work. */

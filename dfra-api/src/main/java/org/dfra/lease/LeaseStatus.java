@@ -7,16 +7,16 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A lease as its module sees it.
+ * A lease as its module reports it.
  *
- * @param handle what administrators name it by; it is no secret, see {@link LeaseHandle}
- * @param role what its holder is
- * @param host address from which it was asked for; null where that is not known, and where the
- *     holder lives in the module's own virtual machine
- * @param grantedAt when it was granted, by the module's clock; for people
- * @param age how long ago that was, by time that nobody sets, as of this answer
- * @param remaining for how long it still lasts unless it is renewed; null where it need not be,
- *     since the holder lives in the module's own virtual machine
+ * @param handle its public name for administrators; not secret, see {@link LeaseHandle}
+ * @param role the role of its holder
+ * @param host address of the client that requested it; null if unknown, and if the holder runs in
+ *     the module's own virtual machine
+ * @param grantedAt when it was granted, by the module's clock; for display
+ * @param age time since then by a monotonic clock, as of this answer
+ * @param remaining time until it expires unless renewed; null if it does not expire, since the
+ *     holder runs in the module's own virtual machine
  */
 public record LeaseStatus(
     LeaseHandle handle,
@@ -34,7 +34,7 @@ public record LeaseStatus(
     Objects.requireNonNull(age, "age");
   }
 
-  /** Whether the holder lives in the module's own virtual machine. */
+  /** Whether the holder runs in the module's own virtual machine. */
   public boolean isLocal() {
     return remaining == null;
   }

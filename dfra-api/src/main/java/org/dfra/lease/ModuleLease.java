@@ -3,18 +3,18 @@ package org.dfra.lease;
 import java.time.Instant;
 
 /**
- * The right to count as a module's client. It renews itself until it is closed; when its holder
- * dies it expires, and the module knows.
+ * The right to count as a module's client. It renews itself until it is closed. When its holder
+ * dies it expires, and the module drops the client.
  */
 public interface ModuleLease extends AutoCloseable {
 
-  /** When it ends unless it is renewed before. */
+  /** When it expires unless renewed before. */
   Instant expiration();
 
-  /** Whether the module still counts its holder, as far as is known here. */
+  /** Whether the module still counts its holder as a client, as far as the holder knows. */
   boolean isLive();
 
-  /** Gives it back. Idempotent. */
+  /** Releases the lease. Idempotent. */
   @Override
   void close();
 }

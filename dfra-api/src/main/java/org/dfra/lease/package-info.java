@@ -1,6 +1,4 @@
-/**
- * Leases: for how long somebody counts as a module's client, at the most, without saying so again.
- */
+/** Leases: they limit how long a client counts as a module's client without renewal. */
 @NullMarked
 package org.dfra.lease;
 

@@ -8,9 +8,7 @@ public final class AdministrationRefusedException extends SecurityException {
 
   private static final long serialVersionUID = 1L;
 
-  /**
-   * @param message one sentence: what was called, from which address, and what to configure
-   */
+  /** @param message one sentence: the method, the caller's address, and what to configure */
   public AdministrationRefusedException(String message) {
     super(message);
   }

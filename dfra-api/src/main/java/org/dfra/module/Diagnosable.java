@@ -3,32 +3,32 @@ package org.dfra.module;
 import java.rmi.RemoteException;
 import java.util.List;
 
-/** Something that can examine itself and mend itself. */
+/** A device that can diagnose and recover itself. */
 public interface Diagnosable {
 
-  /** What the environment must be like for it to work. */
+  /** The conditions of the environment that it needs to work. */
   @Idempotent
   List<Precondition> preconditions() throws RemoteException;
 
-  /** The names of the tests it knows. */
+  /** The names of its tests. */
   @Idempotent
   List<String> tests() throws RemoteException;
 
   /**
    * Runs a test, on the real hardware.
    *
-   * @throws IllegalArgumentException if it knows no such test; the message names those it knows
+   * @throws IllegalArgumentException if there is no such test; the message lists the tests
    */
   Diagnosis test(String name) throws RemoteException;
 
-  /** The names of the recovery methods it knows. */
+  /** The names of its recovery methods. */
   @Idempotent
   List<String> recoveries() throws RemoteException;
 
   /**
-   * Runs a recovery method. It is a command: it is never repeated by itself.
+   * Runs a recovery method. It is a command: it is never repeated automatically.
    *
-   * @throws IllegalArgumentException if it knows no such method; the message names those it knows
+   * @throws IllegalArgumentException if there is no such method; the message lists the methods
    */
   Diagnosis recover(String name) throws RemoteException;
 }

@@ -5,10 +5,10 @@ import java.time.Duration;
 import java.time.Instant;
 
 /**
- * What a test or a recovery found.
+ * The result of a test or a recovery.
  *
  * @param name the test's or recovery method's name
- * @param passed whether all was well at its end
+ * @param passed whether it ended without a fault
  * @param finding what it found, a sentence
  * @param startedAt when it began
  * @param duration how long it took

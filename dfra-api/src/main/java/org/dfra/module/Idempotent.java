@@ -7,10 +7,10 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * A method that may run twice without harm: a question, not a command.
+ * A method that may run twice without harm: a query, not a command.
  *
- * <p>When the connection breaks in the middle of such a call, it is made once more. A method
- * without this mark is never repeated, since it may have run.
+ * <p>When the connection breaks during such a call, the call is repeated once. A method without
+ * this annotation is never repeated, since it may have been executed.
  */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)

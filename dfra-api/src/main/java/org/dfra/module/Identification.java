@@ -3,12 +3,12 @@ package org.dfra.module;
 import java.io.Serializable;
 
 /**
- * Who a module is.
+ * The identification of a module.
  *
  * @param robot name of the robot the module is a part of
  * @param name name of the module, unique on its robot, in lower_snake_case
- * @param description what the module is, for people
- * @param author who wrote the driver
+ * @param description what the module is, for display
+ * @param author author of the driver
  * @param version version of the driver
  */
 public record Identification(
@@ -23,7 +23,7 @@ public record Identification(
     requireText("version", version);
   }
 
-  /** {@code robot/name}, the way a module is written wherever one line must name it. */
+  /** {@code robot/name}, the module's path in messages and listings. */
   public String path() {
     return robot + "/" + name;
   }

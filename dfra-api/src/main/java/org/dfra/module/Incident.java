@@ -4,31 +4,31 @@ import java.io.Serializable;
 import java.time.Instant;
 
 /**
- * Something worth remembering in a module's life.
+ * A recorded event in a module's history.
  *
  * @param time when it happened, by the module's clock
- * @param kind what sort of thing
+ * @param kind kind of incident
  * @param description what happened, a sentence
  */
 public record Incident(Instant time, Kind kind, String description) implements Serializable {
 
-  /** Sorts of incidents. */
+  /** Kinds of incidents. */
   public enum Kind {
-    /** The module began to work. */
+    /** The module was activated. */
     ACTIVATION,
-    /** The module could not serve any more. */
+    /** The module failed and no longer serves. */
     FAILURE,
-    /** Something was thrown that the module survived. */
+    /** The module caught an exception and continued. */
     EXCEPTION,
-    /** The module served again. */
+    /** The module serves again. */
     RECOVERY,
-    /** The module ended as it should. */
+    /** The module was deactivated normally. */
     DEACTIVATION,
-    /** Something that it listens to fell silent, or is heard again after it was missed. */
+    /** A module that it subscribes to stopped publishing, or resumed after a gap. */
     GAP,
-    /** An effector was stopped for an emergency. */
+    /** An effector made an emergency stop. */
     EMERGENCY_STOP,
-    /** An effector was released from its emergency stop. */
+    /** An effector's emergency stop was released. */
     RELEASE
   }
 }

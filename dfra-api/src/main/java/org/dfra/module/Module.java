@@ -14,12 +14,14 @@ import org.dfra.lease.ModuleLease;
  * behaviour, a manager or an agent.
  *
  * <p>The first of the five classes of the module pattern. Local and remote callers use the same
- * methods, so each one declares {@link RemoteException}; a caller in the module's own virtual
- * machine never sees it thrown.
+ * methods, so each one declares {@link RemoteException}; it is never thrown to a caller in the
+ * module's own virtual machine.
  */
 public interface Module {
 
-  /** Who this module is. Constant while the module lives, so proxies may cache it. */
+  /**
+   * The module's identification. Constant during the module's lifetime, so proxies may cache it.
+   */
   @Idempotent
   Identification identification() throws RemoteException;
 
@@ -28,48 +30,49 @@ public interface Module {
   Readiness readiness() throws RemoteException;
 
   /**
-   * Waits until the module {@linkplain Readiness#serves() serves} or can no longer come to serve,
-   * at the longest for {@code patience}.
+   * Waits until the module {@linkplain Readiness#serves() serves} or can no longer reach that
+   * state, for {@code timeout} at most.
    *
    * @param timeout longest wait, not negative
-   * @return the state at the end of the wait; it serves, it has failed or stopped, or the patience
-   *     is used up
+   * @return the state at the end of the wait; it serves, it has failed or stopped, or the timeout
+   *     has passed
    */
   @Idempotent
   Readiness awaitReadiness(Duration timeout) throws RemoteException;
 
   /**
-   * Listens to the module until the subscription is closed. Who listens to readings is a client of
-   * the module, as if it held a lease; who listens to the other kinds of events only watches.
+   * Subscribes to the module's events until the subscription is closed. A listener to readings
+   * counts as a client of the module, as if it held a lease; a listener to other kinds of events
+   * only observes.
    *
-   * @param listener is told one event at a time
-   * @param policy what the listener can take
+   * @param listener receives one event at a time
+   * @param policy which events the listener receives, and how many are queued
    */
   Subscription subscribe(ModuleListener listener, DeliveryPolicy policy) throws RemoteException;
 
   /**
-   * Counts the caller as a client until the lease is closed. A module without clients may rest.
+   * Counts the caller as a client until the lease is closed. A module without clients may idle.
    *
-   * @param duration after which the lease ends if its holder dies
+   * @param duration the time after which the lease ends if its holder dies
    * @throws LeaseRefusedException if {@code duration} is longer than the module allows, or not
    *     above zero
    */
   ModuleLease acquireLease(Duration duration) throws LeaseRefusedException, RemoteException;
 
-  /** The module's life so far. */
+  /** The module's history. */
   @Idempotent
   ModuleHistory history() throws RemoteException;
 
-  /** How much the module writes to its log. */
+  /** The module's log level. */
   @Idempotent
   LogLevel logLevel() throws RemoteException;
 
-  /** Sets how much the module writes to its log, from now on. */
+  /** Sets the module's log level. */
   @Administrative
   @Idempotent
   void setLogLevel(LogLevel level) throws RemoteException;
 
-  /** Its parameters as they are set now, in alphabetical order. */
+  /** Its current parameters, in alphabetical order. */
   @Idempotent
   List<Parameter> parameters() throws RemoteException;
 
@@ -77,7 +80,7 @@ public interface Module {
    * Sets a parameter while the module runs.
    *
    * @throws IllegalArgumentException if there is no such parameter, it cannot be set now, or the
-   *     text is no value of it; the message says what would be
+   *     text is not a valid value; the message names valid values
    */
   @Administrative
   @Idempotent

@@ -7,13 +7,13 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A module's life so far, through all its activations, and the reliability that follows from it.
+ * A module's history across all its activations, and its reliability.
  *
  * @param since when it was first activated
  * @param activations how often it was activated
  * @param failures how often it failed
- * @param exceptions how many exceptions it survived
- * @param servingTime for how long it served altogether
+ * @param exceptions how many exceptions it caught
+ * @param servingTime total time for which it served
  * @param recent the last incidents, the newest last
  */
 public record ModuleHistory(
@@ -29,7 +29,7 @@ public record ModuleHistory(
     recent = List.copyOf(recent);
   }
 
-  /** Mean time between failures: the time served per failure; nothing where none was seen. */
+  /** Mean time between failures: the time served per failure; empty if there was no failure. */
   public Optional<Duration> meanTimeBetweenFailures() {
     return failures == 0 ? Optional.empty() : Optional.of(servingTime.dividedBy(failures));
   }

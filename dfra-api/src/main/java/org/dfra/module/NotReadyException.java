@@ -1,6 +1,6 @@
 package org.dfra.module;
 
-/** The module was asked for something that it does not have yet, or no longer. */
+/** The requested data is not available yet, or no longer. */
 public final class NotReadyException extends IllegalStateException {
 
   private static final long serialVersionUID = 1L;
@@ -9,7 +9,7 @@ public final class NotReadyException extends IllegalStateException {
 
   /**
    * @param module the module's path, {@code robot/name}
-   * @param readiness the state it was in when asked
+   * @param readiness its state at the time of the call
    * @param reason what is missing and what it waits for, as the rest of a sentence
    */
   public NotReadyException(String module, Readiness readiness, String reason) {
@@ -17,7 +17,7 @@ public final class NotReadyException extends IllegalStateException {
     this.readiness = readiness;
   }
 
-  /** The state the module was in when asked. */
+  /** The module's state at the time of the call. */
   public Readiness readiness() {
     return readiness;
   }

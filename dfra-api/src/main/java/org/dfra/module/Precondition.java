@@ -3,11 +3,11 @@ package org.dfra.module;
 import java.io.Serializable;
 
 /**
- * What the environment must be like for a module to work.
+ * A condition of the environment that a module needs to work.
  *
- * @param quantity what of the environment, e.g. {@code temperature}
- * @param min the least value, in {@code unit}
- * @param max the greatest value, in {@code unit}
+ * @param quantity the environmental quantity, e.g. {@code temperature}
+ * @param min the minimum, in {@code unit}
+ * @param max the maximum, in {@code unit}
  * @param unit the unit, e.g. {@code °C}
  */
 public record Precondition(String quantity, double min, double max, String unit)

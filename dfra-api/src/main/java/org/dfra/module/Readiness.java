@@ -1,14 +1,14 @@
 package org.dfra.module;
 
 /**
- * How far a module has come.
+ * The lifecycle state of a module.
  *
  * <pre>
  *   CREATED --start--&gt; INITIALIZING --first data--&gt; READY &lt;==first / last client==&gt; ACTIVE
  *                       ^        |                   |                               |
  *                  retry|        |gave up            |&lt;----- pause / resume ------&gt;PAUSED
  *                       |        v                   |                               |
- *                       +----- FAILED &lt;---- cannot serve by itself any more ---------+
+ *                       +----- FAILED &lt;---- cannot serve without help --------------+
  *
  *   READY, ACTIVE --device lost, to be opened again--&gt; INITIALIZING
  *   every state but STOPPED --stop--&gt; STOPPED
@@ -17,17 +17,17 @@ package org.dfra.module;
 public enum Readiness {
   /** Constructed; awaits {@code start}. */
   CREATED,
-  /** Started; awaits its device and the first data from it. */
+  /** Started; awaits its device and the device's first data. */
   INITIALIZING,
   /** Has data; awaits its first client. */
   READY,
   /** Serves at least one client. */
   ACTIVE,
-  /** Works, but withholds its service until it is resumed. */
+  /** Works, but does not serve until it is resumed. */
   PAUSED,
-  /** Cannot serve by itself any more; awaits recovery. */
+  /** Cannot serve without help; awaits recovery. */
   FAILED,
-  /** Ended for good. */
+  /** Ended; cannot be restarted. */
   STOPPED;
 
   /** Whether a module in this state answers with data. */
@@ -35,12 +35,12 @@ public enum Readiness {
     return this == READY || this == ACTIVE;
   }
 
-  /** Whether a module in this state will never serve without help from outside. */
+  /** Whether a module in this state cannot serve again without external help. */
   public boolean isFailedOrStopped() {
     return this == FAILED || this == STOPPED;
   }
 
-  /** Whether the drawing above has an arrow from this state to {@code next}. */
+  /** Whether the diagram above has a transition from this state to {@code next}. */
   public boolean canTransitionTo(Readiness next) {
     return switch (this) {
       case CREATED -> next == INITIALIZING || next == STOPPED;

@@ -1,9 +1,9 @@
 /**
- * What a module is: the smallest part of a robot that others can find, use and replace.
+ * Modules: the smallest parts of a robot that others can find, use and replace.
  *
- * <p>Enter at {@link org.dfra.module.Module}. A module says who it is ({@link
- * org.dfra.module.Identification}) and how far it has come ({@link org.dfra.module.Readiness}).
- * Nothing in this package knows a network: a method that may cross one declares {@code
+ * <p>Start at {@link org.dfra.module.Module}. A module reports its identity ({@link
+ * org.dfra.module.Identification}) and its lifecycle state ({@link org.dfra.module.Readiness}).
+ * This package is independent of the network: a method that may cross it declares {@code
  * RemoteException}, so that local and remote callers write the same code.
  */
 @NullMarked

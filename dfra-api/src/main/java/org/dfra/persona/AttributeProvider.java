@@ -3,14 +3,14 @@ package org.dfra.persona;
 import java.util.List;
 
 /**
- * A module that says more of itself than what any server knows of it: what kind of sensor it is,
- * where it is mounted, which device it found.
+ * A module that provides attributes beyond those its server fills in: its kind of sensor, its
+ * mounting pose, the detected device.
  */
 public interface AttributeProvider {
 
   /**
-   * The attributes as they are now; one record of a type at most. Asked several times a second, so
-   * it answers from memory, never from the device.
+   * The current attributes; at most one record of each type. Called several times a second, so it
+   * returns cached values and never queries the device.
    */
   List<Attributes> attributes();
 }

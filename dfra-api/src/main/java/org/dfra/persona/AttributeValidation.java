@@ -5,7 +5,7 @@ import java.time.temporal.ChronoUnit;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** What the records of this package have in common: they are small, checked, and comparable. */
+/** Validation shared by the records of this package. */
 final class AttributeValidation {
 
   private AttributeValidation() {}
@@ -41,10 +41,10 @@ final class AttributeValidation {
   }
 
   /**
-   * Equal sets become equal lists, in whichever order they were given.
+   * Sorts and removes duplicates, so that equal sets become equal lists.
    *
-   * @throws IllegalArgumentException if something in a list that came from elsewhere is no text: to
-   *     compute its hash code could take for ever
+   * @throws IllegalArgumentException if an element of a received list is not a text: computing its
+   *     hash code could take forever
    */
   static List<String> sortedDistinct(List<String> texts) {
     for (Object each : texts) {

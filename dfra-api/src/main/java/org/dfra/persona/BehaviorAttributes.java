@@ -4,20 +4,20 @@ import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a behaviour is for, and whether it is at work.
+ * The goal type of a behaviour, and its current phase.
  *
- * @param goal name of what it can reach, e.g. {@code RasterGoal}
- * @param script whether it is made of other behaviours
- * @param phase what it is at, e.g. {@code RUNNING}
- * @param rate how often it looks at its percepts, hertz, above 0
- * @param heldSince when a person, a parking brake or an emergency stop stopped its goal, by the
- *     robot's clock, UTC; null where none of them has
+ * @param goal name of its type of goals, e.g. {@code RasterGoal}
+ * @param script whether it executes other behaviours
+ * @param phase its current phase, e.g. {@code RUNNING}
+ * @param rate rate of its control loop, hertz, above 0
+ * @param heldSince when an operator, a parking brake or an emergency stop stopped its goal, by the
+ *     robot's clock, UTC; null if none of them has
  */
 public record BehaviorAttributes(
     String goal, boolean script, String phase, double rate, @Nullable Instant heldSince)
     implements Attributes {
 
-  /** Of one whose goal nobody has stopped. */
+  /** The attributes of a behaviour whose goal is not held. */
   public BehaviorAttributes(String goal, boolean script, String phase, double rate) {
     this(goal, script, phase, rate, null);
   }

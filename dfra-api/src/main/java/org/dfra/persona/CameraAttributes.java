@@ -3,9 +3,9 @@ package org.dfra.persona;
 import org.dfra.flow.sensor.CameraImage.Band;
 
 /**
- * What a camera can see.
+ * The spectral band, resolution and field of view of a camera.
  *
- * @param band light or heat
+ * @param band visible or thermal
  * @param width pixels
  * @param height pixels
  * @param fieldOfView angle from the left edge to the right, radians

@@ -3,10 +3,10 @@ package org.dfra.persona;
 import java.util.List;
 
 /**
- * Where a module stands in the flow from the world back into the world.
+ * The input and output types of a module in a processing chain.
  *
- * @param inputs names of the types it takes, sorted; empty for a sensor
- * @param outputs names of the types it gives, sorted, e.g. {@code GpsFix}
+ * @param inputs names of its input types, sorted; empty for a sensor
+ * @param outputs names of its output types, sorted, e.g. {@code GpsFix}
  */
 public record ChainAttributes(List<String> inputs, List<String> outputs) implements Attributes {
 

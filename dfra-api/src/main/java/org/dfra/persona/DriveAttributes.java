@@ -1,7 +1,7 @@
 package org.dfra.persona;
 
 /**
- * How a drive moves its robot, and how large that is.
+ * The limits of a drive, and the size of its robot.
  *
  * @param maxSpeed metres per second
  * @param maxYawRate radians per second

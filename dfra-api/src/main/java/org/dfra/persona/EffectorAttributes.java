@@ -4,11 +4,11 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How an effector acts.
+ * The commands and requirements of an effector.
  *
- * @param commands names of the commands it obeys, sorted, e.g. {@code Velocity}
- * @param power electric power it draws at the most, in watts; null if not known
- * @param preconditions what its surroundings must be like, a sentence each, sorted
+ * @param commands names of the commands it executes, sorted, e.g. {@code Velocity}
+ * @param power maximum electric power that it draws, in watts; null if not known
+ * @param preconditions required conditions of the environment, a sentence each, sorted
  */
 public record EffectorAttributes(
     List<String> commands, @Nullable Double power, List<String> preconditions)

@@ -4,11 +4,11 @@ import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Whether an effector is stopped for an emergency.
+ * Whether an effector is in an emergency stop.
  *
- * @param latched whether it is: then it obeys nobody until it is released
- * @param requester who stopped it, or released it last, for people; null where nobody ever did, or
- *     nobody knows any more
+ * @param latched whether it is stopped: then it executes no commands until it is released
+ * @param requester the name of the client that stopped or released it last, for operators; null if
+ *     it was never stopped, or the name is lost
  * @param since when that was, by the effector's clock, UTC; null likewise
  */
 public record EmergencyStopAttributes(

@@ -3,12 +3,12 @@ package org.dfra.persona;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a flight controller is and how its craft flies.
+ * The type of a flight controller and the limits of its vehicle.
  *
- * @param autopilot its software, as it names it; null while it has not told
- * @param vehicleType sort of craft, e.g. {@code quadrotor}; null while it has not told
+ * @param autopilot its software, as it reports it; null until reported
+ * @param vehicleType type of vehicle, e.g. {@code quadrotor}; null until reported
  * @param maxSpeed over ground, metres per second
- * @param maxHeight it may fly above where it took off, metres
+ * @param maxHeight maximum height above the take-off position, metres
  */
 public record FlightAttributes(
     @Nullable String autopilot, @Nullable String vehicleType, double maxSpeed, double maxHeight)

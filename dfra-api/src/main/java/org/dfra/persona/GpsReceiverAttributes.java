@@ -4,14 +4,14 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a satellite positioning receiver is. Null is what it has not told, or not yet.
+ * The identity and capabilities of a satellite positioning receiver. Values not reported are null.
  *
- * @param model model, as the receiver names it
+ * @param model model, as the receiver reports it
  * @param serialNumber its serial number
  * @param softwarePart part number of its software
  * @param softwareVersion version of its software
- * @param channels how many satellites it can follow at once
- * @param fixModes the solutions it can give, sorted: {@code 2D}, {@code 3D}
+ * @param channels how many satellites it can track at once
+ * @param fixModes the solutions it can compute, sorted: {@code 2D}, {@code 3D}
  */
 public record GpsReceiverAttributes(
     @Nullable String model,

@@ -5,19 +5,19 @@ import java.util.Objects;
 import org.dfra.geometry.GeoPosition;
 
 /**
- * Roughly where on the earth a module was not long ago, so that others can ask for what is near
- * them. Who needs to know exactly asks the module itself.
+ * The approximate recent position of a module, so that clients can query for near modules. For
+ * current values, query the module.
  *
  * @param latitude WGS84 latitude in degrees, north is +
  * @param longitude WGS84 longitude in degrees, east is +
  * @param height height above the WGS84 ellipsoid in metres
- * @param measured when it was there, UTC
+ * @param measured time of the measurement, UTC
  */
 public record LocationAttributes(double latitude, double longitude, double height, Instant measured)
     implements Attributes {
 
   public LocationAttributes {
-    new GeoPosition(latitude, longitude, height); // checks all three
+    new GeoPosition(latitude, longitude, height); // validates all three
     measured = Objects.requireNonNull(AttributeValidation.truncatedToMillis(measured));
   }
 

@@ -6,16 +6,16 @@ import org.dfra.module.Readiness;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What every module says of itself. Its server fills it.
+ * The attributes that every module publishes. Its server fills them in.
  *
  * @param robot name of the robot
  * @param name name of the module, unique on its robot
  * @param driver full name of the driver's class
- * @param host address or name of the machine it runs on, as its proxies carry it
- * @param author who wrote the driver
+ * @param host address or name of the machine it runs on, as in its proxies
+ * @param author author of the driver
  * @param version version of the driver
- * @param state how far the module has come
- * @param created when the module was first made known to its robot, UTC
+ * @param state lifecycle state of the module
+ * @param created when the module was first registered with its robot, UTC
  * @param activated when it was last started, UTC; null if it never was
  * @param clients how many clients hold a lease on it
  */
@@ -35,7 +35,7 @@ public record ModuleAttributes(
   public ModuleAttributes {
     AttributeValidation.requireText("robot", robot);
     AttributeValidation.requireText("name", name);
-    Objects.requireNonNull(driver, "driver"); // entries of others may leave out any of these
+    Objects.requireNonNull(driver, "driver"); // foreign entries may omit any of these
     Objects.requireNonNull(host, "host");
     Objects.requireNonNull(author, "author");
     Objects.requireNonNull(version, "version");

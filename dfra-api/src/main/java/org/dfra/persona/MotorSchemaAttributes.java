@@ -1,11 +1,11 @@
 package org.dfra.persona;
 
 /**
- * What a motor schema gives advice for.
+ * The command type and method of a motor schema.
  *
- * @param command name of the command it advises, e.g. {@code Velocity}
- * @param method how it comes to its advice, e.g. {@code mamdani}
- * @param rules how many rules it has, not negative
+ * @param command name of the command it recommends, e.g. {@code Velocity}
+ * @param method how it computes the command, e.g. {@code mamdani}
+ * @param rules number of its rules, not negative
  */
 public record MotorSchemaAttributes(String command, String method, int rules)
     implements Attributes {

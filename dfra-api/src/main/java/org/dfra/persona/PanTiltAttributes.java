@@ -1,12 +1,12 @@
 package org.dfra.persona;
 
 /**
- * Where a pan-tilt unit can point, and how fast.
+ * The limits of a pan-tilt unit.
  *
- * @param minPan farthest to the right, radians, to the left is +
- * @param maxPan farthest to the left, radians
- * @param minTilt farthest down, radians, up is +
- * @param maxTilt farthest up, radians
+ * @param minPan right limit, radians, to the left is +
+ * @param maxPan left limit, radians
+ * @param minTilt lower limit, radians, up is +
+ * @param maxTilt upper limit, radians
  * @param maxSpeed of each axis, radians per second
  */
 public record PanTiltAttributes(

@@ -3,16 +3,16 @@ package org.dfra.persona;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How far a perceptual schema's percepts can be trusted.
+ * The percept type of a perceptual schema, and its accuracy.
  *
- * @param percept name of what it tells, e.g. {@code PoseEstimate}
- * @param uncertainty what its doubt is expressed by, e.g. {@code covariance} or {@code
- *     probability}; null where it expresses none
+ * @param percept name of its percept type, e.g. {@code PoseEstimate}
+ * @param uncertainty the kind of uncertainty, e.g. {@code covariance} or {@code probability}; null
+ *     if it states none
  * @param method how it perceives, e.g. {@code ekf}
- * @param truePositiveRate share of what is there that it finds, 0 to 1, as measured; null where it
- *     detects nothing or nobody measured it
- * @param falsePositiveRate share of its looks at nothing in which it finds something, 0 to 1,
- *     likewise
+ * @param truePositiveRate measured fraction of existing objects that it detects, 0 to 1; null if it
+ *     is not a detector or was not measured
+ * @param falsePositiveRate measured fraction of observations without an object in which it reports
+ *     one, 0 to 1, likewise
  */
 public record PerceptualSchemaAttributes(
     String percept,

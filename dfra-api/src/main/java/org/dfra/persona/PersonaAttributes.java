@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * A robot as such: what it is there for.
+ * A robot's role, goals and limitations.
  *
  * @param robot name of the robot
  * @param role its role in the team, e.g. {@code scout}; may be empty

@@ -1,8 +1,8 @@
 package org.dfra.persona;
 
 /**
- * Where a module is mounted: its frame in its parent's. The rotation is applied intrinsically, yaw,
- * then pitch, then roll, after the translation.
+ * The mounting pose of a module: its frame in the parent frame. The rotation is applied
+ * intrinsically, yaw, then pitch, then roll, after the translation.
  *
  * @param frame name of the module's frame, e.g. {@code atrv1/gps_front}
  * @param parent name of the frame it is mounted on, e.g. {@code atrv1/base_link}

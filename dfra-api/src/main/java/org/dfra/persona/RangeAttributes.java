@@ -1,10 +1,10 @@
 package org.dfra.persona;
 
 /**
- * What a range sensor can see.
+ * The range, field of view and accuracy of a range sensor.
  *
- * @param minRange shortest distance it can tell, metres
- * @param maxRange longest distance it can tell, metres
+ * @param minRange minimum measurable distance, metres
+ * @param maxRange maximum measurable distance, metres
  * @param fieldOfView angle from its first beam to its last, radians
  * @param resolution angle from beam to beam, radians
  * @param accuracy of a distance, one sigma, metres

@@ -4,16 +4,16 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * As what a robot may be asked for help.
+ * The capabilities of a robot as a helper.
  *
  * @param percepts what it can observe, e.g. {@code mine}; sorted
- * @param speed how fast it comes, metres per second, above 0
- * @param strategy how it decides, e.g. {@code affective}
+ * @param speed its speed when it travels to a call, metres per second, above 0
+ * @param strategy its decision strategy, e.g. {@code affective}
  * @param replaceAfter a helper that is late by this is replaced by another, seconds, above 0
- * @param margin so much earlier than that it turns back by itself where it is the helper, seconds,
- *     above 0; all of a team must have the same two
- * @param holdReason why it answers no call, since somebody stopped it, as a clause; null where it
- *     is not held
+ * @param margin a helper gives up this long before that time, seconds, above 0; {@code
+ *     replaceAfter} and {@code margin} must be equal for all robots of a team
+ * @param holdReason why it answers no calls, as a clause: an operator stopped it; null if it is not
+ *     held
  */
 public record RecruitmentAttributes(
     List<String> percepts,
@@ -24,7 +24,7 @@ public record RecruitmentAttributes(
     @Nullable String holdReason)
     implements Attributes {
 
-  /** Of a robot that nobody holds. */
+  /** The attributes of a robot that is not held. */
   public RecruitmentAttributes(
       List<String> percepts, double speed, String strategy, double replaceAfter, double margin) {
     this(percepts, speed, strategy, replaceAfter, margin, null);

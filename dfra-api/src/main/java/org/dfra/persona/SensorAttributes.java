@@ -4,14 +4,14 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How a sensor measures.
+ * The reading type, rates and requirements of a sensor.
  *
  * @param reading name of the type of its readings, e.g. {@code GpsFix}
  * @param modes names of its operating modes, sorted
- * @param minRate slowest update rate that it can be set to, in hertz
- * @param maxRate fastest update rate that it can be set to, in hertz
+ * @param minRate lowest configurable update rate, in hertz
+ * @param maxRate highest configurable update rate, in hertz
  * @param power electric power it draws, in watts; null if not known
- * @param preconditions what its surroundings must be like, a sentence each, sorted
+ * @param preconditions required conditions of the environment, a sentence each, sorted
  */
 public record SensorAttributes(
     String reading,

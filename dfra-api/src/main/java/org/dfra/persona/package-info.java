@@ -1,14 +1,14 @@
 /**
- * The persona: what a robot shows of itself to others, module by module.
+ * The persona: the attributes that a robot publishes, module by module.
  *
  * <pre>
- *   module --Described--&gt; Attributes (records here) --&gt; a lookup service, as entries
+ *   module --AttributeProvider--&gt; Attributes (records) --&gt; a lookup service, as entries
  *                                                            |
  *   client &lt;--ModuleListing-- ModuleDirectory &lt;--------------+
  * </pre>
  *
- * <p>Enter at {@link org.dfra.persona.Attributes}. The records here are what queries name; how they
- * travel is the distributed layer's matter. A driver may have a record of its own beside these.
+ * <p>Start at {@link org.dfra.persona.Attributes}. Queries name the records here; the distributed
+ * layer transports them. A driver may define further records.
  */
 @NullMarked
 package org.dfra.persona;

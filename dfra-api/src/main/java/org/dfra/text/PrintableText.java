@@ -1,31 +1,30 @@
 package org.dfra.text;
 
 /**
- * Text as it may be shown to people. A name or a message of another computer may hold characters
- * that control a terminal, begin a line of their own, change the direction of writing or cannot be
- * seen. Each is replaced by its code as Java and JSON write it: a backslash, the letter u and four
- * hexadecimal digits. The end of a line becomes {@code \n}, the return of the carriage {@code \r},
- * a tabulator {@code \t}. All other text stays as it is, except that every kind of blank becomes a
- * plain one.
+ * Text that is safe to display. A name or a message of another computer may contain characters that
+ * control a terminal, begin a new line, change the writing direction or are invisible. Each is
+ * replaced by its escape as in Java and JSON: a backslash, the letter u and four hexadecimal
+ * digits. A line feed becomes {@code
+ * }, a carriage return {@code \r}, a tab {@code \t}. All other text is unchanged, except that every
+ * kind of space becomes a plain one.
  *
- * <p>Escaped are control characters (C0, C1 and DEL), format characters (among them those that
- * override or isolate a direction of writing, and those of no width), separators of lines and
- * paragraphs, surrogates without their other half, private and unassigned characters, characters
- * that are drawn as nothing, and combining marks beyond {@value #MAX_MARKS} on one letter, which
- * would cover the lines above and below. The letters of languages written from right to left are
- * text; a terminal may reorder them within their line.
+ * <p>Escaped are control characters (C0, C1 and DEL), format characters (among them bidi overrides
+ * and isolates, and zero-width characters), line and paragraph separators, lone surrogates,
+ * private-use and unassigned characters, characters without a visible glyph, and combining marks
+ * beyond {@value #MAX_MARKS} on one letter, which would cover the lines above and below. Letters of
+ * right-to-left scripts are not escaped; a terminal may reorder them within their line.
  *
- * <p>A text that was made printable stays as it is when it is made printable again.
+ * <p>The conversion is idempotent.
  */
 public final class PrintableText {
 
-  /** Longest word, in UTF-16 code units. */
+  /** Maximum length of a word, in UTF-16 code units. */
   public static final int MAX_WORD_LENGTH = 200;
 
-  /** Longest name, in UTF-16 code units. */
+  /** Maximum length of a name, in UTF-16 code units. */
   public static final int MAX_NAME_LENGTH = 500;
 
-  /** Longest line, in UTF-16 code units. */
+  /** Maximum length of a line, in UTF-16 code units. */
   public static final int MAX_LINE_LENGTH = 16_384;
 
   /** Combining marks on one letter; languages need no more than these. */
@@ -36,16 +35,16 @@ public final class PrintableText {
   /** {@link java.rmi.RemoteException} begins a new line before its cause. */
   private static final String NESTED = "nested exception is: ";
 
-  /** Escapes take more room than what they stand for. */
+  /** Extra capacity, since escapes are longer than the characters they replace. */
   private static final int ROOM = 64;
 
   private PrintableText() {}
 
   /**
-   * A name that has no blanks, such as that of a module: one that has some could be taken for a
-   * sentence, so they are escaped, too.
+   * A name without spaces, such as that of a module. Spaces are escaped too, since a name with
+   * spaces could be read as a sentence.
    *
-   * @return at most {@value #MAX_WORD_LENGTH} code units, and an ellipsis where there were more
+   * @return at most {@value #MAX_WORD_LENGTH} code units, and an ellipsis if there were more
    */
   public static String word(String text) {
     boolean isWord = text.indexOf(' ') < 0 && isPlain(text, MAX_WORD_LENGTH, "");
@@ -55,7 +54,7 @@ public final class PrintableText {
   /**
    * A name, a title, or another short text, on one line.
    *
-   * @return at most {@value #MAX_NAME_LENGTH} code units, and an ellipsis where there were more
+   * @return at most {@value #MAX_NAME_LENGTH} code units, and an ellipsis if there were more
    */
   public static String name(String text) {
     return line(text, MAX_NAME_LENGTH);
@@ -64,15 +63,15 @@ public final class PrintableText {
   /**
    * A sentence, a message or another text, on one line.
    *
-   * @return at most {@value #MAX_LINE_LENGTH} code units, and an ellipsis where there were more
+   * @return at most {@value #MAX_LINE_LENGTH} code units, and an ellipsis if there were more
    */
   public static String line(String text) {
     return line(text, MAX_LINE_LENGTH);
   }
 
   /**
-   * A text of several lines that this program composed, such as the faults of a configuration. Ends
-   * of lines stay; each line is made printable.
+   * A text of several lines that this program composed, such as the faults of a configuration. Line
+   * ends are kept; each line is made printable.
    */
   public static String lines(String text) {
     String[] lines = text.replace("\r\n", "\n").replace(NESTED + "\n\t", NESTED).split("\n", -1);
@@ -83,8 +82,8 @@ public final class PrintableText {
   }
 
   /**
-   * A whole JSON text with the same value. What is not printable in its strings is written as JSON
-   * escapes; its own ends of lines and indentation stay.
+   * A whole JSON text with the same value. Non-printable characters in its strings are written as
+   * JSON escapes; its own line ends and indentation are kept.
    *
    * @param json written by a generator that escapes control characters below U+0020 in strings
    */
@@ -93,8 +92,8 @@ public final class PrintableText {
   }
 
   /**
-   * What a process writes, or a part of that. Ends of lines and tabulators stay, such as those of a
-   * stack trace; nothing is left out.
+   * The output of a process, or a part of it. Line ends and tabs are kept, such as those of a stack
+   * trace; nothing is truncated.
    */
   public static String output(String text) {
     return escapedBut(text, "\n\t");
@@ -121,7 +120,8 @@ public final class PrintableText {
   /**
    * A text on one line.
    *
-   * @param longest most UTF-16 code units that are kept; an ellipsis stands for the others
+   * @param longest maximum number of UTF-16 code units that are kept; an ellipsis replaces the
+   *     others
    */
   public static String line(String text, int longest) {
     return isPlain(text, longest, "") ? text : line(text, longest, false);
@@ -165,7 +165,7 @@ public final class PrintableText {
     }
   }
 
-  /** As in JSON and Java, a character beyond U+FFFF by both of its halves. */
+  /** As in JSON and Java, a character beyond U+FFFF becomes both of its surrogates. */
   private static void appendUnits(StringBuilder safe, int c) {
     for (char unit : Character.toChars(c)) {
       safe.append("\\u");
@@ -175,7 +175,7 @@ public final class PrintableText {
     }
   }
 
-  /** Nearly every text is, and stays as it is without being copied. */
+  /** Nearly every text is plain, and is returned without a copy. */
   private static boolean isPlain(String text, int longest, String kept) {
     if (text.length() > longest) {
       return false;
@@ -197,7 +197,7 @@ public final class PrintableText {
         || type == Character.COMBINING_SPACING_MARK;
   }
 
-  /** Whether it does something other than to be seen. */
+  /** Whether it is a control, format or other invisible character. */
   private static boolean isHidden(int c) {
     return switch (Character.getType(c)) {
       case Character.CONTROL,
@@ -212,7 +212,7 @@ public final class PrintableText {
     };
   }
 
-  /** Letters, marks and symbols without ink: fillers, joiners and selectors of a variant. */
+  /** Letters, marks and symbols without a glyph: fillers, joiners and selectors of a variant. */
   private static boolean isDrawnAsNothing(int c) {
     return c == 0x034f
         || c == 0x115f

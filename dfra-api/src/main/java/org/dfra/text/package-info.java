@@ -1,9 +1,9 @@
 /**
- * Text from other computers, made safe to be shown.
+ * Text from other computers, made safe to display.
  *
- * <p>Names, notes and error messages of modules are written by whoever runs them. {@link
+ * <p>Names, notes and error messages of remote modules are untrusted. {@link
  * org.dfra.text.PrintableText} is applied to each such text before it reaches a terminal, a log, a
- * page or a picture.
+ * page or an image.
  */
 @NullMarked
 package org.dfra.text;

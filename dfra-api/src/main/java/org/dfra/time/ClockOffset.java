@@ -6,16 +6,16 @@ import java.time.Instant;
 import java.util.Locale;
 
 /**
- * How far one clock is ahead of another, and how well that is known. Two that are known against the
- * same third one, such as the time of satellites, are known against each other:
+ * The offset of one clock relative to another, and its uncertainty. Two offsets relative to the
+ * same third clock, such as satellite time, give the offset between the two:
  *
  * <pre>{@code
- * ClockOffset between = offsetOfB.against(offsetOfA);   // both against UTC
- * Instant onA = between.onTheOther(reading.measured()); // a reading of B
+ * ClockOffset between = offsetOfB.relativeTo(offsetOfA);  // both relative to UTC
+ * Instant onA = between.toOtherClock(reading.measured()); // a reading of B
  * }</pre>
  *
- * @param ahead by how much, + is ahead, − is behind
- * @param uncertainty what that may be off by at the most, not negative
+ * @param ahead the offset, + is ahead, − is behind
+ * @param uncertainty maximum error of the offset, not negative
  */
 public record ClockOffset(Duration ahead, Duration uncertainty) implements Serializable {
 
@@ -27,8 +27,8 @@ public record ClockOffset(Duration ahead, Duration uncertainty) implements Seria
   }
 
   /**
-   * How far this offset's clock is ahead of another's, where both offsets are against one third
-   * clock. What they may be off by adds up.
+   * The offset of this offset's clock from another's, where both are relative to one third clock.
+   * The uncertainties add up.
    */
   public ClockOffset relativeTo(ClockOffset other) {
     return new ClockOffset(ahead.minus(other.ahead), uncertainty.plus(other.uncertainty));
@@ -39,17 +39,17 @@ public record ClockOffset(Duration ahead, Duration uncertainty) implements Seria
     return time.minus(ahead);
   }
 
-  /** By how much it is ahead, seconds. */
+  /** The offset, seconds. */
   public double seconds() {
     return ahead.toNanos() / 1e9;
   }
 
-  /** What that may be off by at the most, seconds. */
+  /** Maximum error of the offset, seconds. */
   public double uncertaintySeconds() {
     return uncertainty.toNanos() / 1e9;
   }
 
-  /** In words: {@code +0.803 s ± 0.012 s}. */
+  /** Formatted as {@code +0.803 s ± 0.012 s}. */
   @Override
   public String toString() {
     return String.format(Locale.ROOT, "%+.3f s ± %.3f s", seconds(), uncertaintySeconds());

@@ -3,48 +3,45 @@ package org.dfra.time;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
-/**
- * Time for what must happen later: a count of nanoseconds that nobody sets, and a way to be called
- * back. Tests step it.
- */
+/** A monotonic clock in nanoseconds, and timers on it. Tests step it. */
 public interface Scheduler {
 
-  /** The time in nanoseconds from an arbitrary origin; only differences mean something. */
+  /** The time in nanoseconds from an arbitrary origin; only differences are meaningful. */
   long nanos();
 
   /**
-   * Runs a task once, after a while.
+   * Runs a task once, after a delay.
    *
    * @param task must not block: all tasks share one thread
-   * @param nanos how long to wait; not at all when not positive
+   * @param nanos the delay; none if not positive
    */
   ScheduledTask after(long nanos, Runnable task);
 
   /**
-   * The same time, by a timer that runs nothing but command time-outs, so that nothing else can
-   * make them late. Its tasks take no lock that a driver may hold: they only hand over to a thread
-   * of the effector's own.
+   * The same clock, with a timer that runs only command timeouts, so that no other task can delay
+   * them. Its tasks take no lock that a driver may hold: they only hand over to a thread of the
+   * effector.
    */
   default Scheduler commandTimer() {
     return this;
   }
 
-  /** A condition of {@code lock} whose {@code awaitNanos} goes by this time. */
+  /** A condition of {@code lock} whose {@code awaitNanos} uses this clock. */
   default Condition newCondition(ReentrantLock lock) {
     return lock.newCondition();
   }
 
-  /** Something that will be run. */
+  /** A scheduled task. */
   @FunctionalInterface
   interface ScheduledTask {
 
-    /** It need not be run any more. It may still be, if it is about to. */
+    /** Cancels the task. It may still run if it is about to. */
     void cancel();
   }
 
   /**
-   * Whether this is the time of a simulation in lock-step. Then nothing may happen beside its tasks
-   * that others could notice, so what else would be left to a pool of threads is one of them.
+   * Whether this is the clock of a lock-step simulation. Then all observable work must run in its
+   * tasks, including work that otherwise runs on a thread pool.
    */
   default boolean isLockStep() {
     return false;

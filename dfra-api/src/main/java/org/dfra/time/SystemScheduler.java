@@ -22,7 +22,7 @@ enum SystemScheduler implements Scheduler {
               Thread thread = new Thread(task, name);
               thread.setDaemon(true);
               thread.setPriority(priority);
-              thread.setContextClassLoader(null); // it outlives whoever starts it
+              thread.setContextClassLoader(null); // it outlives the code that starts it
               return thread;
             });
     timer.setRemoveOnCancelPolicy(true);

@@ -1,6 +1,6 @@
 /**
- * Time for logic that waits, passed in so that tests step it ({@link org.dfra.time.Scheduler}), and
- * what clocks differ by ({@link org.dfra.time.ClockOffset}).
+ * Time: an injected clock with timers, which tests step ({@link org.dfra.time.Scheduler}), and
+ * clock offsets ({@link org.dfra.time.ClockOffset}).
  */
 @NullMarked
 package org.dfra.time;

@@ -7,8 +7,8 @@ import org.dfra.event.DeliveryPolicy.EventKind;
 import org.dfra.event.ModuleListener;
 
 /**
- * Counts what reaches a listener, and by the gaps in the numbers what does not. Passes nothing on
- * twice: an event that came by another way before is left out.
+ * Counts the events that a listener receives, and the lost ones by gaps in the sequence numbers. It
+ * filters duplicates: an event that arrived before by another path is not passed on.
  */
 public final class DeliveryCounter implements ModuleListener {
 
@@ -22,9 +22,7 @@ public final class DeliveryCounter implements ModuleListener {
   private long received;
   private long lost;
 
-  /**
-   * @param listener is told what is new
-   */
+  /** @param listener receives the events that are not duplicates */
   public DeliveryCounter(ModuleListener listener) {
     this.listener = listener;
     Arrays.fill(last, NONE);
@@ -32,8 +30,8 @@ public final class DeliveryCounter implements ModuleListener {
   }
 
   /**
-   * Says from where to count. Only the first time counts: later on, what is missing is seen by the
-   * numbers.
+   * Sets the sequence numbers to count from. Only the first call has an effect; later losses are
+   * detected by the sequence numbers.
    *
    * @param lastSequences the last number of each kind before the listener was registered, by
    *     ordinal
@@ -46,7 +44,7 @@ public final class DeliveryCounter implements ModuleListener {
     for (int kind = 0; kind < last.length; kind++) {
       if (last[kind] == NONE) {
         last[kind] = lastSequences[kind];
-      } else { // some came before the registration's own answer
+      } else { // some arrived before the registration's reply
         lost += Math.max(0, first[kind] - lastSequences[kind] - 1);
       }
     }
@@ -67,8 +65,8 @@ public final class DeliveryCounter implements ModuleListener {
     } else if (number > last[kind]) {
       lost += number - last[kind] - 1;
     } else if (delivery.epoch() == epochs[kind]) {
-      return false; // a second time, or overtaken
-    } // else the numbers fell back: the module's host lost power, or its disk
+      return false; // a duplicate, or overtaken
+    } // else the numbers decreased: the module's host lost power, or its disk
     last[kind] = number;
     epochs[kind] = delivery.epoch();
     received++;

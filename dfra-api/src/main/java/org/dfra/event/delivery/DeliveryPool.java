@@ -13,15 +13,15 @@ import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The threads on which listeners are told.
+ * The threads that notify listeners.
  *
- * <p>A few threads serve all listeners in turn. One that has been in the same listener for more
- * than {@value #BLOCKED_MILLIS} ms counts as blocked, and while others wait another thread takes
- * its place; it ends when the blocked one is back. So there are as many threads as a few plus the
- * listeners that block, but never more than {@value #MAX_THREADS}: past them what is submitted
- * waits for the first thread that comes back. Peers elsewhere, which may not answer, share a part
- * of them by {@link PeerExecutors}. The threads are daemons, called {@code dfra-events-n}; those
- * without work end after ten seconds.
+ * <p>A few core threads serve all listeners. A thread that has been in the same listener for more
+ * than {@value #BLOCKED_MILLIS} ms counts as blocked. While tasks wait, another thread replaces it,
+ * and ends when the blocked one returns. So there are as many threads as core threads plus blocked
+ * ones, but never more than {@value #MAX_THREADS}: beyond them tasks wait for the first free
+ * thread. Remote peers, which may not answer, share a part of the threads through {@link
+ * PeerExecutors}. The threads are daemons, named {@code dfra-events-n}; idle ones end after ten
+ * seconds.
  */
 public final class DeliveryPool implements Executor {
 
@@ -37,7 +37,7 @@ public final class DeliveryPool implements Executor {
       new DeliveryPool(
           Math.max(2, Math.min(4, Runtime.getRuntime().availableProcessors())), Scheduler.system());
 
-  /** How long to wait before a thread is asked for again where none could be started. */
+  /** Delay before the next attempt to start a thread after one has failed. */
   private static final long RETRY_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
 
   private final int few;
@@ -51,16 +51,17 @@ public final class DeliveryPool implements Executor {
 
   /**
    * @param coreThreads how many threads serve while none is blocked, at least 1
-   * @param scheduler the time by which a thread counts as blocked
+   * @param scheduler the clock by which a thread counts as blocked
    */
   public DeliveryPool(int coreThreads, Scheduler scheduler) {
     this(coreThreads, MAX_THREADS, scheduler, Thread::start);
   }
 
   /**
-   * The same, where threads are started in another way.
+   * The same with another way to start threads.
    *
-   * @param maxThreads the largest number of threads, blocked ones included; not below {@code few}
+   * @param maxThreads the largest number of threads, blocked ones included; not below {@code
+   *     coreThreads}
    * @param starter starts a thread, or throws what {@link Thread#start} throws
    */
   DeliveryPool(int coreThreads, int maxThreads, Scheduler scheduler, Consumer<Thread> starter) {
@@ -76,9 +77,9 @@ public final class DeliveryPool implements Executor {
   }
 
   /**
-   * The pool for events of modules that live by this time: that of this virtual machine; in
-   * lock-step one without threads, whose listeners are told by the scheduler, at the instant of the
-   * event. There a listener that blocks holds up everything.
+   * The pool for events of modules that use this scheduler: that of this virtual machine, or, in
+   * lock-step, one without threads, in which the scheduler notifies listeners at the instant of the
+   * event. There a blocking listener blocks everything.
    */
   public static DeliveryPool forScheduler(Scheduler scheduler) {
     return scheduler.isLockStep() ? new DeliveryPool(0, scheduler) : SHARED;
@@ -105,21 +106,21 @@ public final class DeliveryPool implements Executor {
     serveAll();
   }
 
-  /** Sees to it that what waits is served: now, or else looks again soon. Never throws. */
+  /** Starts threads for waiting tasks now, or schedules another attempt. Never throws. */
   private void serveAll() {
     boolean started = replaceBlocked();
-    // Where there are as many threads as there may be, the first that is free goes on by itself.
+    // If the maximum number of threads is reached, the first free thread takes the next task.
     if (!tasks.isEmpty() && workers.size() < most && looking.compareAndSet(false, true)) {
       try {
         scheduler.after(started ? BLOCKED_NANOS : RETRY_NANOS, this::look);
-      } catch (OutOfMemoryError e) { // the timer has no thread either; the next turn tries again
+      } catch (OutOfMemoryError e) { // the timer has no thread either; the next task tries again
         looking.set(false);
         LOG.log(Level.WARNING, "deliveries wait for a thread: " + e);
       }
     }
   }
 
-  /** Has a thread serve where too few do; false where none could be started. */
+  /** Starts a thread if too few serve; false if none could be started. */
   private boolean replaceBlocked() {
     if (tasks.isEmpty() || suffices()) {
       return true;
@@ -140,14 +141,14 @@ public final class DeliveryPool implements Executor {
     try {
       starter.accept(worker);
       return true;
-    } catch (OutOfMemoryError e) { // no room for one more thread; others serve, or a later one
+    } catch (OutOfMemoryError e) { // no memory for another thread; others serve, or a later one
       workers.remove(worker);
       LOG.log(Level.WARNING, "deliveries wait for a thread, which is tried again: " + e);
       return false;
     }
   }
 
-  /** Threads that are not blocked. */
+  /** The number of threads that are not blocked. */
   private int atWork() {
     long now = scheduler.nanos();
     int count = 0;
@@ -189,7 +190,7 @@ public final class DeliveryPool implements Executor {
         LOG.log(Level.WARNING, "{0} was interrupted and ends", getName());
       } finally {
         workers.remove(this);
-        serveAll(); // a turn may have come while this one was ending
+        serveAll(); // a task may have arrived while this one was ending
       }
     }
 

@@ -11,13 +11,13 @@ import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What waits for one listener, bounded by its {@link DeliveryPolicy}; at most one delivery is under
- * way. Offering never waits and allocates nothing. The queue submits its next delivery to the pool
- * when the one before has ended, so no more than one of its tasks is there at a time.
+ * The queue of one listener, bounded by its {@link DeliveryPolicy}; at most one delivery is in
+ * progress. Offering never blocks and allocates nothing. The queue submits its next delivery to the
+ * pool when the previous one has ended, so the pool holds at most one of its tasks at a time.
  */
 public final class ListenerQueue implements AutoCloseable {
 
-  /** For a listener that is never given up, whatever it throws. */
+  /** For a listener that is never removed, whatever it throws. */
   public static final int NEVER_GIVE_UP = Integer.MAX_VALUE;
 
   private static final System.Logger LOG = System.getLogger(ListenerQueue.class.getName());
@@ -31,7 +31,7 @@ public final class ListenerQueue implements AutoCloseable {
   private final Scheduler scheduler;
   private final long period;
 
-  /** What the listener was registered under, it is told under. */
+  /** The context class loader of the registration; also used for notifications. */
   private final @Nullable ClassLoader loader = Thread.currentThread().getContextClassLoader();
 
   // all guarded by this
@@ -46,9 +46,10 @@ public final class ListenerQueue implements AutoCloseable {
   private @Nullable String lastFailure;
 
   /**
-   * @param maxFailures after so many failures in a row the listener is given up
+   * @param maxFailures the listener is removed after this many consecutive failures
    * @param onGivenUp run once when that happens, on a thread of the pool
-   * @param pool makes the deliveries: a {@link DeliveryPool}, or a lane of {@link PeerExecutors}
+   * @param pool makes the deliveries: a {@link DeliveryPool}, or an executor of {@link
+   *     PeerExecutors}
    */
   public ListenerQueue(
       ModuleListener listener,
@@ -68,9 +69,7 @@ public final class ListenerQueue implements AutoCloseable {
     this.earliest = scheduler.nanos();
   }
 
-  /**
-   * Keeps a delivery for the listener if it wants its kind; drops the oldest if there is no room.
-   */
+  /** Queues a delivery if the listener receives its kind; drops the oldest if the queue is full. */
   public synchronized void offer(Delivery delivery) {
     if (closed || !policy.kinds().contains(delivery.kind())) {
       return;
@@ -87,7 +86,7 @@ public final class ListenerQueue implements AutoCloseable {
     }
   }
 
-  /** Whether the listener is still to be told. */
+  /** Whether the listener still receives events. */
   public synchronized boolean isOpen() {
     return !closed;
   }
@@ -145,7 +144,7 @@ public final class ListenerQueue implements AutoCloseable {
     }
   }
 
-  /** Tells the listener; false when it is to be given up. */
+  /** Notifies the listener; false if it is to be removed. */
   private boolean deliver(Delivery delivery) {
     Thread thread = Thread.currentThread();
     @Nullable ClassLoader before = thread.getContextClassLoader();

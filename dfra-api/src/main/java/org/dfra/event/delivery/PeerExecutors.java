@@ -11,15 +11,15 @@ import java.util.concurrent.Executor;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Shares a pool's threads among peers, so that one that does not answer delays itself only.
+ * Shares a pool's threads among peers, so that an unresponsive peer delays only itself.
  *
- * <p>A peer is a computer; it has processes, and each of them a lane. A task runs as soon as its
- * process, its peer and all peers together have fewer tasks under way than their {@link
- * TaskLimits}; until then it waits in its lane. Lanes take turns, so a lane with many waiting tasks
- * does not hold up another with one. Tasks of a lane begin in the order in which they came.
+ * <p>A peer is a computer; each of its processes has a queue. A task runs as soon as its process,
+ * its peer and all peers together have fewer running tasks than their {@link TaskLimits}; until
+ * then it waits in its queue. Queues are served round-robin, so a long queue does not delay a short
+ * one. Tasks of a queue start in order of submission.
  *
- * <p>No task is dropped. Whoever submits bounds how many wait: a {@link ListenerQueue} submits one
- * at a time. Thread-safe.
+ * <p>No task is dropped. The submitter bounds the number of waiting tasks: a {@link ListenerQueue}
+ * submits one at a time. Thread-safe.
  */
 public final class PeerExecutors {
 
@@ -33,7 +33,7 @@ public final class PeerExecutors {
   private int underWay; // guarded by this
 
   /**
-   * How many tasks may be under way at once.
+   * How many tasks may run at once.
    *
    * @param perProcess of one process, at least 1
    * @param perPeer of one peer, at least as many
@@ -54,27 +54,25 @@ public final class PeerExecutors {
   /** The tasks of one process; identity counts. */
   private static final class ProcessQueue {
     final ProcessKey key;
-    final Queue<Runnable> tasks = new ArrayDeque<>(); // guarded by the lanes
-    int underWay; // guarded by the lanes
+    final Queue<Runnable> tasks = new ArrayDeque<>(); // guarded by the PeerExecutors
+    int underWay; // guarded by the PeerExecutors
 
     ProcessQueue(ProcessKey key) {
       this.key = key;
     }
   }
 
-  /**
-   * @param pool runs what may run, on other threads than the caller's; it drops nothing
-   */
+  /** @param pool runs the tasks on other threads than the caller's; it drops none */
   public PeerExecutors(Executor pool, TaskLimits limits) {
     this.pool = pool;
     this.limits = limits;
   }
 
   /**
-   * Runs tasks that call one process. Keeps nothing while there are none.
+   * Runs tasks that call one process. Keeps no state while there are none.
    *
-   * @param peer its computer; peers are told apart by {@code equals}
-   * @param process which process of it, told apart in the same way
+   * @param peer its computer; peers are distinguished by {@code equals}
+   * @param process the process on it, distinguished in the same way
    */
   public Executor executorFor(Object peer, Object process) {
     ProcessKey key = new ProcessKey(peer, process);
@@ -84,12 +82,12 @@ public final class PeerExecutors {
     };
   }
 
-  /** How many tasks are under way. */
+  /** The number of running tasks. */
   public synchronized int runningTasks() {
     return underWay;
   }
 
-  /** How many tasks wait. */
+  /** The number of waiting tasks. */
   public synchronized int waitingTasks() {
     return waiting.stream().mapToInt(lane -> lane.tasks.size()).sum();
   }

@@ -1,9 +1,9 @@
 package org.dfra.flow.effector;
 
 /**
- * A velocity was not executed, since the drive's parking brake is set. Nothing has moved. The brake
- * may have been set by a person, or by a controller that was switched off and on, so a program does
- * not release it to go on: it pauses, and somebody who sees that the robot may move has it resume.
+ * A velocity was not executed, since the drive's parking brake is set. Nothing has moved. An
+ * operator may have set the brake, or a motor controller after a power cycle. So a program does not
+ * release it: it pauses, and an operator who sees that the robot may move resumes it.
  */
 public final class BrakeEngagedException extends CommandRefusedException {
 

@@ -5,10 +5,11 @@ import java.util.Objects;
 import java.util.UUID;
 
 /**
- * What shows an effector that a command comes from its commander. It comes with the {@link
- * CommandLease} and ends with it; who knows it commands, so it is not shown around.
+ * The secret that authenticates a command as its commander's. It is issued with the {@link
+ * CommandLease} and ends with it. Any client that knows it can command, so it must not be
+ * disclosed.
  *
- * @param secret drawn by lot for each lease
+ * @param secret random for each lease
  */
 public record CommandKey(UUID secret) implements Serializable {
 

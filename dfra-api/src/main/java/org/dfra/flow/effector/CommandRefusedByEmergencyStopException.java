@@ -1,6 +1,6 @@
 package org.dfra.flow.effector;
 
-/** A command was not obeyed, since the effector is stopped for an emergency. Nothing has moved. */
+/** A command was not executed, since the effector is in an emergency stop. Nothing has moved. */
 public final class CommandRefusedByEmergencyStopException extends CommandRefusedException
     implements RefusedByEmergencyStop {
 

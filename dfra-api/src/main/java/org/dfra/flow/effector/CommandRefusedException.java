@@ -2,7 +2,7 @@ package org.dfra.flow.effector;
 
 /**
  * A command was not executed, since it did not come from the effector's commander, came too late,
- * or may not be executed now; the message says which. Nothing has moved.
+ * or may not be executed now. The message gives the reason. Nothing has moved.
  */
 public sealed class CommandRefusedException extends IllegalStateException
     permits CommandRefusedByEmergencyStopException, BrakeEngagedException {

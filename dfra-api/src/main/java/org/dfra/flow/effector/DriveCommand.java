@@ -1,18 +1,19 @@
 package org.dfra.flow.effector;
 
-/** What a {@link DriveEffector} can be told. */
+/** The commands of a {@link DriveEffector}. */
 public sealed interface DriveCommand extends Command {
 
   /**
-   * Move so, from now on and for no longer than {@link DriveEffector#MAX_COMMAND_TIMEOUT}. What is
-   * faster than the drive can is made slower, speed and turn rate alike, so that the curve stays.
+   * Sets the velocity, from now on and for no longer than {@link
+   * DriveEffector#MAX_COMMAND_TIMEOUT}. A velocity above the drive's limits is scaled down, speed
+   * and yaw rate alike, so that the curvature stays.
    *
    * @param speed along x of the robot's base, metres per second, forward is +
    * @param yawRate about z, radians per second, to the left is +
    */
   record Velocity(double speed, double yawRate) implements DriveCommand {
 
-    /** Stand still. */
+    /** Stop. */
     public static final Velocity ZERO = new Velocity(0, 0);
 
     public Velocity {
@@ -22,12 +23,12 @@ public sealed interface DriveCommand extends Command {
       }
     }
 
-    /** Whether it is no motion at all. */
+    /** Whether both components are zero. */
     public boolean isZero() {
       return speed == 0 && yawRate == 0;
     }
 
-    /** The same curve, no faster than that. */
+    /** The same curvature, within these limits. */
     public Velocity limitedTo(double maxSpeed, double maxYawRate) {
       double excess = Math.max(Math.abs(speed) / maxSpeed, Math.abs(yawRate) / maxYawRate);
       return excess <= 1 ? this : new Velocity(speed / excess, yawRate / excess);
@@ -35,7 +36,7 @@ public sealed interface DriveCommand extends Command {
   }
 
   /**
-   * Set or release the parking brake. A velocity other than zero is refused by a {@link
+   * Sets or releases the parking brake. A velocity other than zero is refused by a {@link
    * BrakeEngagedException} while it is set.
    *
    * @param engaged whether to set it

@@ -4,17 +4,17 @@ import java.rmi.RemoteException;
 import org.dfra.module.Idempotent;
 
 /**
- * What moves a robot over the ground.
+ * Drives a robot over the ground.
  *
- * <p>A {@link DriveCommand.Velocity} holds for a short while only: wheels that hear of no other
- * stand still within {@value #MAX_COMMAND_TIMEOUT} s of it, whatever died in between.
+ * <p>A {@link DriveCommand.Velocity} is valid for a short time only: without a new one the wheels
+ * stop within {@value #MAX_COMMAND_TIMEOUT} s, whatever failed in between.
  */
 public interface DriveEffector extends Effector<DriveCommand> {
 
-  /** Seconds after the last velocity within which the wheels stand. */
+  /** Maximum seconds from the last velocity command until the wheels stop. */
   double MAX_COMMAND_TIMEOUT = 0.5;
 
-  /** What the drive was last told, and what it does about it. */
+  /** The last command to the drive, and its state. */
   @Idempotent
   DriveState driveState() throws RemoteException;
 }

@@ -5,14 +5,13 @@ import org.dfra.event.Reading;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a drive was told last, and what it does about it.
+ * The last command to a drive, and its state.
  *
  * @param measured the time of this, UTC
- * @param velocity what it drives by now, as it was told and limited; zero while it stands for want
- *     of commands
+ * @param velocity the current commanded velocity, after limiting; zero after a command timeout
  * @param parkingBrakeEngaged whether the parking brake is set
- * @param commander who commands it, e.g. an address; null while nobody does
- * @param commandTimeouts how often it stood still because the next velocity came too late
+ * @param commander its commander, e.g. an address; null if there is none
+ * @param commandTimeouts how often it stopped because the next velocity came too late
  */
 public record DriveState(
     Instant measured,

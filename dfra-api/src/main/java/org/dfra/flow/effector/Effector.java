@@ -9,17 +9,17 @@ import org.dfra.module.Idempotent;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A module that acts on the world. It obeys its commander and nobody else, in its own virtual
- * machine as over the network, and comes to rest when there is none.
+ * A module that acts on the world. It executes only its commander's commands, in its own virtual
+ * machine as over the network, and stops when it has no commander.
  *
- * @param <C> what it can be told
+ * @param <C> its commands
  */
 public interface Effector<C extends Command> extends Device {
 
   /**
    * Makes the caller the effector's commander until the lease is closed.
    *
-   * @param duration after which the lease ends if its holder dies
+   * @param duration the time after which the lease ends if its holder dies
    * @throws LeaseRefusedException if there is a commander already, or {@code duration} is longer
    *     than the module allows, or not above zero, or the effector is {@linkplain #emergencyStop
    *     stopped}
@@ -27,43 +27,42 @@ public interface Effector<C extends Command> extends Device {
   CommandLease acquireCommandLease(Duration duration) throws LeaseRefusedException, RemoteException;
 
   /**
-   * Tells the effector what to do. It has begun to when the call returns; it is never told twice by
-   * itself.
+   * Executes a command. Execution has begun when the call returns; a command is never repeated
+   * automatically.
    *
-   * @param key of the commander's lease
+   * @param key the key of the commander's lease
    * @throws CommandRefusedException if the key is not, or no longer, that of the commander, or the
    *     effector is {@linkplain #emergencyStop stopped}
-   * @throws org.dfra.module.NotReadyException if the device does not serve
+   * @throws org.dfra.module.NotReadyException if the device is not ready
    */
   void execute(CommandKey key, C command) throws RemoteException;
 
   /**
-   * Stops the effector for an emergency, whoever asks and whoever commands: its commander loses the
-   * command at once, the device comes to rest, and nobody can command it until it is {@linkplain
-   * #releaseEmergencyStop released}. That outlives the effector's virtual machine. It is never
-   * refused, also while the module does not serve, and does not wait longer than half a second for
-   * a driver that is held up. Stopping it once more has it come to rest once more; who stopped it
-   * first is kept.
+   * Makes an emergency stop. Any client may request it: the commander loses its lease at once, the
+   * device stops, and no client can command it until it is {@linkplain #releaseEmergencyStop
+   * released}. The stop persists across restarts of the effector's virtual machine. It is never
+   * refused, even while the module is not ready, and waits at most half a second for a driver that
+   * blocks. A repeated stop stops the device again; the first requester is kept.
    *
-   * @param requester who asks, for people; any text will do, also none, and {@link
-   *     EmergencyStopState#requesterName} is kept of it
-   * @return how it is now
+   * @param requester the requester's name, for operators; any text is accepted, also null, and
+   *     {@link EmergencyStopState#requesterName} of it is stored
+   * @return the current state
    */
   @Idempotent
   EmergencyStopState emergencyStop(@Nullable String requester) throws RemoteException;
 
   /**
-   * Ends an emergency stop. Nothing moves by this: whoever wants to command asks for a new lease.
-   * Not idempotent, so that no other effector is released in place of one that does not answer;
-   * repeating it does no harm.
+   * Releases an emergency stop. The release moves nothing: a client must acquire a new lease to
+   * command. Not declared idempotent, so that a failover proxy does not release another effector in
+   * place of one that does not answer; a repeated call is harmless.
    *
-   * @param requester who releases it, for people; as for {@link #emergencyStop}
-   * @return how it is now
+   * @param requester the requester's name, for operators; as for {@link #emergencyStop}
+   * @return the current state
    */
   @Administrative
   EmergencyStopState releaseEmergencyStop(@Nullable String requester) throws RemoteException;
 
-  /** Whether it is stopped for an emergency. */
+  /** The emergency-stop state. */
   @Idempotent
   EmergencyStopState emergencyStopState() throws RemoteException;
 }

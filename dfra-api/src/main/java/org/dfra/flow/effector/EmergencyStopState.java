@@ -7,19 +7,20 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Whether an effector is stopped for an emergency, see {@link Effector#emergencyStop}. Two are
- * equal where all but their ages are.
+ * Whether an effector is in an emergency stop, see {@link Effector#emergencyStop}. Two states are
+ * equal if all components but their ages are.
  *
- * @param latched whether it is: then it obeys nobody until it is released
- * @param requester who stopped it, or released it last, for people; null where nobody ever did, or
- *     nobody knows any more
+ * @param latched whether it is stopped: then it executes no commands until it is released
+ * @param requester the name of the client that stopped or released it last, for operators; null if
+ *     it was never stopped, or the name is lost
  * @param since when that was, by the effector's clock, UTC, whole milliseconds; null likewise. For
- *     people, and to distinguish one stop from another: computers' clocks differ and are set.
- * @param haltCommanded whether its driver has been told to come to rest; false only while it is
- *     latched and the driver is held up, or where the driver failed
- * @param fault what is wrong with it, a clause or two for people; null where nothing is
- * @param age how long ago that was at least, by time that nobody sets, as of this answer; exact
- *     unless the effector's computer was booted since; null where {@code since} is
+ *     operators, and to distinguish stops; do not use it to measure time: clocks of computers
+ *     differ and are set.
+ * @param haltCommanded whether its driver has been commanded to stop; false only while it is
+ *     latched and the driver blocks, or if the driver failed
+ * @param fault its fault, a clause or two for operators; null if there is none
+ * @param age minimum time since then by a monotonic clock, as of this answer; exact unless the
+ *     effector's computer was rebooted since; null if {@code since} is
  */
 public record EmergencyStopState(
     boolean latched,
@@ -30,7 +31,7 @@ public record EmergencyStopState(
     @Nullable Duration age)
     implements Serializable {
 
-  /** Of unknown age. */
+  /** A state of unknown age. */
   public EmergencyStopState(
       boolean latched,
       @Nullable String by,
@@ -40,30 +41,30 @@ public record EmergencyStopState(
     this(latched, by, since, resting, fault, null);
   }
 
-  /** Of an effector that was never stopped. */
+  /** The state of an effector that was never stopped. */
   public static final EmergencyStopState NEVER =
       new EmergencyStopState(false, null, null, true, null);
 
   /** Characters of a requester's name that are kept. */
   private static final int LONGEST_NAME = 120;
 
-  /** Of a longer text, no more than this is read: it may be of any length. */
+  /** At most this many characters of a text are read: it may be of any length. */
   private static final int LONGEST_TEXT = 4 * LONGEST_NAME;
 
   /**
-   * The name that is kept of whoever stops or releases an effector. Any text will do, also none: a
-   * stop must not fail because of it.
+   * The stored name of a client that stops or releases an effector. Any text is accepted, also
+   * null: a stop must not fail because of it.
    *
-   * @param by who asks, as the caller says; any length, any characters
+   * @param by the name that the caller gives; any length, any characters
    * @return one line of at most 120 characters, with an ellipsis where it was longer; {@code
-   *     somebody} where nothing can be read in it
+   *     somebody} if it has no readable character
    */
   public static String requesterName(@Nullable String by) {
     if (by == null) {
       return "somebody";
     }
     String text = by.length() <= LONGEST_TEXT ? by : by.substring(0, LONGEST_TEXT);
-    // Controls, directions of writing, halves of characters and ends of lines garble a terminal.
+    // Control and bidi characters, lone surrogates and line separators garble a terminal.
     String line = text.replaceAll("[\\p{Cc}\\p{Cf}\\p{Cs}\\p{Zl}\\p{Zp}]+", " ").strip();
     if (line.isEmpty()) {
       return "somebody";
@@ -88,7 +89,7 @@ public record EmergencyStopState(
     return Objects.hash(latched, requester, since, haltCommanded, fault);
   }
 
-  /** Since when it is stopped and by whom, as far as that is known; for people. */
+  /** Since when and by which client it is stopped, as far as known; for operators. */
   public String inWords() {
     return (since == null ? "since a time not known" : "since " + since)
         + (requester == null ? "" : ", by " + requester);

@@ -2,19 +2,19 @@ package org.dfra.flow.effector;
 
 import org.dfra.geometry.GeoPosition;
 
-/** What a {@link FlightEffector} can be told. */
+/** The commands of a {@link FlightEffector}. */
 public sealed interface FlightCommand extends Command {
 
-  /** Start the motors, on the ground. */
+  /** Starts the motors, on the ground. */
   record Arm() implements FlightCommand {}
 
-  /** Stop the motors, on the ground only. */
+  /** Stops the motors, on the ground only. */
   record Disarm() implements FlightCommand {}
 
   /**
-   * Rise from where it stands, armed.
+   * Takes off from the ground, armed.
    *
-   * @param height metres above the place it rises from, above 0
+   * @param height metres above the take-off position, above 0
    */
   record TakeOff(double height) implements FlightCommand {
 
@@ -26,10 +26,10 @@ public sealed interface FlightCommand extends Command {
   }
 
   /**
-   * Fly straight to there and stay.
+   * Flies straight to a position and holds it.
    *
-   * @param position where to, frame WGS84, height above the ellipsoid
-   * @param speed over ground, metres per second, above 0; what is faster than it can is made slower
+   * @param position the position, frame WGS84, height above the ellipsoid
+   * @param speed over ground, metres per second, above 0; limited to the vehicle's maximum
    */
   record GoTo(GeoPosition position, double speed) implements FlightCommand {
 
@@ -40,12 +40,12 @@ public sealed interface FlightCommand extends Command {
     }
   }
 
-  /** Stay in the air where it is now. */
+  /** Holds the current position in the air. */
   record Hold() implements FlightCommand {}
 
-  /** Go down to the ground where it is now and stop the motors. */
+  /** Lands at the current position and stops the motors. */
   record Land() implements FlightCommand {}
 
-  /** Fly back to where it took off and land there. */
+  /** Flies back to the take-off position and lands there. */
   record ReturnToLaunch() implements FlightCommand {}
 }

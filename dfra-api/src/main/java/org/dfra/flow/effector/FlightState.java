@@ -6,13 +6,13 @@ import org.dfra.geometry.GeoPosition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How a flight controller flies, as it tells.
+ * The flight state that a flight controller reports.
  *
  * @param measured the time of this, UTC
- * @param phase what it does
- * @param isArmed whether its motors may turn
- * @param position where it is, frame WGS84; null while it does not know
- * @param height metres above where it took off
+ * @param phase its phase of flight
+ * @param isArmed whether its motors are enabled
+ * @param position its position, frame WGS84; null while unknown
+ * @param height metres above the take-off position
  * @param heading of its nose in degrees, 0 to less than 360, 0 is true north, clockwise is +
  * @param speed over ground, metres per second
  * @param climb upwards, metres per second, up is +
@@ -28,15 +28,15 @@ public record FlightState(
     double climb)
     implements Reading {
 
-  /** What it does. */
+  /** Phase of flight. */
   public enum Phase {
-    /** It stands. */
+    /** It is on the ground. */
     ON_GROUND,
-    /** It rises from the ground to its take-off height. */
+    /** It climbs from the ground to its take-off height. */
     TAKING_OFF,
-    /** It flies or holds its place. */
+    /** It flies or holds its position. */
     IN_AIR,
-    /** It goes down. */
+    /** It descends to land. */
     LANDING
   }
 

@@ -2,7 +2,7 @@ package org.dfra.flow.effector;
 
 import org.dfra.lease.LeaseRefusedException;
 
-/** Nobody can command the effector, since it is stopped for an emergency. */
+/** A command lease was refused, since the effector is in an emergency stop. */
 public final class LeaseRefusedByEmergencyStopException extends LeaseRefusedException
     implements RefusedByEmergencyStop {
 

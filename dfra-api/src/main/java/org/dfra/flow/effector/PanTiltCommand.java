@@ -1,15 +1,14 @@
 package org.dfra.flow.effector;
 
-/** What a {@link PanTiltEffector} can be told. */
+/** The commands of a {@link PanTiltEffector}. */
 public sealed interface PanTiltCommand extends Command {
 
   /**
-   * Turn there and stay. A direction outside the unit's limits is refused.
+   * Rotates to a direction and holds it. A direction outside the unit's limits is refused.
    *
    * @param pan about z, radians, to the left is +
    * @param tilt about y after pan, radians, up is +
-   * @param speed of each axis, radians per second, above 0; what is faster than the unit can is
-   *     made slower
+   * @param speed of each axis, radians per second, above 0; limited to the unit's maximum
    */
   record PointAt(double pan, double tilt, double speed) implements PanTiltCommand {
 
@@ -24,6 +23,6 @@ public sealed interface PanTiltCommand extends Command {
     }
   }
 
-  /** Stop where it is now. */
+  /** Stops at the current direction. */
   record Halt() implements PanTiltCommand {}
 }

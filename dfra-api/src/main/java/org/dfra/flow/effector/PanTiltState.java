@@ -10,7 +10,7 @@ import org.dfra.event.Reading;
  * @param frame name of the head's frame, e.g. {@code atrv1/pan_tilt}
  * @param pan about z, radians, to the left is +
  * @param tilt about y after pan, radians, up is +
- * @param isMoving whether it has not reached where it was told to point
+ * @param isMoving whether it has not reached the commanded direction yet
  */
 public record PanTiltState(
     Instant measured, String frame, double pan, double tilt, boolean isMoving) implements Reading {

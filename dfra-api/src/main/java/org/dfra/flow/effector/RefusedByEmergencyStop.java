@@ -1,8 +1,8 @@
 package org.dfra.flow.effector;
 
 /**
- * Marks a refusal that only people can end: the effector is {@linkplain Effector#emergencyStop
- * stopped for an emergency}. Who is refused so gives up what it was about; it does not wait for the
- * release, since then releasing would move the robot.
+ * Marks a refusal that only an operator can end: the effector is in an {@linkplain
+ * Effector#emergencyStop emergency stop}. A refused client cancels its task. It does not wait for
+ * the release, since then the release would move the robot.
  */
 public interface RefusedByEmergencyStop {}

@@ -2,14 +2,14 @@
  * Effectors: the modules that act on the world.
  *
  * <pre>
- *   client --- command(duration) --&gt; Effector     one commander at a time, by a lease
+ *   client --- acquireCommandLease(duration) --&gt; Effector     one commander at a time
  *          &lt;------- CommandLease ---
- *          --- obey(key, command) --&gt;             who holds no key is refused
- *   lease closed, expired, revoked --&gt; the effector comes to rest
- *   anybody --- emergencyStop(by) --&gt;          it comes to rest and obeys nobody until released
+ *          --- execute(key, command) --&gt;                      refused without a valid key
+ *   lease closed, expired, revoked --&gt; the effector stops
+ *   any client --- emergencyStop(requester) --&gt;  it stops, and refuses commands until released
  * </pre>
  *
- * <p>Enter at {@link org.dfra.flow.effector.Effector}. A kind of effector is an interface here, its
+ * <p>Start at {@link org.dfra.flow.effector.Effector}. A kind of effector is an interface here, its
  * commands are a sealed interface of records.
  */
 @NullMarked

@@ -5,12 +5,12 @@ import org.dfra.event.Reading;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 
 /**
- * What a motor schema would have the wheels do.
+ * The velocity that a motor schema recommends.
  *
- * @param measured time of the older of the percepts it rests on, UTC
- * @param velocity what it would have them do
- * @param reason the rule that speaks loudest for it, in words
- * @param strength how much that rule applies, 0 to 1
+ * @param measured time of the older of the percepts it is based on, UTC
+ * @param velocity the recommended velocity
+ * @param reason the rule with the highest activation for it, in words
+ * @param strength the activation of that rule, 0 to 1
  */
 public record DriveAdvice(Instant measured, Velocity velocity, String reason, double strength)
     implements Reading {}

@@ -2,5 +2,7 @@ package org.dfra.flow.motor;
 
 import org.dfra.flow.Schema;
 
-/** A module that makes commands of percepts. It gives advice and moves nothing itself. */
+/**
+ * A module that computes commands from percepts. It only recommends them and moves nothing itself.
+ */
 public interface MotorSchema extends Schema {}

@@ -1,6 +1,6 @@
 /**
- * What makes commands of percepts: the second half of every behaviour. A motor schema advises; who
- * holds the effector's lease commands.
+ * Motor schemas: they compute commands from percepts, the second half of every behaviour. A motor
+ * schema recommends; the holder of the effector's lease commands.
  */
 @NullMarked
 package org.dfra.flow.motor;

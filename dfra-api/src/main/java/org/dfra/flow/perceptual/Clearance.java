@@ -3,11 +3,12 @@ package org.dfra.flow.perceptual;
 import java.time.Instant;
 
 /**
- * How much room there is around the front of a robot, from its body to the nearest obstacle.
+ * The clearance around the front of a robot, from its body to the nearest obstacle.
  *
- * @param measured time of the newest scan it rests on, UTC
+ * @param measured time of the newest scan it is based on, UTC
  * @param frame name of the robot's base, e.g. {@code atrv1/base_link}
- * @param left metres to the left of the body, not negative; the sensor's reach where nothing is
+ * @param left metres to the left of the body, not negative; the sensor's maximum range if nothing
+ *     is there
  * @param centre metres ahead of the bumper, likewise
  * @param right metres to the right of the body, likewise
  */
@@ -21,7 +22,7 @@ public record Clearance(Instant measured, String frame, double left, double cent
     }
   }
 
-  /** The least of the three, metres. */
+  /** The minimum of the three, metres. */
   public double min() {
     return Math.min(centre, Math.min(left, right));
   }

@@ -5,15 +5,16 @@ import org.dfra.geometry.Leg;
 import org.dfra.module.Idempotent;
 
 /**
- * Tells how its robot stands to a line, from where the robot believes it is. It keeps no line:
- * whoever asks names it, so several behaviours may.
+ * Computes the robot's position and heading relative to a line, from its pose estimate. It stores
+ * no line: the caller passes it, so several behaviours can share the module.
  */
 public interface HeadingError extends PerceptualSchema {
 
   /**
-   * How the robot stands to a line now. A line of no length is its end point only.
+   * The robot's current position and heading relative to a line. A line of length zero is its end
+   * point only.
    *
-   * @throws org.dfra.module.NotReadyException if there is no pose, or none that still counts
+   * @throws org.dfra.module.NotReadyException if there is no pose, or it is too old
    */
   @Idempotent
   HeadingPercept towards(Leg leg) throws RemoteException;

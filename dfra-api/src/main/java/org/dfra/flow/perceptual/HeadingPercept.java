@@ -3,17 +3,17 @@ package org.dfra.flow.perceptual;
 import java.time.Instant;
 
 /**
- * How a robot stands to the way it is to go.
+ * The position and heading of a robot relative to its path.
  *
- * @param measured time of the pose it rests on, UTC
+ * @param measured time of the pose it is based on, UTC
  * @param frame name of the robot's base, e.g. {@code atrv1/base_link}
- * @param headingError by how much to turn, radians, −π to π; to the left is +
- * @param headingSigma standard deviation of that from the doubt in the robot's yaw, radians; more
- *     than 1 says that it does not know which way it faces
- * @param crossTrack metres off the line; left of it, seen along it, is +
- * @param alongTrack metres gone along the line from its beginning; less than 0 before it
+ * @param headingError angle to rotate by, radians, −π to π; to the left is +
+ * @param headingSigma standard deviation of that, from that of the robot's yaw, radians; more than
+ *     1 means that the heading is unknown
+ * @param crossTrack metres from the line; left of it, in its direction, is +
+ * @param alongTrack metres travelled along the line from its beginning; less than 0 before it
  * @param remainingAlongTrack metres left along the line to its end; less than 0 beyond it
- * @param distance metres to the end of the line, straight
+ * @param distance straight-line distance to the end of the line, metres
  */
 public record HeadingPercept(
     Instant measured,

@@ -3,13 +3,13 @@ package org.dfra.flow.perceptual;
 import java.rmi.RemoteException;
 import org.dfra.module.Idempotent;
 
-/** Finds mines on the ground by how they look and how warm they are. */
+/** Detects mines on the ground in visible and thermal images. */
 public interface MineDetector extends PerceptualSchema {
 
   /**
-   * All it has taken for mines so far.
+   * All mines detected so far.
    *
-   * @throws org.dfra.module.NotReadyException if it has not seen anything yet
+   * @throws org.dfra.module.NotReadyException if it has not processed an image yet
    */
   @Idempotent
   MinePercept mines() throws RemoteException;

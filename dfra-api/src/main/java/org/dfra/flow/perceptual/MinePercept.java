@@ -6,11 +6,11 @@ import java.util.List;
 import org.dfra.geometry.GeoPosition;
 
 /**
- * What a robot takes for mines.
+ * The mines that a robot has detected.
  *
- * @param measured time of the newest image it rests on, UTC
- * @param frame name of the frame that the positions are of: {@code earth}, WGS84
- * @param detections each once, the likeliest first
+ * @param measured time of the newest image it is based on, UTC
+ * @param frame name of the frame of the positions: {@code earth}, WGS84
+ * @param detections each mine once, the most probable first
  */
 public record MinePercept(Instant measured, String frame, List<Detection> detections)
     implements Percept {
@@ -20,11 +20,11 @@ public record MinePercept(Instant measured, String frame, List<Detection> detect
   }
 
   /**
-   * Something that may be a mine.
+   * A possible mine.
    *
-   * @param position where on the ground, frame WGS84
-   * @param probability that it is one, 0 to 1
-   * @param observations how many pairs of images it was seen in
+   * @param position position on the ground, frame WGS84
+   * @param probability probability that it is a mine, 0 to 1
+   * @param observations number of image pairs in which it was detected
    */
   public record Detection(GeoPosition position, double probability, int observations)
       implements Serializable {

@@ -3,11 +3,11 @@ package org.dfra.flow.perceptual;
 import org.dfra.event.Reading;
 
 /**
- * Something perceived: a reading that was made of others. Its time is that of the newest of them
- * that it rests on, so who acts on it knows how old it is.
+ * A reading that is computed from other readings. Its time is that of the newest reading it is
+ * based on, so consumers can compute its age.
  */
 public interface Percept extends Reading {
 
-  /** Name of the frame that its numbers are in. */
+  /** Name of the frame of its values. */
   String frame();
 }

@@ -2,5 +2,5 @@ package org.dfra.flow.perceptual;
 
 import org.dfra.flow.Schema;
 
-/** A module that makes percepts of what sensors, or other perceptual schemas, tell. */
+/** A module that computes percepts from the readings of sensors or other perceptual schemas. */
 public interface PerceptualSchema extends Schema {}

@@ -9,21 +9,22 @@ import org.dfra.time.ClockOffset;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a robot believes it is.
+ * A robot's estimate of its own pose.
  *
- * @param measured time that it is of, by the robot's clock, UTC
+ * @param measured time of the estimate, by the robot's clock, UTC
  * @param frame name of the frame, e.g. {@code atrv1/map}: east, north, up at the datum
- * @param datum where the frame's origin is, frame WGS84
+ * @param datum position of the frame's origin, frame WGS84
  * @param east metres east of the datum, of the robot's base
  * @param north metres north of it
  * @param yaw radians, −π to π; 0 is east, counter-clockwise is +
  * @param speed forward, metres per second
  * @param yawRate radians per second, to the left is +
- * @param positionSigma standard deviation of the position along its worst direction, metres
+ * @param positionSigma standard deviation of the position along the direction where it is largest,
+ *     metres
  * @param yawSigma standard deviation of the yaw, radians
- * @param fixAge time since a position from outside was last used; null before the first
- * @param clockOffset how far the robot's clock is ahead of UTC as its receivers tell it, + is
- *     ahead; null where none told. Who compares poses of two robots takes it off first, see {@link
+ * @param fixAge time since an absolute position was last used; null before the first
+ * @param clockOffset offset of the robot's clock from UTC as its receivers report it, + is ahead;
+ *     null if none reported. Subtract it before comparing the poses of two robots, see {@link
  *     ClockOffset#relativeTo}.
  */
 public record PoseEstimate(

@@ -3,13 +3,13 @@ package org.dfra.flow.perceptual;
 import java.rmi.RemoteException;
 import org.dfra.module.Idempotent;
 
-/** Tells where its robot is, from all that its robot has to say of that. */
+/** Estimates the pose of its robot by fusing the readings of its sensors. */
 public interface PositionEstimator extends PerceptualSchema {
 
   /**
    * The last estimate.
    *
-   * @throws org.dfra.module.NotReadyException if there is none, or none that still counts
+   * @throws org.dfra.module.NotReadyException if there is none, or it is too old
    */
   @Idempotent
   PoseEstimate estimate() throws RemoteException;

@@ -4,15 +4,15 @@ import java.rmi.RemoteException;
 import org.dfra.module.Idempotent;
 
 /**
- * Tells the room around a robot from its range sensor, several scans at a time, so that what only
- * one of them shows (dust, a bump that tilts the beams into the ground) does not count.
+ * Computes the clearance around a robot from its range sensor. It filters over several scans, so
+ * that an artefact in a single scan (dust, a bump that tilts the beams into the ground) is ignored.
  */
 public interface RangeFilter extends PerceptualSchema {
 
   /**
-   * The room as the last scans showed it.
+   * The clearance of the last scans.
    *
-   * @throws org.dfra.module.NotReadyException if there is none, or none that still counts
+   * @throws org.dfra.module.NotReadyException if there is none, or it is too old
    */
   @Idempotent
   Clearance clearance() throws RemoteException;

@@ -4,15 +4,15 @@ import java.rmi.RemoteException;
 import org.dfra.module.Idempotent;
 
 /**
- * Follows the other robots of the team by the poses that they tell: how far they are, how far their
- * clocks are ahead, and for how long they could not be heard.
+ * Tracks the other robots of the team by the poses that they publish: their distance, their clock
+ * offset, and how long no message was received from them.
  */
 public interface TeamTracker extends PerceptualSchema {
 
   /**
-   * What is known of the others; nobody, where there is none.
+   * The known teammates; empty if there are none.
    *
-   * @throws org.dfra.module.NotReadyException if its own robot does not know where it is
+   * @throws org.dfra.module.NotReadyException if the pose of its own robot is unknown
    */
   @Idempotent
   TeamPositions team() throws RemoteException;

@@ -6,17 +6,17 @@ import org.dfra.time.ClockOffset;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Another robot of the team, as a robot knows it.
+ * Another robot of the team, as one robot knows it.
  *
  * @param robot its name
- * @param lastReceived when it was last heard of, by the asker's clock, UTC
- * @param isOutOfReach whether nothing has been heard of it for longer than is usual
- * @param missedReadings readings that it told and that were not heard, since the asker began to
- *     listen; a gap is counted when it is over
- * @param clockOffset how far its clock is ahead of the asker's; null where that is unknown, since
- *     one of them has heard no satellite
- * @param relativePosition where it was; null before both were known to be somewhere at one instant,
- *     and where the clocks cannot be compared
+ * @param lastReceived when its last message was received, by the receiver's clock, UTC
+ * @param isOutOfReach whether no message was received for longer than usual
+ * @param missedReadings readings that it published and that were not received since the receiver
+ *     subscribed; a gap is counted when it ends
+ * @param clockOffset how far its clock is ahead of the receiver's; null if unknown, because one of
+ *     them has no satellite time
+ * @param relativePosition its relative position; null before both positions are known for one
+ *     instant, and if the clocks cannot be compared
  */
 public record Teammate(
     String robot,
@@ -41,13 +41,14 @@ public record Teammate(
   }
 
   /**
-   * Where a robot believes it was, from where the asker believes it was at the same instant.
+   * A teammate's estimated position relative to the receiver's estimated position at the same
+   * instant.
    *
-   * @param time the instant, by the asker's clock, UTC
-   * @param east metres east of the asker, base to base
+   * @param time the instant, by the receiver's clock, UTC
+   * @param east metres east of the receiver, base to base
    * @param north metres north of it
-   * @param sigma standard deviation of the distance, metres, by those of both positions; what the
-   *     clocks' offset may be off by is added as the way that both drive meanwhile
+   * @param sigma standard deviation of the distance, metres, from those of both positions; the
+   *     uncertainty of the clock offset is added as the distance that both drive in that time
    */
   public record RelativePosition(Instant time, double east, double north, double sigma)
       implements Serializable {

@@ -1,16 +1,16 @@
 /**
- * What makes percepts of readings: the first half of every behaviour.
+ * Perceptual schemas: they compute percepts from readings, the first half of every behaviour.
  *
  * <pre>
  *   RangeScan ---------------&gt; RangeFilter ------- Clearance ------.
  *   Odometry, AngularRate, ---&gt; PositionEstimator - PoseEstimate -.  &gt;--&gt; motor schema
  *   GpsFix                                                        v /
  *                                              HeadingError - HeadingPercept
- *   PoseEstimate of all robots -> TeamTracker ---- TeamPositions --> who keeps an eye on others
+ *   PoseEstimate of all robots -> TeamTracker ---- TeamPositions --> recruitment, team displays
  *   CameraImage (light, heat) -&gt; MineDetector ---- MinePercept ----&gt; script
  * </pre>
  *
- * <p>No schema here knows what is done with its percepts; several behaviours may use one.
+ * <p>A schema is independent of the use of its percepts; several behaviours may share one.
  */
 @NullMarked
 package org.dfra.flow.perceptual;

@@ -4,9 +4,9 @@ import java.time.Instant;
 import org.dfra.event.Reading;
 
 /**
- * How fast a gyro turns.
+ * The angular rate that a gyro measures.
  *
- * @param measured when it turned so, UTC
+ * @param measured time of the measurement, UTC
  * @param frame name of the gyro's frame, e.g. {@code atrv1/gyro}
  * @param rate about z of that frame, radians per second, to the left is +
  */

@@ -3,13 +3,13 @@ package org.dfra.flow.sensor;
 import java.rmi.RemoteException;
 import org.dfra.module.Idempotent;
 
-/** A sensor of a battery: of its voltage, at least. */
+/** A battery sensor. It measures the voltage at least. */
 public interface BatterySensor extends Sensor {
 
   /**
-   * The battery as last measured.
+   * The last measured state of the battery.
    *
-   * @throws org.dfra.module.NotReadyException if it was not measured, or too long ago to count
+   * @throws org.dfra.module.NotReadyException if it was not measured, or the measurement is too old
    */
   @Idempotent
   BatteryState battery() throws RemoteException;

@@ -5,13 +5,13 @@ import org.dfra.event.Reading;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How a battery is.
+ * The state of a battery.
  *
- * @param measured when it was so, UTC
+ * @param measured time of the measurement, UTC
  * @param voltage at its terminals, volts
  * @param current drawn from it, amperes; negative while it is charged; null if not measured
  * @param remaining charge left, 0 is empty, 1 is full; null if not known
- * @param isEstimated whether what remains was guessed from the voltage alone
+ * @param isEstimated whether {@code remaining} was estimated from the voltage alone
  */
 public record BatteryState(
     Instant measured,

@@ -7,13 +7,13 @@ import org.dfra.event.Reading;
 /**
  * An image as its camera encoded it.
  *
- * <p>The camera is a pin hole: a point x forward, y left, z up in its frame is seen {@code
+ * <p>The camera is a pin hole: a point x forward, y left, z up in its frame is projected {@code
  * focalLength · y / x} pixels to the left of the image's middle and {@code focalLength · z / x}
  * above it.
  *
  * @param measured when it was taken, UTC
  * @param frame name of the camera's frame, which looks along its x, e.g. {@code atrv1/camera}
- * @param band what it sees
+ * @param band its spectral band
  * @param width pixels
  * @param height pixels
  * @param focalLength pixels
@@ -32,11 +32,11 @@ public record CameraImage(
     @SuppressWarnings("ArrayRecordComponent") byte[] data)
     implements Reading {
 
-  /** What a camera sees. */
+  /** The spectral band of a camera. */
   public enum Band {
-    /** Light. */
+    /** Visible light. */
     VISIBLE,
-    /** The heat that things radiate. */
+    /** Thermal infrared. */
     THERMAL
   }
 
@@ -79,7 +79,7 @@ public record CameraImage(
     return 31 * measured.hashCode() + Arrays.hashCode(data);
   }
 
-  /** In a line: the bytes are counted, not listed. */
+  /** One line with the number of bytes instead of the bytes. */
   @Override
   public String toString() {
     return "CameraImage[measured="

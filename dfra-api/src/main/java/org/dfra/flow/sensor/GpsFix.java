@@ -9,8 +9,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * One solution of a satellite positioning receiver.
  *
- * @param mode what was solved for
- * @param position the receiver's antenna, frame WGS84; null exactly where the mode is {@link
+ * @param mode what the receiver solved for
+ * @param position the receiver's antenna, frame WGS84; null if and only if the mode is {@link
  *     Mode#NONE}
  * @param utc time of the solution, UTC; the host's time of arrival while the receiver does not know
  *     UTC
@@ -34,7 +34,7 @@ public record GpsFix(
     int satellitesTracked)
     implements Reading {
 
-  /** What a solution was solved for. */
+  /** What the receiver solved for. */
   public enum Mode {
     /** No position. */
     NONE,

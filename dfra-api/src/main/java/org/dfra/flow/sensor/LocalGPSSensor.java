@@ -5,13 +5,15 @@ import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalPosition;
 import org.dfra.module.Idempotent;
 
-/** A satellite positioning receiver that also tells where it is in metres about a datum. */
+/**
+ * A satellite positioning receiver that also reports its position in metres relative to a datum.
+ */
 public interface LocalGPSSensor extends GPSSensor {
 
   /**
-   * The last fix, east, north and up of a datum, in metres.
+   * The last fix, in metres east, north and up of a datum.
    *
-   * @param datum where east, north and up are zero, frame WGS84
+   * @param datum the origin, frame WGS84
    * @throws org.dfra.module.NotReadyException if there is no position
    */
   @Idempotent

@@ -5,11 +5,11 @@ import org.dfra.event.Reading;
 import org.dfra.geometry.GeoPosition;
 
 /**
- * Where a location sensor was.
+ * The measured position of a location sensor.
  *
  * @param position the position, frame WGS84
- * @param frame name of the robot's frame that stood there, e.g. {@code atrv1/gps_front}
- * @param measured when it stood there, UTC
+ * @param frame name of the sensor's frame, e.g. {@code atrv1/gps_front}
+ * @param measured time of the measurement, UTC
  */
 public record LocationReading(GeoPosition position, String frame, Instant measured)
     implements Reading {

@@ -3,7 +3,7 @@ package org.dfra.flow.sensor;
 import java.rmi.RemoteException;
 import org.dfra.module.Idempotent;
 
-/** A sensor that tells where on the earth it is. */
+/** A sensor that measures its position on the earth. */
 public interface LocationSensor extends Sensor {
 
   /**

@@ -4,15 +4,15 @@ import java.time.Instant;
 import org.dfra.event.Reading;
 
 /**
- * How far wheels have carried a robot, by their own count.
+ * A robot's pose and velocity from its wheel encoders.
  *
  * @param measured time of the count, UTC
- * @param frame name of the frame in which the pose is, e.g. {@code atrv1/odom}: it stands where the
- *     sensor began to count; the pose goes on from where it was when a controller counts anew
- * @param childFrame name of the frame that moves, e.g. {@code atrv1/base_link}
- * @param x metres forward of the beginning
- * @param y metres to the left of the beginning
- * @param yaw turn since the beginning in radians, to the left is +, not wrapped
+ * @param frame name of the pose's frame, e.g. {@code atrv1/odom}: its origin is where the sensor
+ *     began to count; the pose stays continuous when a controller resets its counters
+ * @param childFrame name of the moving frame, e.g. {@code atrv1/base_link}
+ * @param x metres forward of the origin
+ * @param y metres to the left of the origin
+ * @param yaw rotation since the beginning in radians, to the left is +, not wrapped
  * @param speed along the child's x, metres per second, forward is +
  * @param yawRate about z, radians per second, to the left is +
  */

@@ -3,13 +3,13 @@ package org.dfra.flow.sensor;
 import java.rmi.RemoteException;
 import org.dfra.module.Idempotent;
 
-/** A sensor that counts the motion of wheels: it knows how far it went, and errs more and more. */
+/** A sensor that integrates the motion of wheels. Its error grows with the distance. */
 public interface OdometrySensor extends Sensor {
 
   /**
-   * The last pose and motion counted.
+   * The last pose and velocity.
    *
-   * @throws org.dfra.module.NotReadyException if there is none, or none that still counts
+   * @throws org.dfra.module.NotReadyException if there is none, or it is too old
    */
   @Idempotent
   Odometry odometry() throws RemoteException;

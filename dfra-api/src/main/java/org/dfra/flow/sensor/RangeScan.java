@@ -5,18 +5,18 @@ import java.util.Arrays;
 import org.dfra.event.Reading;
 
 /**
- * Distances along beams that lie in the plane x-y of the sensor's frame and begin at its origin, as
- * REP-117 marks those that are none.
+ * Distances along beams that lie in the plane x-y of the sensor's frame and begin at its origin,
+ * with REP-117's values for invalid ranges.
  *
  * @param measured time of the first beam, UTC
  * @param frame name of the sensor's frame, e.g. {@code atrv1/laser}
  * @param firstAngle angle of the first beam in radians, 0 is forward, to the left is +
  * @param angleIncrement from one beam to the next in radians; counter-clockwise is +, not 0
  * @param duration seconds from the first beam to the last, not negative
- * @param minRange shortest distance it can tell, metres
- * @param maxRange longest distance it can tell, metres
- * @param ranges the distances in metres, single precision; +∞ where a beam met nothing, −∞ where
- *     something was too close to be measured, NaN where the measurement failed. Copied in and out.
+ * @param minRange minimum measurable distance, metres
+ * @param maxRange maximum measurable distance, metres
+ * @param ranges the distances in metres, single precision; +∞ if a beam met nothing, −∞ if
+ *     something was too close to be measured, NaN if the measurement failed. Copied in and out.
  */
 public record RangeScan(
     Instant measured,
@@ -49,12 +49,12 @@ public record RangeScan(
     return ranges.clone();
   }
 
-  /** How many beams. */
+  /** The number of beams. */
   public int beams() {
     return ranges.length;
   }
 
-  /** Distance along a beam, metres, or what stands for none. */
+  /** Distance along a beam, metres, or the value for an invalid range. */
   public float range(int beam) {
     return ranges[beam];
   }
@@ -64,7 +64,7 @@ public record RangeScan(
     return firstAngle + beam * angleIncrement;
   }
 
-  /** Whether the beam has met something that it could measure. */
+  /** Whether the beam has a measured distance. */
   public boolean isMeasured(int beam) {
     return Float.isFinite(ranges[beam]);
   }
@@ -87,7 +87,7 @@ public record RangeScan(
     return 31 * measured.hashCode() + Arrays.hashCode(ranges);
   }
 
-  /** In a line: the beams are counted, not listed. */
+  /** One line with the number of beams instead of the ranges. */
   @Override
   public String toString() {
     int met = 0;

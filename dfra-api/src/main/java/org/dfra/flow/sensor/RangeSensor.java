@@ -9,7 +9,7 @@ public interface RangeSensor extends Sensor {
   /**
    * The last scan.
    *
-   * @throws org.dfra.module.NotReadyException if there is none, or none that still counts
+   * @throws org.dfra.module.NotReadyException if there is none, or it is too old
    */
   @Idempotent
   RangeScan scan() throws RemoteException;

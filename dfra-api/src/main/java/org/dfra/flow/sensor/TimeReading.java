@@ -7,8 +7,8 @@ import org.dfra.event.Reading;
 /**
  * A time received from outside.
  *
- * @param utc the time the sensor told, UTC
- * @param hostClock what the robot's own clock showed when the sensor's message was complete
+ * @param utc the time that the sensor reported, UTC
+ * @param hostClock the robot's own clock when the sensor's message was complete
  */
 public record TimeReading(Instant utc, Instant hostClock) implements Reading {
 

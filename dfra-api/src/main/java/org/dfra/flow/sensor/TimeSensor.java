@@ -3,7 +3,7 @@ package org.dfra.flow.sensor;
 import java.rmi.RemoteException;
 import org.dfra.module.Idempotent;
 
-/** A sensor that tells the time better than the robot's own clock. */
+/** A sensor that measures the time more accurately than the robot's own clock. */
 public interface TimeSensor extends Sensor {
 
   /**

@@ -1,14 +1,14 @@
 /**
- * Sensors: the modules that bring the world in.
+ * Sensors: the modules that measure the world.
  *
- * <p>Enter at {@link org.dfra.flow.sensor.Sensor}. A kind of sensor is an interface here, its
+ * <p>Start at {@link org.dfra.flow.sensor.Sensor}. A kind of sensor is an interface here, its
  * readings are records with timestamp and frame. {@link org.dfra.flow.sensor.GPSSensor} is the
  * reference kind: a location sensor and a time sensor in one.
  *
  * <pre>
- *   where it is    LocationSensor, GPSSensor, OdometrySensor, AngularRateSensor
- *   what is there  RangeSensor, CameraSensor
- *   how it is      TimeSensor, BatterySensor
+ *   own motion     LocationSensor, GPSSensor, OdometrySensor, AngularRateSensor
+ *   surroundings   RangeSensor, CameraSensor
+ *   own state      TimeSensor, BatterySensor
  * </pre>
  */
 @NullMarked

@@ -23,21 +23,23 @@ import org.dfra.persona.Attributes;
 import org.dfra.persona.BehaviorAttributes;
 
 /**
- * Base of every behaviour. It moves along the arrows of {@link Phase}, and gives the {@link
- * GoalExecution} of its goal a turn at a rate. Where a percept is missing or too old, a module is
- * out of reach, or another commands an effector, the behaviour comes to rest and says what it waits
- * for. Where an effector is stopped for an emergency, the goal is cancelled, since the release is
- * not to move the robot. Where a parking brake is set, the goal is paused for the same reason.
+ * Base of every behaviour. It follows the transitions of {@link Phase}, and calls the {@link
+ * GoalExecution} of its goal at a fixed rate. If a percept is missing or too old, a module is
+ * unreachable, or another client commands an effector, the behaviour stops the robot and reports
+ * what it waits for. If an effector is in an emergency stop, the goal is cancelled, since the
+ * release must not move the robot. If a parking brake is set, the goal is paused for the same
+ * reason.
  *
- * <p>A turn may be held up by a module that does not answer. Nobody waits for it for long: who
- * pauses or cancels is obeyed at once, and the turn comes to rest at its end; a goal is refused as
- * long as the behaviour is {@linkplain GoalRefusedException#isBusy busy} with it.
+ * <p>A module that does not answer may block a cycle. Callers do not wait long for it: a pause or
+ * cancel takes effect at once, and the cycle stops the robot at its end. A new goal is refused
+ * while the behaviour is {@linkplain GoalRefusedException#isBusy busy} with the cycle.
  *
- * <p>Parameters {@code rate}: turns per second, 1 to 50 Hz; {@code drive}: name of the wheels that
- * its goals move, any of its robot where it is not set. To be read only: {@code lateness_p99},
- * seconds that 99 % of the last 600 turns were late at the most; {@code turns_missed}.
+ * <p>Parameters {@code rate}: cycles per second, 1 to 50 Hz; {@code drive}: name of the drive that
+ * its goals move, by default any of its robot. Read-only: {@code lateness_p99}, the 99th percentile
+ * of the lateness of the last 600 cycles, seconds; {@code turns_missed}, the number of missed
+ * cycles.
  *
- * @param <G> what it can reach
+ * @param <G> its type of goals
  */
 public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements Behavior<G> {
 
@@ -55,8 +57,8 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   /**
    * See {@link org.dfra.core.module.ModuleImpl}.
    *
-   * @param goal what it can reach
-   * @param defaultRate turns per second where nothing else is written, hertz
+   * @param goal its type of goals
+   * @param defaultRate cycles per second unless configured, hertz
    */
   protected BehaviorImpl(
       ModuleContext context,
@@ -90,22 +92,22 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   }
 
   /**
-   * Takes up a goal.
+   * Starts a goal.
    *
    * @throws GoalRefusedException if it cannot be reached; nothing has moved
-   * @throws NotReadyException if a module that is needed is not there; nothing has moved
+   * @throws NotReadyException if a required module is not available; nothing has moved
    */
   protected abstract GoalExecution startGoal(G goal) throws RemoteException;
 
   /**
-   * A goal that has begun is about to be pursued for the first time, or a paused one again because
-   * somebody asks for it; on that caller's thread. Not called where a goal goes on by itself. Where
-   * the behaviour {@linkplain #movesWheels moves the wheels}, it releases their parking brake.
+   * Called before a goal is executed for the first time, or resumed on request; on the caller's
+   * thread. Not called if a goal continues automatically. If the behaviour {@linkplain #movesWheels
+   * moves the wheels}, it releases their parking brake.
    *
-   * @param isAttended whether somebody who knows that the robot may move has asked for it, so that
-   *     a parking brake may be released
-   * @throws NotReadyException if it cannot be pursued now; a goal is not taken up then, and a
-   *     paused one goes on nevertheless
+   * @param isAttended whether an operator who knows that the robot may move has requested it, so
+   *     that a parking brake may be released
+   * @throws NotReadyException if it cannot be executed now; a new goal is then refused, but a
+   *     paused one resumes
    */
   protected void prepare(boolean isAttended) throws RemoteException {
     if (movesWheels()) {
@@ -114,19 +116,20 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   }
 
   /**
-   * Whether its goals move the robot's wheels, also by way of other behaviours. Then the parking
-   * brake is released when a person asks for a goal, and {@link #interlock} tells whether the
-   * wheels were stopped since. One that moves nothing but a camera must not release the brake.
+   * Whether its goals move the robot's wheels, also through other behaviours. Then the parking
+   * brake is released when an operator requests a goal, and {@link #interlock} detects whether the
+   * wheels were stopped since. A behaviour that moves only a camera must not release the brake.
    */
   protected boolean movesWheels() {
     return false;
   }
 
   /**
-   * Ties the goal to what was true of its robot's wheels when somebody asked for it.
+   * The interlock that binds the goal to the state of the robot's wheels at the time of the
+   * request.
    *
-   * @throws IllegalStateException if the behaviour does not say that it {@linkplain #movesWheels
-   *     moves the wheels}: then nothing is tied
+   * @throws IllegalStateException if the behaviour does not declare that it {@linkplain
+   *     #movesWheels moves the wheels}
    */
   protected final DriveInterlock interlock() {
     if (!movesWheels()) {
@@ -136,7 +139,7 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
     return interlock;
   }
 
-  /** What it says of itself besides what every behaviour does; from memory. */
+  /** Its attributes besides those of every behaviour; cached values. */
   protected List<? extends Attributes> behaviorAttributes() {
     return List.of();
   }
@@ -152,7 +155,7 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
     return all;
   }
 
-  /** For what is to be done beside the turns; they end with the module. */
+  /** Runs tasks outside the control cycles; it ends with the module. */
   protected final DelayedTaskExecutor taskExecutor() {
     return taskExecutor;
   }
@@ -169,7 +172,7 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
     transitionTo(Readiness.READY);
   }
 
-  /** Written down before it is told: the robot stands by then, or has not begun to move yet. */
+  /** Stored before it is published: by then the robot has stopped, or has not begun to move. */
   private void storeAndPublish(BehaviorStatus fresh) {
     try {
       memory.save(fresh);
@@ -214,10 +217,10 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   }
 
   /**
-   * Goes on with what was begun in an earlier life.
+   * Restores a goal that an earlier process started.
    *
-   * @param phase {@link Phase#RUNNING}, or {@link Phase#PAUSED} where it is to wait to be resumed
-   * @param before how far the goal was; only its numbers count
+   * @param phase {@link Phase#RUNNING}, or {@link Phase#PAUSED} if it shall wait to be resumed
+   * @param before the goal's earlier progress; only its numbers are used
    */
   protected final void restoreGoal(GoalExecution begun, Phase phase, GoalProgress before) {
     executor.restore(begun, phase, BehaviorStatusTracker.Completion.of(before));
@@ -226,7 +229,7 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   /**
    * {@inheritDoc}
    *
-   * @throws NotReadyException if it has ended with a goal under way, which nobody pursues any more
+   * @throws NotReadyException if it has ended during a goal, which is no longer pursued
    */
   @Override
   public final BehaviorStatus status() {
@@ -267,7 +270,7 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
     if (!executor.isClosed() && status.phase() == Phase.PAUSED) {
       try {
         prepare(true);
-      } catch (RemoteException | NotReadyException e) { // the next cycle finds what is in the way
+      } catch (RemoteException | NotReadyException e) { // the next cycle reports the cause
         log.info("{}: it goes on without preparation: {}", path(), e.toString());
       }
     }
@@ -279,7 +282,7 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
     executor.resume(false);
   }
 
-  /** It is at this now. Never called by two threads at once; must not block. */
+  /** Called when the phase changes. Never called by two threads at once; must not block. */
   protected void onPhase(Phase phase) {}
 
   private void changed(Phase from, BehaviorStatus fresh) {

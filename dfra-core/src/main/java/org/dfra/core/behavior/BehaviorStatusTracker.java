@@ -13,20 +13,18 @@ import org.dfra.behavior.BehaviorStatus.Phase;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a behaviour says of itself: one status, which follows the arrows of {@link Phase}. Several
- * threads move it: the one that takes turns, and those that pause, resume and cancel. Whoever comes
- * second finds that the arrow he wanted does not begin where the status is now, and changes
- * nothing.
+ * The status of a behaviour, which follows the transitions of {@link Phase}. Several threads change
+ * it: the control loop's, and those of callers that pause, resume and cancel. If two conflict, the
+ * second finds that its transition does not start at the current phase, and changes nothing.
  *
- * <p>Those who listen are told under this object's lock, in the order of what happened; they must
- * not wait.
+ * <p>Listeners are notified under this object's lock, in order; they must not block.
  */
 final class BehaviorStatusTracker {
 
-  private static final double NOTABLE = 0.005; // share of the goal that is worth an event
+  private static final double NOTABLE = 0.005; // progress of the goal that triggers an event
 
   /**
-   * How far a goal is.
+   * The progress of a goal.
    *
    * @see BehaviorStatus
    */
@@ -47,7 +45,7 @@ final class BehaviorStatusTracker {
           progress.totalParts());
     }
 
-    /** The same, but not less of the goal than {@code before}. */
+    /** A copy whose completion is not below that of {@code before}. */
     Completion notBelow(double before) {
       return new Completion(Math.max(before, completion), skippedParts, completedParts, totalParts);
     }
@@ -59,8 +57,8 @@ final class BehaviorStatusTracker {
   private volatile BehaviorStatus status; // written under this object's lock
 
   /**
-   * @param listener is told each status that is news
-   * @param onPhase is told, before that, the phase that was left and the status with the new one
+   * @param listener receives each new status
+   * @param onPhase receives, before that, the previous phase and the new status
    */
   BehaviorStatusTracker(
       InstantSource clock,
@@ -80,22 +78,22 @@ final class BehaviorStatusTracker {
     return status.phase();
   }
 
-  /** What an earlier process has left; nobody is told. */
+  /** Restores the status of an earlier process, without notification. */
   synchronized void restore(BehaviorStatus left) {
     status = left;
   }
 
-  /** There is a new goal, whatever was before. One that begins with a pause waits for a person. */
+  /** Starts a new goal from any phase. One that starts paused waits for an operator. */
   synchronized void begin(UUID goal, Phase phase, String doing, Completion extent) {
     publish(goal, phase, doing, extent, phase == Phase.PAUSED ? held() : null);
   }
 
   /**
-   * The same goal, in another phase.
+   * Moves the same goal to another phase.
    *
-   * @param isHeld whether it does not go on from there without a person; one that is given up by a
-   *     program stays held where it was
-   * @return false where it is in none of the phases {@code from}: nothing is changed
+   * @param isHeld whether only an operator can continue it from there; a held goal that a program
+   *     cancels stays held
+   * @return false if it is in none of the phases {@code from}: nothing is changed
    */
   synchronized boolean transition(Set<Phase> from, Phase to, String doing, boolean isHeld) {
     BehaviorStatus last = status;
@@ -108,15 +106,15 @@ final class BehaviorStatusTracker {
     return true;
   }
 
-  /** How far it is now; nothing where somebody has stopped it meanwhile. */
+  /** Updates the progress; no effect if the goal was stopped meanwhile. */
   void updateProgress(String doing, Completion extent) {
     end(Phase.RUNNING, doing, extent);
   }
 
   /**
-   * It runs no more, for this reason; nothing where somebody has stopped it meanwhile. What pauses
-   * or cancels a goal from within is an emergency stop, a brake, or somebody who stopped a part of
-   * it: it is held.
+   * Ends or pauses the running goal for this reason; no effect if it was stopped meanwhile. A step
+   * pauses or cancels its goal because of an emergency stop, a brake, or an operator that stopped a
+   * part of it: the goal is then held.
    */
   synchronized void end(Phase phase, String why, Completion extent) {
     if (status.phase() == Phase.RUNNING) {
@@ -125,7 +123,7 @@ final class BehaviorStatusTracker {
     }
   }
 
-  /** As exact as the persona tells it, so that both name the same stop. */
+  /** With the persona's resolution, so that both name the same stop. */
   private Instant held() {
     return clock.instant().truncatedTo(ChronoUnit.MILLIS);
   }

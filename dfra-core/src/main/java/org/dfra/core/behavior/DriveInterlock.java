@@ -21,16 +21,16 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
 /**
- * Ties a behaviour's goal to what was true of the robot's wheels when somebody asked for it.
+ * Binds a behaviour's goal to the state of the robot's wheels at the time of the request.
  *
  * <p>The parking brake is released here and nowhere else in a behaviour, only by {@link #prepare},
- * while somebody who knows that the robot may move asks for a goal or has it go on. A brake that is
- * set afterwards, by a person or by a controller that was switched off and on, is not released by a
+ * when an operator who knows that the robot may move requests or resumes a goal. A brake that is
+ * set afterwards, by an operator or by a motor controller after a power cycle, is not released by a
  * new lease, the next leg or the next process.
  *
- * <p>An emergency stop ends a goal also where it was released before the goal came to command the
- * wheels again: {@link #requireNotStoppedSince} finds out whether the last stop is another one than
- * that of {@link #prepare}, or, where the wheels were not found then, whether it is younger.
+ * <p>An emergency stop ends a goal even if it was released before the goal commands the wheels
+ * again: {@link #requireNotStoppedSince} checks whether the last stop differs from the one at
+ * {@link #prepare}, or, if the drive was not found then, whether it is newer.
  *
  * <p>Thread-safe.
  */
@@ -41,24 +41,24 @@ public final class DriveInterlock {
   /**
    * The drive's last stop or release before a goal.
    *
-   * @param isKnown whether the drive was there to be asked
-   * @param since when that was, by the drive's clock; null where there never was one, or it is not
-   *     known
-   * @param requested where it is not known: when the goal was asked for; null where that is not
-   *     known either, so that any stop at all counts
+   * @param isKnown whether the drive was reachable
+   * @param since time of that stop or release, by the drive's clock; null if there was none, or it
+   *     is unknown
+   * @param requested if unknown: when the goal was requested; null if that is unknown too, so that
+   *     any stop counts
    */
   public record LastStop(
       boolean isKnown, @Nullable Instant since, @Nullable MonotonicTimestamp requested) {
 
-    /** Nothing is known; any stop at all counts. */
+    /** Nothing is known; any stop counts. */
     public static final LastStop NOTHING = new LastStop(false, null, null);
 
-    /** The drive was there, and was last stopped or released then; null for never. */
+    /** The drive was reachable, and was last stopped or released at this time; null for never. */
     public static LastStop known(@Nullable Instant since) {
       return new LastStop(true, since, null);
     }
 
-    /** The drive was not there when the goal was asked for. */
+    /** The drive was not reachable when the goal was requested. */
     public static LastStop unknown(MonotonicTimestamp asked) {
       return new LastStop(false, null, asked);
     }
@@ -66,7 +66,7 @@ public final class DriveInterlock {
     /**
      * Whether the drive was stopped, or may have been.
      *
-     * @param answered when it had answered, by this process's monotonic time, nanoseconds
+     * @param answered when its answer arrived, by this process's monotonic clock, nanoseconds
      */
     private boolean isStoppedSince(EmergencyStopState now, long answered) {
       if (now.latched()) {
@@ -76,7 +76,7 @@ public final class DriveInterlock {
       } else if (now.since() == null) {
         return false;
       }
-      // The drive's clock may be another computer's, and both are set; spans are comparable.
+      // The drive's clock may be another computer's, and clocks are set; durations are comparable.
       @Nullable Duration age = now.age();
       return requested == null || age == null || answered - age.toNanos() - requested.nanos() >= 0;
     }
@@ -89,8 +89,8 @@ public final class DriveInterlock {
   private volatile LastStop seen = LastStop.NOTHING;
 
   /**
-   * @param context of the behaviour
-   * @param drive the wheels that its goals move
+   * @param context the behaviour's context
+   * @param drive the drive that its goals move
    */
   DriveInterlock(ModuleContext context, ModuleDependency<DriveEffector> drive, Logger log) {
     this.path = context.path();
@@ -99,19 +99,19 @@ public final class DriveInterlock {
     this.log = log;
   }
 
-  /** Gives the wheels that are there now. */
+  /** Returns the currently available drive. */
   public ModuleDependency<DriveEffector> drive() {
     return drive;
   }
 
   /**
-   * A goal begins, or goes on because somebody asks for it. Where a program asks, and the drive is
+   * Called when a goal starts, or is resumed on request. If a program requests it, and the drive is
    * not found yet, every stop from now on counts.
    *
    * @param isAttended whether the brake may be released
-   * @throws NotReadyException if the brake may be released, and the drive is not found or does not
-   *     serve, so that nobody knows whether it is set; what was seen before still counts where it
-   *     is not found
+   * @throws NotReadyException if the brake may be released, and the drive is not found or not
+   *     ready, so that the brake's state is unknown; if it is not found, the previously read state
+   *     still counts
    */
   void prepare(boolean isAttended) throws RemoteException {
     DriveEffector wheels;
@@ -148,19 +148,19 @@ public final class DriveInterlock {
     try (CommandLease lease = wheels.acquireCommandLease(LEASE)) {
       wheels.execute(lease.key(), new Brake(false));
       log.info("{}: the parking brake is released, since a goal is to be pursued", path);
-    } catch (LeaseRefusedException | CommandRefusedException e) { // it is found set, and said so
+    } catch (LeaseRefusedException | CommandRefusedException e) { // the next cycle reports it
       log.info("{}: the parking brake stays set: {}", path, e.getMessage());
     }
   }
 
-  /** What the goal has found. */
+  /** The last stop that {@link #prepare} read. */
   public LastStop lastStop() {
     return seen;
   }
 
   /**
-   * What the same goal found in an earlier process. Where that is only when it was asked for, it
-   * counts within the same boot, and any stop counts after another.
+   * Restores the value that an earlier process read for the same goal. If it is only the time of
+   * the request, it is valid within the same boot; after a reboot any stop counts.
    */
   public void restore(LastStop earlier) {
     @Nullable MonotonicTimestamp asked = earlier.requested();
@@ -168,18 +168,17 @@ public final class DriveInterlock {
   }
 
   /**
-   * Refuses where the wheels were stopped for an emergency since the goal was prepared, whether
-   * that was released or not. Asked when a goal takes the command of the wheels, after it has it,
-   * so that a later stop refuses the command itself.
+   * Throws if the drive made an emergency stop since the goal was prepared, released or not. Call
+   * it after acquiring the drive's command lease, so that a later stop refuses the command itself.
    *
-   * @throws CommandRefusedByEmergencyStopException if they were
-   * @throws NotReadyException if the wheels are not there
+   * @throws CommandRefusedByEmergencyStopException if it did
+   * @throws NotReadyException if the drive is not available
    */
   public void requireNotStoppedSince() throws RemoteException {
     requireNotStoppedSince(drive.resolve());
   }
 
-  /** The same of these wheels. */
+  /** The same for a given drive. */
   public void requireNotStoppedSince(DriveEffector wheels) throws RemoteException {
     EmergencyStopState now = wheels.emergencyStopState();
     if (seen.isStoppedSince(now, context.scheduler().nanos())) {

@@ -14,30 +14,30 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
 /**
- * A goal of one behaviour that another pursues for it.
+ * A goal that one behaviour delegates to another, its worker.
  *
- * <p>Where the other cannot be reached to give it up, or its answer was lost so that nobody knows
- * whether it has begun, it is asked again every second until it has answered. What it gives up is
- * named, so that a goal that somebody else has it pursue since goes on.
+ * <p>If the worker cannot be reached to cancel the goal, or its answer was lost so that it is
+ * unknown whether the goal has started, the cancellation is repeated every second until the worker
+ * answers. The cancellation names the goal, so that a later goal of another client continues.
  *
  * <p>No parking brake is released for such a goal; see {@link Behavior#pursueUnattended}.
  *
- * @param <G> what the other can reach
- * @param <B> the other's kind
+ * @param <G> the worker's type of goals
+ * @param <B> the worker's type
  */
 public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
 
   private static final long RETRY_NANOS = 1_000_000_000;
 
   /**
-   * What may still be pursued though nobody wants it.
+   * A goal that the worker may still pursue though it is no longer wanted.
    *
-   * @param goal its name; null where the answer that told it was lost
-   * @param before what the other was at before; counts where the name is not known
+   * @param goal its identity; null if the answer that carried it was lost
+   * @param before the worker's previous goal; used if the identity is unknown
    */
   private record UnresolvedGoal<B>(B worker, @Nullable UUID goal, @Nullable UUID before) {
 
-    /** What is to be given up; null where the other is at nothing that was begun here. */
+    /** The goal to cancel; null if the worker pursues none that was started here. */
     @Nullable UUID unwanted(BehaviorStatus now) {
       @Nullable UUID at = now.goal();
       boolean isOurs =
@@ -48,15 +48,15 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
     }
   }
 
-  /** Why what was begun here is not pursued any more, though nobody here has ended it. */
+  /** Why the worker no longer pursues a goal that was not ended here. */
   public enum GoalLoss {
-    /** It is not lost, as far as is known. */
+    /** It is not lost, as far as known. */
     NONE,
-    /** The process that pursued it has died, and nobody has stopped it since. */
+    /** The process that pursued it has died, and it was not stopped since. */
     DIED,
-    /** The other was given another goal since. */
+    /** The worker received another goal since. */
     REPLACED,
-    /** The other knows of no goal, so nobody can tell whether somebody has stopped it. */
+    /** The worker knows no goal, so it is unknown whether the goal was stopped. */
     FORGOTTEN
   }
 
@@ -69,15 +69,15 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
   private @Nullable UnresolvedGoal<B> unresolvedGoal; // guarded by this
   private GoalLoss loss = GoalLoss.NONE; // guarded by this
 
-  /** Was ended here while the other did not answer; guarded by this. */
+  /** Cancelled here while the worker did not answer; guarded by this. */
   private @Nullable UUID unresolved;
 
-  private boolean isRetryScheduled; // guarded by this; that something is loose
+  private boolean isRetryScheduled; // guarded by this; for an unresolved goal
 
   /**
-   * @param path of the behaviour that delegates, for messages
-   * @param needed who can do it
-   * @param errands of the behaviour that delegates
+   * @param path path of the delegating behaviour, for messages
+   * @param needed finds the worker
+   * @param errands the task executor of the delegating behaviour
    */
   public GoalDelegation(
       String path, ModuleDependency<B> needed, DelayedTaskExecutor errands, Logger log) {
@@ -88,14 +88,14 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
   }
 
   /**
-   * Has it pursued.
+   * Starts the goal on the worker.
    *
-   * @throws org.dfra.behavior.GoalRefusedException if the other does not take it up, or is {@link
+   * @throws org.dfra.behavior.GoalRefusedException if the worker refuses it, or is {@link
    *     org.dfra.behavior.GoalRefusedException#isBusy busy}
-   * @throws DelegateHeldException if somebody stopped what was begun here before, or may have,
-   *     while the other could not be asked; once
-   * @throws RemoteException if the other does not answer; it may have taken it up nevertheless, and
-   *     {@link #cancel} has it give that up
+   * @throws DelegateHeldException if the previous goal was stopped, or may have been, while the
+   *     worker was unreachable; thrown once
+   * @throws RemoteException if the worker does not answer; it may have started the goal
+   *     nevertheless, and {@link #cancel} cancels it
    */
   public synchronized void start(G wanted) throws RemoteException {
     B chosen = needed.resolve();
@@ -132,21 +132,21 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
   }
 
   /**
-   * Takes over what an earlier process of the one that delegates has begun, if the best there is
-   * now is still at it.
+   * Adopts a goal that an earlier process of the delegating behaviour started, if the current best
+   * worker still pursues it.
    *
-   * @param begun as {@link #goal} was then
-   * @return whether it is; from then on it is as if it had been begun here
-   * @throws RemoteException if the other does not answer; then nobody knows
-   * @throws NotReadyException if there is none; then nobody knows either
+   * @param begun the value of {@link #goal} at that time
+   * @return whether it was adopted; it is then treated as if it had been started here
+   * @throws RemoteException if the worker does not answer; the result is then unknown
+   * @throws NotReadyException if there is no worker; the result is then unknown too
    */
   public synchronized boolean adopt(UUID begun) throws RemoteException {
     return adopt(begun, false);
   }
 
   /**
-   * The same, also where the other has ended it meanwhile, and has begun nothing else since: then
-   * {@link #status} says how.
+   * The same, also if the worker has ended it meanwhile, and has started no other goal since: then
+   * {@link #status} returns the outcome.
    */
   public synchronized boolean adoptWithOutcome(UUID begun) throws RemoteException {
     return adopt(begun, true);
@@ -165,8 +165,8 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
   }
 
   /**
-   * Has the other give up what an earlier process of the one that delegates has begun, as soon as
-   * it answers; beside whatever calls this.
+   * Cancels a goal that an earlier process of the delegating behaviour started, as soon as the
+   * worker answers; asynchronously.
    */
   public void abandon(UUID begun) {
     errands.execute(
@@ -180,20 +180,21 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
         });
   }
 
-  /** What is pursued for it, by name; nothing where nothing is, as far as is known here. */
+  /** The identity of the delegated goal; empty if there is none, as far as known here. */
   public synchronized Optional<UUID> goal() {
     return Optional.ofNullable(goal);
   }
 
-  /** Whether the other may still be at what nobody wants any more; it is told again then. */
+  /** Whether the worker may still pursue an unwanted goal; the cancellation is then repeated. */
   public synchronized boolean isUnresolved() {
     return unresolvedGoal != null;
   }
 
   /**
-   * How far the other is.
+   * The worker's status.
    *
-   * @return nothing where it has not begun, has ended here, or was lost: {@link #loss} says how
+   * @return empty if the goal was not started, was ended here, or was lost: {@link #loss} gives the
+   *     reason
    */
   public synchronized Optional<BehaviorStatus> status() throws RemoteException {
     @Nullable B by = worker;
@@ -210,7 +211,7 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
     return Optional.of(status);
   }
 
-  /** Of the next process of the other, where its proxy does not find that by itself. */
+  /** The status from the worker's next process, if its proxy does not find that automatically. */
   private BehaviorStatus status(B by) throws RemoteException {
     try {
       return by.status();
@@ -225,7 +226,9 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
     }
   }
 
-  /** Whatever can do it now; where nothing can, {@code why} tells more than that does. */
+  /**
+   * The currently available worker; throws {@code why} if there is none, since it explains more.
+   */
   private B next(NotReadyException why) throws RemoteException {
     try {
       return needed.resolve();
@@ -245,15 +248,15 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
     return status.phase() == BehaviorStatus.Phase.IDLE ? GoalLoss.DIED : GoalLoss.NONE;
   }
 
-  /** Why {@link #status}, or the adopting, found last what was begun here not pursued any more. */
+  /** Why {@link #status} or {@link #adopt} last found the goal no longer pursued. */
   public synchronized GoalLoss loss() {
     return loss;
   }
 
   /**
-   * Changes what is pursued, while it is.
+   * Changes a goal in progress.
    *
-   * @param <B> the other's kind
+   * @param <B> the worker's type
    */
   @FunctionalInterface
   public interface Adjustment<B> {
@@ -261,10 +264,11 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
   }
 
   /**
-   * Has the other change what it pursues, without ending it.
+   * Changes the worker's goal without ending it.
    *
-   * @return false where nothing is pursued for it
-   * @throws RemoteException if the other does not answer; it may have changed it nevertheless
+   * @return false if no goal is delegated
+   * @throws RemoteException if the worker does not answer; it may have changed the goal
+   *     nevertheless
    */
   public synchronized boolean adjust(Adjustment<? super B> change) throws RemoteException {
     @Nullable B by = worker;
@@ -276,12 +280,12 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
     return true;
   }
 
-  /** The other has ended it. */
+  /** Discards the goal after the worker has ended it. */
   public synchronized void forget() {
     goal = null;
   }
 
-  /** Has the other give it up, if it is still at it. Never throws what the other throws. */
+  /** Cancels the goal if the worker still pursues it. Never propagates the worker's exceptions. */
   public synchronized void cancel() {
     @Nullable B by = worker;
     @Nullable UUID wanted = goal;
@@ -304,13 +308,13 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
       @Nullable UUID unwanted = left.unwanted(found);
       if (unwanted != null) {
         left.worker()
-            .cancelUnattended(unwanted); // by name: somebody else may have it pursue another by now
+            .cancelUnattended(unwanted); // by name: it may have another goal by now
       }
       unresolvedGoal = null;
       if (found.heldSince() == null) {
         unresolved = null;
       }
-    } catch (NotReadyException e) { // it has ended, and all that it commanded with it
+    } catch (NotReadyException e) { // it has ended, and with it its leases
       unresolvedGoal = null;
       unresolved = left.goal();
     } catch (RemoteException e) {

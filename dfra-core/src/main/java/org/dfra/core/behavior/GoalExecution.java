@@ -3,24 +3,24 @@ package org.dfra.core.behavior;
 import java.rmi.RemoteException;
 import org.dfra.lease.LeaseRefusedException;
 
-/** One goal being pursued. It is asked by one thread at a time. */
+/** The execution of one goal. Called by one thread at a time. */
 public interface GoalExecution {
 
   /**
-   * Does what is to be done now; called at the behaviour's rate.
+   * Executes one step; called at the behaviour's rate.
    *
-   * @throws RemoteException if a module could not be reached: the behaviour comes to rest, and the
-   *     next turn tries again; likewise
-   * @throws LeaseRefusedException if somebody else commands an effector; where it is {@linkplain
-   *     org.dfra.flow.effector.RefusedByEmergencyStop stopped for an emergency}, the goal is
+   * @throws RemoteException if a module could not be reached: the behaviour stops, and the next
+   *     cycle tries again; likewise for the others
+   * @throws LeaseRefusedException if another client commands an effector; if it is in an
+   *     {@linkplain org.dfra.flow.effector.RefusedByEmergencyStop emergency stop}, the goal is
    *     cancelled
    * @throws org.dfra.module.NotReadyException if a percept is missing or too old
    */
   GoalProgress step() throws RemoteException, LeaseRefusedException;
 
   /**
-   * Comes to rest: lets go of every effector, and has others that work for it stop. The next {@link
-   * #step}, if there is one, goes on. May be called when at rest; must not throw.
+   * Suspends the execution: releases every effector, and stops delegated goals. The next {@link
+   * #step}, if there is one, continues. May be called when suspended; must not throw.
    */
   void suspend();
 }

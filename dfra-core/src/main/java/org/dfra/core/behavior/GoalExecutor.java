@@ -17,21 +17,21 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
 /**
- * Executes a behaviour's goals, one at a time: its control loop has the goal's {@link
- * GoalExecution} make a step in every cycle, and what the step comes to moves the behaviour's
- * status along the arrows of {@link Phase}.
+ * Executes a behaviour's goals, one at a time: its control loop executes a step of the goal's
+ * {@link GoalExecution} in every cycle, and the step's result makes the transitions of {@link
+ * Phase}.
  *
- * <p>A cycle may be held up by a module that does not answer. Nobody waits for it for long: who
- * stops the goal is obeyed at once, and the cycle comes to rest at its end.
+ * <p>A module that does not answer may block a cycle. Callers do not wait long for it: a request to
+ * stop takes effect at once, and the cycle suspends the goal at its end.
  *
  * <p>Threads: the loop's own, from the first goal to {@link #close}.
  */
 final class GoalExecutor implements AutoCloseable {
 
-  /** How long a cycle that is under way is waited for: less than a call's deadline. */
+  /** Maximum wait for a cycle in progress: less than a call's deadline. */
   private static final long CYCLE_TIMEOUT_MILLIS = 1000;
 
-  /** Takes up a goal. */
+  /** Starts a goal. */
   @FunctionalInterface
   interface GoalStarter {
 
@@ -44,10 +44,10 @@ final class GoalExecutor implements AutoCloseable {
   private final Consumer<Throwable> faults;
   private final ControlLoop loop;
 
-  /** Held during every cycle and while a goal is taken up; others are called under it. */
+  /** Held during every cycle and while a goal is started; other modules are called under it. */
   private final ReentrantLock cycling = new ReentrantLock();
 
-  private @Nullable GoalExecution pursuit; // guarded by cycling; the last that was begun
+  private @Nullable GoalExecution pursuit; // guarded by cycling; the last that was started
   private boolean isSuspended; // guarded by cycling
 
   /** Its lock is taken after {@link #cycling}. */
@@ -56,10 +56,10 @@ final class GoalExecutor implements AutoCloseable {
   private volatile boolean isOver;
 
   /**
-   * @param path of the behaviour, for messages
+   * @param path path of the behaviour, for messages
    * @param rate cycles per second, hertz
-   * @param status the behaviour's status, which nobody else moves
-   * @param faults is told what a pursuit threw that it should not
+   * @param status the behaviour's status, which only this object changes
+   * @param faults receives unexpected exceptions of an execution
    */
   GoalExecutor(
       String path,
@@ -80,22 +80,22 @@ final class GoalExecutor implements AutoCloseable {
     return loop.lateness(share);
   }
 
-  /** Cycles that were left out, since others took too long. */
+  /** Cycles that were missed because earlier ones took too long. */
   long missedCycles() {
     return loop.missedCycles();
   }
 
-  /** Whether it executes nothing any more. */
+  /** Whether it executes no more goals. */
   boolean isClosed() {
     return isOver;
   }
 
   /**
-   * Takes up a goal.
+   * Starts a goal.
    *
-   * @param requireReady throws where the behaviour takes up none now
-   * @return what names it
-   * @throws GoalRefusedException if there is one already, or a cycle is held up
+   * @param requireReady throws if the behaviour accepts no goals now
+   * @return its identity
+   * @throws GoalRefusedException if there is one already, or a cycle is blocked
    */
   UUID accept(Runnable requireReady, GoalStarter goal) throws RemoteException {
     if (!await(cycling)) {
@@ -117,7 +117,7 @@ final class GoalExecutor implements AutoCloseable {
     }
   }
 
-  /** Goes on with what was begun in an earlier life. */
+  /** Restores a goal that an earlier process started. */
   void restore(GoalExecution begun, Phase phase, Completion before) {
     cycling.lock();
     try {
@@ -139,13 +139,13 @@ final class GoalExecutor implements AutoCloseable {
   }
 
   /**
-   * Goes on with a goal that is paused.
+   * Resumes a paused goal.
    *
-   * @param isAttended whether a person asks for it; a program has only that go on which is not
+   * @param isAttended whether an operator requests it; a program can only resume a goal that is not
    *     {@linkplain BehaviorStatus#heldSince held}
    */
   void resume(boolean isAttended) {
-    synchronized (status) { // who pauses it again is to find the loop that he stops
+    synchronized (status) { // a later pause must find the loop that it stops
       if (!isOver
           && (isAttended || status.status().heldSince() == null)
           && status.transition(EnumSet.of(Phase.PAUSED), Phase.RUNNING, "it goes on", false)) {
@@ -155,11 +155,12 @@ final class GoalExecutor implements AutoCloseable {
   }
 
   /**
-   * Somebody wants it to stop: rests and says so; says so at once where a cycle is held up.
+   * Stops the goal on request: suspends it and publishes the status. If a cycle is blocked, it
+   * publishes the status at once.
    *
    * @param wanted {@link Phase#PAUSED} or {@link Phase#CANCELLED}
-   * @param only the goal that is meant; null for whichever is being pursued
-   * @param isAttended false where a program stops it, so that it is not held
+   * @param only the goal to stop; null for any
+   * @param isAttended false if a program stops it, so that it is not held
    */
   void stop(Phase wanted, String why, @Nullable UUID only, boolean isAttended) {
     Set<Phase> from =
@@ -168,7 +169,7 @@ final class GoalExecutor implements AutoCloseable {
             : EnumSet.of(Phase.RUNNING);
     boolean isIdle = !cycling.isHeldByCurrentThread() && await(cycling);
     try {
-      synchronized (status) { // no other goal is taken up between the question and the stop
+      synchronized (status) { // no other goal is started between the check and the stop
         BehaviorStatus now = status.status();
         if (!(only == null || only.equals(now.goal())) || stopAgain(now, wanted, isAttended)) {
           return;
@@ -193,8 +194,8 @@ final class GoalExecutor implements AutoCloseable {
   }
 
   /**
-   * Somebody pauses what pauses already, or stops a goal that the process before this one pursued:
-   * nothing moves, and nothing is to go on by itself from now on.
+   * Pauses a goal that is already paused, or stops a goal of the previous process: nothing moves,
+   * and the goal no longer continues automatically.
    */
   private boolean stopAgain(BehaviorStatus now, Phase wanted, boolean isAttended) {
     if (now.phase() == Phase.IDLE && now.goal() != null && isAttended) {
@@ -207,7 +208,7 @@ final class GoalExecutor implements AutoCloseable {
         && status.transition(EnumSet.of(Phase.PAUSED), Phase.PAUSED, "it was told to pause", true);
   }
 
-  /** Ends for good; what is being pursued comes to rest, and its status stays. */
+  /** Ends the executor; the goal is suspended, and its status stays. */
   @Override
   public void close() {
     isOver = true;
@@ -252,7 +253,7 @@ final class GoalExecutor implements AutoCloseable {
       isSuspended = false;
       try {
         take(StepResult.ofNextStep(now));
-      } catch (RuntimeException | Error e) { // numbers that cannot be, say
+      } catch (RuntimeException | Error e) { // for example, numbers out of range
         take(new StepResult.Faulty(e));
       }
       if (status.phase() != Phase.RUNNING && !isOver) { // stopped meanwhile, or ended
@@ -267,7 +268,7 @@ final class GoalExecutor implements AutoCloseable {
     if (result instanceof StepResult.Advanced advanced) {
       take(advanced.progress());
     } else if (result instanceof StepResult.Waiting waiting) {
-      if (!isOver) { // whoever ends it has it rest
+      if (!isOver) { // the code that ends it suspends it
         suspend();
         status.updateProgress("it waits: " + waiting.inWords(), Completion.of(status.status()));
       }
@@ -294,14 +295,14 @@ final class GoalExecutor implements AutoCloseable {
     }
   }
 
-  /** A cycle has come to an end of the pursuit, or to a pause. */
+  /** A cycle has ended or paused the goal. */
   private void end(Phase phase, String why, Completion extent) {
     loop.stop();
     suspend();
     status.end(phase, why, extent);
   }
 
-  /** Holds the lock of cycles. */
+  /** Called with the lock of cycles held. */
   private void suspend() {
     @Nullable GoalExecution now = pursuit;
     if (now == null || isSuspended) {
@@ -310,7 +311,7 @@ final class GoalExecutor implements AutoCloseable {
     isSuspended = true;
     try {
       now.suspend();
-    } catch (RuntimeException e) { // a fault; what it commands ends with its leases
+    } catch (RuntimeException e) { // a fault; its commands end with its leases
       log.error("{}: it could not come to rest", path, e);
       faults.accept(e);
     }

@@ -1,14 +1,14 @@
 package org.dfra.core.behavior;
 
 /**
- * What one turn has come to.
+ * The result of one step of a goal.
  *
- * @param outcome whether the goal is still being pursued
- * @param activity what is being done, or why it has ended, for people, as a clause
- * @param completion share of the goal that is dealt with, 0 to 1
- * @param skippedParts how many parts of that were left out, since they could not be reached
- * @param completedParts how many of the goal's parts are dealt with
- * @param totalParts how many parts the goal has; 0 where they are not counted
+ * @param outcome whether the goal is still in progress
+ * @param activity what is being done, or why it has ended, as a clause for operators
+ * @param completion fraction of the goal that is finished, 0 to 1
+ * @param skippedParts how many of those parts were skipped because they could not be reached
+ * @param completedParts how many of the goal's parts are finished
+ * @param totalParts how many parts the goal has; 0 if they are not counted
  */
 public record GoalProgress(
     GoalOutcome outcome,
@@ -22,7 +22,7 @@ public record GoalProgress(
     this(outcome, doing, Math.max(0, Math.min(1, done)), 0, 0, 0);
   }
 
-  /** Whether a goal is still being pursued. */
+  /** Whether a goal is still in progress, or how it ended. */
   public enum GoalOutcome {
     IN_PROGRESS,
     REACHED,
@@ -31,7 +31,7 @@ public record GoalProgress(
     PAUSED
   }
 
-  /** It goes on. */
+  /** The goal is in progress. */
   public static GoalProgress inProgress(String doing, double done) {
     return new GoalProgress(GoalOutcome.IN_PROGRESS, doing, done);
   }
@@ -41,12 +41,12 @@ public record GoalProgress(
     return new GoalProgress(GoalOutcome.REACHED, what, 1);
   }
 
-  /** Somebody gave up what works for the goal, and so the goal. */
+  /** A delegated goal was cancelled, and so is the goal. */
   public static GoalProgress cancelled(String why, double done) {
     return new GoalProgress(GoalOutcome.CANCELLED, why, done);
   }
 
-  /** Somebody gave up what works for the goal. The goal is kept, paused, to be resumed. */
+  /** A delegated goal was cancelled. The goal is paused and can be resumed. */
   public static GoalProgress paused(String why, double done) {
     return new GoalProgress(GoalOutcome.PAUSED, why, done);
   }
@@ -56,12 +56,12 @@ public record GoalProgress(
     return new GoalProgress(GoalOutcome.FAILED, why, done);
   }
 
-  /** The same, with so many parts of the goal left out. */
+  /** A copy with this number of skipped parts. */
   public GoalProgress withSkippedParts(int number) {
     return new GoalProgress(outcome, activity, completion, number, completedParts, totalParts);
   }
 
-  /** The same, with so many of the goal's parts dealt with. */
+  /** A copy with these numbers of finished and total parts. */
   public GoalProgress withParts(int now, int all) {
     return new GoalProgress(outcome, activity, completion, skippedParts, now, all);
   }

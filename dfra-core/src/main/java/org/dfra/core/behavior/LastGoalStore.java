@@ -14,10 +14,10 @@ import org.dfra.core.state.StateStore;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What of a behaviour's last goal outlives its process: its name, its phase, and whether somebody
- * has stopped it. Whoever began the goal can thus tell, after the process has died, a goal that was
- * lost from one that somebody has stopped. It cannot where the process dies within the milliseconds
- * between the stop and the writing; then whoever stopped it gets no answer.
+ * Stores the state of a behaviour's last goal across restarts: its identity, its phase, and whether
+ * it is held. So a client can distinguish, after the process has died, a lost goal from a stopped
+ * one. This fails if the process dies in the milliseconds between the stop and the write; then the
+ * caller that stopped the goal gets no answer.
  *
  * <p>Not thread-safe.
  */
@@ -34,9 +34,9 @@ final class LastGoalStore {
   }
 
   /**
-   * Writes it down where it is news for the next process.
+   * Saves the status if the next process needs it.
    *
-   * @throws IOException if it cannot be written; then what was kept before is kept
+   * @throws IOException if it cannot be written; the previous state is then kept
    */
   void save(BehaviorStatus status) throws IOException {
     @Nullable BehaviorStatus last = kept;
@@ -61,9 +61,9 @@ final class LastGoalStore {
   }
 
   /**
-   * What became of the goal of the earlier process; nothing where there was none.
+   * The state of the earlier process' goal; empty if there was none.
    *
-   * @throws IOException if that cannot be read
+   * @throws IOException if it cannot be read
    */
   Optional<BehaviorStatus> load(InstantSource clock) throws IOException {
     Optional<byte[]> bytes = state.read(DOCUMENT);

@@ -9,16 +9,16 @@ import org.dfra.flow.effector.RefusedByEmergencyStop;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.NotReadyException;
 
-/** What one step of a goal's pursuit has come to, whatever it has thrown. */
+/** The result of one step of a goal, including any exception. */
 sealed interface StepResult {
 
-  /** It has done what was to be done. */
+  /** The step was executed. */
   record Advanced(GoalProgress progress) implements StepResult {}
 
-  /** Something is missing, and the next step tries again. */
+  /** A module or percept is missing; the next step tries again. */
   record Waiting(Exception reason) implements StepResult {
 
-    /** One line: a call that failed tells of its causes on lines of their own. */
+    /** One line: a failed call's message lists its causes on further lines. */
     String inWords() {
       String message = String.valueOf(reason.getMessage());
       boolean isCall = reason instanceof RemoteException && reason.getCause() != null;
@@ -28,16 +28,16 @@ sealed interface StepResult {
   }
 
   /**
-   * Somebody has stopped the robot, so that nothing may move it but a new request.
+   * The robot was stopped, so that only a new request may move it.
    *
-   * @param phase in which the goal is now
+   * @param phase the goal's new phase
    */
   record Stopped(Phase phase, String why) implements StepResult {}
 
   /** The behaviour is faulty; the robot must not drive on. */
   record Faulty(Throwable fault) implements StepResult {}
 
-  /** Has a pursuit make one step. */
+  /** Executes the next step of a goal. */
   static StepResult ofNextStep(GoalExecution pursuit) {
     try {
       return new Advanced(pursuit.step());

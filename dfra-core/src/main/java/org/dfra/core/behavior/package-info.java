@@ -1,13 +1,13 @@
 /**
- * What every behaviour does: takes up a goal, works at it at a rate, pauses, and ends. Enter at
+ * The base of every behaviour: it accepts a goal, executes it at a rate, pauses, and ends. Start at
  * {@link org.dfra.core.behavior.BehaviorImpl}.
  *
  * <pre>
- *   BehaviorImpl  what others see: goals, status, attributes, parameters
- *     '--&gt; GoalExecutor  control loop; takes up, pauses, resumes, cancels and ends goals
- *            |--&gt; Pursuit --&gt; StepResult  what one step of a goal has come to
- *            '--&gt; BehaviorStatusTracker  the status, and who is told of it
- *   DriveInterlock  parking brake and emergency stop     Delegation  goals of other behaviours
+ *   BehaviorImpl  public interface: goals, status, attributes, parameters
+ *     '--&gt; GoalExecutor  control loop; starts, pauses, resumes, cancels and ends goals
+ *            |--&gt; GoalExecution --&gt; StepResult  the result of one step of a goal
+ *            '--&gt; BehaviorStatusTracker  the status, and notification of listeners
+ *   DriveInterlock  parking brake, emergency stop      GoalDelegation  goals of other behaviours
  * </pre>
  */
 @NullMarked

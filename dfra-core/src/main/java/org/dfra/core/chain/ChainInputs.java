@@ -25,38 +25,38 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
 /**
- * The inputs of one link of a chain. Each listens to modules of its kind, mostly of its own robot,
- * as they come and go: to all of them, or to one, the first that came, until that is gone. Or it
- * listens to the one that it is wired to. Wiring it anew ends the old ties when the new ones are
- * known to be possible; where one is not, the old ones stay.
+ * The inputs of one module in a chain. Each input subscribes to modules of its type, mostly of its
+ * own robot, as they come and go: to all of them, or to one, the first found, until it disappears.
+ * Or it subscribes to the module that it is wired to. Rewiring ends the old subscriptions once the
+ * new ones are known to be possible; otherwise the old ones stay.
  */
 public final class ChainInputs implements AutoCloseable {
 
-  /** Readings kept for a link that is slow; the older ones are dropped. */
+  /** Readings queued for a slow module; older ones are dropped. */
   private static final int DEPTH = 64;
 
   private static final long RETRY_NANOS = 1_000_000_000;
 
   /**
-   * Takes what comes in.
+   * Consumes readings.
    *
-   * @param <R> what that is
+   * @param <R> the type of readings
    */
   @FunctionalInterface
   public interface ReadingConsumer<R extends Reading> {
 
     /**
-     * Takes a reading; on a delivery thread, one at a time for each module.
+     * Consumes a reading; on a delivery thread, one at a time for each module.
      *
-     * @param source the module that it is from, as it was when it was found
+     * @param source the module that published it, as listed when it was found
      */
     void accept(ModuleListing<?> source, R reading);
   }
 
   /**
-   * Takes what comes in, and sees by its number what did not.
+   * Consumes readings with their sequence numbers, by which it detects losses.
    *
-   * @param <R> what that is
+   * @param <R> the type of readings
    */
   @FunctionalInterface
   public interface SequencedReadingConsumer<R extends Reading> {
@@ -69,7 +69,7 @@ public final class ChainInputs implements AutoCloseable {
     void accept(ModuleListing<?> source, long sequence, R reading);
   }
 
-  /** What one input takes. */
+  /** The declaration of one input. */
   record InputDeclaration<M extends Module, R extends Reading>(
       ModuleQuery<M> query,
       boolean isMany,
@@ -86,9 +86,9 @@ public final class ChainInputs implements AutoCloseable {
   private boolean closed; // guarded by this
 
   /**
-   * @param module whose inputs these are, {@code robot/name}
-   * @param directory what it finds modules by
-   * @param retries tries again to listen to a module that could not be reached
+   * @param module the module of these inputs, {@code robot/name}
+   * @param directory finds the modules
+   * @param retries retries subscriptions to modules that could not be reached
    */
   public ChainInputs(
       String module, Supplier<ModuleDirectory> directory, DelayedTaskExecutor retries, Logger log) {
@@ -101,10 +101,11 @@ public final class ChainInputs implements AutoCloseable {
   /**
    * Declares the next input; before any is wired.
    *
-   * @param query which modules it may be
-   * @param isMany whether it listens to all of them, rather than to one
-   * @param origin says where one is named, to go on a clause that there is none; or empty
-   * @param type which of their readings it takes
+   * @param query the modules that qualify
+   * @param isMany whether it subscribes to all of them, rather than to one
+   * @param origin states where the module is named, to complete a clause that it is missing; or
+   *     empty
+   * @param type the type of readings that it consumes
    */
   public <M extends Module, R extends Reading> void declare(
       ModuleQuery<M> query,
@@ -120,9 +121,7 @@ public final class ChainInputs implements AutoCloseable {
     return inputs.stream().map(input -> input.type().getSimpleName()).toList();
   }
 
-  /**
-   * What is not there of what it listens to, as a clause; nothing where each input has a module.
-   */
+  /** The missing inputs, as a clause; empty if each input has a module. */
   public Optional<String> missing() {
     return feeds.stream()
         .filter(Feed::isAlone)
@@ -131,10 +130,10 @@ public final class ChainInputs implements AutoCloseable {
   }
 
   /**
-   * Listens to these modules from now on, and to no others.
+   * Replaces the input modules.
    *
-   * @param paths one for each input, {@code robot/name}; none to have each find its own
-   * @throws IllegalArgumentException if one is not there, or not of the input's kind
+   * @param paths one for each input, {@code robot/name}; empty to let each input find its own
+   * @throws IllegalArgumentException if one is not available, or not of the input's type
    */
   public synchronized void wire(List<String> paths) {
     if (closed) {
@@ -167,7 +166,7 @@ public final class ChainInputs implements AutoCloseable {
     return query;
   }
 
-  @SuppressWarnings("unchecked") // the query was made of the input's kind
+  @SuppressWarnings("unchecked") // the query was made from the input's type
   private <M extends Module, R extends Reading> Feed<M, R> feed(
       InputDeclaration<M, R> input, ModuleQuery<?> query) {
     Feed<M, R> feed = new Feed<>(input, query.toString());
@@ -183,7 +182,7 @@ public final class ChainInputs implements AutoCloseable {
     return path.substring(path.indexOf('/') + 1);
   }
 
-  /** Listens to nothing any more. */
+  /** Ends all subscriptions. */
   @Override
   public synchronized void close() {
     closed = true;
@@ -192,14 +191,14 @@ public final class ChainInputs implements AutoCloseable {
     errands.close();
   }
 
-  /** One input at work: a tie to each module that it has found. */
+  /** An active input: a subscription to each module that it has found. */
   private final class Feed<M extends Module, R extends Reading> implements DirectoryListener<M> {
 
     private final InputDeclaration<M, R> input;
-    private final String wanted; // which modules, for people
+    private final String wanted; // the wanted modules, for messages
     private final Map<UUID, Tie> ties = new HashMap<>(); // guarded by this
 
-    /** Those that would do as well, the first that came first; guarded by this. */
+    /** The further candidates, in order of discovery; guarded by this. */
     private final Map<UUID, ModuleListing<M>> inLine = new LinkedHashMap<>();
 
     private boolean over; // guarded by this
@@ -222,7 +221,7 @@ public final class ChainInputs implements AutoCloseable {
       }
     }
 
-    /** A new tie; null where it has to wait in line, or nothing is listened to any more. */
+    /** A new subscription; null if the module is only a candidate, or the input is closed. */
     private synchronized @Nullable Tie tie(ModuleListing<M> listing) {
       if (over) {
         return null;
@@ -249,7 +248,7 @@ public final class ChainInputs implements AutoCloseable {
       }
     }
 
-    /** It lives elsewhere now, or was started anew where it was. */
+    /** The module has moved, or was restarted in place. */
     private void renew(Tie old, ModuleListing<M> now) {
       Tie fresh = new Tie(now);
       synchronized (this) {
@@ -295,12 +294,12 @@ public final class ChainInputs implements AutoCloseable {
       ending.forEach(Tie::close);
     }
 
-    /** A subscription, or the wish for one. */
+    /** A subscription, established or pending. */
     private final class Tie {
       private final ModuleListing<M> source;
       private @Nullable Subscription subscription; // guarded by this
       private boolean cut; // guarded by this
-      private boolean isFailureLogged; // of a failure; by the one thread that begins
+      private boolean isFailureLogged; // of a failure; used by the subscribing thread only
 
       Tie(ModuleListing<M> source) {
         this.source = source;
@@ -333,7 +332,7 @@ public final class ChainInputs implements AutoCloseable {
         }
       }
 
-      /** Whether what it was tied to has ended. */
+      /** Whether the subscription has ended. */
       synchronized boolean isDead() {
         return subscription != null && !subscription.isOpen();
       }

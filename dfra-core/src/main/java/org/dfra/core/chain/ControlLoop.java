@@ -6,15 +6,15 @@ import org.dfra.time.Scheduler.ScheduledTask;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Does one thing again and again, at a rate. It keeps to the rate: one turn that is late does not
- * make the next one late, and turns that were missed altogether are counted, not made up for.
+ * Runs a task periodically at a fixed rate. A late cycle does not delay the next one, and missed
+ * cycles are counted, not made up for.
  *
- * <p>Turns never overlap. Elsewhere than in lock-step they are on a thread of the loop's own, so
- * they may wait for others.
+ * <p>Cycles never overlap. Except in lock-step they run on the loop's own thread, so they may
+ * block.
  */
 public final class ControlLoop implements AutoCloseable {
 
-  /** Turns whose lateness is remembered. */
+  /** Cycles whose lateness is recorded. */
   private static final int REMEMBERED = 600;
 
   private final Scheduler time;
@@ -23,18 +23,18 @@ public final class ControlLoop implements AutoCloseable {
   private final DelayedTaskExecutor thread;
 
   private boolean running; // guarded by this
-  private long due; // guarded by this; nanos of the next turn
+  private long due; // guarded by this; nanos of the next cycle
   private @Nullable ScheduledTask next; // guarded by this
-  private long beats; // guarded by this; a beat that is not the last does nothing
+  private long beats; // guarded by this; an outdated timer task does nothing
   private long cycles; // guarded by this
   private long missed; // guarded by this
   private final long[] lateness = new long[REMEMBERED]; // guarded by this; nanos
 
   /**
-   * @param name of its thread
-   * @param time what the rate is reckoned by: the robot's
-   * @param rate turns per second, hertz
-   * @param cycle what to do; what it throws stops the loop, which may be started again
+   * @param name name of its thread
+   * @param time the clock of the rate: the robot's
+   * @param rate cycles per second, hertz
+   * @param cycle the task; an exception that it throws stops the loop, which may be started again
    */
   public ControlLoop(String name, Scheduler time, double rate, Runnable cycle) {
     this.time = time;
@@ -43,7 +43,7 @@ public final class ControlLoop implements AutoCloseable {
     this.thread = new DelayedTaskExecutor(name, time);
   }
 
-  /** Begins, with a turn at once. Does nothing while it runs. */
+  /** Starts the loop with a cycle at once. Does nothing while it runs. */
   public synchronized void start() {
     if (!running) {
       running = true;
@@ -52,7 +52,7 @@ public final class ControlLoop implements AutoCloseable {
     }
   }
 
-  /** Has no more turns, but for one that is under way. */
+  /** Stops the loop after the cycle in progress. */
   public synchronized void stop() {
     running = false;
     beats++;
@@ -105,21 +105,20 @@ public final class ControlLoop implements AutoCloseable {
     }
   }
 
-  /** Turns so far. */
+  /** Cycles so far. */
   public synchronized long cycles() {
     return cycles;
   }
 
-  /** Turns that were left out, since others took too long. */
+  /** Cycles that were missed because earlier ones took too long. */
   public synchronized long missedCycles() {
     return missed;
   }
 
   /**
-   * The lateness, in seconds, that so many of the last 600 turns did not exceed; 0 before the
-   * first.
+   * A quantile of the lateness of the last 600 cycles, in seconds; 0 before the first.
    *
-   * @param share of them, 0 to 1
+   * @param share the quantile, 0 to 1
    */
   public synchronized double lateness(double share) {
     int known = (int) Math.min(cycles, REMEMBERED);
@@ -131,7 +130,7 @@ public final class ControlLoop implements AutoCloseable {
     return sorted[(int) Math.max(0, Math.ceil(share * known) - 1)] / 1e9;
   }
 
-  /** Ends it for good. */
+  /** Ends the loop and its thread. */
   @Override
   public void close() {
     stop();

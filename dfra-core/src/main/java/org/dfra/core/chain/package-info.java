@@ -1,6 +1,6 @@
 /**
- * What makes a chain flow: a module's inputs, found, listened to and wired anew while it runs, and
- * the loop that acts on them at a rate. Enter at {@link org.dfra.core.chain.ChainInputs}.
+ * Chains: a module's inputs, which are found, subscribed to and rewired at run time, and the
+ * periodic control loop that processes them. Start at {@link org.dfra.core.chain.ChainInputs}.
  */
 @NullMarked
 package org.dfra.core.chain;

@@ -3,11 +3,11 @@ package org.dfra.core.config;
 import java.util.List;
 
 /**
- * From where a robot may be administered besides its own computer.
+ * The hosts that may administer a robot besides its own computer.
  *
  * @param administratorHosts addresses, ranges as {@code 10.0.0.0/24}, and host names, which are not
  *     resolved here; empty for the robot's own computer only
- * @param place where it was written
+ * @param place its place in the configuration
  */
 public record AdministrationDescription(List<String> administratorHosts, Place place) {
 

@@ -2,7 +2,7 @@ package org.dfra.core.config;
 
 /**
  * A configuration that cannot be used. Each line of the message names the place, the fault and the
- * remedy; a file that was read has a line for everything that is wrong with it.
+ * remedy; for a file, there is a line for every fault in it.
  */
 public final class ConfigurationException extends RuntimeException {
 

@@ -6,16 +6,14 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** All that is wrong with a description, gathered so that one reading reports everything. */
+/** Collects all faults of a description, so that one pass reports them all. */
 public final class ConfigurationFaults {
 
   private record Fault(Place place, String sentence) {}
 
   private final Set<Fault> faults = new LinkedHashSet<>();
 
-  /**
-   * @param sentence what is wrong; what to do
-   */
+  /** @param sentence the fault; the remedy */
   public void add(Place place, String sentence) {
     faults.add(new Fault(place, sentence));
   }
@@ -25,7 +23,7 @@ public final class ConfigurationFaults {
     return faults.isEmpty();
   }
 
-  /** Throws what was gathered, one line each: file by file, each from its top to its end. */
+  /** Throws the collected faults, one line each, sorted by file and line. */
   public void throwIfAny() {
     if (faults.isEmpty()) {
       return;

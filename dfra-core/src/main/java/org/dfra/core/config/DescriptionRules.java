@@ -10,8 +10,8 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a single text of a description must look like. Each rule returns its complaint, or null; the
- * reader collects the complaints of a whole file, a record's constructor throws its first one.
+ * Validation rules for single texts of a description. Each rule returns an error message, or null.
+ * The reader collects the messages of a whole file; a record's constructor throws the first one.
  */
 public final class DescriptionRules {
 
@@ -25,7 +25,7 @@ public final class DescriptionRules {
 
   private static final Pattern IPV6_CHARACTERS = Pattern.compile("[0-9A-Fa-f:][0-9A-Fa-f:.]*");
 
-  /** As RFC 1123 has it, but for names of digits and dots only, which are meant as addresses. */
+  /** As RFC 1123 has it, except names of digits and dots only, which are taken as addresses. */
   private static final Pattern HOST_NAME =
       Pattern.compile(
           "(?![0-9.]+$)[A-Za-z0-9]([A-Za-z0-9-]*[A-Za-z0-9])?"
@@ -35,16 +35,14 @@ public final class DescriptionRules {
 
   private DescriptionRules() {}
 
-  /** Throws the complaint, if there is one, with the place it is about. */
+  /** Throws the error message, if there is one, with its place. */
   public static void require(Place place, @Nullable String complaint) {
     if (complaint != null) {
       throw new ConfigurationException(place + ": " + complaint);
     }
   }
 
-  /**
-   * @param what the thing that has the name, such as {@code robot}
-   */
+  /** @param what the kind of the named object, such as {@code robot} */
   public static @Nullable String name(String what, String name) {
     if (SNAKE.matcher(name).matches()) {
       return null;
@@ -64,9 +62,7 @@ public final class DescriptionRules {
             : "small letters, digits and single underscores, a letter first");
   }
 
-  /**
-   * @param label what the class is of: {@code module} and its name
-   */
+  /** @param label the owner of the class: {@code module} and its name */
   static @Nullable String className(String label, String key, String name) {
     return CLASS.matcher(name).matches()
         ? null
@@ -117,7 +113,7 @@ public final class DescriptionRules {
             + "\" is not understood; write an address, a range such as 10.0.0.0/24, or a host name";
   }
 
-  /** How many bits a numeric address has; 0 if it is none. Nothing is looked up. */
+  /** The number of bits of a numeric address; 0 if it is not one. Nothing is resolved. */
   private static int bits(String address) {
     boolean isIpv6 = address.indexOf(':') >= 0 && IPV6_CHARACTERS.matcher(address).matches();
     if (!isIpv6 && !IPV4.matcher(address).matches()) {
@@ -125,7 +121,7 @@ public final class DescriptionRules {
     }
     try {
       return InetAddress.getByName(address).getAddress().length * Byte.SIZE;
-    } catch (UnknownHostException e) { // colons alone make no IPv6 address
+    } catch (UnknownHostException e) { // colons alone are not an IPv6 address
       return 0;
     }
   }
@@ -160,7 +156,7 @@ public final class DescriptionRules {
             + LAST_PORT;
   }
 
-  /** The locator as {@code jini://host} or {@code jini://host:port}; empty if it is none. */
+  /** The locator as {@code jini://host} or {@code jini://host:port}; empty if it is not one. */
   static Optional<String> canonicalLocator(String text) {
     try {
       URI uri = new URI(text.startsWith("jini://") ? text : "jini://" + text);
@@ -180,7 +176,7 @@ public final class DescriptionRules {
     }
   }
 
-  /** The port, or −1 if the text is none. */
+  /** The port, or −1 if the text is not one. */
   private static int number(String port) {
     return port.matches("[0-9]{1,5}") && Integer.parseInt(port) <= LAST_PORT
         ? Integer.parseInt(port)

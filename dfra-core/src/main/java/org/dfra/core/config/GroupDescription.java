@@ -4,13 +4,13 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * One service group: the modules that share one JVM, and fall together when it falls.
+ * One service group: the modules that share one JVM, and fail together when it fails.
  *
  * @param name name of the group, unique on its robot, in lower_snake_case
  * @param jvmOptions options of the group's JVM, in the order written, e.g. {@code -Xmx64m}
  * @param registrar the robot's own lookup service, if this group hosts it
  * @param modules the group's modules, in the order written
- * @param place where it was written
+ * @param place its place in the configuration
  */
 public record GroupDescription(
     String name,

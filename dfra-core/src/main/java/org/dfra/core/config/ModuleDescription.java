@@ -6,20 +6,20 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * One module, as the robot's XML and the module's properties describe it, with every variable
- * substituted. It goes into the activation log, so it is small and holds no type but the JDK's and
- * this package's.
+ * substituted. It is stored in the activation log, so it is small and contains only types of the
+ * JDK and this package.
  *
  * @param robot name of the robot
  * @param name name of the module, unique on its robot, in lower_snake_case
  * @param serverClass full name of the module server's class
  * @param proxyClass full name of the smart proxy's class
  * @param driverClass full name of the driver's class
- * @param configuration absolute path of the module's Jini configuration; null for the usual one
+ * @param configuration absolute path of the module's Jini configuration; null for the default
  * @param download absolute paths of the jars that clients without the module's classes download;
- *     none if these are DFRA's own or everybody has them
- * @param restart whether it is started again at once after a crash, rather than at the next call
- * @param parameters what the driver is told
- * @param place where the robot's XML holds the module
+ *     empty if the classes are DFRA's own or all clients have them
+ * @param restart whether it is restarted at once after a crash, rather than at the next call
+ * @param parameters the driver's parameters
+ * @param place the module's place in the robot's XML
  */
 public record ModuleDescription(
     String robot,
@@ -53,7 +53,7 @@ public record ModuleDescription(
     }
   }
 
-  /** A module whose classes nobody has to download. */
+  /** A module whose classes need not be downloaded. */
   public ModuleDescription(
       String robot,
       String name,
@@ -77,7 +77,7 @@ public record ModuleDescription(
         place);
   }
 
-  /** {@code robot/name}, the way a module is written wherever one line must name it. */
+  /** {@code robot/name}, the module's path in messages and listings. */
   public String path() {
     return robot + "/" + name;
   }

@@ -12,11 +12,11 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A module's properties: which classes it is made of, and what its driver is told by default. The
- * syntax is that of {@link Properties}, the encoding UTF-8.
+ * A module's properties: its classes, and the default parameters of its driver. The syntax is that
+ * of {@link Properties}, the encoding UTF-8.
  *
  * @param source the file that was read
- * @param values what was written, by key, with variables substituted, in the order written
+ * @param values the values by key, with variables substituted, in file order
  */
 public record ModuleProperties(Path source, Map<String, Parameters.Value> values) {
 
@@ -38,10 +38,10 @@ public record ModuleProperties(Path source, Map<String, Parameters.Value> values
    */
   public static final String CODEBASE = "download";
 
-  /** What the key of a parameter begins with; the parameter's name follows. */
+  /** Prefix of a parameter's key; the parameter's name follows. */
   public static final String PARAMETER = "parameter.";
 
-  /** Every key there is; {@link #PARAMETER} stands for all that begin with it. */
+  /** All keys; {@link #PARAMETER} stands for all keys with this prefix. */
   public static final List<String> KEYS =
       List.of(SERVER, PROXY, IMPLEMENTATION, CONFIGURATION, CODEBASE, PARAMETER);
 
@@ -52,7 +52,7 @@ public record ModuleProperties(Path source, Map<String, Parameters.Value> values
   /**
    * Reads a file; variables come from system properties and the environment.
    *
-   * @throws ConfigurationException naming everything that is wrong with it, a line each
+   * @throws ConfigurationException with every fault in it, a line each
    */
   public static ModuleProperties read(Path file) {
     return read(file, Substitution::environment);
@@ -61,8 +61,8 @@ public record ModuleProperties(Path source, Map<String, Parameters.Value> values
   /**
    * Reads a file.
    *
-   * @param lookup gives the value of a variable, or null where it is not set
-   * @throws ConfigurationException naming everything that is wrong with it, a line each
+   * @param lookup returns the value of a variable, or null if it is not set
+   * @throws ConfigurationException with every fault in it, a line each
    */
   public static ModuleProperties read(Path file, Function<String, @Nullable String> lookup) {
     ConfigurationFaults faults = new ConfigurationFaults();
@@ -72,7 +72,7 @@ public record ModuleProperties(Path source, Map<String, Parameters.Value> values
     return properties;
   }
 
-  /** What was written for a key. */
+  /** The value of a key. */
   public Optional<Parameters.Value> find(String key) {
     return Optional.ofNullable(values.get(key));
   }

@@ -13,10 +13,10 @@ import java.util.function.Function;
 import org.jdom2.Element;
 import org.jspecify.annotations.Nullable;
 
-/** One reading of one {@code <module>}: its properties, and what the XML says instead of them. */
+/** Reads one {@code <module>}: its properties, and the XML's overrides. */
 final class ModuleReader {
 
-  /** How the names of parameters end that name a file. */
+  /** Suffix of parameters whose value is a file name. */
   private static final String FILE = "_file";
 
   private final Path file;
@@ -47,12 +47,12 @@ final class ModuleReader {
     this.properties = reader == null ? new ModuleProperties(file, Map.of()) : reader.read();
   }
 
-  /** The module's name; null where it has none. */
+  /** The module's name; null if it has none. */
   @Nullable String name() {
     return name;
   }
 
-  /** The module; empty, with the reasons among the faults, if anything is wrong so far. */
+  /** The module; empty, with the reasons among the faults, if there is any fault so far. */
   Optional<ModuleDescription> module(@Nullable String robot) {
     String server = className(ModuleProperties.SERVER);
     String proxy = className(ModuleProperties.PROXY);
@@ -112,7 +112,7 @@ final class ModuleReader {
             : key + "=<class name> in " + properties.source());
   }
 
-  /** Whether the properties hold a key, or might if they could be read. */
+  /** Whether the properties contain a key, or might if they could be read. */
   private boolean mayHold(String key) {
     return reader == null
         ? element.getAttributeValue("properties") != null
@@ -136,10 +136,10 @@ final class ModuleReader {
   }
 
   /**
-   * The files that a key names, in the XML or else in the properties, absolute; without those that
-   * are, a fault, not there.
+   * The files that a key names, in the XML or else in the properties, absolute; missing files are
+   * omitted and reported as faults.
    *
-   * @param names takes the key's value apart
+   * @param names splits the key's value
    */
   private List<String> files(String key, Function<String, List<String>> names) {
     boolean inXml = element.getAttributeValue(key) != null;
@@ -160,7 +160,10 @@ final class ModuleReader {
         .toList();
   }
 
-  /** A file named relative to another one; null if it is not named or, a fault, not there. */
+  /**
+   * A file named relative to another one; null if it is not named, or missing, which is reported as
+   * a fault.
+   */
   private @Nullable Path existing(String what, @Nullable String text, Path base, Place place) {
     if (text == null) {
       return null;
@@ -171,7 +174,7 @@ final class ModuleReader {
         return path;
       }
     } catch (InvalidPathException e) {
-      // no path at all is no file either
+      // an invalid path is not a file either
     }
     String named = "the " + what + " file \"" + text + "\" of " + label;
     faults.add(place, named + " does not exist; name one, relative to " + base);

@@ -4,7 +4,7 @@ import java.util.Collection;
 import java.util.Comparator;
 import java.util.Optional;
 
-/** Finds what somebody most likely meant to write. */
+/** Finds the name that was most likely intended. */
 public final class NearestName {
 
   private NearestName() {}
@@ -22,7 +22,7 @@ public final class NearestName {
     return distance(written, candidate) <= Math.max(2, candidate.length() / 3);
   }
 
-  /** {@code ; did you mean "x"?}, or {@code otherwise} where nothing is near. */
+  /** {@code ; did you mean "x"?}, or {@code otherwise} if no candidate is near. */
   public static String hint(String written, Collection<String> candidates, String otherwise) {
     return find(written, candidates)
         .map(nearest -> "; did you mean \"" + nearest + "\"?")

@@ -15,8 +15,8 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A module's parameters: named texts, each with the place where it was written, so that every
- * complaint can point at file and line. Immutable.
+ * A module's parameters: named texts, each with its place in the configuration, so that every error
+ * message can name file and line. Immutable.
  */
 public final class Parameters implements Serializable {
 
@@ -25,37 +25,37 @@ public final class Parameters implements Serializable {
   /**
    * One parameter.
    *
-   * @param text the value as written, after substitution
-   * @param place where it was written
+   * @param text the configured value, after substitution
+   * @param place its place in the configuration
    */
   public record Value(String text, Place place) implements Serializable {}
 
-  /** Is told what a driver asks for. */
+  /** Is notified of a driver's accesses. */
   public interface ParameterAccessListener {
 
     /** A parameter is read, whether it is set or not. */
     void onRead(String name);
 
     /**
-     * A parameter names another module of the robot; where it is not set, the first of the kind is
-     * taken.
+     * A parameter names another module of the robot; if it is not set, the first module of the kind
+     * is used.
      *
-     * @param kind what the other module must be
+     * @param kind the required type of the other module
      */
     default void onModuleReference(String name, Class<?> kind) {}
 
-    /** A parameter's value is wrong, or missing; whoever reads it is about to be refused it. */
+    /** A parameter's value is invalid or missing; the read is about to fail. */
     default void onInvalid(String name) {}
   }
 
   private final String owner;
   private final TreeMap<String, Value> values;
 
-  /** Nobody in what has come from elsewhere. */
+  /** Null in deserialized objects. */
   private final transient @Nullable ParameterAccessListener listener;
 
   /**
-   * @param owner whose parameters these are, for messages: {@code robot/name}
+   * @param owner the module that has these parameters, for messages: {@code robot/name}
    * @param values the parameters by name
    */
   public Parameters(String owner, Map<String, Value> values) {
@@ -76,12 +76,12 @@ public final class Parameters implements Serializable {
     return new Parameters(owner, values);
   }
 
-  /** The same ones, which tell what they are asked for. */
+  /** A copy that notifies a listener of accesses. */
   public Parameters withListener(ParameterAccessListener listener) {
     return new Parameters(owner, values, listener);
   }
 
-  /** The same ones less one, to try how far whoever reads them comes without it. */
+  /** A copy without one parameter, to test whether the driver needs it. */
   public Parameters without(String name) {
     TreeMap<String, Value> others = new TreeMap<>(values);
     others.remove(name);
@@ -96,8 +96,8 @@ public final class Parameters implements Serializable {
   /**
    * The name of another module of the robot.
    *
-   * @param kind what the other module must be
-   * @return nothing where it is not set: any of the kind will do
+   * @param kind the required type of the other module
+   * @return empty if it is not set: then any module of the kind is suitable
    */
   public Optional<String> moduleName(String name, Class<?> kind) {
     if (listener != null) {
@@ -106,7 +106,7 @@ public final class Parameters implements Serializable {
     return find(name);
   }
 
-  /** Where the parameter was written. */
+  /** The parameter's place in the configuration. */
   public Optional<Place> place(String name) {
     return Optional.ofNullable(values.get(name)).map(Value::place);
   }
@@ -140,7 +140,7 @@ public final class Parameters implements Serializable {
     return Duration.ofNanos(Math.round(seconds * 1e9));
   }
 
-  /** A complaint about a parameter's value that only the driver can judge. */
+  /** An exception for a parameter's value that only the driver can check. */
   public ConfigurationException fault(String name, String expected, @Nullable Throwable cause) {
     return fault(name, value(name), expected, cause);
   }
@@ -162,7 +162,7 @@ public final class Parameters implements Serializable {
     return Objects.hash(owner, values);
   }
 
-  /** {@code owner {name=text, …}}, without passwords: this may end in a log. */
+  /** {@code owner {name=text, …}}, without passwords: this may be logged. */
   @Override
   public String toString() {
     return values.entrySet().stream()

@@ -3,14 +3,14 @@ package org.dfra.core.config;
 import java.io.Serializable;
 
 /**
- * Where something was written, so that a complaint about it can point there.
+ * A place in a configuration file, for error messages.
  *
- * @param file the file, as it was named to the reader; {@code code} for what no file holds
+ * @param file the file, as named to the reader; {@code code} for values given in code
  * @param line the line in it, the first is 1; 0 for the file as a whole
  */
 public record Place(String file, int line) implements Serializable {
 
-  /** What was given in code, for tests and examples. */
+  /** The place of values given in code, for tests and examples. */
   public static final Place CODE = new Place("code", 0);
 
   public Place {

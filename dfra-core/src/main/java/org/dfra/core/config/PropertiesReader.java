@@ -14,8 +14,8 @@ import java.util.Map;
 import java.util.Properties;
 
 /**
- * One reading of one properties file. Each logical line is found here, for its number, and taken
- * apart by {@link Properties}, for its syntax.
+ * Reads one properties file. This class finds the logical lines, for their line numbers; {@link
+ * Properties} parses them.
  */
 final class PropertiesReader {
 
@@ -32,17 +32,17 @@ final class PropertiesReader {
     this.faults = faults;
   }
 
-  /** Whether there was a text to read. */
+  /** Whether the file could be read. */
   boolean isReadable() {
     return readable;
   }
 
-  /** Whether the key was there, though perhaps with a value that is a fault. */
+  /** Whether the key was present, perhaps with an invalid value. */
   boolean hasKey(String key) {
     return written.containsKey(key);
   }
 
-  /** What could be read; what could not is among the faults. */
+  /** The valid entries; the others are among the faults. */
   ModuleProperties read() {
     Place whole = new Place(file.toString(), 0);
     try {

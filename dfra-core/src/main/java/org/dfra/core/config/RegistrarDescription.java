@@ -6,24 +6,24 @@ import java.util.List;
 /**
  * The robot's own lookup service (reggie), as the robot's XML describes it.
  *
- * @param port TCP port at which unicast discovery finds it, 0 to 65535; 0 lets the system choose,
- *     so that only multicast finds it
+ * @param port TCP port for unicast discovery, 0 to 65535; 0 lets the system choose, so that only
+ *     multicast finds it
  * @param classes TCP port of the class server beside it, 1 to 65535; {@link #NO_CLASS_SERVER} for
  *     none
- * @param restart whether it is started again at once after a crash, rather than at the next call
+ * @param restart whether it is restarted at once after a crash, rather than at the next call
  * @param from addresses, ranges as {@code 10.0.0.0/24}, and host names of the robot's further
- *     computers, whose registrations of the robot's modules it takes; they are not resolved here;
+ *     computers, whose registrations of the robot's modules it accepts; they are not resolved here;
  *     empty for its own computer only
- * @param place where it was written
+ * @param place its place in the configuration
  */
 public record RegistrarDescription(
     int port, int classes, boolean restart, List<String> from, Place place)
     implements Serializable {
 
-  /** The port that unicast discovery uses where none is named. */
+  /** The default port of unicast discovery. */
   public static final int DEFAULT_PORT = 4160;
 
-  /** The port of a robot's class server where none is named. */
+  /** The default port of a robot's class server. */
   public static final int DEFAULT_CLASS_SERVER_PORT = 8085;
 
   /** In place of a port: the robot runs no class server. */
@@ -45,7 +45,7 @@ public record RegistrarDescription(
     }
   }
 
-  /** That of a robot whose modules all run on the registrar's computer. */
+  /** The registrar of a robot whose modules all run on the registrar's computer. */
   public RegistrarDescription(int port, int classes, boolean restart, Place place) {
     this(port, classes, restart, List.of(), place);
   }

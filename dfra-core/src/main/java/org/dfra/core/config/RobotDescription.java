@@ -13,13 +13,12 @@ import org.dfra.persona.PersonaAttributes;
  * One robot, as its XML describes it, with every variable substituted.
  *
  * @param name name of the robot, in lower_snake_case
- * @param host address or host name that the robot's proxies carry; {@code auto} to have an
- *     interface chosen
+ * @param host address or host name in the robot's proxies; {@code auto} to select an interface
  * @param lookupGroups discovery groups whose registrars the robot's modules join; none if empty
  * @param locators registrars joined by unicast, each as {@code jini://host} or {@code
  *     jini://host:port}
- * @param administration from where it may be administered besides its own computer
- * @param persona the robot's role, goals and limitations, if they are written down
+ * @param administration the hosts that may administer it besides its own computer
+ * @param persona the robot's role, goals and limitations, if configured
  * @param groups the service groups, at least one; at most one of them hosts the registrar
  * @param source the file that was read
  */
@@ -90,7 +89,7 @@ public record RobotDescription(
         source);
   }
 
-  /** The same, whose persona is not written down. */
+  /** The same, without a configured persona. */
   public RobotDescription(
       String name,
       String host,
@@ -102,8 +101,8 @@ public record RobotDescription(
   }
 
   /**
-   * The same robot, whose modules join these registrars and no others by unicast, as those of a
-   * team do where multicast does not go.
+   * A copy whose modules join only these registrars by unicast, as those of a team do without
+   * multicast.
    *
    * @param registrars each as {@code jini://host:port}
    */
@@ -117,7 +116,7 @@ public record RobotDescription(
     return groups.stream().flatMap(group -> group.registrar().stream()).findFirst();
   }
 
-  /** The modules of all groups, in the order written. */
+  /** The modules of all groups, in file order. */
   public List<ModuleDescription> modules() {
     return modules(groups);
   }

@@ -11,12 +11,12 @@ import org.jdom2.Element;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One reading of one robot's XML. What the schema can tell is left to it; everything else that is
- * wrong is noted here, and reading goes on, so that all of it is reported at once.
+ * Reads one robot's XML. The schema validation finds some faults; this class records all others and
+ * continues reading, so that all are reported at once.
  */
 final class RobotReader {
 
-  /** What a robot may hold that is no group. */
+  /** The child elements of a robot other than groups. */
   private static final Set<String> OTHERS = Set.of("lookup", "administration", "persona");
 
   private final Path file;
@@ -37,7 +37,7 @@ final class RobotReader {
     this.singles = values.uniqueNames();
   }
 
-  /** The robot; empty, with the reasons among the faults, if there is anything wrong with it. */
+  /** The robot; empty, with the reasons among the faults, if it has any. */
   Optional<RobotDescription> robot(Element root) {
     String name = values.name(root);
     String host = values.attribute(root, "host", "auto");
@@ -79,12 +79,12 @@ final class RobotReader {
         from(element, DescriptionRules::administrator), values.place(element));
   }
 
-  /** What is wrong with a text; null if nothing is. */
+  /** Returns the fault of a text; null if there is none. */
   private interface Rule {
     @Nullable String fault(String text);
   }
 
-  /** The addresses that an element takes calls from; those that are none are left out. */
+  /** The addresses from which an element accepts calls; invalid ones are omitted. */
   private List<String> from(Element element, Rule rule) {
     List<String> right = new ArrayList<>();
     for (String each : list(element, "from")) {
@@ -170,7 +170,7 @@ final class RobotReader {
                 Integer.parseInt(port), classes, restart, from, values.place(element)));
   }
 
-  /** The class server's port; null, a fault, if it is none. */
+  /** The class server's port; null, with a fault, if it is invalid. */
   private @Nullable Integer classes(Element element) {
     String written =
         values.attribute(
@@ -183,7 +183,7 @@ final class RobotReader {
     return fault == null ? Integer.valueOf(written) : null;
   }
 
-  /** The items between the commas of an attribute; a blank item is none. */
+  /** The items between the commas of an attribute; blank items are omitted. */
   private List<String> list(Element element, String attribute) {
     String text = values.attribute(element, attribute, "");
     return text == null

@@ -9,7 +9,7 @@ import org.jdom2.output.LineSeparator;
 import org.jdom2.output.XMLOutputter;
 import org.jspecify.annotations.Nullable;
 
-/** Writes a robot as XML in which nothing is left to be resolved. */
+/** Writes a robot as XML with all variables and properties resolved. */
 final class RobotWriter {
 
   private RobotWriter() {}

@@ -17,10 +17,10 @@ public final class RobotXml {
   private RobotXml() {}
 
   /**
-   * Reads a robot's XML and the properties of its modules; variables come from system properties
-   * and, where these are silent, from the environment.
+   * Reads a robot's XML and the properties of its modules; variables come from system properties or
+   * else from the environment.
    *
-   * @throws ConfigurationException naming everything that is wrong with them, a line each
+   * @throws ConfigurationException with every fault in them, a line each
    */
   public static RobotDescription read(Path file) {
     return read(file, Substitution::environment);
@@ -29,8 +29,8 @@ public final class RobotXml {
   /**
    * Reads a robot's XML and the properties of its modules.
    *
-   * @param lookup gives the value of a variable, or null where it is not set
-   * @throws ConfigurationException naming everything that is wrong with them, a line each
+   * @param lookup returns the value of a variable, or null if it is not set
+   * @throws ConfigurationException with every fault in them, a line each
    */
   public static RobotDescription read(Path file, Function<String, @Nullable String> lookup) {
     ConfigurationFaults faults = new ConfigurationFaults();
@@ -46,14 +46,14 @@ public final class RobotXml {
    * The robot as XML that needs neither variables nor properties files: reading it gives an equal
    * description, apart from the places.
    *
-   * @throws ConfigurationException if a text holds a character that XML has no way to write
+   * @throws ConfigurationException if a text contains a character that XML cannot represent
    */
   public static String toXml(RobotDescription robot) {
     return RobotWriter.toXml(robot);
   }
 
   /**
-   * Writes {@link #toXml} to a file, in place of what it held.
+   * Writes {@link #toXml} to a file, replacing its content.
    *
    * @throws IOException if it cannot be written
    */

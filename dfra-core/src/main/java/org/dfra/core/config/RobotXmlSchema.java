@@ -15,7 +15,7 @@ final class RobotXmlSchema {
 
   private RobotXmlSchema() {}
 
-  /** Every element there is, with the attributes it may have, in the schema's order. */
+  /** All elements with their permitted attributes, in the schema's order. */
   static Map<String, List<String>> attributes() {
     return ROBOT.attributes();
   }

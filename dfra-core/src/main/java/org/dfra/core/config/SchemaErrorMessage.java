@@ -8,11 +8,11 @@ import java.util.regex.Pattern;
 import org.jdom2.Namespace;
 
 /**
- * Turns what the JDK's schema validator says into plain sentences.
+ * Converts the messages of the JDK's schema validator into plain sentences.
  *
  * <p>Its messages begin with the violated rule of XML Schema 1.0 part 1, appendix C.1, e.g. {@code
- * cvc-complex-type.4:}, and quote names with apostrophes. What is not known here is passed on
- * without the rule's name.
+ * cvc-complex-type.4:}, and quote names with apostrophes. Unknown messages are passed on without
+ * the rule's name.
  */
 final class SchemaErrorMessage {
 
@@ -24,8 +24,8 @@ final class SchemaErrorMessage {
 
   /**
    * @param message the validator's message, in English
-   * @param attributes every element there is, with the attributes it may have
-   * @param namespace of these elements
+   * @param attributes all elements with their permitted attributes
+   * @param namespace the namespace of these elements
    */
   static String of(String message, Map<String, List<String>> attributes, Namespace namespace) {
     Matcher matcher = RULE.matcher(message);

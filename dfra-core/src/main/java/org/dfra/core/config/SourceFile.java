@@ -11,10 +11,10 @@ public final class SourceFile {
   private SourceFile() {}
 
   /**
-   * All that a file holds.
+   * The content of a file.
    *
-   * @param what it should be, for the complaint, such as {@code the XML file of a robot}
-   * @throws ConfigurationException if it is not there or cannot be read
+   * @param what it should be, for the error message, such as {@code the XML file of a robot}
+   * @throws ConfigurationException if it does not exist or cannot be read
    */
   public static byte[] readBytes(Path file, String what) {
     try {

@@ -8,11 +8,11 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Puts values in the place of variables.
+ * Substitutes variables by their values.
  *
  * <p>{@code ${NAME}} is the value of NAME, which must be set. {@code ${NAME:-default}} is the
- * default where NAME is not set or empty, as in a POSIX shell; the default may hold variables
- * itself, and no other closing brace. {@code $$} is a dollar.
+ * default if NAME is not set or empty, as in a POSIX shell; the default may contain variables
+ * itself, but no other closing brace. {@code $$} is a dollar.
  */
 public final class Substitution {
 
@@ -21,9 +21,7 @@ public final class Substitution {
   private final Function<String, @Nullable String> lookup;
   private final ConfigurationFaults faults;
 
-  /**
-   * @param lookup gives the value of a variable, or null where it is not set
-   */
+  /** @param lookup returns the value of a variable, or null if it is not set */
   public Substitution(Function<String, @Nullable String> lookup, ConfigurationFaults faults) {
     this.lookup = lookup;
     this.faults = faults;
@@ -35,12 +33,12 @@ public final class Substitution {
     return property != null ? property : System.getenv(name);
   }
 
-  /** Writes a text so that {@link #apply} gives it back. */
+  /** Escapes a text so that {@link #apply} returns the original. */
   public static String escape(String text) {
     return text.replace("$", "$$");
   }
 
-  /** The text with its variables substituted; null, and a fault noted, where that fails. */
+  /** The text with its variables substituted; null, with a recorded fault, if that fails. */
   @Nullable String apply(String text, Place place) {
     Scan scan = new Scan(text);
     String result = scan.text(false);

@@ -11,7 +11,7 @@ import org.jdom2.input.SAXBuilder;
 import org.jdom2.input.sax.XMLReaders;
 import org.jdom2.located.LocatedJDOMFactory;
 
-/** A text taken for XML of some kind: it must be well-formed, and of that kind. */
+/** Parses a text as XML with a given root element. */
 final class XmlDocument {
 
   private static final String NO_DOCTYPE = "http://apache.org/xml/features/disallow-doctype-decl";
@@ -20,7 +20,7 @@ final class XmlDocument {
   private static final String MAX_DEPTH =
       "http://www.oracle.com/xml/jaxp/properties/maxElementDepth";
 
-  /** No document of DFRA nests elements deeper than 8. */
+  /** DFRA's documents nest elements at most 8 deep. */
   private static final int DEPTH = 64;
 
   private static final int MAX_BYTES = 16 << 20;
@@ -28,10 +28,10 @@ final class XmlDocument {
   private XmlDocument() {}
 
   /**
-   * The root element; it and all below it know their lines.
+   * The root element; it and all its descendants have line numbers.
    *
    * @throws ConfigurationException if the text is not well-formed, is larger than 16 MiB or nested
-   *     deeper than 64 elements, or its root is another one
+   *     deeper than 64 elements, or it has another root
    */
   static Element parseRoot(byte[] text, Place whole, XmlSchema schema) {
     if (text.length > MAX_BYTES) {
@@ -39,7 +39,7 @@ final class XmlDocument {
           whole + ": the file has " + text.length + " bytes, at most " + MAX_BYTES + " are read");
     }
     SAXBuilder builder = new SAXBuilder(XMLReaders.NONVALIDATING, null, new LocatedJDOMFactory());
-    // Without a document type there is no entity, so nothing outside of the text is ever read.
+    // Without a document type there are no entities, so nothing outside the text is read.
     builder.setFeature(NO_DOCTYPE, true);
     builder.setExpandEntities(false);
     builder.setProperty(XmlSchema.LOCALE, Locale.ROOT);
@@ -82,7 +82,7 @@ final class XmlDocument {
   private static String sentence(JDOMParseException fault) {
     Throwable cause = fault.getCause() == null ? fault : fault.getCause();
     String message = String.valueOf(cause.getMessage());
-    if (message.startsWith("JAXP00010006")) { // the JDK's number for MAX_DEPTH
+    if (message.startsWith("JAXP00010006")) { // the JDK's message code for MAX_DEPTH
       return "elements are nested deeper than " + DEPTH + "; no robot needs that, correct it";
     }
     return message.contains(NO_DOCTYPE)

@@ -23,12 +23,12 @@ import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
 
 /**
- * A kind of XML: its root element, its namespace, and its schema, a resource beside a class. Reads
- * documents of that kind, and touches no network.
+ * A type of XML document: its root element, its namespace, and its schema, a resource in a class's
+ * package. Reads documents of that type, without network access.
  */
 public final class XmlSchema {
 
-  /** The JDK's parsers and validators take the language of their messages from it. */
+  /** The JDK's parsers and validators read the language of their messages from this property. */
   static final String LOCALE = "http://apache.org/xml/properties/locale";
 
   private static final Namespace XS = Namespace.getNamespace(XMLConstants.W3C_XML_SCHEMA_NS_URI);
@@ -40,8 +40,8 @@ public final class XmlSchema {
 
   /**
    * @param root name of the root element
-   * @param namespace of all its elements
-   * @param beside the class whose package holds the schema
+   * @param namespace the namespace of all its elements
+   * @param beside the class whose package contains the schema
    * @param resource the schema's name in it, such as {@code robot.xsd}
    */
   public XmlSchema(String root, String namespace, Class<?> beside, String resource) {
@@ -64,22 +64,22 @@ public final class XmlSchema {
     return root;
   }
 
-  /** Of all its elements. */
+  /** The namespace of all its elements. */
   public Namespace namespace() {
     return namespace;
   }
 
-  /** Every element there is, with the attributes it may have, in the schema's order. */
+  /** All elements with their permitted attributes, in the schema's order. */
   public Map<String, List<String>> attributes() {
     return attributes;
   }
 
   /**
-   * The root element of a document; it and all below it know their lines. Where the document
-   * departs from the schema is noted.
+   * The root element of a document; it and all its descendants have line numbers. Violations of the
+   * schema are recorded as faults.
    *
    * @param whole the file
-   * @throws ConfigurationException if the text is not well-formed or its root is another one
+   * @throws ConfigurationException if the text is not well-formed or it has another root
    */
   public Element read(byte[] text, Place whole, ConfigurationFaults faults) {
     Element element = XmlDocument.parseRoot(text, whole, this);
@@ -88,15 +88,15 @@ public final class XmlSchema {
   }
 
   /**
-   * Notes where a well-formed document departs from the schema, in plain sentences. Of several
-   * unknown elements in one element the JDK's validator reports the first.
+   * Records the schema violations of a well-formed document, in plain sentences. Of several unknown
+   * elements in one element the JDK's validator reports the first.
    */
   private void validate(byte[] document, Place whole, ConfigurationFaults faults) {
     Validator validator = schema.newValidator();
     try {
       validator.setProperty(XMLConstants.ACCESS_EXTERNAL_DTD, "");
       validator.setProperty(XMLConstants.ACCESS_EXTERNAL_SCHEMA, "");
-      validator.setProperty(LOCALE, Locale.ROOT); // SchemaErrorMessage understands English
+      validator.setProperty(LOCALE, Locale.ROOT); // SchemaErrorMessage parses English messages
       validator.setErrorHandler(new Collector(this, whole, faults));
       validator.validate(new StreamSource(new ByteArrayInputStream(document)));
     } catch (SAXException | IOException e) {

@@ -6,33 +6,31 @@ import org.jdom2.Element;
 import org.jdom2.located.Located;
 import org.jspecify.annotations.Nullable;
 
-/** Takes values out of XML elements: substituted, checked, each with its place. */
+/** Reads values of XML elements: substituted, checked, each with its place. */
 public final class XmlValues {
 
   private final String file;
   private final Substitution substitution;
   private final ConfigurationFaults faults;
 
-  /**
-   * @param file the elements' file, as it was named to the reader
-   */
+  /** @param file the elements' file, as named to the reader */
   public XmlValues(String file, Substitution substitution, ConfigurationFaults faults) {
     this.file = file;
     this.substitution = substitution;
     this.faults = faults;
   }
 
-  /** Where an element's start tag ends, which is as much as the parser tells. */
+  /** The end of an element's start tag, which is all that the parser reports. */
   static Place place(String file, Element element) {
     return new Place(file, element instanceof Located located ? located.getLine() : 0);
   }
 
-  /** Where an element's start tag ends. */
+  /** The end of an element's start tag. */
   public Place place(Element element) {
     return place(file, element);
   }
 
-  /** Notes a fault, unless there is none. */
+  /** Records a fault, unless it is null. */
   public void check(Element element, @Nullable String fault) {
     if (fault != null) {
       faults.add(place(element), fault);
@@ -45,12 +43,12 @@ public final class XmlValues {
     return written == null ? null : substitution.apply(written, place(element));
   }
 
-  /** The value of an attribute, or what stands for it where it is absent. */
+  /** The value of an attribute, or a default if it is absent. */
   public @Nullable String attribute(Element element, String name, String absent) {
     return element.getAttributeValue(name) == null ? absent : attribute(element, name);
   }
 
-  /** The text between an element's tags, without the blanks around it. */
+  /** The text between an element's tags, trimmed. */
   public @Nullable String text(Element element) {
     return substitution.apply(element.getTextTrim(), place(element));
   }
@@ -71,20 +69,18 @@ public final class XmlValues {
     return !"false".equals(restart);
   }
 
-  /** Names of one kind, each of which may be given once. */
+  /** A set of names of one kind, each of which may occur once. */
   public UniqueNames uniqueNames() {
     return new UniqueNames();
   }
 
-  /** Remembers where each name was first written. */
+  /** Records the first place of each name. */
   public final class UniqueNames {
     private final Map<String, Place> first = new HashMap<>();
 
     private UniqueNames() {}
 
-    /**
-     * @param what the thing named, with its name, for the complaint about a second one
-     */
+    /** @param what the named object, with its name, for the error message about a duplicate */
     public void requireFirst(Element element, String name, String what, String remedy) {
       Place earlier = first.putIfAbsent(name, place(element));
       if (earlier != null) {

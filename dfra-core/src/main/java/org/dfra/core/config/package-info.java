@@ -1,5 +1,5 @@
 /**
- * How a robot is written down: its XML, the properties of its modules, their parameters.
+ * The configuration of a robot: its XML, the properties of its modules, their parameters.
  *
  * <pre>
  *   robot.xml --RobotXml.read--&gt; RobotDescription
@@ -9,10 +9,10 @@
  *                                      Parameters --&gt; the driver
  * </pre>
  *
- * <p>Enter at {@link org.dfra.core.config.RobotXml}, or at {@link org.dfra.core.config.Parameters}
- * for a driver's view. Whatever cannot be used ends in a {@link
- * org.dfra.core.config.ConfigurationException} that names all of it, a line each: file and line,
- * what is wrong, what to do. The reference for users is {@code docs/reference/robot-xml.md}.
+ * <p>Start at {@link org.dfra.core.config.RobotXml}, or at {@link org.dfra.core.config.Parameters}
+ * for a driver's view. An invalid configuration throws a {@link
+ * org.dfra.core.config.ConfigurationException} that lists all faults, a line each: file and line,
+ * fault, remedy. The reference for users is {@code docs/reference/robot-xml.md}.
  */
 @NullMarked
 package org.dfra.core.config;

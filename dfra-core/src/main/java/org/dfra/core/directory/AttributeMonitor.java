@@ -15,17 +15,17 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Tells what a module says of itself whenever that has changed.
+ * Publishes a module's attributes whenever they change.
  *
- * <p>It looks every {@value #POLL_MILLIS} ms rather than being told: so no driver has to remember
- * to tell, and no restless driver can flood a lookup service.
+ * <p>It polls every {@value #POLL_MILLIS} ms. So drivers need not report changes, and a driver with
+ * frequent changes cannot flood a lookup service.
  *
- * <p>Threads: one daemon, {@code dfra-attributes}, looks for all modules of a virtual machine; in
- * lock-step the scheduler looks.
+ * <p>Threads: one daemon, {@code dfra-attributes}, polls all modules of a virtual machine; in
+ * lock-step the scheduler polls.
  */
 public final class AttributeMonitor implements DirectoryRegistration {
 
-  /** Changes are looked for at this distance, in milliseconds. */
+  /** The polling period in milliseconds. */
   public static final long POLL_MILLIS = 500;
 
   private static final Logger LOG = LoggerFactory.getLogger(AttributeMonitor.class);
@@ -42,12 +42,12 @@ public final class AttributeMonitor implements DirectoryRegistration {
   private final Consumer<List<Attributes>> publisher;
   private volatile ScheduledTask looking;
   private volatile boolean closed;
-  private List<Attributes> published; // by the looker
+  private List<Attributes> published; // used by the polling thread only
 
   /**
-   * @param published what is known of the module already
-   * @param attributes what it says of itself now
-   * @param publisher takes the news; it must not block
+   * @param published the attributes published already
+   * @param attributes returns its current attributes
+   * @param publisher receives the changed attributes; it must not block
    */
   public AttributeMonitor(
       List<Attributes> published,
@@ -56,7 +56,7 @@ public final class AttributeMonitor implements DirectoryRegistration {
     this(published, attributes, publisher, Scheduler.system());
   }
 
-  /** The same, by the time of {@code scheduler} if that is in lock-step, by real time otherwise. */
+  /** The same, on {@code scheduler} if that is in lock-step, in real time otherwise. */
   public AttributeMonitor(
       List<Attributes> published,
       Supplier<List<Attributes>> attributes,

@@ -30,8 +30,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * A directory that answers from a table that its subclass fills.
  *
- * <p>Threads: daemons {@code dfra-directory-n}, one for each listener that is just being told
- * something; they end by themselves after {@link #close}. In lock-step the scheduler tells them.
+ * <p>Threads: daemons {@code dfra-directory-n}, one for each listener that is being notified; they
+ * end after {@link #close}. In lock-step the scheduler notifies the listeners.
  */
 public abstract class CachedModuleDirectory implements ModuleDirectory {
 
@@ -61,16 +61,14 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
   private final List<ListenerNotifier<?>> feeds = new ArrayList<>(); // guarded by lock
   private boolean closed; // guarded by lock
 
-  /**
-   * @param clock the time that staleness is reckoned by
-   */
+  /** @param clock the clock by which staleness is measured */
   protected CachedModuleDirectory(InstantSource clock) {
     this(clock, Scheduler.system());
   }
 
   /**
-   * @param clock the time that staleness is reckoned by
-   * @param scheduler the time that is waited by
+   * @param clock the clock by which staleness is measured
+   * @param scheduler the scheduler for timeouts
    */
   protected CachedModuleDirectory(InstantSource clock, Scheduler scheduler) {
     this.table = new ModuleTable(clock);
@@ -80,7 +78,7 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
     table.addObserver(id -> signal());
   }
 
-  /** What this directory knows, to be filled by the subclass. */
+  /** The table of this directory, to be filled by the subclass. */
   protected final ModuleTable table() {
     return table;
   }
@@ -112,7 +110,7 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
     return Optional.empty();
   }
 
-  @SuppressWarnings("unchecked") // the query has looked at its type, and a listing never changes
+  @SuppressWarnings("unchecked") // the query has checked its type, and a listing is immutable
   private static <M extends Module> ModuleListing<M> as(ModuleListing<Module> listing) {
     return (ModuleListing<M>) listing;
   }
@@ -194,7 +192,7 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
             new FailoverHandler<>(query, remembered(query), scheduler::nanos)));
   }
 
-  /** What a query finds; asked again only when the table has changed. */
+  /** The result of a query; re-evaluated only when the table has changed. */
   private <M extends Module> Supplier<List<ModuleListing<M>>> remembered(ModuleQuery<M> query) {
     return new Supplier<>() {
       private long version = -1; // guarded by this
@@ -212,7 +210,7 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
     };
   }
 
-  /** {@inheritDoc} A subclass that has more to end does it first. */
+  /** {@inheritDoc} A subclass closes its own resources first. */
   @Override
   public void close() {
     List<ListenerNotifier<?>> ending;

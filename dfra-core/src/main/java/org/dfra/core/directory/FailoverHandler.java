@@ -30,9 +30,9 @@ import org.dfra.module.NotReadyException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Stands for all modules that match a query. A module that failed is asked last for a while, since
- * a lookup service lists a dead one until its lease has run out, and one that has just come back
- * has nothing to tell yet.
+ * The invocation handler of a failover proxy for all modules that match a query. A module that
+ * failed is tried last for a while, since a lookup service lists a dead module until its lease
+ * expires, and a restarted module has no data yet.
  */
 final class FailoverHandler<M extends Module> implements InvocationHandler {
 
@@ -45,8 +45,8 @@ final class FailoverHandler<M extends Module> implements InvocationHandler {
   private volatile @Nullable UUID last;
 
   /**
-   * @param candidates what matches now, the best first
-   * @param nanos a clock of which only differences are taken, in nanoseconds
+   * @param candidates the current matches, the best first
+   * @param nanos a monotonic clock, in nanoseconds
    */
   FailoverHandler(
       ModuleQuery<M> query, Supplier<List<ModuleListing<M>>> candidates, LongSupplier nanos) {
@@ -94,7 +94,7 @@ final class FailoverHandler<M extends Module> implements InvocationHandler {
   private @Nullable Object call(ModuleListing<M> target, Method method, Object @Nullable [] args)
       throws Throwable {
     try {
-      method.setAccessible(true); // the interface may be private to its package
+      method.setAccessible(true); // the interface may be package-private
       @Nullable Object answer = method.invoke(target.module(), args);
       last = target.id();
       return answer;
@@ -114,7 +114,7 @@ final class FailoverHandler<M extends Module> implements InvocationHandler {
     @Nullable UUID favourite = last;
     return all.stream()
         .filter(each -> !each.id().equals(not))
-        .min( // of equals the first, which is the best
+        .min( // the first of equals, which is the best
             Comparator.comparing((ModuleListing<M> each) -> failed.containsKey(each.id()))
                 .thenComparing(each -> CachedModuleDirectory.isFailedOrStopped(each))
                 .thenComparing(each -> !each.id().equals(favourite)));
@@ -136,7 +136,7 @@ final class FailoverHandler<M extends Module> implements InvocationHandler {
         || failure instanceof ConnectIOException
         || failure instanceof UnknownHostException
         || failure instanceof NoSuchObjectException
-        // Not by its type: this layer knows no activation.
+        // By name, not by type: this layer does not depend on activation.
         || failure.getClass().getSimpleName().equals("ActivateFailedException"));
   }
 }

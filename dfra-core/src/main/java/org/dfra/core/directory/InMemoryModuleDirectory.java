@@ -18,14 +18,14 @@ public final class InMemoryModuleDirectory extends CachedModuleDirectory {
   private final InstantSource clock;
   private final Scheduler scheduler;
 
-  /** By the system's clock. */
+  /** A directory on the system clock. */
   public InMemoryModuleDirectory() {
     this(InstantSource.system());
   }
 
   /**
-   * @param clock the time; simulated time where the robot is simulated. In lock-step, where it is
-   *     the scheduler too, everything here happens by it
+   * @param clock the clock; a simulated clock if the robot is simulated. In lock-step it is the
+   *     scheduler too, and all tasks of the directory run on it
    */
   public InMemoryModuleDirectory(InstantSource clock) {
     this(clock, clock instanceof Scheduler scheduler ? scheduler : Scheduler.system());
@@ -38,9 +38,9 @@ public final class InMemoryModuleDirectory extends CachedModuleDirectory {
   }
 
   /**
-   * Lists a module of this virtual machine, with attributes that follow it.
+   * Lists a module of this virtual machine, and keeps its attributes up to date.
    *
-   * @return takes it out again
+   * @return its registration; closing it removes the module
    * @throws IllegalArgumentException if another module of that robot has its name
    */
   public DirectoryRegistration add(ModuleImpl module) {
@@ -59,7 +59,7 @@ public final class InMemoryModuleDirectory extends CachedModuleDirectory {
   }
 
   /**
-   * Lists a module, or what is known of it now.
+   * Lists a module, or updates its listing.
    *
    * @throws IllegalArgumentException if another module of that robot on that host has its name
    */
@@ -85,26 +85,26 @@ public final class InMemoryModuleDirectory extends CachedModuleDirectory {
     table().put(id, module, attributes, locality);
   }
 
-  /** Lists a robot as such. */
+  /** Lists a robot without a module. */
   public void put(UUID id, PersonaAttributes robot) {
     put(id, robot, "");
   }
 
   /**
-   * Lists a robot as such.
+   * Lists a robot without a module.
    *
-   * @param host address or name of the computer it runs on; empty where that is not known
+   * @param host address or name of the computer it runs on; empty if unknown
    */
   public void put(UUID id, PersonaAttributes robot, String host) {
     table().put(id, robot, host);
   }
 
-  /** Nobody vouches for it any more, since now. */
+  /** Marks it stale from now on. */
   public void markStale(UUID id) {
     table().markStale(id, clock.instant());
   }
 
-  /** Takes it out. */
+  /** Removes it. */
   public void remove(UUID id) {
     table().remove(id);
   }

@@ -20,14 +20,15 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Tells one listener what changed. It keeps which modules changed, not how, and compares when the
- * listener is ready: so what waits for a slow listener is never more than one identity per module.
+ * Notifies one listener of changes. It queues the identities of changed modules, not the changes,
+ * and compares the listings when the listener is ready: so the queue of a slow listener contains at
+ * most one identity per module.
  */
 final class ListenerNotifier<M extends Module> implements DirectoryRegistration, Consumer<UUID> {
 
   private static final Logger LOG = LoggerFactory.getLogger(ListenerNotifier.class);
 
-  /** How long to wait before a thread is asked for again where there is none. */
+  /** Delay before the next attempt to start a thread after one has failed. */
   static final Duration RETRY = Duration.ofMillis(200);
 
   private final Function<UUID, @Nullable ModuleListing<M>> look;
@@ -41,9 +42,9 @@ final class ListenerNotifier<M extends Module> implements DirectoryRegistration,
   private boolean closed; // guarded by this
 
   /**
-   * @param look the listing of a module that matches now, or null
-   * @param threads where the listener is notified
-   * @param scheduler the time after which {@code threads} are asked again where they refuse
+   * @param look returns the current listing of a matching module, or null
+   * @param threads notifies the listener
+   * @param scheduler schedules retries when {@code threads} refuses a task
    */
   ListenerNotifier(
       Function<UUID, @Nullable ModuleListing<M>> look,
@@ -73,7 +74,7 @@ final class ListenerNotifier<M extends Module> implements DirectoryRegistration,
     begin();
   }
 
-  /** Has a thread drain what waits; where none can be started now, tries again after a while. */
+  /** Starts a thread that drains the queue; if none can be started, retries after a delay. */
   private void begin() {
     try {
       threads.execute(this::drain);
@@ -117,7 +118,7 @@ final class ListenerNotifier<M extends Module> implements DirectoryRegistration,
       } else if (before != null && now != null && before != now) {
         listener.changed(before, now);
       }
-    } catch (RuntimeException | Error e) { // what comes next must reach it all the same
+    } catch (RuntimeException | Error e) { // the next change must reach it nevertheless
       LOG.warn("A directory listener failed: {}", e.toString(), e);
     }
   }

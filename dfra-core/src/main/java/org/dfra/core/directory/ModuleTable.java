@@ -24,8 +24,8 @@ import org.dfra.persona.PersonaAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a directory knows: modules by identity, and what stands for a robot as such. Safe for many
- * threads; whoever reads sees each module as it was at one moment.
+ * The data of a directory: modules by identity, and entries for robots without a module.
+ * Thread-safe; a reader sees a consistent snapshot of each module.
  */
 public final class ModuleTable {
 
@@ -40,28 +40,31 @@ public final class ModuleTable {
   private volatile Places places = new Places(-1, Map.of());
 
   /**
-   * Something that shows a robot but is no module: its registrar.
+   * An entry that represents a robot but is not a module: its registrar.
    *
-   * @param host address or name of the computer it runs on; empty where that is not known
+   * @param host address or name of the computer it runs on; empty if unknown
    */
   record RobotEntry(PersonaAttributes attributes, String host, boolean stale, Instant confirmed) {}
 
-  /** A robot among others of its name. */
+  /** A robot, distinguished from others of the same name by its host. */
   private record RobotAt(String name, String host) {}
 
-  /** Where each robot is, as of a version of the table. */
+  /** The position of each robot, as of a version of the table. */
   private record Places(long version, Map<RobotAt, LocationAttributes> robots) {}
 
   ModuleTable(InstantSource clock) {
     this.clock = clock;
   }
 
-  /** Changes whenever anything here does. */
+  /** Changes with every change of the table. */
   long version() {
     return version;
   }
 
-  /** Tells of each change, on the changer's thread: which identity it is about. */
+  /**
+   * Adds an observer that receives the identity of each changed entry, on the thread that makes the
+   * change.
+   */
   void addObserver(Consumer<UUID> observer) {
     observers.add(observer);
   }
@@ -71,10 +74,10 @@ public final class ModuleTable {
   }
 
   /**
-   * Somebody vouches for a module.
+   * Adds or updates a module that a lookup service lists.
    *
    * @param module the module, or its proxy
-   * @param attributes what it says of itself
+   * @param attributes its published attributes
    */
   public void put(UUID id, Module module, List<Attributes> attributes, Locality locality) {
     boolean news;
@@ -113,9 +116,9 @@ public final class ModuleTable {
   }
 
   /**
-   * Somebody vouches for a robot as such.
+   * Adds or updates a robot without a module that a lookup service lists.
    *
-   * @param host address or name of the computer it runs on; empty where that is not known
+   * @param host address or name of the computer it runs on; empty if unknown
    */
   public void put(UUID id, PersonaAttributes robot, String host) {
     synchronized (this) {
@@ -133,7 +136,7 @@ public final class ModuleTable {
   }
 
   /**
-   * The computer that shows a robot as such is known now. Does nothing where nothing shows one.
+   * Sets the host of a robot's entry. Does nothing if there is no entry.
    *
    * @param host address or name of the computer
    */
@@ -150,9 +153,9 @@ public final class ModuleTable {
   }
 
   /**
-   * Nobody vouches for it any more, but nobody said that it is gone.
+   * Marks an entry stale: no reachable lookup service lists it, but it was not removed.
    *
-   * @param vouched when somebody last did
+   * @param vouched when a lookup service last listed it
    */
   public void markStale(UUID id, Instant vouched) {
     synchronized (this) {
@@ -182,7 +185,7 @@ public final class ModuleTable {
     notifyObservers(id);
   }
 
-  /** It is gone. */
+  /** Removes an entry. */
   public void remove(UUID id) {
     synchronized (this) {
       boolean module = modules.remove(id) != null;
@@ -210,18 +213,18 @@ public final class ModuleTable {
     return modules.get(id);
   }
 
-  /** Every module, in no order, and each as it is when it is come to. */
+  /** Every module, unordered and weakly consistent. */
   Iterable<ModuleListing<Module>> unordered() {
     return modules.values();
   }
 
-  /** Every module, as all were at one moment, the best first. */
+  /** A consistent snapshot of every module, the best first. */
   List<ModuleListing<Module>> all() {
     @Nullable List<ModuleListing<Module>> ready = sorted;
     return ready != null ? ready : sort();
   }
 
-  /** Sorts in what has changed since it was last asked. */
+  /** Merges the changes since the last call into the sorted list. */
   private synchronized List<ModuleListing<Module>> sort() {
     @Nullable List<ModuleListing<Module>> ready = sorted;
     if (ready != null) {
@@ -240,13 +243,13 @@ public final class ModuleTable {
       }
     }
     unsorted.clear();
-    next.sort(CachedModuleDirectory.BEST_FIRST); // nearly sorted, which it notices
+    next.sort(CachedModuleDirectory.BEST_FIRST); // nearly sorted input is fast
     lastSorted = next;
     sorted = next;
     return next;
   }
 
-  /** Under the lock. */
+  /** Called with the lock held. */
   private void changed(UUID id) {
     unsorted.add(id);
     sorted = null;
@@ -257,7 +260,7 @@ public final class ModuleTable {
     return new ArrayList<>(robots.values());
   }
 
-  /** Where a module's robot is, by the newest of the locations of the robot's modules. */
+  /** The position of a module's robot: the newest of the positions of the robot's modules. */
   Optional<GeoPosition> robotPosition(ModuleListing<?> module) {
     Places known = places;
     long now = version;

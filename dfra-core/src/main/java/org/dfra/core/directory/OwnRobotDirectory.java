@@ -15,10 +15,9 @@ import org.dfra.module.Module;
 import org.dfra.persona.ModuleAttributes;
 
 /**
- * What a module finds others by: who asks for modules of its own robot gets those of its own host,
- * and of these only those that the robot knows as its own. Another robot of that name in the team,
- * or on this computer, is another robot, whose wheels are not to be moved and whose position is not
- * to be believed.
+ * The directory that a module uses. A query for modules of its own robot returns only modules on
+ * its own host that belong to the robot. Another robot of the same name in the team, or on this
+ * computer, is a different robot: its wheels must not be moved and its position must not be used.
  */
 public final class OwnRobotDirectory implements ModuleDirectory {
 
@@ -28,10 +27,9 @@ public final class OwnRobotDirectory implements ModuleDirectory {
   private final Predicate<ModuleListing<?>> isOwn;
 
   /**
-   * @param all what is known of all robots; closed with this
-   * @param robot the module's own
-   * @param host address or name of the computer that this runs on, as {@link ModuleAttributes#host}
-   *     has it
+   * @param all the directory of all robots; closed with this
+   * @param robot the module's own robot
+   * @param host address or name of this computer, as in {@link ModuleAttributes#host}
    * @param isOwn whether a module of that name and host is the robot's own
    */
   public OwnRobotDirectory(

@@ -17,13 +17,13 @@ import org.dfra.text.PrintableText;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Groups what a directory knows by robot. Robots of one name differ by their host. What does not
- * say its host belongs to the robot of its name; where several robots have that name, it is left
- * out until its host is known.
+ * Groups the entries of a directory by robot. The host distinguishes robots of the same name. An
+ * entry without a host belongs to the robot of its name; if several robots have that name, it is
+ * omitted until its host is known.
  */
 final class PersonaBuilder {
 
-  /** What has no host does not make a robot of its own where one of its name is known. */
+  /** Entries without a host do not form a separate robot if a robot of the name is known. */
   private static final String UNKNOWN = "";
 
   private final SortedMap<String, SortedMap<String, Draft>> robots = new TreeMap<>();
@@ -33,7 +33,7 @@ final class PersonaBuilder {
   /**
    * The robots, by name and host.
    *
-   * @param signs what shows a robot but is no module
+   * @param signs the entries that represent a robot but are not modules
    */
   static List<Persona> of(
       Collection<ModuleTable.RobotEntry> signs, Collection<ModuleListing<Module>> modules) {
@@ -43,7 +43,7 @@ final class PersonaBuilder {
         personas.at(each.robot(), each.host()).add(each);
       }
     }
-    for (ModuleTable.RobotEntry each : signs) { // named as in its modules' listings
+    for (ModuleTable.RobotEntry each : signs) { // with the name in its modules' listings
       personas.at(PrintableText.word(each.attributes().robot()), each.host()).add(each);
     }
     List<Persona> all = new ArrayList<>();
@@ -57,7 +57,7 @@ final class PersonaBuilder {
         .computeIfAbsent(host, place -> new Draft());
   }
 
-  /** The robots of one name. */
+  /** The robots with one name. */
   private static List<Persona> named(String name, SortedMap<String, Draft> hosts) {
     @Nullable Draft anywhere = hosts.size() > 1 ? hosts.remove(UNKNOWN) : null;
     if (anywhere != null && hosts.size() == 1) {
@@ -70,7 +70,7 @@ final class PersonaBuilder {
     return all;
   }
 
-  /** A persona that is being put together. */
+  /** A persona under construction. */
   private static final class Draft {
     private @Nullable PersonaAttributes attributes;
     private final List<ModuleListing<Module>> modules = new ArrayList<>();

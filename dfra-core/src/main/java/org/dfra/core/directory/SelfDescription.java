@@ -11,18 +11,18 @@ import org.dfra.persona.Attributes;
 import org.dfra.persona.ModuleAttributes;
 
 /**
- * All that a module says of itself: what every module does, and what its driver adds.
+ * All attributes of a module: those of every module, and those of its driver.
  *
  * @param driver the module
  * @param host address or name of the machine it runs on
- * @param created when it was first made known to its robot
+ * @param created when it was first registered with its robot
  * @param activated when it was last started
  * @param clients how many clients hold a lease on it
  */
 public record SelfDescription(
     ModuleImpl driver, String host, Instant created, Instant activated, IntSupplier clients) {
 
-  /** The attributes as they are now. */
+  /** The current attributes. */
   public List<Attributes> attributes() {
     Identification who = driver.identification();
     List<Attributes> attributes = new ArrayList<>();

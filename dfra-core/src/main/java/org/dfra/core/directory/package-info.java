@@ -1,5 +1,5 @@
 /**
- * The directory of modules without a network, and what every directory has in common.
+ * The directory of modules without a network, and the base of every directory.
  *
  * <pre>
  *   register / a lookup service --&gt; ModuleTable --&gt; find, findFirst, personas
@@ -7,9 +7,9 @@
  *                                        +---------&gt; FailoverHandler (proxyFor)
  * </pre>
  *
- * <p>Enter at {@link org.dfra.core.directory.InMemoryModuleDirectory}. The distributed layer's
+ * <p>Start at {@link org.dfra.core.directory.InMemoryModuleDirectory}. The distributed layer's
  * directory extends {@link org.dfra.core.directory.CachedModuleDirectory} too and fills its table
- * from lookup services, so that both answer alike.
+ * from lookup services, so that both behave alike.
  */
 @NullMarked
 package org.dfra.core.directory;

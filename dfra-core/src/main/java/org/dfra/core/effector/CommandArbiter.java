@@ -15,22 +15,21 @@ import org.dfra.lease.LeaseRefusedException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who commands an effector: one holder of a lease at the most.
+ * Arbitrates the command of an effector: at most one lease holder commands it.
  *
- * <p>Commands, and the rest that follows the loss of a commander, exclude each other. Once a key
- * does not count any more, no command that comes with it begins, and the device comes to rest
- * before any other command begins. Whoever gives the command up, takes it or ends it with an
- * emergency stop does not wait for a command that is under way: the rest is owed until that is
- * over.
+ * <p>Commands, and the stop that follows the loss of a commander, are mutually exclusive. Once a
+ * key is invalid, no command with it begins, and the device stops before any other command begins.
+ * Releasing, acquiring or ending the command by an emergency stop does not wait for a command in
+ * progress: the stop is pending until that command ends.
  */
 public final class CommandArbiter {
 
-  /** Grants the lease that goes with the helm. */
+  /** Grants the lease of the commander. */
   @FunctionalInterface
   public interface LeaseGrantor {
 
     /**
-     * @param onEnd to be run once when the lease is over, in whichever way
+     * @param onEnd to be run once when the lease ends for any reason
      * @return the lease's ID, a secret of holder and grantor
      */
     UUID grant(Runnable onEnd) throws LeaseRefusedException;
@@ -46,13 +45,16 @@ public final class CommandArbiter {
   private final EmergencyStopLatch stop;
   private final Consumer<UUID> revoke;
 
-  /** Held while a command is obeyed or the device comes to rest; taken before this. */
+  /** Held while a command is executed or the device is stopped; taken before this. */
   private final ReentrantLock acting = new ReentrantLock();
 
   private volatile @Nullable Commander commander; // written under this
   private @Nullable UUID lease; // guarded by this
 
-  /** A commander was lost, and the device has not come to rest since; cleared under acting. */
+  /**
+   * A stop is pending: a commander was lost, and the device has not stopped since; cleared under
+   * acting.
+   */
   private volatile boolean isStopOwed;
 
   private volatile @Nullable CommandKey stopped; // written under this; deposed by the last stop
@@ -61,11 +63,11 @@ public final class CommandArbiter {
    * @param module the effector's path, {@code robot/name}
    * @param lost run when the commander is lost, before any command of another is executed; must not
    *     block, nor throw
-   * @param heldUp run before that, once, where the commander is lost and its last command does not
-   *     end within a tenth of a second; must not throw
-   * @param halts runs what may have to wait for the driver, and does not wait for it for long
-   * @param stop nobody commands while it is latched
-   * @param revoke ends a lease that goes with no command
+   * @param heldUp run before that, once, if the commander is lost and its last command does not end
+   *     within a tenth of a second; must not throw
+   * @param halts runs tasks that may wait for the driver; it waits for them only briefly
+   * @param stop the latch; no commands are accepted while it is latched
+   * @param revoke ends a lease whose holder is not the commander
    */
   CommandArbiter(
       String module,
@@ -85,13 +87,13 @@ public final class CommandArbiter {
   }
 
   /**
-   * Makes someone the commander. Never waits for the driver: where that is held up, the first
-   * command does.
+   * Makes a client the commander. Never waits for the driver: if the driver blocks, the first
+   * command waits.
    *
-   * @param name who it is, for people
-   * @param grantor grants the lease; called only where the helm is free
-   * @throws LeaseRefusedException if there is a commander, the effector is stopped for an
-   *     emergency, or no lease is granted
+   * @param name the client's name, for display
+   * @param grantor grants the lease; called only if there is no commander
+   * @throws LeaseRefusedException if there is a commander, the effector is in an emergency stop, or
+   *     no lease is granted
    */
   public CommandKey acquire(String name, LeaseGrantor grantor) throws LeaseRefusedException {
     CommandKey key = new CommandKey(UUID.randomUUID());
@@ -110,7 +112,7 @@ public final class CommandArbiter {
         return key;
       }
     }
-    revoke.accept(granted); // it was deposed meanwhile, or the lease is over by now
+    revoke.accept(granted); // it was deposed meanwhile, or the lease has ended
     refuseALeaseWhileStopped();
     return key;
   }
@@ -122,7 +124,7 @@ public final class CommandArbiter {
   }
 
   private synchronized void begin(Commander next) throws LeaseRefusedException {
-    refuseALeaseWhileStopped(); // who stops it latches first, so nobody slips in after depose
+    refuseALeaseWhileStopped(); // a stop latches first, so no client can acquire it after depose
     @Nullable Commander other = commander;
     if (other != null) {
       throw new LeaseRefusedException(
@@ -139,19 +141,19 @@ public final class CommandArbiter {
   }
 
   /**
-   * Does what the commander says, before anybody else can become the commander.
+   * Executes a command of the commander, before another client can become the commander.
    *
-   * @throws CommandRefusedException if the key is not the commander's, or the effector is stopped
-   *     for an emergency
+   * @throws CommandRefusedException if the key is not the commander's, or the effector is in an
+   *     emergency stop
    */
   void execute(CommandKey key, Runnable command) {
-    refuseACommandWhileStopped(); // also while the driver is held up
-    refuseUnlessHeldBy(key); // likewise; and who is refused does not delay the rest that is owed
+    refuseACommandWhileStopped(); // also while the driver blocks
+    refuseUnlessHeldBy(key); // likewise; and a refused command does not delay the pending stop
     acting.lock();
     try {
       refuseACommandWhileStopped();
       refuseUnlessHeldBy(key);
-      stopIfOwed(); // of an earlier commander, whose command held the driver up
+      stopIfOwed(); // of an earlier commander, whose command blocked the driver
       command.run();
     } finally {
       acting.unlock();
@@ -186,12 +188,12 @@ public final class CommandArbiter {
   }
 
   /**
-   * Takes the command from whoever has it, for an emergency, without waiting for a command that is
-   * under way. The device is to come to rest then; see {@link #runBetweenCommands}. Who is deposed
-   * is told of the stop with its next command, also when the effector was released by then: it is
-   * not to take the lease anew and drive on.
+   * Deposes the commander for an emergency stop, without waiting for a command in progress. The
+   * device must then be stopped; see {@link #runBetweenCommands}. The deposed commander's next
+   * command is refused because of the stop, even if the effector was released by then: the client
+   * must not re-acquire the lease and drive on.
    *
-   * @return the commander's lease, which is to end; null where there is none
+   * @return the commander's lease, which must be ended; null if there is none
    */
   synchronized @Nullable UUID depose() {
     @Nullable UUID over = lease;
@@ -206,9 +208,9 @@ public final class CommandArbiter {
   }
 
   /**
-   * Does something as soon as no command is under way.
+   * Runs a task as soon as no command is in progress.
    *
-   * @param meanwhile done before, once, where a command does not end within a tenth of a second
+   * @param meanwhile run before, once, if a command does not end within a tenth of a second
    */
   void runBetweenCommands(Runnable task, Runnable meanwhile) {
     if (!lockSoon()) {
@@ -222,7 +224,7 @@ public final class CommandArbiter {
     }
   }
 
-  /** Whether no command is under way, or the one that is ends within a tenth of a second. */
+  /** Whether no command is in progress, or the current one ends within a tenth of a second. */
   boolean awaitFree() {
     if (!lockSoon()) {
       return false;
@@ -233,7 +235,7 @@ public final class CommandArbiter {
 
   private boolean lockSoon() {
     try {
-      return acting.tryLock() // also for a thread that is interrupted
+      return acting.tryLock() // also for an interrupted thread
           || acting.tryLock(100, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -247,13 +249,13 @@ public final class CommandArbiter {
     return now != null && now.key().equals(key);
   }
 
-  /** Who commands, for people; null while nobody does. */
+  /** The commander's name, for display; null while there is none. */
   @Nullable String commander() {
     @Nullable Commander now = commander;
     return now == null ? null : now.name();
   }
 
-  /** No lease was granted, so there never was a commander: nothing comes to rest. */
+  /** No lease was granted, so there never was a commander: no stop is needed. */
   private synchronized void giveUp(CommandKey key) {
     if (isHeldBy(key)) {
       commander = null;
@@ -277,8 +279,8 @@ public final class CommandArbiter {
   }
 
   /**
-   * The effector ends. Takes the command from whoever has it, also where its lease has ended and
-   * {@link #release} has not been reached; {@link #stopIfDue} is to follow.
+   * Closes the arbiter when the effector ends. Deposes the commander, also if its lease has ended
+   * and {@link #release} has not run yet; call {@link #stopIfDue} afterwards.
    */
   synchronized void close() {
     if (commander != null) {
@@ -288,36 +290,37 @@ public final class CommandArbiter {
     }
   }
 
-  /**
-   * Has the device come to rest where it owes that; waits for its driver for a moment at the most.
-   */
+  /** Stops the device if a stop is pending; waits for its driver only briefly. */
   void stopIfDue() {
     if (isStopOwed) {
       halts.accept(() -> runBetweenCommands(this::stopIfOwed, this::heldUpIfOwed));
     }
   }
 
-  /** The command that held the driver up may be over by now, and the next commander's under way. */
+  /**
+   * The command that blocked the driver may have ended, and the next commander's may be in
+   * progress.
+   */
   private void heldUpIfOwed() {
     if (isStopOwed) {
       heldUp.run();
     }
   }
 
-  /** Whether nobody commands, or the next commander's first command has not begun. */
+  /** Whether there is no commander, or its first command has not begun. */
   boolean isStopDue() {
     return isStopOwed || commander == null;
   }
 
-  /** Between commands. */
+  /** Called between commands. */
   private void stopIfOwed() {
     if (isStopOwed) {
-      isStopOwed = false; // a commander that is lost from now on wants more than this
+      isStopOwed = false; // a commander that is lost from now on requires another stop
       lost.run();
     }
   }
 
-  /** The device has come to rest otherwise; between commands. */
+  /** The device was stopped in another way; called between commands. */
   void markStopped() {
     isStopOwed = false;
   }

@@ -8,38 +8,38 @@ import org.dfra.time.Scheduler.ScheduledTask;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Notices that a command has not been followed by another in time. The timer is one that no driver
- * can hold up, and nothing here waits for a lock that a driver may hold.
+ * Detects that no command has followed the last one in time. No driver can block its timer, and
+ * nothing here waits for a lock that a driver may hold.
  *
  * <pre>
- *   idle --began--&gt; watching --began--&gt; watching, from now on
- *   watching --ended--&gt; idle
- *   watching --silence--&gt; whenOver(number), until it has ended
+ *   idle --commandReceived--&gt; watching --commandReceived--&gt; watching, restarted
+ *   watching --cancel--&gt; idle
+ *   watching --timeout--&gt; whenOver(number), until cancelled
  * </pre>
  */
 final class CommandTimeout {
 
   private final Scheduler scheduler;
 
-  /** Runs nothing but time-outs: see {@link Scheduler#commandTimer}. */
+  /** Runs only command timeouts: see {@link Scheduler#commandTimer}. */
   private final Scheduler timer;
 
   private final SerialExecutor thread;
   private final LongConsumer whenOver;
 
   private volatile double seconds;
-  private volatile long lastNanos; // when the last command came
+  private volatile long lastNanos; // when the last command was received
 
-  /** Written under this. A watch that has not this number does nothing. */
+  /** Written with the lock of this held. A timer with another number does nothing. */
   private final AtomicLong timerNumber = new AtomicLong();
 
   private @Nullable ScheduledTask
-      timerTask; // guarded by this; the first of those with the same number
+      timerTask; // guarded by this; the first task with the current number
 
   /**
    * @param thread runs {@code whenOver}
-   * @param seconds the longest silence
-   * @param whenOver is given the number of the watch; see {@link #isCurrent}
+   * @param seconds the command timeout
+   * @param whenOver receives the number of the timer; see {@link #isCurrent}
    */
   CommandTimeout(
       Scheduler scheduler, SerialExecutor thread, double seconds, LongConsumer whenOver) {
@@ -50,7 +50,7 @@ final class CommandTimeout {
     this.whenOver = whenOver;
   }
 
-  /** The longest silence, seconds. */
+  /** The command timeout, seconds. */
   double seconds() {
     return seconds;
   }
@@ -60,7 +60,7 @@ final class CommandTimeout {
     return Math.round(seconds * 1e9);
   }
 
-  /** Sets the longest silence; it counts for the command that came last, too. */
+  /** Sets the command timeout; it also applies to the last command. */
   synchronized void setSeconds(double longest) {
     seconds = longest;
     if (timerTask != null) {
@@ -69,9 +69,9 @@ final class CommandTimeout {
   }
 
   /**
-   * A command has come that another must follow.
+   * Starts the timeout after a command that another must follow.
    *
-   * @throws OutOfMemoryError if it could not be watched, since there cannot be one more thread
+   * @throws OutOfMemoryError if the timer could not be started, since no thread could be created
    */
   synchronized void commandReceived() {
     thread.prepare();
@@ -81,7 +81,7 @@ final class CommandTimeout {
     }
   }
 
-  /** None need follow any more. */
+  /** Cancels the timeout: no further command is required. */
   synchronized void cancel() {
     timerNumber.incrementAndGet();
     if (timerTask != null) {
@@ -90,7 +90,7 @@ final class CommandTimeout {
     }
   }
 
-  /** Whether the watch of this number is still kept. */
+  /** Whether the timer of this number is still active. */
   boolean isCurrent(long number) {
     return number == timerNumber.get();
   }
@@ -100,7 +100,9 @@ final class CommandTimeout {
     return leftNanos() <= 0;
   }
 
-  /** Looks again when it may be over; for one whose command has been followed by another. */
+  /**
+   * Checks again when the timeout may expire, for a timer whose command was followed by another.
+   */
   void recheckLater(long number) {
     ScheduledTask unused = lookAfter(leftNanos(), number);
   }
@@ -118,7 +120,7 @@ final class CommandTimeout {
     return timer.after(nanos, () -> thread.execute(() -> look(number)));
   }
 
-  /** On the thread for it, without a lock, which a driver may have. */
+  /** On the timer's thread, without a lock that a driver may hold. */
   private void look(long number) {
     if (!isCurrent(number)) {
       return;

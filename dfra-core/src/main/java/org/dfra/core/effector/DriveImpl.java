@@ -17,26 +17,26 @@ import org.dfra.persona.DriveAttributes;
 import org.dfra.persona.EffectorAttributes;
 
 /**
- * Base of every driver of wheels or tracks. It limits velocities to what the drive can, and halts
- * the wheels when the next velocity does not come in time or the commander is lost. The time-out is
- * a timer's that no driver can hold up, and the halt is on a thread of this module's own.
+ * Base of every driver of wheels or tracks. It limits velocities to the drive's maximum, and halts
+ * the wheels on a command timeout or when the commander is lost. No driver can block the timer of
+ * the timeout, and the halt runs on a separate thread of this module.
  *
  * <pre>
- *   standing --velocity--&gt; moving --velocity--&gt; moving
- *   moving --zero velocity, silence, brake, commander lost--&gt; standing
+ *   stopped --velocity--&gt; moving --velocity--&gt; moving
+ *   moving --zero velocity, command timeout, brake, commander lost--&gt; stopped
  * </pre>
  *
  * <p>Parameters:
  *
  * <ul>
- *   <li>{@code max_speed}: metres per second; can be set while it runs, not above what the drive
- *       can
+ *   <li>{@code max_speed}: metres per second; can be set while it runs, not above the drive's
+ *       maximum
  *   <li>{@code max_turn_rate}: radians per second; likewise
- *   <li>{@code longest_silence}: seconds without a new velocity after which the wheels are halted;
- *       at least {@value #MIN_COMMAND_TIMEOUT}, at most what the time for braking leaves of {@value
- *       DriveEffector#MAX_COMMAND_TIMEOUT} s; default {@value #DEFAULT_COMMAND_TIMEOUT}, or less
- *       where that is too long; can be set while it runs
- *   <li>{@code mount_frame} and so on: where the drive's frame stands, see {@link
+ *   <li>{@code longest_silence}: the command timeout: seconds without a new velocity after which
+ *       the wheels are halted; at least {@value #MIN_COMMAND_TIMEOUT}, at most {@value
+ *       DriveEffector#MAX_COMMAND_TIMEOUT} s minus the braking time; default {@value
+ *       #DEFAULT_COMMAND_TIMEOUT}, or less if that is too long; can be set while it runs
+ *   <li>{@code mount_frame} and so on: the pose of the drive's frame, see {@link
  *       org.dfra.core.module.DeviceImpl}
  * </ul>
  */
@@ -48,8 +48,8 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
   private static final double SLOWEST = 0.01;
 
   /**
-   * What the drive was told last. Who asks gets this, so that nobody waits for a driver that is
-   * held up.
+   * The last command to the drive. Queries return this, so that no caller waits for a driver that
+   * blocks.
    */
   private record Motion(Velocity velocity, boolean brake, long commandTimeouts) {
 
@@ -73,15 +73,15 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
   private final CommandTimeout timeout;
 
   /**
-   * Velocities other than zero, and the calls of the driver that go with them, are put under the
-   * helm's lock alone. The device's thread, which must not wait for that, has wheels stand and
-   * brakes set at any time.
+   * Velocities other than zero, and the driver calls for them, are made only under the arbiter's
+   * lock. The device's thread, which must not wait for that lock, may stop the wheels and set the
+   * brake at any time.
    */
   private volatile Motion motion = Motion.NONE; // written under changing
 
   private final Object changing = new Object();
 
-  /** Held while the state is told, so that the last one that is told is the newest. */
+  /** Held while the state is published, so that the last published state is the newest. */
   private final Object publishLock = new Object();
 
   private volatile double maxSpeed;
@@ -90,9 +90,9 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
   /**
    * See {@link EffectorImpl#EffectorImpl}.
    *
-   * @param limits what the drive can do, and how large the robot is
-   * @param brakingTime seconds that the fastest wheels need to stand once they are to be halted,
-   *     the way of the command included; 0 to 0.45
+   * @param limits the limits of the drive, and the size of the robot
+   * @param brakingTime seconds that the wheels need to stop from full speed, including the latency
+   *     of the command; 0 to 0.45
    */
   protected DriveImpl(
       ModuleContext context,
@@ -159,13 +159,13 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
             value -> timeout.setSeconds(value));
   }
 
-  /** Has the wheels turn so, not again by itself. Called one at a time; must not block. */
+  /** Sends a velocity to the wheels, without repetition. Calls do not overlap; must not block. */
   protected abstract void setVelocity(Velocity wanted);
 
   /**
-   * Has the wheels stand, by the shortest way the drive knows; also while there is no device. As
-   * {@link #setVelocity}; must not throw. An emergency stop calls it even while another thread is
-   * held up in {@link #setVelocity}.
+   * Stops the wheels as fast as the drive can; also called while there is no device. As {@link
+   * #setVelocity}; must not throw. An emergency stop calls it even while another thread is blocked
+   * in {@link #setVelocity}.
    */
   protected abstract void halt();
 
@@ -174,7 +174,7 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
 
   @Override
   protected final void execute(DriveCommand command) {
-    haltIfLate(); // before anything else is executed, however busy the timer's threads are
+    haltIfLate(); // before any other command is executed, however busy the timer's threads are
     if (command instanceof Velocity wanted) {
       move(wanted);
     } else if (command instanceof Brake wanted) {
@@ -197,17 +197,17 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
         timeout.commandReceived();
       }
       setVelocity(velocity);
-    } catch (RuntimeException | Error e) { // half of it may have been done
+    } catch (RuntimeException | Error e) { // it may have been partly executed
       stand();
       throw e;
     }
     if (!velocity.isZero() && motion.velocity().isZero()) {
-      stand(); // meanwhile its brake was set, or it was forgotten: perhaps before it arrived
+      stand(); // meanwhile the brake was set or the device was reset, perhaps before
     }
-    haltIfLate(); // where the driver was held up, nobody waits for a timer
+    haltIfLate(); // if the driver was blocked, do not wait for a timer
   }
 
-  /** {@inheritDoc} A velocity that has waited for longer than it holds moves nothing any more. */
+  /** {@inheritDoc} A velocity that has waited for longer than its validity is refused. */
   @Override
   protected final long maxCommandAge(DriveCommand command) {
     return command instanceof Velocity wanted && !wanted.isZero()
@@ -224,8 +224,8 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
   }
 
   /**
-   * The last velocity is too old; on the thread for halts. A driver that is held up by a command is
-   * halted past that, and once more when that is over.
+   * Handles a command timeout; on the halt thread. A driver that is blocked by a command is halted
+   * during that command, and once more when it ends.
    */
   private void silent(long number) {
     commandArbiter().runBetweenCommands(() -> haltLate(number), () -> haltPastCommand(number));
@@ -235,23 +235,25 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
     if (!timeout.isCurrent(number)) {
       return;
     }
-    if (motion.velocity().isZero()) { // the device's thread had them stand
+    if (motion.velocity().isZero()) { // the device's thread stopped them
       timeout.cancel();
     } else if (timeout.isExpired()) {
       haltIfLate();
-    } else { // a velocity came meanwhile
+    } else { // a velocity was received meanwhile
       timeout.recheckLater(number);
     }
   }
 
-  /** Without the lock, which whoever is held up has. Where commands flow, nobody is. */
+  /**
+   * Without the lock, which a blocked command holds. While commands are received, none is blocked.
+   */
   private void haltPastCommand(long number) {
     if (timeout.isCurrent(number) && timeout.isExpired()) {
       haltDuringCommand();
     }
   }
 
-  /** Halts the wheels where the last velocity is too old. Between commands. */
+  /** Halts the wheels if the last velocity is too old. Called between commands. */
   private void haltIfLate() {
     if (motion.velocity().isZero() || !timeout.isExpired()) {
       return;
@@ -262,7 +264,7 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
     log.warn("{}: no velocity came for too long; the wheels are halted", path());
   }
 
-  /** Gives what it was before. */
+  /** Returns the previous value. */
   private Motion change(UnaryOperator<Motion> how) {
     synchronized (changing) {
       Motion before = motion;
@@ -283,16 +285,16 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
     publishState();
   }
 
-  /** {@inheritDoc} Without the lock: whoever is held up holds it. */
+  /** {@inheritDoc} Without the lock: the blocked command holds it. */
   @Override
   protected final void stopDuringCommand() {
     halt();
   }
 
   /**
-   * The device has forgotten what it was told, since its link or its controller was lost: the
-   * wheels are taken to stand, and stay so until the next velocity. Never waits for the driver;
-   * where that is about to execute a velocity, it is halted after it.
+   * The device has lost its last command, since its link or its controller was reset: the wheels
+   * are assumed to be stopped until the next velocity. Never waits for the driver; if the driver is
+   * about to execute a velocity, it is halted afterwards.
    *
    * @param brakeSet whether its brake is set now
    */
@@ -302,9 +304,9 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
   }
 
   /**
-   * The device says whether its brake is set, which others than the commander may have done: a
-   * switch on the robot, say. Wheels that are braked are halted, and not driven on when the brake
-   * is released. Waits for the driver for a moment at the most.
+   * The device reports whether its brake is set. Others than the commander may set it, for example
+   * by a switch on the robot. Braked wheels are halted, and do not resume when the brake is
+   * released. Waits for the driver only briefly.
    */
   protected final void brakeReported(boolean set) {
     Motion last = change(was -> (set && !was.brake() ? was.at(Velocity.ZERO) : was).braked(set));
@@ -327,7 +329,7 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
     }
   }
 
-  /** {@inheritDoc} It answers from memory, also while the driver is held up. */
+  /** {@inheritDoc} Returns the cached state, also while the driver blocks. */
   @Override
   public final DriveState driveState() {
     Motion now = motion;
@@ -335,7 +337,7 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
         clock().instant(), now.velocity(), now.brake(), commander(), now.commandTimeouts());
   }
 
-  /** What it says of itself besides what every drive does; see {@link #deviceAttributes}. */
+  /** Its attributes besides those of every drive; see {@link #deviceAttributes}. */
   protected List<? extends Attributes> driveAttributes() {
     return List.of();
   }
@@ -349,7 +351,7 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
     return all;
   }
 
-  /** What the surroundings must be like, a sentence each. */
+  /** The required conditions of the environment, a sentence each. */
   protected List<String> surroundings() {
     return List.of("The ground is firm and level.");
   }

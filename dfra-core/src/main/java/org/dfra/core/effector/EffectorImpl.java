@@ -25,18 +25,17 @@ import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Base of every effector's driver. It stands in front of the driver: what does not come from the
- * commander never reaches it, whether the caller is in this virtual machine or elsewhere, and
- * nothing does while it is stopped for an emergency.
+ * Base of every effector's driver. It guards the driver: only the commander's commands reach it,
+ * whether the caller is in this virtual machine or remote, and none during an emergency stop.
  *
- * @param <C> what it can be told
+ * @param <C> its commands
  */
 public abstract class EffectorImpl<C extends Command> extends DeviceImpl implements Effector<C> {
 
-  /** How long somebody waits for the driver who must not wait for it. */
+  /** Maximum wait for the driver in calls that must not block. */
   static final Duration DRIVER_TIMEOUT = Duration.ofMillis(100);
 
-  /** How long whoever gives the command up waits until the driver rests, as an emergency stop. */
+  /** Maximum wait of a lease release until the driver has stopped, as for an emergency stop. */
   private static final Duration STOP_TIMEOUT = Duration.ofMillis(500);
 
   private final Scheduler time;
@@ -46,9 +45,9 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
   /**
    * See {@link org.dfra.core.module.ModuleImpl}.
    *
-   * @param commandTypes the commands it takes, by the simple names of their classes
-   * @param outputTypes the types of what it tells, by the simple names of their classes
-   * @param preconditions what its environment must be like
+   * @param commandTypes the commands it accepts, by the simple names of their classes
+   * @param outputTypes the types of its readings, by the simple names of their classes
+   * @param preconditions the required conditions of its environment
    */
   protected EffectorImpl(
       ModuleContext context,
@@ -81,37 +80,37 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
   }
 
   /**
-   * The commander, whose right has been looked at, wants this. Called one at a time, in order,
-   * while the module serves; must not block.
+   * Executes a command of the commander, whose key has been checked. Calls do not overlap, are in
+   * order, and are made while the module serves; must not block.
    *
-   * @throws IllegalArgumentException if the device cannot do this at all; the message says what it
-   *     can
+   * @throws IllegalArgumentException if the device does not support this; the message names what it
+   *     supports
    */
   protected abstract void execute(C command);
 
   /**
-   * For how long a command may have waited behind others that the driver was held up with,
-   * nanoseconds of the robot's time; one that has waited longer is refused.
+   * Maximum time that a command may wait while others block the driver, nanoseconds of the robot's
+   * time; one that has waited longer is refused.
    */
   protected long maxCommandAge(C command) {
     return Long.MAX_VALUE;
   }
 
   /**
-   * There is no commander any more: comes to rest, as safely as the device can. Called between
-   * commands, also while the module does not serve and while it is being closed; must not block.
+   * Stops the device safely when the commander is lost. Called between commands, also while the
+   * module does not serve and while it is being closed; must not block.
    */
   protected abstract void stopSafely();
 
   /**
-   * It is stopped for an emergency, and a command is still under way in the driver, on another
-   * thread, and seems to be held up. Does what can be done nevertheless; {@link #stopSafely}
-   * follows when the command is over. Nothing, unless a driver can do something safely.
+   * Called in an emergency stop while another thread executes a command in the driver and seems to
+   * be blocked. A driver stops the device here if it can do so safely; {@link #stopSafely} follows
+   * when the command ends. The default does nothing.
    */
   protected void stopDuringCommand() {}
 
   /**
-   * Whether nobody commands it, or the next commander's first command has not begun; for {@link
+   * Whether it has no commander, or the commander's first command has not begun; for {@link
    * #stopDuringCommand}, which may be late.
    */
   protected final boolean isStopDue() {
@@ -119,8 +118,8 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
   }
 
   /**
-   * Why it does not serve while it does not, as a clause, for those whose command is not obeyed;
-   * null where there is nothing to be said.
+   * Why it does not serve, as a clause for clients whose command is refused; null if there is no
+   * reason to report.
    */
   protected @Nullable String unavailableReason() {
     return null;
@@ -130,7 +129,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
     log.info("{}: it has no commander any more and comes to rest", path());
     try {
       stopSafely();
-    } catch (RuntimeException e) { // a driver's fault must not keep others from ending their part
+    } catch (RuntimeException e) { // a driver's exception must not prevent the rest of the shutdown
       log.error("{}: it could not be told to come to rest", path(), e);
       recordException(e);
     }
@@ -141,8 +140,8 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
   }
 
   /**
-   * On the thread for halts; whoever asks for it waits for a moment at the most. Where that thread
-   * cannot be started, the caller's has to do, unless a command holds the driver up.
+   * Runs a task on the halt thread; the caller waits only briefly. If that thread cannot be
+   * started, the task runs on the caller's, unless a command blocks the driver.
    *
    * @return whether it has ended
    */
@@ -155,26 +154,26 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
       return true;
     }
     heldUp();
-    haltExecutor().execute(task); // which tries again to start the thread
+    haltExecutor().execute(task); // which retries to start the thread
     return false;
   }
 
-  /** A command that is under way when the commander is lost seems to be held up. */
+  /** A command in progress at the loss of the commander seems to be blocked. */
   private void heldUp() {
-    if (readiness() != Readiness.STOPPED) { // whoever ends it has done so
+    if (readiness() != Readiness.STOPPED) { // the code that closes it has done so
       haltDuringCommand();
     }
   }
 
   /**
-   * {@inheritDoc} The end of the commander's lease waits for the command that is under way, and for
-   * the driver to come to rest; this waits for either no longer than a moment. The device is closed
-   * then: that may be all that sets the driver free.
+   * {@inheritDoc} Ending the commander's lease requires the end of the command in progress, and the
+   * driver's stop; this method waits for both only briefly. The device is then closed, which may
+   * unblock the driver.
    */
   @Override
   protected final void endLeases() {
     helm.close();
-    if (helm.awaitFree()) { // and stays so: who commands from now on is refused
+    if (helm.awaitFree()) { // and stays so: further commands are refused
       if (!haltWithin(this::endLeasesAndSettle, DRIVER_TIMEOUT)) {
         log.warn("{}: its driver does not come to rest, and is closed nevertheless", path());
       }
@@ -185,17 +184,19 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
     haltExecutor().execute(this::endLeasesAndSettle);
   }
 
-  /** Who has the command, or gives it up just now, has lost it by now; the rest is owed. */
+  /**
+   * The commander, also one that is just releasing its lease, is deposed by now; a stop is pending.
+   */
   private void endLeasesAndSettle() {
     super.endLeases();
     helm.stopIfDue();
   }
 
-  /** Halts it past the command that holds it up, as far as its driver can. */
+  /** Halts it during the command that blocks it, as far as its driver can. */
   final void haltDuringCommand() {
     try {
       stopDuringCommand();
-    } catch (RuntimeException e) { // a driver's fault must not keep it from the rest that follows
+    } catch (RuntimeException e) { // a driver's exception must not prevent the stop that follows
       log.error("{}: it could not be halted while it is held up", path(), e);
     }
   }
@@ -216,7 +217,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
       haltDuringCommand();
     }
 
-    /** Before its life and after it there is nothing to be noted in. */
+    /** Before start and after close there is no history to record in. */
     @Override
     public void recordIncident(Incident.Kind kind, String what) {
       log.warn("{}: {}", path(), what);
@@ -247,7 +248,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
     return stop.state();
   }
 
-  /** {@inheritDoc} Whether it is stopped for an emergency. */
+  /** {@inheritDoc} Includes the emergency-stop state. */
   @Override
   protected final List<? extends Attributes> categoryAttributes() {
     EmergencyStopState now = stop.state();
@@ -281,7 +282,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
                 "it cannot obey " + command + " now" + (awaits == null ? "" : ": " + awaits));
           }
           boolean unused =
-              haltExecutor().isPrepared(); // for its end; a halt is obeyed without, too
+              haltExecutor().isPrepared(); // for its end; a halt is executed without it, too
           execute(command);
         });
   }
@@ -299,12 +300,12 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
     }
   }
 
-  /** Who commands it, for whoever serves it to the network. */
+  /** Its command arbiter, for the server that exports it. */
   public final CommandArbiter commandArbiter() {
     return helm;
   }
 
-  /** Who commands it, for people; null while nobody does. */
+  /** The commander's name, for display; null while there is none. */
   protected final @Nullable String commander() {
     return helm.commander();
   }

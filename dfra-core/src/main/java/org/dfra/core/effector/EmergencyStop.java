@@ -9,34 +9,34 @@ import org.dfra.module.Incident;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Stops an effector, whatever its driver is busy with.
+ * Stops an effector, even if its driver blocks.
  *
  * <pre>
- *   latch (no command counts any more) --&gt; depose the commander --&gt; have the driver come to rest
- *     --&gt; write the latch down --&gt; end the commander's lease
+ *   latch (refuse all commands) --&gt; depose the commander --&gt; stop the driver
+ *     --&gt; persist the latch --&gt; end the commander's lease
  * </pre>
  *
- * <p>The driver is told on a thread of its own ({@code robot/name stop}), which begins with a stop
- * and ends when the driver has come to rest: a driver that is held up holds up nobody who stops it.
+ * <p>A separate thread ({@code robot/name stop}) stops the driver. It starts with an emergency stop
+ * and ends when the driver has stopped: so a driver that blocks does not block the caller.
  */
 final class EmergencyStop {
 
-  /** How long a stop waits for the driver before it goes on. */
+  /** Maximum wait of an emergency stop for the driver. */
   private static final Duration DRIVER_TIMEOUT = Duration.ofMillis(500);
 
-  /** What it has to do with. */
+  /** The effector's operations that it uses. */
   interface Actions {
 
-    /** Comes to rest, between commands; see {@link EffectorImpl#stopSafely}. */
+    /** Stops the device, between commands; see {@link EffectorImpl#stopSafely}. */
     void stopSafely();
 
     /** See {@link EffectorImpl#stopDuringCommand}. */
     void stopDuringCommand();
 
-    /** Something enters the history. */
+    /** Records an incident in the history. */
     void recordIncident(Incident.Kind kind, String what);
 
-    /** Ends the lease of a commander who was deposed. */
+    /** Ends the lease of a deposed commander. */
     void revoke(UUID lease);
   }
 
@@ -55,7 +55,7 @@ final class EmergencyStop {
     this.ends = ends;
   }
 
-  /** Once the driver comes to rest. */
+  /** One stop of the driver. */
   private final class Halt implements Runnable {
     final CountDownLatch over = new CountDownLatch(1);
     boolean begun; // guarded by halting
@@ -65,7 +65,7 @@ final class EmergencyStop {
     public void run() {
       try {
         helm.runBetweenCommands(this::rest, ends::stopDuringCommand);
-      } catch (RuntimeException | Error e) { // a driver's fault; it is told to whoever asks
+      } catch (RuntimeException | Error e) { // a driver's fault; the state reports it
         fault = "its driver could not be told to come to rest (" + e + "); switch it off by hand";
         ends.recordIncident(Incident.Kind.EXCEPTION, "stopped for an emergency, " + fault);
       } finally {
@@ -75,9 +75,9 @@ final class EmergencyStop {
 
     private void rest() {
       synchronized (halting) {
-        begun = true; // who stops it from now on wants more than this
+        begun = true; // a stop requested from now on requires another halt
       }
-      helm.markStopped(); // by what follows
+      helm.markStopped(); // by the following call
       ends.stopSafely();
     }
 
@@ -127,13 +127,13 @@ final class EmergencyStop {
     thread.setPriority(Thread.MAX_PRIORITY);
     try {
       thread.start();
-    } catch (OutOfMemoryError e) { // there is no room for one more thread; this one will do
+    } catch (OutOfMemoryError e) { // no memory for another thread; use this one
       halt.run();
     }
     return halt;
   }
 
-  /** Whether the thread was interrupted; that must not keep it from writing. */
+  /** Whether the thread was interrupted; that must not prevent the write. */
   private static boolean await(Halt halt) {
     boolean interrupted = Thread.interrupted();
     try {

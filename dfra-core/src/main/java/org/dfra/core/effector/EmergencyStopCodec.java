@@ -16,23 +16,23 @@ import org.dfra.flow.effector.EmergencyStopState;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An emergency stop as bytes: magic number, whether it is latched, since when (milliseconds since
- * 1970, UTC), by whom, and the same moment by monotonic time (nanoseconds, and the boot); then a
- * check sum of all that, so that damage is never taken for a release.
+ * Encodes an emergency stop as bytes: magic number, whether it is latched, since when (milliseconds
+ * since 1970, UTC), the requester, and the same moment by the monotonic clock (nanoseconds, and the
+ * boot ID); then a checksum of all that, so that corrupt data is never read as a release.
  */
 final class EmergencyStopCodec {
 
-  /** "DFE" and the form's version. */
+  /** "DFE" and the format's version. */
   private static final int MAGIC = 0x44464502;
 
-  /** The same without monotonic time, as versions before 0.2 wrote it. */
+  /** The format without monotonic time, of versions before 0.2. */
   private static final int OLD_MAGIC = 0x44464501;
 
   /**
-   * What was read.
+   * A decoded emergency stop.
    *
-   * @param stop of unknown age
-   * @param moment when that was, by monotonic time
+   * @param stop the state, of unknown age
+   * @param moment when that was, by the monotonic clock
    */
   record StoredStop(EmergencyStopState stop, MonotonicTimestamp moment) {}
 
@@ -49,12 +49,12 @@ final class EmergencyStopCodec {
       out.writeUTF(moment.bootId());
       out.writeLong(sum(bytes.toByteArray()));
     } catch (IOException e) {
-      throw new UncheckedIOException(e); // there is always memory to write to
+      throw new UncheckedIOException(e); // writing to memory does not fail
     }
     return bytes.toByteArray();
   }
 
-  /** The stop; null where these are not the bytes of one. */
+  /** The stop; null if the bytes are not a valid encoding. */
   static @Nullable StoredStop decode(byte[] content) {
     int body = content.length - Long.BYTES;
     if (body < 0 || ByteBuffer.wrap(content, body, Long.BYTES).getLong() != sum(content, body)) {

@@ -15,14 +15,15 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
 /**
- * Whether an effector is stopped for an emergency, through all its lives.
+ * The emergency-stop state of an effector, across restarts.
  *
  * <pre>
  *   free --engage--&gt; latched --release--&gt; free
  * </pre>
  *
- * <p>It counts in memory at once, and from {@link #persist} on in every later life. What cannot be
- * read counts as latched: an effector that stands without need does less harm than one that moves.
+ * <p>It is effective in memory at once, and from {@link #persist} on across restarts. An unreadable
+ * state counts as latched: an effector that is stopped needlessly does less harm than one that
+ * moves.
  */
 public final class EmergencyStopLatch {
 
@@ -36,29 +37,29 @@ public final class EmergencyStopLatch {
   private final BootId boot;
   private final Logger log;
 
-  /** Taken before this; held while writing, so that nothing older is written over a newer one. */
+  /** Taken before this; held while writing, so that an older state never overwrites a newer one. */
   private final Object file = new Object();
 
   private volatile Latched now; // written under this
-  private volatile @Nullable String persistFault; // written under file; why it cannot be kept
+  private volatile @Nullable String persistFault; // written under file; why it cannot be stored
 
   /**
-   * How it is.
+   * The current state.
    *
-   * @param stop of unknown age
-   * @param nanos when that was, or a moment after it, by this process's monotonic time; nothing
-   *     where {@code since} is null
+   * @param stop the state, of unknown age
+   * @param nanos when that was, or shortly after, by this process's monotonic clock; meaningless if
+   *     {@code since} is null
    */
   private record Latched(EmergencyStopState stop, long nanos) {}
 
   /**
-   * As the last life has left it.
+   * Loads the state of the previous run.
    *
    * @param module the effector's path, {@code robot/name}
-   * @param state where it is kept
-   * @param clock says since when it is latched, for people
-   * @param time tells how long ago that was
-   * @param boot that this time belongs to
+   * @param state where it is stored
+   * @param clock the clock of {@code since}, for display
+   * @param time the monotonic clock that measures its age
+   * @param boot the boot that this clock belongs to
    */
   EmergencyStopLatch(
       String module,
@@ -82,7 +83,7 @@ public final class EmergencyStopLatch {
     }
   }
 
-  /** What is kept of an effector's stop, whether the effector lives or not; of unknown age. */
+  /** The stored state of an effector, whether it runs or not; of unknown age. */
   public static EmergencyStopState loadState(StateStore state) {
     return read(state).stop();
   }
@@ -115,7 +116,7 @@ public final class EmergencyStopLatch {
     return new EmergencyStopCodec.StoredStop(stop, UNKNOWN);
   }
 
-  /** How it is, as far as this latch knows. */
+  /** The state, as far as this latch knows it. */
   EmergencyStopState state() {
     Latched latched = now;
     EmergencyStopState stop = latched.stop();
@@ -132,11 +133,11 @@ public final class EmergencyStopLatch {
   }
 
   /**
-   * Latches it, from now on.
+   * Latches it.
    *
-   * @param by who asks, for people; any text, also none, see {@link
+   * @param by the requester's name, for display; any text, also null, see {@link
    *     EmergencyStopState#requesterName}
-   * @return false if it was latched already, by somebody who is known; then it stays as it is
+   * @return false if it was latched already by a known requester; then it is unchanged
    */
   synchronized boolean engage(@Nullable String by) {
     EmergencyStopState stop = now.stop();
@@ -162,9 +163,9 @@ public final class EmergencyStopLatch {
   }
 
   /**
-   * Writes it down for the lives to come, before it returns.
+   * Stores it synchronously for later runs.
    *
-   * @return whether it could be written; where not, {@link #state} says why
+   * @return whether it could be written; if not, {@link #state} reports the reason
    */
   boolean persist() {
     synchronized (file) {
@@ -173,7 +174,7 @@ public final class EmergencyStopLatch {
       @Nullable Instant since = stop.since();
       @Nullable String by = stop.requester();
       if (since == null || by == null) {
-        return true; // what was read and never changed
+        return true; // was loaded and never changed
       }
       try {
         MonotonicTimestamp moment =
@@ -194,7 +195,7 @@ public final class EmergencyStopLatch {
     }
   }
 
-  /** Why it obeys nobody, one sentence with the remedy. */
+  /** Why it accepts no commands, one sentence with the remedy. */
   String refusalMessage() {
     int slash = module.indexOf('/');
     return module

@@ -9,7 +9,7 @@ import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandLease;
 
 /**
- * The lease of a commander in the effector's own virtual machine: it lasts until it is closed or
+ * The lease of a commander in the effector's own virtual machine: it is valid until it is closed or
  * revoked, or the module ends.
  */
 record LocalCommandLease(

@@ -1,15 +1,15 @@
 /**
- * Base of the effectors' drivers, and the guard in front of them.
+ * Base of the effectors' drivers, and the guard of their commands.
  *
  * <pre>
- *   command(duration) --&gt; Helm --grants one key at a time--&gt; CommandLease
- *   obey(key, command) --&gt; EffectorImpl --&gt; Helm: is it the commander's key? --&gt; the driver
- *   lease over --&gt; Helm --&gt; EffectorImpl --&gt; the driver comes to rest
- *   emergencyStop(by) --&gt; EmergencyStop --&gt; EmergencyStopLatch (no key counts) --&gt; the driver comes to rest
+ *   acquireCommandLease(duration) --&gt; CommandArbiter --one key at a time--&gt; CommandLease
+ *   execute(key, command) --&gt; EffectorImpl --&gt; CommandArbiter: key valid? --&gt; driver
+ *   lease ended --&gt; CommandArbiter --&gt; EffectorImpl --&gt; driver stops
+ *   emergencyStop(requester) --&gt; EmergencyStop --&gt; EmergencyStopLatch --&gt; driver stops
  * </pre>
  *
- * <p>Enter at {@link org.dfra.core.effector.EffectorImpl}; for wheels at {@link
- * org.dfra.core.effector.DriveImpl}, which also stops them when commands fall silent ({@code
+ * <p>Start at {@link org.dfra.core.effector.EffectorImpl}; for wheels at {@link
+ * org.dfra.core.effector.DriveImpl}, which also stops them on a command timeout ({@code
  * CommandTimeout}).
  */
 @NullMarked

@@ -15,8 +15,8 @@ import org.dfra.event.delivery.ListenerQueue;
 import org.dfra.time.Scheduler;
 
 /**
- * Takes a module's events and hands them to everybody who listens. Publishing never waits for a
- * listener and allocates one {@link Delivery}, which all listeners share.
+ * Distributes a module's events to all its listeners. Publishing never waits for a listener and
+ * allocates one {@link Delivery}, which all listeners share.
  */
 public final class EventHub {
 
@@ -30,7 +30,7 @@ public final class EventHub {
   /**
    * @param module the module's path, {@code robot/name}
    * @param clock stamps the events
-   * @param state keeps their numbers
+   * @param state stores their sequence numbers
    */
   public EventHub(
       String module,
@@ -46,10 +46,10 @@ public final class EventHub {
   }
 
   /**
-   * One listener's place here.
+   * The registration of one listener.
    *
-   * @param epoch the module's epoch when it began to listen
-   * @param lastSequences the last number of each kind of event by then, by ordinal
+   * @param epoch the module's epoch at registration
+   * @param lastSequences the last sequence number of each kind of event at registration, by ordinal
    */
   public record ListenerEntry(
       ModuleListener listener, ListenerQueue queue, long epoch, long[] lastSequences) {}
@@ -57,7 +57,7 @@ public final class EventHub {
   /**
    * Adds a listener. Every event published from now on is offered to it.
    *
-   * @param failuresAllowed after so many failures in a row it is removed; {@link
+   * @param failuresAllowed it is removed after this many consecutive failures; {@link
    *     ListenerQueue#NEVER_GIVE_UP} for a listener in this virtual machine
    * @param whenGivenUp run once when that happens
    */
@@ -67,10 +67,10 @@ public final class EventHub {
   }
 
   /**
-   * The same, for a listener that is called on other threads than those of this hub's pool.
+   * The same, for a listener that is notified on other threads than those of this hub's pool.
    *
-   * @param deliveries runs each delivery; it drops none. In lock-step the hub's pool does, since
-   *     nothing else may run beside the scheduler there
+   * @param deliveries runs each delivery; it drops none. In lock-step the hub's pool is used
+   *     instead, since all work must run on the scheduler
    */
   public ListenerEntry add(
       ModuleListener listener,
@@ -102,14 +102,14 @@ public final class EventHub {
     entry.queue().close();
   }
 
-  /** Those who listen. */
+  /** The registered listeners. */
   public List<ListenerEntry> entries() {
     return List.copyOf(entries);
   }
 
-  /** Numbers an event and offers it to everybody who listens. */
+  /** Numbers an event and offers it to all listeners. */
   public void publish(ModuleEvent event) {
-    synchronized (this) { // held while offering too, so that everybody sees the same order
+    synchronized (this) { // held while offering too, so that all listeners see the same order
       Delivery delivery =
           new Delivery(
               module,

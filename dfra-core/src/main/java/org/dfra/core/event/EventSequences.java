@@ -11,14 +11,13 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The numbers of a module's events through all its lives: its epoch, and one sequence for each kind
- * of event.
+ * The sequence numbers of a module's events across restarts: its epoch, and one sequence for each
+ * kind of event.
  *
- * <p>They survive the death of the process at any moment. After a loss of power the sequences may
- * fall back to what they were when the module was last activated; the epoch does not, since each
- * activation brings it to the disk before its first event. A listener therefore takes a sequence
- * that falls back in another epoch for what it is. Where they cannot be kept at all, the robot
- * works on: the epoch is then the time.
+ * <p>They survive the death of the process at any moment. After a power loss the sequences may fall
+ * back to their values at the last activation; the epoch does not, since each activation syncs it
+ * to disk before its first event. So a listener can recognize a sequence that falls back by its new
+ * epoch. If they cannot be stored at all, the robot continues: the epoch is then the time.
  *
  * <p>Read on first use, not when constructed. Confined to its {@link EventHub}'s lock.
  */
@@ -42,7 +41,7 @@ final class EventSequences {
     return counters().get(EPOCH);
   }
 
-  /** The number of the next event of a kind, which is taken by asking. */
+  /** Allocates the sequence number of the next event of a kind. */
   long next(EventKind kind) {
     int index = FIRST_KIND + kind.ordinal();
     long number = counters().get(index) + 1;
@@ -50,7 +49,7 @@ final class EventSequences {
     return number;
   }
 
-  /** The last number of each kind that was taken, by ordinal. */
+  /** The last allocated number of each kind, by ordinal. */
   long[] last() {
     long[] last = new long[EventKind.values().length];
     for (int i = 0; i < last.length; i++) {

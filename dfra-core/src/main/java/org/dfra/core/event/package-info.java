@@ -6,7 +6,7 @@
  *                               \------&gt; ListenerQueue --DeliveryPool--&gt; listener that blocks
  * </pre>
  *
- * <p>Enter at {@link org.dfra.core.event.EventHub}. A remote listener is a listener like any other
+ * <p>Start at {@link org.dfra.core.event.EventHub}. Remote listeners are treated like local ones
  * here. The queues are those of {@link org.dfra.event.delivery}.
  */
 @NullMarked

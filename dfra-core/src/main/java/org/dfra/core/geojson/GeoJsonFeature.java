@@ -9,28 +9,28 @@ import org.dfra.core.config.Place;
 import org.dfra.geometry.GeoPosition;
 
 /**
- * A feature of GeoJSON.
+ * A GeoJSON feature.
  *
- * @param place the line in which it begins
- * @param properties what is said of it; a missing node where nothing is
- * @param geometry its shape; a missing node where it has none
+ * @param place its first line
+ * @param properties its properties; a missing node if it has none
+ * @param geometry its shape; a missing node if it has none
  */
 public record GeoJsonFeature(Place place, JsonNode properties, JsonNode geometry) {
 
-  /** The type of its geometry, such as Polygon; {@code none} where it has none. */
+  /** The type of its geometry, such as Polygon; {@code none} if it has none. */
   public String type() {
     return geometry.path("type").asText("none");
   }
 
-  /** The coordinates of its geometry; a missing node where it has none. */
+  /** The coordinates of its geometry; a missing node if it has none. */
   public JsonNode coordinates() {
     return geometry.path("coordinates");
   }
 
   /**
-   * The corners of a polygon's one ring, as they were written: where the last one repeats the
-   * first, so does it here. Heights are left out, and 0. Empty, and noted, where the polygon has
-   * holes, or a corner is no position.
+   * The corners of a polygon's single ring, as in the file: a repeated first corner is kept.
+   * Heights are ignored, and 0. Empty, with a recorded fault, if the polygon has holes, or a corner
+   * is not a position.
    */
   public Optional<List<GeoPosition>> ring(ConfigurationFaults faults) {
     if (coordinates().size() != 1) {
@@ -53,7 +53,8 @@ public record GeoJsonFeature(Place place, JsonNode properties, JsonNode geometry
   }
 
   /**
-   * The position of a pair of coordinates, its height left out, and 0; empty, and noted, if none.
+   * The position of a pair of coordinates, its height ignored, and 0; empty, with a recorded fault,
+   * if it is not one.
    */
   public Optional<GeoPosition> position(JsonNode pair, ConfigurationFaults faults) {
     JsonNode longitude = pair.path(0);

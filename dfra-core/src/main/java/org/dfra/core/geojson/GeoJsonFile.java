@@ -15,20 +15,20 @@ import org.dfra.core.config.Place;
 import org.dfra.core.config.SourceFile;
 
 /**
- * What one GeoJSON file holds.
+ * The content of a GeoJSON file.
  *
  * @param place the file as a whole
- * @param type what its root says it is, such as FeatureCollection; {@code none} where it does not
- *     say, or says so and has no features; {@code nothing} of what is no JSON
+ * @param type the type of its root, such as FeatureCollection; {@code none} if it has no type, or
+ *     is a FeatureCollection without features; {@code nothing} if it is not JSON
  * @param features the features of a FeatureCollection; of a Feature or a bare geometry that one;
- *     none of anything else
+ *     otherwise empty
  */
 public record GeoJsonFile(Place place, String type, List<GeoJsonFeature> features) {
 
   /** The type of a root with several features. */
   public static final String COLLECTION = "FeatureCollection";
 
-  /** The type of what is no JSON, which has been noted. */
+  /** The type of a file that is not JSON; the fault is recorded. */
   private static final String BROKEN = "nothing";
 
   private static final JsonMapper MAPPER = new JsonMapper();
@@ -38,9 +38,10 @@ public record GeoJsonFile(Place place, String type, List<GeoJsonFeature> feature
   }
 
   /**
-   * Reads a file. What is no JSON is noted with its line, and the features above it are given.
+   * Reads a file. Invalid JSON is recorded as a fault with its line; the features before it are
+   * returned.
    *
-   * @throws org.dfra.core.config.ConfigurationException if it is not there or cannot be read
+   * @throws org.dfra.core.config.ConfigurationException if it does not exist or cannot be read
    */
   public static GeoJsonFile read(Path file, ConfigurationFaults faults) {
     return new Reading(file.toString(), faults).read(SourceFile.readBytes(file, "a GeoJSON file"));
@@ -51,7 +52,9 @@ public record GeoJsonFile(Place place, String type, List<GeoJsonFeature> feature
     return type.equals(COLLECTION);
   }
 
-  /** Whether it is no JSON object, which has been noted; features above the fault are given. */
+  /**
+   * Whether it is not a JSON object; the fault is recorded, and features before it are returned.
+   */
   public boolean isBroken() {
     return type.equals(BROKEN);
   }

@@ -1,9 +1,9 @@
 /**
- * GeoJSON (RFC 7946) as people write it by hand or draw it on a map: features with the lines they
- * begin in, polygons without holes, complaints that name file and line.
+ * Reads GeoJSON (RFC 7946) that was written by hand or drawn on a map: features with line numbers,
+ * polygons without holes, error messages with file and line.
  *
- * <p>Enter at {@link org.dfra.core.geojson.GeoJsonFile}. What a feature means is its reader's
- * matter: a world takes it for an obstacle or a mine, a raster for the region.
+ * <p>Start at {@link org.dfra.core.geojson.GeoJsonFile}. The reader interprets a feature: as an
+ * obstacle or a mine in a world, or as the region of a raster search.
  */
 @NullMarked
 package org.dfra.core.geojson;

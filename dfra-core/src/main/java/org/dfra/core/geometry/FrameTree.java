@@ -12,8 +12,8 @@ import org.ejml.dense.fixed.CommonOps_DDF4;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Frames that stand in each other: {@code odom -> base_link -> pan_tilt -> camera}. Safe for use by
- * several threads; each question is answered by what each frame was when it was looked at.
+ * A tree of coordinate frames: {@code odom -> base_link -> pan_tilt -> camera}. Thread-safe; each
+ * query uses the value of each frame at the time it is read.
  *
  * <p>Composition: a point's coordinates in the camera, times the camera's transform, are its
  * coordinates in the pan-tilt; times the pan-tilt's, in the base; and so on up.
@@ -25,9 +25,9 @@ public final class FrameTree {
   private record Placed(String parent, Transform transform) {}
 
   /**
-   * Puts a frame into its parent, or moves it there.
+   * Adds a frame to its parent, or updates its transform.
    *
-   * @throws IllegalArgumentException if it would stand in itself
+   * @throws IllegalArgumentException if it would create a cycle
    */
   public synchronized void put(String frame, String parent, Transform transform) {
     for (@Nullable String at = parent; at != null; at = parentOf(at)) {
@@ -39,16 +39,16 @@ public final class FrameTree {
     frames.put(frame, new Placed(parent, transform));
   }
 
-  /** Puts a module's frame where the module says it is now. */
+  /** Updates a module's frame from the module's current pose. */
   public void put(Posable module) throws RemoteException {
     put(module.frame(), module.parentFrame(), module.localTransform());
   }
 
   /**
-   * Where one frame stands in another: takes coordinates in {@code frame} to coordinates in {@code
+   * The pose of one frame in another: maps coordinates in {@code frame} to coordinates in {@code
    * in}.
    *
-   * @throws IllegalArgumentException if one of them is not known, or nothing connects them
+   * @throws IllegalArgumentException if one of them is unknown, or they are not connected
    */
   public Transform transform(String frame, String in) {
     List<String> up = pathUp(frame);

@@ -4,12 +4,12 @@ import org.dfra.geometry.Transform;
 import org.ejml.data.DMatrix3x3;
 import org.ejml.data.DMatrix4x4;
 
-/** Transforms as homogeneous matrices, and back. */
+/** Converts transforms to homogeneous matrices, and back. */
 final class TransformMatrices {
 
   private TransformMatrices() {}
 
-  /** The matrix that takes a column (x, y, z, 1) in the frame to one in the parent. */
+  /** The matrix that maps a column (x, y, z, 1) in the frame to one in the parent. */
   static DMatrix4x4 of(Transform t) {
     double w = t.qw();
     double x = t.qx();
@@ -37,8 +37,8 @@ final class TransformMatrices {
   /** The transform of a rigid matrix. */
   static Transform transform(DMatrix4x4 m) {
     DMatrix3x3 r = new DMatrix3x3(m.a11, m.a12, m.a13, m.a21, m.a22, m.a23, m.a31, m.a32, m.a33);
-    // Shepperd's method: divide by the greatest of the four, so that nothing is lost near half
-    // turns.
+    // Shepperd's method: divide by the greatest of the four, so that precision is kept near
+    // rotations by π.
     double[] q = {
       1 + r.a11 + r.a22 + r.a33,
       1 + r.a11 - r.a22 - r.a33,

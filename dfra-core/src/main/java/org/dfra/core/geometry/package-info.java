@@ -1,6 +1,4 @@
-/**
- * Where a robot's frames stand in each other. Enter at {@link org.dfra.core.geometry.FrameTree}.
- */
+/** The tree of a robot's coordinate frames. Start at {@link org.dfra.core.geometry.FrameTree}. */
 @NullMarked
 package org.dfra.core.geometry;
 

@@ -14,13 +14,16 @@ import java.util.List;
 import org.dfra.module.Incident;
 import org.dfra.module.ModuleHistory;
 
-/** A history as bytes. */
+/** Encodes a history as bytes. */
 final class HistoryCodec {
 
-  /** "DFH" and the form's version. */
+  /** "DFH" and the format's version. */
   private static final int MAGIC = 0x44464801;
 
-  /** Characters kept of an incident's sentence; three bytes each fit into a written text. */
+  /**
+   * Maximum stored characters of an incident's description; at three bytes each they fit into
+   * writeUTF.
+   */
   private static final int LONGEST_TEXT = 2000;
 
   private HistoryCodec() {}
@@ -42,7 +45,7 @@ final class HistoryCodec {
         out.writeUTF(what.substring(0, Math.min(LONGEST_TEXT, what.length())));
       }
     } catch (IOException e) {
-      throw new UncheckedIOException(e); // there is always memory to write to
+      throw new UncheckedIOException(e); // writing to memory does not fail
     }
     return bytes.toByteArray();
   }

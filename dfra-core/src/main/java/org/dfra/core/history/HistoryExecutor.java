@@ -6,8 +6,8 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 
 /**
- * The thread that writes histories to the disk, so that no driver waits for it: one daemon for all
- * modules of this virtual machine, {@code dfra-history}, which ends when there is nothing to write.
+ * The thread that writes histories to the disk, so that no driver waits for the disk: one daemon
+ * for all modules of this virtual machine, {@code dfra-history}, which ends when idle.
  */
 public final class HistoryExecutor {
 
@@ -15,7 +15,7 @@ public final class HistoryExecutor {
 
   private HistoryExecutor() {}
 
-  /** The writer of this virtual machine. */
+  /** The executor of this virtual machine. */
   public static Executor shared() {
     return SHARED;
   }

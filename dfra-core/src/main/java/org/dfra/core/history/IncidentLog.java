@@ -16,15 +16,15 @@ import org.dfra.time.Scheduler;
 import org.slf4j.Logger;
 
 /**
- * A module's history, kept through all its lives.
+ * A module's history, stored across restarts.
  *
- * <p>Every incident is written down at once, but not by the thread that notes it: while one writing
- * is under way, all that comes meanwhile waits for one more. What the last life did not live to
- * write is at most that, and the time it served since its last incident.
+ * <p>Every incident is stored at once, but not by the thread that records it: incidents recorded
+ * during a write are stored together by the next write. A crash loses at most these, and the
+ * serving time since the last incident.
  */
 public final class IncidentLog {
 
-  /** How many incidents are remembered one by one; the figures count all. */
+  /** Maximum number of stored incidents; the counters include all. */
   static final int MAX_INCIDENTS = 100;
 
   private static final String NAME = "history";
@@ -37,7 +37,7 @@ public final class IncidentLog {
   private final Logger log;
 
   /**
-   * Taken before this; held while writing, so that nothing older is written over something newer.
+   * Taken before this; held while writing, so that an older history never overwrites a newer one.
    */
   private final Object file = new Object();
 
@@ -55,10 +55,10 @@ public final class IncidentLog {
 
   /**
    * @param module the module's path, for messages
-   * @param state where it is kept
+   * @param state where it is stored
    * @param clock stamps the incidents
-   * @param scheduler measures the time served
-   * @param writer where it is written
+   * @param scheduler measures the serving time
+   * @param writer runs the writes
    */
   public IncidentLog(
       String module,
@@ -77,8 +77,8 @@ public final class IncidentLog {
   }
 
   /**
-   * Reads what the earlier lives wrote, and begins this one. A life that did not end as it should
-   * counts as a failure.
+   * Loads the history of earlier runs, and starts this one. A run that did not end normally counts
+   * as a failure.
    */
   public synchronized void beginLife() {
     since = clock.instant();
@@ -108,7 +108,7 @@ public final class IncidentLog {
     }
   }
 
-  /** Writes an incident down. */
+  /** Records an incident. */
   public synchronized Incident record(Kind kind, String what) {
     switch (kind) {
       case ACTIVATION -> activations++;
@@ -131,7 +131,7 @@ public final class IncidentLog {
     return incident;
   }
 
-  /** Says whether the module serves from now on. */
+  /** Sets whether the module serves from now on. */
   public synchronized void setServing(boolean now) {
     if (serving) {
       served = served.plusNanos(scheduler.nanos() - servingSince);
@@ -140,13 +140,13 @@ public final class IncidentLog {
     servingSince = scheduler.nanos();
   }
 
-  /** The life so far. */
+  /** The history so far. */
   public synchronized ModuleHistory history() {
     Duration soFar = serving ? served.plusNanos(scheduler.nanos() - servingSince) : served;
     return new ModuleHistory(since, activations, failures, exceptions, soFar, List.copyOf(recent));
   }
 
-  /** Writes what is not written yet, before it returns. */
+  /** Writes all pending changes before it returns. */
   public void flush() {
     synchronized (file) {
       byte[] content;

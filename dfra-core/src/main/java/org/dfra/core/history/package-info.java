@@ -1,4 +1,4 @@
-/** What modules remember of their lives. Enter at {@link org.dfra.core.history.IncidentLog}. */
+/** The histories of modules across restarts. Start at {@link org.dfra.core.history.IncidentLog}. */
 @NullMarked
 package org.dfra.core.history;
 

@@ -9,22 +9,22 @@ import java.util.Random;
 import java.util.Set;
 
 /**
- * TCP ports for servers that are told their port before they start: those of demonstrations and
- * tests, several robots on one host.
+ * Allocates TCP ports for servers that must know their port before they start: in demonstrations
+ * and tests with several robots on one host.
  *
- * <p>Whoever binds port 0 and lets go is given a port out of the range from which the kernel also
- * takes the near ends of outgoing connections, so that any program may have taken it by the time
- * the server opens it; and a server that is killed and started again finds its port taken by a
- * connection. The ports given here lie below that range (which is 32768 to 60999 on Linux and
- * begins at 49152 elsewhere), are drawn at random, so that two programs at once hardly draw the
- * same, and are given once only in one virtual machine.
+ * <p>Binding port 0 and closing it yields an ephemeral port. The kernel also uses that range for
+ * outgoing connections, so any program may take the port before the server opens it, and a server
+ * that is killed and restarted may find its port used by a connection. The ports allocated here are
+ * below that range (32768 to 60999 on Linux, from 49152 elsewhere). They are random, so that two
+ * concurrent programs are unlikely to choose the same one, and each is allocated only once in a
+ * virtual machine.
  */
 public final class FreePorts {
 
-  /** The least port that is given. */
+  /** The lowest port. */
   static final int FIRST = 20_000;
 
-  /** One more than the greatest port that is given. */
+  /** One more than the highest port. */
   static final int END = 32_768;
 
   private static final Random RANDOM = new SecureRandom();
@@ -33,10 +33,10 @@ public final class FreePorts {
   private FreePorts() {}
 
   /**
-   * A port on which nobody listens now, on any address of this host, and which was not given
+   * A port on which no process listens, on any address of this host, and which was not allocated
    * before.
    *
-   * @throws IOException when all of them are taken
+   * @throws IOException if all of them are in use
    */
   public static synchronized int allocate() throws IOException {
     int start = FIRST + RANDOM.nextInt(END - FIRST);
@@ -55,7 +55,7 @@ public final class FreePorts {
   private static boolean isFree(int port) throws IOException {
     try (ServerSocket socket = new ServerSocket(port)) {
       return socket.isBound();
-    } catch (BindException e) { // somebody listens there
+    } catch (BindException e) { // the port is in use
       return false;
     }
   }

@@ -22,10 +22,9 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Files and folders that only the user of this process may read, write and enter: mode 0600 for
- * files, 0700 for folders. What is made here has its mode from the start, so there is no moment at
- * which others could open it.
+ * files, 0700 for folders. Files are created with this mode, so other users can never open them.
  *
- * <p>A file in a private folder is out of reach of other users, whatever its own mode.
+ * <p>A file in a private folder is not accessible to other users, whatever its own mode.
  */
 public final class PrivateFiles {
 
@@ -46,8 +45,8 @@ public final class PrivateFiles {
   private PrivateFiles() {}
 
   /**
-   * Makes a private folder, and the folders it is in where they are missing. Nothing happens where
-   * there is a folder already, whatever its mode.
+   * Creates a private folder, and missing parent folders. Does nothing if the folder exists,
+   * whatever its mode.
    */
   public static void makeFolder(Path folder) throws IOException {
     if (!Files.isDirectory(folder)) { // createDirectories of JDK 17 refuses a link to a folder
@@ -56,10 +55,10 @@ public final class PrivateFiles {
   }
 
   /**
-   * Makes a private folder where it is missing, and refuses one that is not private.
+   * Creates a private folder if it is missing, and refuses one that is not private.
    *
-   * @throws IOException if other users may enter it, with the command that mends that, or if it
-   *     belongs to another user or cannot be made
+   * @throws IOException if other users may enter it, with the command that corrects this, or if it
+   *     belongs to another user or cannot be created
    */
   public static void requireFolder(Path folder) throws IOException {
     makeFolder(folder);
@@ -86,7 +85,7 @@ public final class PrivateFiles {
   }
 
   /**
-   * What keeps a folder from being private, and what to do, in a sentence; null if it is private.
+   * Why a folder is not private, and the remedy, in a sentence; null if it is private.
    *
    * @throws IOException if it does not exist or its mode cannot be read
    */
@@ -115,7 +114,8 @@ public final class PrivateFiles {
   /**
    * Refuses a file that is not this user's own, or that other users may read or write.
    *
-   * @throws IOException if it is not private, with what mends that, or does not exist
+   * @throws IOException if it is not private, with the command that corrects this, or does not
+   *     exist
    */
   public static void requireFile(Path file) throws IOException {
     PosixFileAttributes attributes = attributes(file);
@@ -147,19 +147,19 @@ public final class PrivateFiles {
     }
   }
 
-  /** Makes an empty private file. Nothing happens where there is one, whatever its mode. */
+  /** Creates an empty private file. Does nothing if it exists, whatever its mode. */
   public static void makeFile(Path file) throws IOException {
     if (!Files.exists(file)) {
       try {
         Files.createFile(file, privateFile());
       } catch (FileAlreadyExistsException e) {
-        return; // made by another process since it was looked for
+        return; // created by another process since the check
       }
     }
   }
 
   /**
-   * Makes a private file with a text, whole and safe on disk.
+   * Creates a private file with a text, atomically and synced to disk.
    *
    * @return false, with nothing changed, if there is such a file already
    */
@@ -172,7 +172,7 @@ public final class PrivateFiles {
       try (FileChannel written = FileChannel.open(draft, StandardOpenOption.WRITE)) {
         written.force(true);
       }
-      Files.createLink(file, draft); // fails where there is a file; a move would replace it
+      Files.createLink(file, draft); // fails if the file exists; a move would replace it
       return true;
     } catch (FileAlreadyExistsException e) {
       return false;
@@ -181,12 +181,12 @@ public final class PrivateFiles {
     }
   }
 
-  /** Takes the rights of other users from a file of this user's. */
+  /** Removes the permissions of other users from a file of this user. */
   public static void closeToOthers(Path file) throws IOException {
     Files.setPosixFilePermissions(file, FILE);
   }
 
-  /** The mode of a private file, for calls that make one. */
+  /** The mode of a private file, for calls that create one. */
   public static FileAttribute<Set<PosixFilePermission>> privateFile() {
     return PosixFilePermissions.asFileAttribute(FILE);
   }
@@ -201,7 +201,7 @@ public final class PrivateFiles {
             .lookupPrincipalByName(System.getProperty("user.name"));
   }
 
-  /** The name of the user whose path it is, or else the nearest folder above it that is seen. */
+  /** The owner of a path, or else of the nearest accessible parent folder. */
   public static String ownerName(Path path) {
     return Stream.iterate(path.toAbsolutePath(), Objects::nonNull, Path::getParent)
         .flatMap(each -> owner(each).stream())
@@ -217,7 +217,7 @@ public final class PrivateFiles {
     }
   }
 
-  /** A path as a shell takes it. */
+  /** A path quoted for a shell. */
   private static String shell(Path path) {
     String text = path.toString();
     return text.matches("[A-Za-z0-9_./+:@%,-]+") ? text : "'" + text.replace("'", "'\\''") + "'";

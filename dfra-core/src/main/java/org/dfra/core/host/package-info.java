@@ -1,6 +1,5 @@
 /**
- * What the host gives to those who start programs on it: ports that stay free until they are taken,
- * and files and folders that other users cannot reach.
+ * Host resources: free TCP ports for servers, and files and folders that other users cannot access.
  */
 @NullMarked
 package org.dfra.core.host;

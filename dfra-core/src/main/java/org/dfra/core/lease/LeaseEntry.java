@@ -9,7 +9,7 @@ import org.dfra.lease.LeaseStatus;
 import org.dfra.time.Scheduler.ScheduledTask;
 import org.jspecify.annotations.Nullable;
 
-/** One lease of a {@link LeaseRegistry}, whose lock guards what changes here. */
+/** One lease of a {@link LeaseRegistry}, whose lock guards its mutable fields. */
 final class LeaseEntry {
 
   final LeaseHandle handle;
@@ -19,8 +19,8 @@ final class LeaseEntry {
   final long granted; // nanoseconds of the scheduler
   final Runnable onEnd;
   final Runnable onCancel;
-  long end; // guarded by the book; nothing where there is no expiry
-  @Nullable ScheduledTask expiry; // guarded by the book; null where nobody need renew
+  long end; // guarded by the registry; meaningless without an expiry
+  @Nullable ScheduledTask expiry; // guarded by the registry; null if no renewal is needed
 
   LeaseEntry(
       UUID id,
@@ -40,7 +40,7 @@ final class LeaseEntry {
   }
 
   /**
-   * What listings show of it.
+   * Its status for listings.
    *
    * @param now nanoseconds of the scheduler
    */

@@ -5,10 +5,10 @@ import java.time.Instant;
 import java.util.UUID;
 
 /**
- * A lease as it was granted or renewed.
+ * A granted or renewed lease.
  *
- * @param id what its holder names it by: a secret of holder and grantor
- * @param duration for how long from now
- * @param expiration when that is over, by the module's clock
+ * @param id its identity: a secret of holder and grantor
+ * @param duration its duration from now
+ * @param expiration when it expires, by the module's clock
  */
 public record LeaseGrant(UUID id, Duration duration, Instant expiration) {}

@@ -23,14 +23,14 @@ import org.dfra.time.Scheduler.ScheduledTask;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Grants leases on a module and counts its clients by them. A lease that is not renewed is over
- * when its time is, not when somebody asks: its end is noticed by the scheduler.
+ * Grants leases on a module and counts its clients by them. The scheduler ends a lease as soon as
+ * it expires, without waiting for the next query.
  *
- * <p>A lease's ID is a secret of its holder and this book: whoever knows it can renew and cancel
- * the lease. Listings show its {@link LeaseHandle} instead, which only revokes it.
+ * <p>A lease's ID is a secret of its holder and this registry: any client that knows it can renew
+ * and cancel the lease. Listings show its {@link LeaseHandle} instead, which can only revoke it.
  *
- * <p>Time is the scheduler's, which nobody sets; the clock only tells holders when their lease
- * ends.
+ * <p>Durations are measured by the scheduler's monotonic clock; the wall clock is used only for the
+ * expiration that holders receive.
  */
 public final class LeaseRegistry implements AutoCloseable {
 
@@ -45,15 +45,15 @@ public final class LeaseRegistry implements AutoCloseable {
   private final Set<UUID> revoked = new HashSet<>(); // guarded by entries; the latest only
   private boolean closed; // guarded by entries
 
-  /** Taken before {@link #entries}; keeps what is told in order. */
+  /** Taken before {@link #entries}; keeps notifications in order. */
   private final Object publishLock = new Object();
 
-  private int lastPublished; // guarded by telling
+  private int lastPublished; // guarded by publishLock
 
   /**
    * @param module the module's path, {@code robot/name}
-   * @param clientsChanged is told how many clients there are when that changes, in order; must not
-   *     call this book
+   * @param clientsChanged receives the number of clients when it changes, in order; must not call
+   *     this registry
    */
   public LeaseRegistry(
       String module,
@@ -67,9 +67,8 @@ public final class LeaseRegistry implements AutoCloseable {
   /**
    * The same.
    *
-   * @param expiries ends those leases that were not renewed, by what their holders are; the
-   *     scheduler only hands over to it, since whoever hears of the end may be held up. It drops no
-   *     task.
+   * @param expiries executors that end expired leases, by the role of the holder; the scheduler
+   *     only submits tasks to them, since the callbacks may block. They drop no task.
    */
   public LeaseRegistry(
       String module,
@@ -86,7 +85,7 @@ public final class LeaseRegistry implements AutoCloseable {
     this.expiries = expiries;
   }
 
-  /** What is granted here. */
+  /** The terms of the leases granted here. */
   public LeaseTerms terms() {
     return terms;
   }
@@ -94,10 +93,10 @@ public final class LeaseRegistry implements AutoCloseable {
   /**
    * Grants a lease.
    *
-   * @param duration how long
-   * @param host address of the holder, for those who ask who holds what; null where it is not known
-   * @param onEnd run once when it has expired, was revoked or this book is closed, not when it is
-   *     cancelled
+   * @param duration the requested duration
+   * @param host address of the holder, for listings; null if unknown
+   * @param onEnd run once when it has expired, was revoked or this registry is closed, not when it
+   *     is cancelled
    * @throws LeaseRefusedException if it is longer than allowed or not above zero, or the module has
    *     ended
    */
@@ -124,7 +123,7 @@ public final class LeaseRegistry implements AutoCloseable {
     synchronized (entries) {
       refuseIfClosed();
       LeaseEntry entry = entry(id, holder, host, onEnd, whenCancelled);
-      extend(id, entry, duration); // first: what cannot be ended in time is not granted
+      extend(id, entry, duration); // first: a lease whose expiry cannot be scheduled is not granted
       entries.put(id, entry);
     }
     publishClientCount();
@@ -132,7 +131,8 @@ public final class LeaseRegistry implements AutoCloseable {
   }
 
   /**
-   * Counts a holder in this virtual machine until it says otherwise; nobody need renew it.
+   * Grants a lease to a holder in this virtual machine; it needs no renewal and is valid until
+   * cancelled.
    *
    * @throws LeaseRefusedException if the module has ended
    */
@@ -171,7 +171,7 @@ public final class LeaseRegistry implements AutoCloseable {
   /**
    * Renews a lease, from now on.
    *
-   * @return nothing if there is no such lease any more
+   * @return empty if the lease no longer exists
    * @throws LeaseRefusedException as for {@link #grant}; the lease stays as it was
    */
   public Optional<LeaseGrant> renew(UUID id, Duration duration) throws LeaseRefusedException {
@@ -186,7 +186,7 @@ public final class LeaseRegistry implements AutoCloseable {
     return Optional.of(new LeaseGrant(id, duration, clock.instant().plus(duration)));
   }
 
-  /** Ends a lease before its time; false if there is no such lease any more. */
+  /** Cancels a lease; false if it no longer exists. */
   public boolean cancel(UUID id) {
     LeaseEntry entry;
     synchronized (entries) {
@@ -203,9 +203,9 @@ public final class LeaseRegistry implements AutoCloseable {
   }
 
   /**
-   * Ends a lease before its time, against its holder's will.
+   * Revokes a lease on behalf of an administrator.
    *
-   * @return false if there is no such lease any more
+   * @return false if it no longer exists
    */
   public boolean revoke(UUID id) {
     LeaseEntry entry;
@@ -223,7 +223,7 @@ public final class LeaseRegistry implements AutoCloseable {
     return true;
   }
 
-  /** The same, by what listings show of it. */
+  /** The same, by the handle that listings show. */
   public boolean revoke(LeaseHandle handle) {
     Optional<UUID> id;
     synchronized (entries) {
@@ -236,7 +236,7 @@ public final class LeaseRegistry implements AutoCloseable {
     return id.isPresent() && revoke(id.get());
   }
 
-  /** Long enough for whoever renews it to hear why that fails. */
+  /** Keeps the ID long enough that a failed renewal can report the reason. */
   private void remember(UUID id) {
     revoked.add(id);
     ScheduledTask unused =
@@ -249,14 +249,14 @@ public final class LeaseRegistry implements AutoCloseable {
             });
   }
 
-  /** Whether there was such a lease, and it was revoked not longer ago than the longest lasts. */
+  /** Whether the lease existed and was revoked within the last maximum lease duration. */
   public boolean isRevoked(UUID id) {
     synchronized (entries) {
       return revoked.contains(id);
     }
   }
 
-  /** Every lease there is now, the oldest first. */
+  /** All current leases, the oldest first. */
   public List<LeaseStatus> leases() {
     synchronized (entries) {
       long now = scheduler.nanos();
@@ -268,21 +268,21 @@ public final class LeaseRegistry implements AutoCloseable {
     }
   }
 
-  /** Whether there is such a lease. */
+  /** Whether the lease exists. */
   public boolean contains(UUID id) {
     synchronized (entries) {
       return entries.containsKey(id);
     }
   }
 
-  /** How many clients hold a lease now. */
+  /** The number of clients that hold a lease. */
   public int clients() {
     synchronized (entries) {
       return (int) entries.values().stream().filter(entry -> entry.holder.isClient()).count();
     }
   }
 
-  /** Ends every lease, and grants none any more. */
+  /** Ends every lease, and grants no more. */
   @Override
   public void close() {
     Map<UUID, LeaseEntry> over;
@@ -314,7 +314,7 @@ public final class LeaseRegistry implements AutoCloseable {
     for (Runnable step : steps) {
       try {
         step.run();
-      } catch (RuntimeException e) { // the others must hear of it too
+      } catch (RuntimeException e) { // the others must be notified too
         failure = failure == null ? e : failure;
         if (failure != e) {
           failure.addSuppressed(e);
@@ -326,7 +326,7 @@ public final class LeaseRegistry implements AutoCloseable {
     }
   }
 
-  /** Where its end cannot be scheduled the lease stays as it was. */
+  /** If its expiry cannot be scheduled the lease is unchanged. */
   private void extend(UUID id, LeaseEntry entry, Duration asked) {
     long end = scheduler.nanos() + asked.toNanos();
     Executor ending = expiries.apply(entry.holder);
@@ -349,8 +349,8 @@ public final class LeaseRegistry implements AutoCloseable {
   }
 
   /**
-   * Tells how many clients are left, and runs {@code then}, whichever of the two fails. The end of
-   * a commander's lease halts the device and comes first, since those who are told may be slow.
+   * Publishes the number of remaining clients, and runs {@code then}, even if one of the two fails.
+   * The end of a commander's lease halts the device and runs first, since listeners may be slow.
    */
   private void publishAndRun(LeaseRole holder, Runnable then) {
     boolean isFirst = holder == LeaseRole.COMMANDER;

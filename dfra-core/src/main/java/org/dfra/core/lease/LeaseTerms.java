@@ -5,14 +5,14 @@ import java.time.Duration;
 import org.dfra.lease.LeaseRefusedException;
 
 /**
- * What leases a module grants.
+ * The terms of the leases that a module grants.
  *
- * @param maxDuration the longest, at least a millisecond
- * @param defaultDuration for those who leave it to the module, not longer
+ * @param maxDuration the maximum duration, at least a millisecond
+ * @param defaultDuration the default duration, not longer
  */
 public record LeaseTerms(Duration maxDuration, Duration defaultDuration) {
 
-  /** Half a minute at the longest, usually ten seconds. */
+  /** Maximum 30 seconds, default 10 seconds. */
   public static final LeaseTerms DEFAULT =
       new LeaseTerms(Duration.ofSeconds(30), Duration.ofSeconds(10));
 
@@ -29,10 +29,10 @@ public record LeaseTerms(Duration maxDuration, Duration defaultDuration) {
   }
 
   /**
-   * Refuses what is not granted.
+   * Throws if a requested duration is not allowed.
    *
    * @param module the module's path, for the message
-   * @throws LeaseRefusedException if {@code asked} is longer than the longest or not above zero
+   * @throws LeaseRefusedException if {@code asked} is longer than the maximum or not above zero
    */
   public void check(String module, Duration asked) throws LeaseRefusedException {
     boolean tooShort = asked.isNegative() || asked.isZero();

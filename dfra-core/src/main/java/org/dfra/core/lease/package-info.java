@@ -1,7 +1,7 @@
 /**
- * Leases inside one virtual machine: who counts as a module's client, and until when. Enter at
- * {@link org.dfra.core.lease.LeaseRegistry}; the distributed layer's landlord writes into the same
- * book.
+ * Leases inside one virtual machine: they define a module's clients, and until when. Start at
+ * {@link org.dfra.core.lease.LeaseRegistry}; the distributed layer's landlord uses the same
+ * registry.
  */
 @NullMarked
 package org.dfra.core.lease;

@@ -4,19 +4,20 @@ import java.util.ServiceLoader;
 import org.dfra.module.LogLevel;
 
 /**
- * Sets how much is logged, while it is. SLF4J, which modules log by, can only ask. Whoever brings a
- * logging library brings an implementation of this with it, named in {@code META-INF/services}.
+ * Sets log levels at run time. SLF4J, the modules' logging API, can only query them. The module
+ * that provides a logging library also provides an implementation of this interface, named in
+ * {@code META-INF/services}.
  */
 public interface LogLevelControl {
 
   /**
-   * How much a logger writes, itself or by inheritance.
+   * The level of a logger, its own or inherited.
    *
    * @param logger its name, e.g. {@code dfra.atrv1.gps_front}
    */
   LogLevel level(String logger);
 
-  /** Sets how much a logger writes, from now on. */
+  /** Sets the level of a logger. */
   void set(String logger, LogLevel level);
 
   /**

@@ -1,4 +1,4 @@
-/** How much modules log, changed while they run. */
+/** Log levels of modules, which can be changed at run time. */
 @NullMarked
 package org.dfra.core.log;
 

@@ -6,7 +6,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
 
-/** A module's place in its chain: what it is wired to now. */
+/** The current wiring of a module in its chain. */
 public final class ChainWiring {
 
   private static final Pattern PATH = Pattern.compile("[a-z][a-z0-9_]*/[a-z][a-z0-9_]*");
@@ -20,9 +20,9 @@ public final class ChainWiring {
 
   /**
    * @param module the module's path, {@code robot/name}
-   * @param inputTypes gives what it takes in, always the same
-   * @param outputTypes what it puts out
-   * @param rewired is told its inputs when they change, before they count
+   * @param inputTypes returns its input types, always the same
+   * @param outputTypes its output types
+   * @param rewired receives its new inputs before they become effective
    */
   public ChainWiring(
       String module,

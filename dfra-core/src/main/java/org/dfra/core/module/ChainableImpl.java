@@ -7,7 +7,7 @@ import org.dfra.persona.AttributeProvider;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ChainAttributes;
 
-/** Base of every module that is a link of a chain: devices and schemas. */
+/** Base of every module in a processing chain: devices and schemas. */
 public abstract class ChainableImpl extends ModuleImpl implements Chainable, AttributeProvider {
 
   private final ChainWiring chain;
@@ -15,7 +15,7 @@ public abstract class ChainableImpl extends ModuleImpl implements Chainable, Att
   /**
    * See {@link ModuleImpl#ModuleImpl}.
    *
-   * @param outputTypes the types it puts out, by the simple names of their classes
+   * @param outputTypes its output types, by the simple names of their classes
    */
   protected ChainableImpl(
       ModuleContext context,
@@ -28,16 +28,16 @@ public abstract class ChainableImpl extends ModuleImpl implements Chainable, Att
         new ChainWiring(context.path(), this::declaredInputTypes, outputTypes, this::onWired);
   }
 
-  /** The types it takes in, by the simple names of their classes; always the same. */
+  /** Its input types, by the simple names of their classes; always the same. */
   protected abstract List<String> declaredInputTypes();
 
   /**
-   * It is to take its input from these modules from now on, as many as it has input types, or none
-   * where it is to find them itself. Called before they count; what it throws refuses them.
+   * Called when the inputs are wired to these modules, one per input type, or none if the module
+   * shall find them itself. Called before they become effective; an exception refuses them.
    */
   protected void onWired(List<String> modules) {}
 
-  /** What it says of itself besides its chain; from memory. */
+  /** Its attributes besides those of its chain; cached values. */
   protected abstract List<? extends Attributes> additionalAttributes();
 
   /** {@inheritDoc} Its chain, and its {@link #additionalAttributes}. */

@@ -10,16 +10,16 @@ import org.dfra.persona.Attributes;
 import org.dfra.persona.PoseAttributes;
 
 /**
- * Base of every driver of hardware, by way of {@link SensorImpl} or {@link
- * org.dfra.core.effector.EffectorImpl}. It can be examined, has its place in a chain, and is
- * mounted somewhere, by its parameters, all of which can be set while it runs:
+ * Base of every driver of hardware, through {@link SensorImpl} or {@link
+ * org.dfra.core.effector.EffectorImpl}. It has diagnostics, a place in a chain, and a mounting
+ * pose. The pose is set by parameters, all of which can be changed while it runs:
  *
  * <ul>
- *   <li>{@code mount_frame}: the frame it stands in; default {@code robot/base_link}
+ *   <li>{@code mount_frame}: the parent frame; default {@code robot/base_link}
  *   <li>{@code mount_x}, {@code mount_y}, {@code mount_z}: offset in that frame, metres, −100 to
  *       100; default 0
- *   <li>{@code mount_roll}, {@code mount_pitch}, {@code mount_yaw}: turn, radians, −2π to 2π, as
- *       {@link Transform#of}; default 0
+ *   <li>{@code mount_roll}, {@code mount_pitch}, {@code mount_yaw}: rotation, radians, −2π to 2π,
+ *       as {@link Transform#of}; default 0
  * </ul>
  */
 public abstract class DeviceImpl extends ChainableImpl implements Device {
@@ -32,9 +32,9 @@ public abstract class DeviceImpl extends ChainableImpl implements Device {
   /**
    * See {@link ModuleImpl#ModuleImpl}.
    *
-   * @param inputTypes the types it takes in, by the simple names of their classes
+   * @param inputTypes its input types, by the simple names of their classes
    * @param outputTypes the types of its readings, by the simple names of their classes
-   * @param preconditions what its environment must be like
+   * @param preconditions the required conditions of its environment
    */
   protected DeviceImpl(
       ModuleContext context,
@@ -56,23 +56,26 @@ public abstract class DeviceImpl extends ChainableImpl implements Device {
     return takes;
   }
 
-  /** Where tests and recovery methods are declared. */
+  /** Declares tests and recovery methods. */
   protected final Diagnostics diagnostics() {
     return examinations;
   }
 
   /**
-   * What it says of itself besides its chain and its mount; asked several times a second, so it
-   * answers from memory.
+   * Its attributes besides those of its chain and its mount; called several times a second, so it
+   * returns cached values.
    */
   protected abstract List<? extends Attributes> deviceAttributes();
 
-  /** What every device of its sort says of itself, besides {@link #deviceAttributes}; as those. */
+  /**
+   * The attributes of every device of its category, besides {@link #deviceAttributes}; cached as
+   * well.
+   */
   protected List<? extends Attributes> categoryAttributes() {
     return List.of();
   }
 
-  /** {@inheritDoc} Its mount, what its sort says, and its {@link #deviceAttributes}. */
+  /** {@inheritDoc} Its mount, its category's attributes, and its {@link #deviceAttributes}. */
   @Override
   protected final List<Attributes> additionalAttributes() {
     List<Attributes> all = new ArrayList<>();
@@ -95,7 +98,7 @@ public abstract class DeviceImpl extends ChainableImpl implements Device {
     return mount.frame();
   }
 
-  /** {@inheritDoc} This is its mount; a device whose frame moves in it says so. */
+  /** {@inheritDoc} This is its mount; a device whose frame moves overrides this. */
   @Override
   public Transform localTransform() {
     return mount.transform();

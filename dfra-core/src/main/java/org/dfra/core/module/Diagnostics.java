@@ -19,23 +19,23 @@ import org.slf4j.Logger;
  */
 public final class Diagnostics {
 
-  /** What a test or a recovery does. */
+  /** A test or recovery procedure. */
   @FunctionalInterface
   public interface DiagnosticProcedure {
 
     /**
-     * Does it.
+     * Runs the procedure.
      *
-     * @throws Exception if it cannot be done at all; that is a finding too
+     * @throws Exception if it cannot be run; that is reported as a finding too
      */
     DiagnosticFinding run() throws Exception;
   }
 
   /**
-   * What was found.
+   * The finding of a procedure.
    *
-   * @param passed whether all is well
-   * @param text what was found, a sentence
+   * @param passed whether no fault was found
+   * @param text the finding, a sentence
    */
   public record DiagnosticFinding(boolean passed, String text) {}
 
@@ -122,7 +122,7 @@ public final class Diagnostics {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return new DiagnosticFinding(false, "it was interrupted before its end");
-    } catch (Exception e) { // as Check declares it: a driver's own
+    } catch (Exception e) { // as DiagnosticProcedure declares it: a driver's own
       log.warn("{}: an examination ended in an exception", module, e);
       return new DiagnosticFinding(false, "it could not be done: " + e);
     }

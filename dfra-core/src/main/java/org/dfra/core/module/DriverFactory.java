@@ -18,9 +18,9 @@ import org.dfra.core.config.Parameters;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Constructs a driver, and finds everything that is wrong with its parameters. A driver's
- * constructor ends at the first wrong value. So it is tried again without that one, until it comes
- * to its end: only then is it known which parameters it has.
+ * Constructs a driver, and finds all faults of its parameters. A driver's constructor throws at the
+ * first invalid value. So it is called again without that parameter, until it completes: only then
+ * are all its parameters known.
  */
 final class DriverFactory {
 
@@ -31,12 +31,12 @@ final class DriverFactory {
   private final Set<String> refused = new HashSet<>();
   private final Map<String, Class<?>> needed = new LinkedHashMap<>();
   private final List<ConfigurationException> faults = new ArrayList<>();
-  private volatile @Nullable String wrong; // the parameter refused last in the trial under way
+  private volatile @Nullable String wrong; // the parameter refused last in the current attempt
 
   /**
    * @param module the module's path, {@code robot/name}
-   * @param needs is given each other module that the driver needs: the parameter that may name it,
-   *     and of which kind it must be
+   * @param needs receives each other module that the driver needs: the parameter that may name it,
+   *     and its required type
    */
   DriverFactory(String module, ModuleContext context, BiConsumer<String, Class<?>> needs) {
     this.module = module;
@@ -62,10 +62,10 @@ final class DriverFactory {
   }
 
   /**
-   * Constructs it.
+   * Constructs the driver.
    *
-   * @param constructor makes a driver of its context
-   * @throws ConfigurationException naming everything that is wrong, a line each
+   * @param constructor creates a driver from its context
+   * @throws ConfigurationException with every fault, a line each
    */
   ModuleImpl construct(Function<ModuleContext, ModuleImpl> constructor) {
     try {
@@ -81,7 +81,7 @@ final class DriverFactory {
     }
   }
 
-  /** Empty where something stops the constructor for which there is no way around. */
+  /** Empty if the constructor fails for a reason that cannot be bypassed. */
   private Optional<ModuleImpl> completed(Function<ModuleContext, ModuleImpl> constructor) {
     Parameters parameters = context.parameters().withListener(new Reading());
     while (true) {
@@ -91,7 +91,7 @@ final class DriverFactory {
       } catch (ConfigurationException e) {
         @Nullable String name = wrong;
         if (name != null && refused.contains(name)) {
-          return Optional.empty(); // it is missing only because it was taken away
+          return Optional.empty(); // it is missing only because it was removed
         }
         faults.add(e);
         if (name == null || !parameters.all().containsKey(name)) {

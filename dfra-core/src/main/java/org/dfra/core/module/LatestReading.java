@@ -9,28 +9,27 @@ import org.dfra.module.Readiness;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a module last told or perceived, for as long as it counts, and the readiness that follows
- * from it.
+ * The latest reading of a module, while it is valid, and the readiness that follows from it.
  *
  * <pre>
- *                   .------ set ------&gt; READY or ACTIVE: get() answers, while it is young enough
+ *                   .------ set ------&gt; READY or ACTIVE: get() answers until it is too old
  *   INITIALIZING --'                          |
- *    get() is refused with what it awaits     |
- *         ^--------------- lose --------------'
+ *    get() throws and names what it awaits    |
+ *         ^------------- markLost ------------'
  * </pre>
  *
- * <p>One thread at a time sets, amends, loses and forgets: the reader of the device's link, and
- * before and after its life the module's owner. Any thread may ask.
+ * <p>One thread at a time modifies it: the reader of the device's link, or, before start and after
+ * close, the module's owner. Any thread may read it.
  *
- * @param <T> what is told; immutable
+ * @param <T> the type of reading; immutable
  */
 public final class LatestReading<T> {
 
   /**
    * A reading.
    *
-   * @param value what was told
-   * @param nanos when it came, by the module's time
+   * @param value the value
+   * @param nanos when it arrived, by the module's clock
    */
   private record Taken<T>(T value, long nanos) {}
 
@@ -44,12 +43,11 @@ public final class LatestReading<T> {
   private volatile String awaits = "it has not been started";
 
   /**
-   * @param what it is, for people: {@code scan}, {@code position}
-   * @param module whose reading it is
-   * @param transition moves the module along an arrow of {@link Readiness}, with the reason as a
-   *     clause
-   * @param nanos the time by which it ages, nanoseconds
-   * @param maxAge how old a reading may be when it is served; as things are now
+   * @param what its name in messages: {@code scan}, {@code position}
+   * @param module the module of the reading
+   * @param transition makes a transition of {@link Readiness}, with the reason as a clause
+   * @param nanos the clock of its age, nanoseconds
+   * @param maxAge returns the current maximum age of a served reading
    */
   public LatestReading(
       String what,
@@ -65,15 +63,15 @@ public final class LatestReading<T> {
     module.addRequiredReading(this);
   }
 
-  /** A new one has come; a module that is INITIALIZING becomes READY by it. */
+  /** Sets a new reading; a module that is INITIALIZING becomes READY. */
   public void set(T value) {
     set(value, Duration.ZERO);
   }
 
   /**
-   * The same, of one that was some time on its way; one that is too old to count is left out.
+   * The same, for a delayed reading; one that is too old is ignored.
    *
-   * @param age of it now, not negative
+   * @param age its current age, not negative
    */
   public void set(T value, Duration age) {
     if (age.compareTo(longestAge.get()) > 0) {
@@ -85,7 +83,7 @@ public final class LatestReading<T> {
     }
   }
 
-  /** Something is to be added to the last one, which is no younger for it; nothing without one. */
+  /** Replaces the last value without changing its age; does nothing if there is none. */
   public void amend(T value) {
     @Nullable Taken<T> now = last;
     if (now != null) {
@@ -93,7 +91,7 @@ public final class LatestReading<T> {
     }
   }
 
-  /** There is none any more, since none comes; a module that serves ceases to. */
+  /** Clears the reading, since no new ones arrive; a module that serves becomes INITIALIZING. */
   public void markLost(String reason) {
     clear(reason);
     if (module.readiness().serves()) {
@@ -102,9 +100,9 @@ public final class LatestReading<T> {
   }
 
   /**
-   * There is none any more; the module's readiness is the caller's.
+   * Clears the reading; the caller sets the module's readiness.
    *
-   * @param reason why, as a clause
+   * @param reason the reason, as a clause
    */
   public void clear(String reason) {
     awaits = reason;
@@ -112,7 +110,7 @@ public final class LatestReading<T> {
   }
 
   /**
-   * Says what is missing as long as there is none.
+   * Sets what is missing as long as there is no reading.
    *
    * @param clause as in {@code its link is being opened}
    */
@@ -120,16 +118,16 @@ public final class LatestReading<T> {
     awaits = clause;
   }
 
-  /** What is missing, or was before the last one came, as a clause. */
+  /** What is missing, or was before the last reading arrived, as a clause. */
   public String missing() {
     return awaits;
   }
 
   /**
-   * The last one, where it may be served.
+   * The last reading, if it may be served.
    *
    * @throws NotReadyException if there is none, the module does not serve, or the last one is too
-   *     old to count
+   *     old
    */
   public T get() {
     @Nullable Taken<T> now = last;
@@ -154,13 +152,13 @@ public final class LatestReading<T> {
     return now.value();
   }
 
-  /** The last one, however old and whether it may be served or not; null if there is none. */
+  /** The last reading, even if it is too old or may not be served; null if there is none. */
   public @Nullable T peek() {
     @Nullable Taken<T> now = last;
     return now == null ? null : now.value();
   }
 
-  /** Whether there is one, but too old to be served. */
+  /** Whether there is a reading, but too old to be served. */
   public boolean isTooOld() {
     @Nullable Taken<T> now = last;
     return now != null && age(now).compareTo(longestAge.get()) > 0;

@@ -15,12 +15,12 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
 /**
- * Where one module stands among the states of {@link Readiness}, whose arrows are drawn there.
- * Every step wakes who waits for it, is published, and enters the history where the module stops to
- * serve or serves again. All that happens under one lock, so everybody sees the steps in the same
- * order.
+ * The state machine of one module, with the states and transitions of {@link Readiness}. Every
+ * transition wakes waiting threads, is published, and is recorded in the history if the module
+ * stops serving or serves again. All that happens under one lock, so all observers see the
+ * transitions in the same order.
  *
- * <p>It begins once and ends once; after its end it moves no more.
+ * <p>It begins once and ends once; after its end there are no more transitions.
  */
 final class Lifecycle {
 
@@ -32,16 +32,16 @@ final class Lifecycle {
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition readinessChanged;
   private Readiness readiness = Readiness.CREATED; // guarded by lock
-  private @Nullable String why; // the last step was made, where somebody said so; guarded by lock
+  private @Nullable String why; // the reason for the last transition, if given; guarded by lock
   private boolean started; // guarded by lock
   private boolean closed; // guarded by lock
-  private boolean lapsed; // guarded by lock: it served once, and has not come back since
+  private boolean lapsed; // guarded by lock: it has stopped serving, and not resumed since
   private int clients; // guarded by lock
 
   /**
    * @param module the module's path, {@code robot/name}
-   * @param log the module's
-   * @param scheduler by its time is waited
+   * @param log the module's log
+   * @param scheduler the clock for timeouts
    */
   Lifecycle(String module, Logger log, EventHub events, IncidentLog history, Scheduler scheduler) {
     this.module = module;
@@ -51,7 +51,7 @@ final class Lifecycle {
     this.readinessChanged = scheduler.newCondition(lock);
   }
 
-  /** Whether it had not begun or ended before; it is {@link Readiness#INITIALIZING} then. */
+  /** Begins: moves to {@link Readiness#INITIALIZING}. False if it has begun or ended before. */
   boolean begin() {
     lock.lock();
     try {
@@ -67,7 +67,7 @@ final class Lifecycle {
     }
   }
 
-  /** Whether it ever began. */
+  /** Whether it has ever begun. */
   boolean wasStarted() {
     lock.lock();
     try {
@@ -77,7 +77,7 @@ final class Lifecycle {
     }
   }
 
-  /** Whether it had not ended before; it is {@link Readiness#STOPPED} then. */
+  /** Ends: moves to {@link Readiness#STOPPED}. False if it has ended before. */
   boolean end() {
     lock.lock();
     try {
@@ -95,7 +95,7 @@ final class Lifecycle {
     }
   }
 
-  /** {@link Readiness#FAILED}, where an arrow leads there. */
+  /** Moves to {@link Readiness#FAILED}, if there is a transition. */
   void failIfAlive(String why) {
     lock.lock();
     try {
@@ -107,7 +107,7 @@ final class Lifecycle {
     }
   }
 
-  /** Where it stands now. */
+  /** The current state. */
   Readiness readiness() {
     lock.lock();
     try {
@@ -118,13 +118,12 @@ final class Lifecycle {
   }
 
   /**
-   * Waits until it serves or never will; where it stands then, or when patience or the thread was
-   * at its end.
+   * Waits until it serves or never will; returns the state then, or at the timeout or interruption.
    */
   Readiness await(Duration patience) {
     lock.lock();
     try {
-      long nanos = TimeUnit.NANOSECONDS.convert(patience); // the longest there is, if too long
+      long nanos = TimeUnit.NANOSECONDS.convert(patience); // saturates if too long
       while (!readiness.serves() && !readiness.isFailedOrStopped() && nanos > 0) {
         nanos = readinessChanged.awaitNanos(nanos);
       }
@@ -137,7 +136,7 @@ final class Lifecycle {
     }
   }
 
-  /** Why it made its last step, as a clause; empty where nobody said so. */
+  /** The reason for the last transition, as a clause; empty if none was given. */
   Optional<String> reason() {
     lock.lock();
     try {
@@ -192,14 +191,12 @@ final class Lifecycle {
     }
   }
 
-  /** Writes an incident into the history, and tells the listeners. */
+  /** Records an incident in the history, and notifies the listeners. */
   void recordIncident(Incident.Kind kind, String what) {
     events.publish(new ModuleEvent.IncidentRecorded(history.record(kind, what)));
   }
 
-  /**
-   * So many clients there are now: with any it is active while it is ready, with none it is not.
-   */
+  /** Sets the number of clients: a ready module is active if there are any, else not. */
   void setClientCount(int number) {
     lock.lock();
     try {

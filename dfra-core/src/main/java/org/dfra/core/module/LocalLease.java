@@ -8,8 +8,8 @@ import org.dfra.core.lease.LeaseRegistry;
 import org.dfra.lease.ModuleLease;
 
 /**
- * The lease of a client in the module's own virtual machine. They can only die together, so nothing
- * need be renewed: it lasts until it is closed or the module ends.
+ * The lease of a client in the module's own virtual machine. Both end together, so no renewal is
+ * needed: it is valid until it is closed or the module ends.
  */
 final class LocalLease implements ModuleLease {
 

@@ -13,8 +13,8 @@ import org.dfra.module.Readiness;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A module's listeners in its own virtual machine. Each holds a lease that nobody need renew, by
- * which it is counted, until it closes its subscription or the lease is ended for it.
+ * A module's listeners in its own virtual machine. Each holds a lease without renewal, by which it
+ * is counted, until it closes its subscription or the lease is revoked.
  */
 final class LocalListeners {
 
@@ -23,9 +23,9 @@ final class LocalListeners {
   private final Lifecycle lifecycle;
 
   /**
-   * @param events the module's
-   * @param leases the module's
-   * @param lifecycle the module's
+   * @param events the module's events
+   * @param leases the module's leases
+   * @param lifecycle the module's lifecycle
    */
   LocalListeners(EventHub events, LeaseRegistry leases, Lifecycle lifecycle) {
     this.events = events;
@@ -33,7 +33,7 @@ final class LocalListeners {
     this.lifecycle = lifecycle;
   }
 
-  /** Adds a listener. One that comes after the module's end is added too, and hears nothing. */
+  /** Adds a listener. One that is added after the module's end receives no events. */
   Subscription add(ModuleListener listener, DeliveryPolicy policy) {
     DeliveryCounter tally = new DeliveryCounter(listener);
     EventHub.ListenerEntry entry = events.add(tally, policy, ListenerQueue.NEVER_GIVE_UP, () -> {});
@@ -41,7 +41,7 @@ final class LocalListeners {
     @Nullable UUID lease;
     try {
       lease = leases.grantLocal(ModuleImpl.leaseRole(policy), () -> revoked(entry));
-    } catch (LeaseRefusedException e) { // it has ended, and will not tell anything any more
+    } catch (LeaseRefusedException e) { // it has ended, and publishes no more events
       lease = null;
     }
     @Nullable UUID held = lease;
@@ -56,7 +56,7 @@ final class LocalListeners {
         });
   }
 
-  /** A listener's lease was ended for it. Of the module's own end it still hears. */
+  /** A listener's lease was revoked. At the module's own end it still receives that event. */
   private void revoked(EventHub.ListenerEntry entry) {
     if (lifecycle.readiness() != Readiness.STOPPED) {
       events.remove(entry);

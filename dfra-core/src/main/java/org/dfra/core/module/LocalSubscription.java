@@ -7,7 +7,7 @@ import java.util.function.BooleanSupplier;
 import org.dfra.event.Subscription;
 import org.dfra.event.delivery.DeliveryCounter;
 
-/** The tie of a listener in the module's own virtual machine. */
+/** The subscription of a listener in the module's own virtual machine. */
 final class LocalSubscription implements Subscription {
 
   private final DeliveryCounter tally;
@@ -16,7 +16,7 @@ final class LocalSubscription implements Subscription {
   private final AtomicBoolean closed = new AtomicBoolean();
 
   /**
-   * @param held whether the module still counts the listener
+   * @param held whether the listener's lease is still live
    * @param end run once when it is closed
    */
   LocalSubscription(DeliveryCounter tally, BooleanSupplier held, Runnable end) {

@@ -9,27 +9,27 @@ import org.dfra.core.config.ModuleDescription;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Makes what a module's description names by class. What cannot be made is told with the place
- * where it is named.
+ * Creates the objects whose classes a module's description names. A failure is reported with the
+ * place that names the class.
  */
 public final class ModuleClassFactory {
 
   private final ModuleDescription description;
 
-  /** Those of one module. */
+  /** A factory for one module. */
   public ModuleClassFactory(ModuleDescription description) {
     this.description = description;
   }
 
   /**
-   * The driver; not started.
+   * Creates the driver, not started.
    *
-   * @param kind what it must implement
-   * @param base what it must extend
-   * @throws ConfigurationException if there is no such class, it is no such driver, or it cannot be
-   *     made of the parameters that are written, naming everything that is wrong with these, a line
-   *     each; a driver reads all of its parameters when it is made, so one that it did not ask for
-   *     is treated as a typo
+   * @param kind the interface that it must implement
+   * @param base the class that it must extend
+   * @throws ConfigurationException if there is no such class, it is not such a driver, or it cannot
+   *     be constructed from the configured parameters, with every fault in these, a line each; a
+   *     driver reads all of its parameters in its constructor, so one that it did not read is
+   *     treated as a typo
    */
   public ModuleImpl createDriver(
       ModuleContext context, Class<?> kind, Class<? extends ModuleImpl> base) {
@@ -39,8 +39,8 @@ public final class ModuleClassFactory {
   /**
    * The same.
    *
-   * @param needs is told of each other module that the driver needs: the parameter that may name
-   *     it, and of which kind it must be
+   * @param needs receives each other module that the driver needs: the parameter that may name it,
+   *     and its required type
    */
   public ModuleImpl createDriver(
       ModuleContext context,
@@ -65,7 +65,7 @@ public final class ModuleClassFactory {
   }
 
   /**
-   * A class.
+   * Loads a class.
    *
    * @param what it is, for messages
    */
@@ -86,7 +86,7 @@ public final class ModuleClassFactory {
   }
 
   /**
-   * An object of a class, by the public constructor with these parameters.
+   * Creates an object of a class by the public constructor with these parameters.
    *
    * @param what it is, for messages
    */
@@ -114,14 +114,14 @@ public final class ModuleClassFactory {
     }
   }
 
-  /** What is not written at all has no place of its own, but the module has. */
+  /** A missing parameter has no place, so the module's place is used. */
   private ConfigurationException placed(ConfigurationException known) {
     return String.valueOf(known.getMessage()).startsWith(description.path() + ":")
         ? new ConfigurationException(description.place() + ": " + known.getMessage(), known)
         : known;
   }
 
-  /** A complaint about the module. */
+  /** An exception about the module. */
   public ConfigurationException fault(String what, @Nullable Throwable cause) {
     String message = description.place() + ": module " + description.path() + ": " + what;
     return cause == null

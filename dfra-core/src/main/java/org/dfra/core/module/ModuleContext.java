@@ -10,20 +10,19 @@ import org.dfra.directory.ModuleDirectory;
 import org.dfra.time.Scheduler;
 
 /**
- * What a driver is given when it is constructed.
+ * The environment of a driver, passed to its constructor.
  *
  * <p>Every driver named in a module's properties has a public constructor with this one argument.
  *
  * @param robot name of the robot, e.g. {@code atrv1}
  * @param name name of the module, e.g. {@code gps_front}
- * @param parameters what the robot's XML and the module's properties say of it
- * @param clock the time; simulated time where the robot is simulated
- * @param state what of the module outlives its virtual machine
- * @param leases what leases the module grants
- * @param scheduler the time of leases and deliveries; it is real even where the robot is not,
- *     unless the robot is simulated in lock-step
- * @param directorySource gives what other modules are found by; asked for only where a module needs
- *     others
+ * @param parameters its parameters in the robot's XML and the module's properties
+ * @param clock the clock; a simulated clock if the robot is simulated
+ * @param state the module's persistent state
+ * @param leases the terms of the module's leases
+ * @param scheduler the scheduler of leases and deliveries; it runs in real time even for a
+ *     simulated robot, unless it is simulated in lock-step
+ * @param directorySource provides the directory; called only if the module needs others
  */
 public record ModuleContext(
     String robot,
@@ -35,7 +34,7 @@ public record ModuleContext(
     Scheduler scheduler,
     Supplier<ModuleDirectory> directorySource) {
 
-  /** Of a module that needs no others. */
+  /** The context of a module that needs no others. */
   public ModuleContext(
       String robot,
       String name,
@@ -47,38 +46,38 @@ public record ModuleContext(
     this(robot, name, parameters, clock, state, leases, scheduler, () -> nobody(robot, name));
   }
 
-  /** Of a module that remembers nothing, under the usual terms. */
+  /** The context of a module without persistent state, with the default lease terms. */
   public ModuleContext(String robot, String name, Parameters parameters, InstantSource clock) {
     this(robot, name, parameters, clock, StateStore.inMemory());
   }
 
-  /** Of a module under the usual terms. */
+  /** The context of a module with the default lease terms. */
   public ModuleContext(
       String robot, String name, Parameters parameters, InstantSource clock, StateStore state) {
     this(robot, name, parameters, clock, state, LeaseTerms.DEFAULT, schedulerOf(clock));
   }
 
-  /** The same module among others. */
+  /** A copy with another directory. */
   public ModuleContext withDirectory(ModuleDirectory others) {
     return new ModuleContext(
         robot, name, parameters, clock, state, leases, scheduler, () -> others);
   }
 
-  /** The same module with other leases on it. */
+  /** A copy with other lease terms. */
   public ModuleContext with(LeaseTerms others) {
     return new ModuleContext(
         robot, name, parameters, clock, state, others, scheduler, directorySource);
   }
 
-  /** The same module told other parameters. */
+  /** A copy with other parameters. */
   ModuleContext with(Parameters others) {
     return new ModuleContext(robot, name, others, clock, state, leases, scheduler, directorySource);
   }
 
   /**
-   * What other modules are found by, those of its own robot and those of others.
+   * The directory of modules, those of its own robot and those of others.
    *
-   * @throws ConfigurationException if it was made without
+   * @throws ConfigurationException if it has none
    */
   public ModuleDirectory directory() {
     return directorySource.get();
@@ -93,14 +92,14 @@ public record ModuleContext(
             + " ModuleContext.withDirectory");
   }
 
-  /** Where clock and scheduler are one, as in lock-step, nobody can take the wrong one. */
+  /** In lock-step the clock is also the scheduler. */
   private static Scheduler schedulerOf(InstantSource clock) {
     return clock instanceof Scheduler scheduler ? scheduler : Scheduler.system();
   }
 
   /**
-   * The time of the robot itself, for what must happen later to its devices: that of its clock,
-   * where the clock is that of a simulation.
+   * The scheduler of the robot's own time, for delayed actions on its devices: the simulation's if
+   * its clock is simulated.
    */
   public Scheduler robotTime() {
     return clock instanceof Scheduler simulated ? simulated : scheduler;

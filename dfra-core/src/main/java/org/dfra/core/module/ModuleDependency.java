@@ -11,7 +11,7 @@ import org.dfra.module.Readiness;
  * A module that another needs for its work: any of that kind on its own robot, or the one that a
  * parameter names.
  *
- * @param <M> its kind
+ * @param <M> its type
  */
 public final class ModuleDependency<M extends Module> {
 
@@ -26,10 +26,11 @@ public final class ModuleDependency<M extends Module> {
   }
 
   /**
-   * Says what is needed; looks for nothing yet.
+   * Declares a dependency, without resolving it.
    *
-   * @param context of the module that needs it
-   * @param parameter the name of another module of the robot; where it is not set, any of the kind
+   * @param context the context of the dependent module
+   * @param parameter the parameter that names another module of the robot; if it is not set, any of
+   *     the type
    */
   public static <M extends Module> ModuleDependency<M> of(
       ModuleContext context, Class<M> kind, String parameter) {
@@ -41,9 +42,10 @@ public final class ModuleDependency<M extends Module> {
   }
 
   /**
-   * The best there is now.
+   * The best module available now.
    *
-   * @throws NotReadyException if there is none; the message says which, and where it is named
+   * @throws NotReadyException if there is none; the message names the module, and the place that
+   *     names it
    */
   public M resolve() {
     List<ModuleListing<M>> found = context.directory().find(query);
@@ -63,7 +65,7 @@ public final class ModuleDependency<M extends Module> {
     return found.get(0).module();
   }
 
-  /** Stands for the best there is at each call; see {@code ModuleDirectory.proxyFor}. */
+  /** A proxy for the best module at each call; see {@code ModuleDirectory.proxyFor}. */
   public M failoverProxy() {
     return context.directory().proxyFor(query);
   }

@@ -33,16 +33,16 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Base of every driver: the last of the five classes. It talks to hardware and knows no network.
+ * Base of every driver: the last of the five classes. It communicates with hardware and is
+ * independent of the network.
  *
- * <p>A driver says what it has to say by {@link #transitionTo}, {@link #publish} and {@link
- * #recordException}; events, history and the way to its listeners follow from that. It declares its
- * parameters in {@link #declared}, and learns by {@link #onClientCount} whether anybody wants it to
- * work.
+ * <p>A driver reports by {@link #transitionTo}, {@link #publish} and {@link #recordException}; this
+ * class handles events, history and listeners. A driver declares its parameters in {@link
+ * #parameterTable}, and {@link #onClientCount} reports whether it has clients.
  *
- * <p>Lifecycle: the constructor assigns; {@link #start} opens the device or begins to, and returns
- * at once; {@link #close} undoes it. A device that is not there is no exception: the module stays
- * {@link Readiness#INITIALIZING} and goes on trying. {@link #start} and {@link #close} may be
+ * <p>Lifecycle: the constructor only assigns fields; {@link #start} opens the device or begins to,
+ * and returns at once; {@link #close} undoes it. A missing device is not an exception: the module
+ * stays {@link Readiness#INITIALIZING} and keeps trying. {@link #start} and {@link #close} may be
  * called by any threads at any time; {@link #onStart} and {@link #onClose} never overlap.
  */
 public abstract class ModuleImpl implements Module, AutoCloseable {
@@ -68,9 +68,9 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   private final ReentrantLock transition = new ReentrantLock();
 
   /**
-   * @param context what the driver is given
-   * @param description what the driver is, for people
-   * @param author who wrote it
+   * @param context the driver's environment
+   * @param description what the driver is, for display
+   * @param author its author
    * @param version its version
    */
   protected ModuleImpl(ModuleContext context, String description, String author, String version) {
@@ -105,9 +105,10 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   }
 
   /**
-   * Begins to work: {@link Readiness#CREATED} to {@link Readiness#INITIALIZING}. Does nothing when
-   * already begun or ended. Where {@link #onStart} throws, the module is {@link Readiness#FAILED},
-   * the caller gets what was thrown, and {@link #close} is still to be called.
+   * Starts the module: {@link Readiness#CREATED} to {@link Readiness#INITIALIZING}. Does nothing
+   * when already started or ended. If {@link #onStart} throws, the module becomes {@link
+   * Readiness#FAILED}, the exception is passed to the caller, and {@link #close} must still be
+   * called.
    */
   public final void start() {
     transition.lock();
@@ -125,9 +126,9 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   }
 
   /**
-   * Ends for good: {@link Readiness#STOPPED} at once, so that nobody waits for this module any
-   * longer; then {@link #onClose}, after an {@link #onStart} that may still run. Does nothing when
-   * already ended.
+   * Ends the module: {@link Readiness#STOPPED} at once, so that no caller waits for it any longer;
+   * then {@link #onClose}, after an {@link #onStart} that may still run. Does nothing when already
+   * ended.
    */
   @Override
   public final void close() {
@@ -136,7 +137,7 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
     }
     try {
       endLeases();
-    } finally { // the device is closed even where a holder's end went wrong
+    } finally { // the device is closed even if a lease callback failed
       try {
         closeDevice();
       } finally {
@@ -164,20 +165,19 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   }
 
   /**
-   * Opens the device or spawns the thread that does. Called at most once, on the caller's thread.
+   * Opens the device or starts the thread that does. Called at most once, on the caller's thread.
    */
   protected abstract void onStart();
 
   /**
-   * Undoes {@link #onStart}, completely, before it returns; also one that threw halfway. Called at
-   * most once, and only after {@link #onStart}.
+   * Undoes {@link #onStart} completely before it returns, also after a partial start that threw.
+   * Called at most once, and only after {@link #onStart}.
    */
   protected abstract void onClose();
 
   /**
-   * The number of clients has changed: the first has come, the last has gone, or so. A driver may
-   * rest while there are none. Called in order, by any thread, also before {@link #onStart}; must
-   * not block.
+   * Called when the number of clients has changed. A driver may idle while there are none. Called
+   * in order, by any thread, also before {@link #onStart}; must not block.
    */
   protected void onClientCount(int number) {}
 
@@ -222,41 +222,41 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
     };
   }
 
-  /** A reading that has to come before the module serves. */
+  /** Adds a reading that must arrive before the module serves. */
   final void addRequiredReading(LatestReading<?> reading) {
     readings.add(reading);
   }
 
   /**
-   * Moves along an arrow of {@link Readiness}. Does nothing when already there, nor after {@link
-   * #close}, of which a driver's thread may hear too late to be blamed.
+   * Makes a transition of {@link Readiness}. Does nothing when already in that state, nor after
+   * {@link #close}, since a driver's thread may notice the close late.
    *
-   * @throws IllegalStateException if there is no such arrow
+   * @throws IllegalStateException if there is no such transition
    */
   protected final void transitionTo(Readiness next) {
     lifecycle.transitionTo(next);
   }
 
   /**
-   * The same, with the reason, as a clause; it enters the history where the module stops to serve.
-   * A module that becomes {@link Readiness#READY} while it has clients becomes {@link
+   * The same, with the reason, as a clause; it is recorded in the history if the module stops
+   * serving. A module that becomes {@link Readiness#READY} while it has clients becomes {@link
    * Readiness#ACTIVE} right after.
    */
   protected final void transitionTo(Readiness next, String why) {
     lifecycle.transitionTo(next, why);
   }
 
-  /** Something has happened that enters the history, and that listeners hear of. */
+  /** Records an incident in the history, and notifies the listeners. */
   protected final void recordIncident(Incident.Kind kind, String what) {
     lifecycle.recordIncident(kind, what);
   }
 
-  /** The driver has caught something and goes on; it enters the history. */
+  /** Records in the history an exception that the driver has caught and handled. */
   protected final void recordException(Throwable thrown) {
     recordIncident(Incident.Kind.EXCEPTION, thrown.toString());
   }
 
-  /** There is a new reading. */
+  /** Publishes a new reading. */
   protected final void publish(Reading reading) {
     events.publish(new ModuleEvent.NewReading(reading));
   }
@@ -271,7 +271,7 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
     return listeners.add(listener, policy);
   }
 
-  /** Who listens to readings is a client; who listens to anything else only watches. */
+  /** The role of a listener: a client if it receives readings, else an observer. */
   public static LeaseRole leaseRole(DeliveryPolicy policy) {
     return policy.kinds().contains(DeliveryPolicy.EventKind.READING)
         ? LeaseRole.CLIENT
@@ -312,34 +312,34 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   }
 
   /**
-   * Runs what ends a motion, such as a command that was not followed by another, or a commander's
-   * lease that was not renewed, on a thread of this module's own, which does nothing else.
+   * Runs tasks that stop a motion, such as a command timeout or the expiry of a commander's lease,
+   * on a dedicated thread of this module.
    */
   protected final SerialExecutor haltExecutor() {
     return halts;
   }
 
-  /** Where the driver declares its parameters. */
+  /** The table in which the driver declares its parameters. */
   protected final ParameterTable parameterTable() {
     return declared;
   }
 
-  /** What the robot's XML and the module's properties say of this module. */
+  /** The module's parameters in the robot's XML and its properties. */
   protected final Parameters settings() {
     return settings;
   }
 
-  /** The time; simulated time where the robot is simulated. */
+  /** The clock; a simulated clock if the robot is simulated. */
   protected final InstantSource clock() {
     return clock;
   }
 
-  /** Its listeners, for whoever serves it to the network. */
+  /** Its listeners, for the server that exports it. */
   public final EventHub events() {
     return events;
   }
 
-  /** Its clients, for whoever serves it to the network. */
+  /** Its leases, for the server that exports it. */
   public final LeaseRegistry leases() {
     return leases;
   }

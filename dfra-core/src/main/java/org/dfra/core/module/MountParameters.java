@@ -3,7 +3,7 @@ package org.dfra.core.module;
 import org.dfra.core.config.Parameters;
 import org.dfra.geometry.Transform;
 
-/** Where a module is mounted, by its parameters; see {@link SensorImpl}. */
+/** The parameters of a module's mounting pose; see {@link DeviceImpl}. */
 final class MountParameters {
 
   private static final String[] OFFSETS = {"mount_x", "mount_y", "mount_z"};

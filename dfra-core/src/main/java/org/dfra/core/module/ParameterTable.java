@@ -16,9 +16,9 @@ import org.dfra.module.Parameter;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A module's parameters while it runs: those its driver declares, with what they are now, and those
- * that were written for it besides. What is set here lasts until the module ends; what is written
- * in the robot's description counts when it starts.
+ * A module's parameters at run time: those its driver declares, with their current values, and the
+ * other configured ones. A value set here is valid until the module ends; the configured value is
+ * read when it starts.
  */
 public final class ParameterTable {
 
@@ -41,8 +41,8 @@ public final class ParameterTable {
   /**
    * Declares a text that can be set.
    *
-   * @param set takes a new value, or throws an IllegalArgumentException that says, as the rest of a
-   *     sentence, what it is not: {@code the name of a frame}
+   * @param set accepts a new value, or throws an IllegalArgumentException that names, as the rest
+   *     of a sentence, what the value is not: {@code the name of a frame}
    */
   public void declareText(String name, String meaning, Supplier<String> get, Consumer<String> set) {
     declared.put(name, new Declared(meaning, get, set));
@@ -60,21 +60,21 @@ public final class ParameterTable {
   }
 
   /**
-   * What numbers a parameter may be.
+   * The valid numbers of a parameter.
    *
-   * @param min the least
-   * @param max the greatest
+   * @param min the minimum
+   * @param max the maximum
    * @param unit the unit, such as {@code s}; may be empty
-   * @param isInteger whether only whole numbers are
+   * @param isInteger whether only whole numbers are valid
    */
   public record NumberRange(double min, double max, String unit, boolean isInteger) {
 
-    /** Any number between two. */
+    /** Any number in a range. */
     public static NumberRange of(double least, double most, String unit) {
       return new NumberRange(least, most, unit, false);
     }
 
-    /** Any whole number between two. */
+    /** Any whole number in a range. */
     public static NumberRange isInteger(int least, int most, String unit) {
       return new NumberRange(least, most, unit, true);
     }
@@ -102,7 +102,7 @@ public final class ParameterTable {
     }
   }
 
-  /** All of them as they are now, in alphabetical order. */
+  /** All parameters with their current values, in alphabetical order. */
   List<Parameter> list() {
     TreeMap<String, Parameter> all = new TreeMap<>();
     written
@@ -122,11 +122,11 @@ public final class ParameterTable {
   }
 
   /**
-   * Sets one.
+   * Sets a parameter.
    *
-   * @return what it is now
+   * @return its new value
    * @throws IllegalArgumentException if there is no such parameter, it cannot be set, or the text
-   *     is no value of it
+   *     is not a valid value
    */
   String set(String name, String text) {
     Declared parameter = declared.get(name);

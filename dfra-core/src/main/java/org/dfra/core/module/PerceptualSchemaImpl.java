@@ -12,23 +12,24 @@ import org.dfra.time.Scheduler.ScheduledTask;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Base of every perceptual schema. It serves while its percepts come, and says so when they do not,
- * and which module that it is to listen to is not there.
+ * Base of every perceptual schema. It serves while percepts are produced. Otherwise it reports that
+ * none are produced and which input module is missing.
  *
- * <p>Parameter {@code longest_age}: seconds that a percept counts after it was measured, 0.05 to
- * 60; can be set while it runs.
+ * <p>Parameter {@code longest_age}: maximum age of a valid percept in seconds, 0.05 to 60; can be
+ * set while it runs.
  *
- * @param <P> what it keeps to answer by: what it perceives, or the percept that this rests on
+ * @param <P> the percept that it stores to answer queries: its output, or the percept that its
+ *     output is based on
  */
 public abstract class PerceptualSchemaImpl<P extends Percept> extends SchemaImpl
     implements PerceptualSchema {
 
-  /** Looks for an old percept each time this part of its longest age has passed. */
+  /** Checks the percept's age with this fraction of the maximum age as period. */
   private static final double LOOKS = 0.25;
 
   private final String percept;
   private final Scheduler time;
-  private final LatestReading<P> latest; // set and lost under itself
+  private final LatestReading<P> latest; // modified with its own lock held
   private volatile double longestAge;
   private volatile String lack;
   private @Nullable ScheduledTask ageCheck; // guarded by this
@@ -37,8 +38,8 @@ public abstract class PerceptualSchemaImpl<P extends Percept> extends SchemaImpl
   /**
    * See {@link ModuleImpl#ModuleImpl}.
    *
-   * @param perceptType what it keeps to answer by
-   * @param outputType what it perceives, by the simple name of its class
+   * @param perceptType the percept that it stores
+   * @param outputType its output type, by the simple name of its class
    * @param defaultMaxAge the default of {@code longest_age}, seconds
    */
   protected PerceptualSchemaImpl(
@@ -65,7 +66,7 @@ public abstract class PerceptualSchemaImpl<P extends Percept> extends SchemaImpl
             value -> longestAge = value);
   }
 
-  /** What doubt is expressed by, how it perceives, and its rates, where it has any. */
+  /** The kind of uncertainty, the method, and the detection rates, if it has any. */
   protected abstract PerceptualSchemaAttributes schemaAttributes();
 
   @Override
@@ -73,7 +74,7 @@ public abstract class PerceptualSchemaImpl<P extends Percept> extends SchemaImpl
     return List.of(schemaAttributes());
   }
 
-  /** This counts from now on, unless it is too old already. */
+  /** Stores a new percept, unless it is too old. */
   protected final void setPercept(P fresh) {
     Duration age = Duration.between(fresh.measured(), clock().instant());
     synchronized (latest) {
@@ -81,16 +82,16 @@ public abstract class PerceptualSchemaImpl<P extends Percept> extends SchemaImpl
     }
   }
 
-  /** There is a new percept: it counts from now on, and is told. */
+  /** Stores and publishes a new percept. */
   protected final void publishPercept(P fresh) {
     setPercept(fresh);
     publish(fresh);
   }
 
   /**
-   * What it keeps.
+   * The stored percept.
    *
-   * @throws org.dfra.module.NotReadyException if there is none, or none that still counts
+   * @throws org.dfra.module.NotReadyException if there is none, or it is too old
    */
   protected final P percept() {
     return latest.get();
@@ -118,7 +119,7 @@ public abstract class PerceptualSchemaImpl<P extends Percept> extends SchemaImpl
     return Duration.ofNanos(Math.round(longestAge * 1e9));
   }
 
-  /** Looks whether percepts still come, often enough; on the scheduler's thread. */
+  /** Checks periodically whether percepts still arrive; on the scheduler's thread. */
   private void look() {
     synchronized (latest) {
       if (latest.isTooOld()) {

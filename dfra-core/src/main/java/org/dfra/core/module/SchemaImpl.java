@@ -12,9 +12,9 @@ import org.dfra.flow.Schema;
 import org.dfra.module.Module;
 
 /**
- * Base of every schema: software between sensors and effectors. It declares in its constructor what
- * it {@link #declareInput}; from its start on it is given what the modules of its robot tell that
- * are of that kind, or those that it is wired to.
+ * Base of every schema: software between sensors and effectors. Its constructor declares its inputs
+ * by {@link #declareInput}. From its start on it receives the readings of its robot's modules of
+ * these types, or of the modules that it is wired to.
  */
 public abstract class SchemaImpl extends ChainableImpl implements Schema {
 
@@ -24,7 +24,7 @@ public abstract class SchemaImpl extends ChainableImpl implements Schema {
   /**
    * See {@link ModuleImpl#ModuleImpl}.
    *
-   * @param outputTypes the types it puts out, by the simple names of their classes
+   * @param outputTypes its output types, by the simple names of their classes
    */
   protected SchemaImpl(
       ModuleContext context,
@@ -42,7 +42,7 @@ public abstract class SchemaImpl extends ChainableImpl implements Schema {
             log);
   }
 
-  /** What it was made with. */
+  /** The context from its construction. */
   protected final ModuleContext context() {
     return context;
   }
@@ -50,10 +50,11 @@ public abstract class SchemaImpl extends ChainableImpl implements Schema {
   /**
    * Declares the next input, in the constructor only: one module of its own robot.
    *
-   * @param kind of which kind; which one, a parameter of the schema may say
-   * @param parameter that names the module; where it is not set, the first of the kind is taken
-   * @param type which of its readings it takes
-   * @param consumer is given each
+   * @param kind the type of module; a parameter of the schema may name one
+   * @param parameter the parameter that names the module; if it is not set, the first of the type
+   *     is used
+   * @param type the type of readings that it consumes
+   * @param consumer receives each reading
    */
   protected final <M extends Module, R extends Reading> void declareInput(
       Class<M> kind, String parameter, Class<R> type, ReadingConsumer<? super R> consumer) {
@@ -70,7 +71,7 @@ public abstract class SchemaImpl extends ChainableImpl implements Schema {
         (source, sequence, reading) -> consumer.accept(source, reading));
   }
 
-  /** The same with all modules of that kind on its own robot. */
+  /** The same with all modules of that type on its own robot. */
   protected final <M extends Module, R extends Reading> void declareInputFromAll(
       Class<M> kind, Class<R> type, ReadingConsumer<? super R> taker) {
     inputs.declare(
@@ -81,13 +82,13 @@ public abstract class SchemaImpl extends ChainableImpl implements Schema {
         (source, sequence, reading) -> taker.accept(source, reading));
   }
 
-  /** The same with all modules that match, whichever robot they are on. */
+  /** The same with all modules that match, on any robot. */
   protected final <M extends Module, R extends Reading> void declareInputFromTeam(
       ModuleQuery<M> which, Class<R> type, SequencedReadingConsumer<? super R> taker) {
     inputs.declare(which, true, "", type, taker);
   }
 
-  /** Which module that it is to listen to is not there, as a clause; nothing where all are. */
+  /** The missing input modules, as a clause; empty if all are available. */
   protected final Optional<String> missingInput() {
     return inputs.missing();
   }
@@ -102,13 +103,13 @@ public abstract class SchemaImpl extends ChainableImpl implements Schema {
     inputs.wire(modules);
   }
 
-  /** {@inheritDoc} A schema that overrides it calls it. */
+  /** {@inheritDoc} An overriding method must call this one. */
   @Override
   protected void onStart() {
     inputs.wire(inputs());
   }
 
-  /** {@inheritDoc} A schema that overrides it calls it. */
+  /** {@inheritDoc} An overriding method must call this one. */
   @Override
   protected void onClose() {
     inputs.close();

@@ -8,7 +8,9 @@ import org.dfra.persona.Attributes;
 /** Base of every sensor's driver. A sensor begins a chain; see {@link DeviceImpl}. */
 public abstract class SensorImpl extends DeviceImpl implements Sensor {
 
-  /** A sensor of which nothing more is known; see {@link ModuleImpl#ModuleImpl}. */
+  /**
+   * A sensor without declared output types and preconditions; see {@link ModuleImpl#ModuleImpl}.
+   */
   protected SensorImpl(ModuleContext context, String description, String author, String version) {
     this(context, description, author, version, List.of(), List.of());
   }
@@ -17,7 +19,7 @@ public abstract class SensorImpl extends DeviceImpl implements Sensor {
    * See {@link ModuleImpl#ModuleImpl}.
    *
    * @param outputTypes the types of its readings, by the simple names of their classes
-   * @param preconditions what its environment must be like
+   * @param preconditions the required conditions of its environment
    */
   protected SensorImpl(
       ModuleContext context,
@@ -29,11 +31,11 @@ public abstract class SensorImpl extends DeviceImpl implements Sensor {
     super(context, description, author, version, List.of(), outputTypes, preconditions);
   }
 
-  /** {@inheritDoc} A local caller never sees a {@code RemoteException}. */
+  /** {@inheritDoc} A local call never throws a {@code RemoteException}. */
   @Override
   public abstract double updateRate();
 
-  /** {@inheritDoc} Nothing, where a driver has nothing more to say. */
+  /** {@inheritDoc} Empty by default. */
   @Override
   protected List<? extends Attributes> deviceAttributes() {
     return List.of();
