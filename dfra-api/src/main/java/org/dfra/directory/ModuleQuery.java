@@ -160,7 +160,7 @@ public final class ModuleQuery<M extends Module> {
   /**
    * Whether a module matches the query.
    *
-   * @param positionOfRobot where the robot of a module is
+   * @param positionOfRobot returns the position of the robot of a module
    */
   public boolean matches(
       ModuleListing<?> candidate,

@@ -25,9 +25,9 @@ import org.junit.jupiter.api.extension.ParameterResolver;
 
 /**
  * A lookup service in the test's own virtual machine: stock reggie, transient, on the loopback, at
- * a port of its own, without multicast, so that tests beside each other never meet.
+ * a separate port, without multicast, so that concurrent tests never interfere.
  *
- * <p>As a JUnit extension it runs as long as what it is registered for:
+ * <p>As a JUnit extension it runs for the class or test that it is registered for:
  *
  * <pre>{@code
  * @RegisterExtension static final EmbeddedReggie REGGIE = new EmbeddedReggie(); // one for the class
@@ -36,9 +36,10 @@ import org.junit.jupiter.api.extension.ParameterResolver;
  * }</pre>
  *
  * Parameters of type {@code EmbeddedReggie} and {@link JiniModuleDirectory} are supplied; a
- * directory is closed after the test. Without JUnit, {@link #start} and {@link #close} do it.
+ * directory is closed after the test. Without JUnit, call {@link #start} and {@link #close}.
  *
- * <p>Timings are a robot's: whoever stops to renew is forgotten after {@link #LEASE_MILLIS}.
+ * <p>Timings are those of a robot: a registration that is not renewed expires after {@link
+ * #LEASE_MILLIS}.
  */
 public final class EmbeddedReggie
     implements BeforeAllCallback,
@@ -47,10 +48,10 @@ public final class EmbeddedReggie
         ParameterResolver,
         AutoCloseable {
 
-  /** Address of everything here. */
+  /** Address of the lookup service. */
   public static final String HOST = "127.0.0.1";
 
-  /** How long a registration is kept without renewal, in milliseconds. */
+  /** Lease duration of a registration, in milliseconds. */
   public static final long LEASE_MILLIS = 5_000;
 
   private static final Namespace NAMESPACE = Namespace.create(EmbeddedReggie.class);
@@ -59,14 +60,12 @@ public final class EmbeddedReggie
   private @Nullable EmbeddedRegistrar reggie; // guarded by this
   private String group = ""; // guarded by this; empty before the first start
 
-  /** At a port of the system's choice. */
+  /** A lookup service at a port that the system chooses. */
   public EmbeddedReggie() {
     this(0);
   }
 
-  /**
-   * @param port TCP port for unicast discovery; 0 for one of the system's choice
-   */
+  /** @param port TCP port for unicast discovery; 0 lets the system choose */
   public EmbeddedReggie(int port) {
     this.wantedPort = port;
   }
@@ -74,7 +73,7 @@ public final class EmbeddedReggie
   /**
    * Starts it. Does nothing when already started.
    *
-   * @throws IOException if its port is taken, or reggie does not start
+   * @throws IOException if its port is in use, or reggie does not start
    */
   public synchronized EmbeddedReggie start() throws IOException {
     if (reggie == null) {
@@ -87,7 +86,7 @@ public final class EmbeddedReggie
     return this;
   }
 
-  /** Ends it and waits until it has ended. Does nothing when not started. */
+  /** Stops it and waits until it has ended. Does nothing when not started. */
   @Override
   public synchronized void close() throws IOException {
     if (reggie != null) {
@@ -98,23 +97,22 @@ public final class EmbeddedReggie
   }
 
   /**
-   * The lookup service, for tests that speak with it themselves.
+   * The lookup service, for tests that call it directly.
    *
-   * @throws IllegalStateException if it does not run; so do the other questions below
+   * @throws IllegalStateException if it does not run; the other getters below throw the same
    */
   public ServiceRegistrar registrar() {
     return running().registrar();
   }
 
   /**
-   * Registers a service, as a module registers itself. Its lease is the caller's to renew.
+   * Registers a service, as a module registers itself. The caller must renew its lease.
    *
    * @param id its service ID
    * @param service its proxy
-   * @param attributes what it is found by
-   * @param leaseMillis how long it is to be kept without renewal, in milliseconds; less may be
-   *     granted
-   * @throws RemoteException if the lookup service does not take it
+   * @param attributes its lookup attributes
+   * @param leaseMillis the requested lease duration, in milliseconds; less may be granted
+   * @throws RemoteException if the lookup service refuses it
    */
   public ServiceRegistration register(
       UUID id, Object service, List<? extends Attributes> attributes, long leaseMillis)
@@ -135,7 +133,7 @@ public final class EmbeddedReggie
     return reggie;
   }
 
-  /** Where modules and clients find it: {@code jini://127.0.0.1:port}. */
+  /** Its locator for modules and clients: {@code jini://127.0.0.1:port}. */
   public String locator() {
     return "jini://" + HOST + ":" + port();
   }
@@ -151,7 +149,7 @@ public final class EmbeddedReggie
     return group;
   }
 
-  /** A client that looks for modules in this lookup service only; the caller closes it. */
+  /** A directory that finds modules in this lookup service only; the caller closes it. */
   public JiniModuleDirectory directory() throws IOException {
     return new JiniModuleDirectory(HOST, List.of(), List.of(locator()));
   }
@@ -166,7 +164,7 @@ public final class EmbeddedReggie
     startFor(context);
   }
 
-  /** Where one runs for the class already, that one goes on; else this test has its own. */
+  /** If one runs for the class already, it is used; otherwise this test gets its own. */
   private void startFor(ExtensionContext context) {
     context.getStore(NAMESPACE).getOrComputeIfAbsent(this, key -> new Run(started()));
   }
@@ -179,7 +177,7 @@ public final class EmbeddedReggie
     }
   }
 
-  /** Closes it with the context that it was started for. */
+  /** Closes it together with the context that it was started for. */
   private record Run(EmbeddedReggie running) implements AutoCloseable {
     @Override
     public void close() throws IOException {
@@ -212,7 +210,7 @@ public final class EmbeddedReggie
     }
   }
 
-  /** A directory that was supplied ends before its lookup service does. */
+  /** Closes a supplied directory before its lookup service. */
   @Override
   public void afterEach(ExtensionContext context) {
     JiniModuleDirectory directory =

@@ -9,12 +9,13 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 
 /**
- * A process that a test speaks with, line by line: a line goes to its input, and one that begins
- * with {@value #RESPONSE_PREFIX} comes back. All else that it prints is its log.
+ * A process with which a test communicates line by line: the test writes a line to its input, and
+ * the process replies with a line that begins with {@value #RESPONSE_PREFIX}. All other output is
+ * its log.
  */
 public final class InteractiveProcess implements AutoCloseable {
 
-  /** How a line begins that is meant for the test. */
+  /** Prefix of a line that is a response to the test. */
   public static final String RESPONSE_PREFIX = "said ";
 
   private static final String ENDED = "";
@@ -25,7 +26,7 @@ public final class InteractiveProcess implements AutoCloseable {
   private final StringBuffer output = new StringBuffer();
 
   /**
-   * Starts it.
+   * Starts the process.
    *
    * @param command its program and arguments
    */
@@ -39,8 +40,9 @@ public final class InteractiveProcess implements AutoCloseable {
   /**
    * Program and arguments of a small JVM on this one's Java, up to the main class.
    *
-   * @param classPath where its classes are
-   * @param options of the JVM, beside the boot class path, which is this one's ({@code dfra.boot})
+   * @param classPath the class path
+   * @param options options of the JVM, besides the boot class path, which is this one's ({@code
+   *     dfra.boot})
    */
   public static List<String> java(String classPath, List<String> options) {
     List<String> command =
@@ -86,7 +88,7 @@ public final class InteractiveProcess implements AutoCloseable {
     return line;
   }
 
-  /** Writes a line to its input and returns what it says then. */
+  /** Writes a line to its input and returns the response. */
   public String request(String line) throws IOException, InterruptedException {
     Writer to = process.outputWriter();
     to.write(line + "\n");
@@ -94,12 +96,12 @@ public final class InteractiveProcess implements AutoCloseable {
     return awaitLine();
   }
 
-  /** All it printed. */
+  /** All its output. */
   public String output() {
     return output.toString();
   }
 
-  /** Its number. */
+  /** Its process ID. */
   public long pid() {
     return process.pid();
   }

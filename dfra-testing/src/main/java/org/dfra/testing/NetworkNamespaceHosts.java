@@ -13,21 +13,21 @@ import java.util.stream.Stream;
 
 /**
  * Two hosts on one machine: network namespaces whose interfaces end in a switch, a third one, where
- * their connection can be cut and mended without notifying either of them. Each host has one real
+ * their connection can be cut and restored without notifying either of them. Each host has one real
  * interface, over which multicast goes, and a loopback of its own.
  *
- * <p>Making them needs root on Linux; where that is not to be had, {@link #unavailableReason} says
- * why, and a test skips itself with that sentence.
+ * <p>Creating them needs root on Linux; otherwise {@link #unavailableReason} returns the reason,
+ * with which a test can skip itself.
  */
 public final class NetworkNamespaceHosts implements AutoCloseable {
 
-  /** Addresses of the two hosts; their network leaves this machine nowhere. */
+  /** Addresses of the two hosts; their network is not connected to any other. */
   public static final List<String> ADDRESSES = List.of("10.77.0.1", "10.77.0.2");
 
   private static final String BRIDGE = "br0";
 
   private static final String PREFIX = "dfra-";
-  private static final String SEPARATOR = "n"; // no digit to this radix
+  private static final String SEPARATOR = "n"; // not a digit in this radix
   private static final int RADIX = 20;
   private static final long PATIENCE_SECONDS = 10;
   private static final AtomicInteger COUNT = new AtomicInteger();
@@ -36,7 +36,7 @@ public final class NetworkNamespaceHosts implements AutoCloseable {
   private final String tag;
 
   /**
-   * Makes the two hosts and connects them.
+   * Creates the two hosts and connects them.
    *
    * @throws IOException if the system refuses
    */
@@ -68,7 +68,7 @@ public final class NetworkNamespaceHosts implements AutoCloseable {
     }
   }
 
-  /** Why two hosts cannot be made here; nothing where they can. */
+  /** Why two hosts cannot be created here; empty if they can. */
   public static Optional<String> unavailableReason() throws InterruptedException {
     try {
       new NetworkNamespaceHosts().close();
@@ -84,14 +84,14 @@ public final class NetworkNamespaceHosts implements AutoCloseable {
   }
 
   /**
-   * Cuts the connection: the switch drops everything, and both interfaces stay up. So it is for a
+   * Cuts the connection: the switch drops everything, and both interfaces stay up. This simulates a
    * robot that drives out of radio range.
    */
   public void disconnect() throws IOException, InterruptedException {
     inside(theSwitch(), "bridge", "link", "set", "dev", port(0, 'b'), "state", "0");
   }
 
-  /** Mends the connection. */
+  /** Restores the connection. */
   public void reconnect() throws IOException, InterruptedException {
     inside(theSwitch(), "bridge", "link", "set", "dev", port(0, 'b'), "state", "3");
   }
@@ -122,7 +122,7 @@ public final class NetworkNamespaceHosts implements AutoCloseable {
                 .toArray(String[]::new));
   }
 
-  /** Removes what a test left that was killed itself. */
+  /** Removes the namespaces of killed tests. */
   private static void sweep() throws IOException, InterruptedException {
     for (String line : run("ip", "netns", "list").split("\n")) {
       String name = line.split(" ")[0];
@@ -162,7 +162,7 @@ public final class NetworkNamespaceHosts implements AutoCloseable {
     return said;
   }
 
-  /** Ends what still runs on the hosts, with -9, and removes them. Idempotent. */
+  /** Kills the remaining processes on the hosts, with -9, and removes the hosts. Idempotent. */
   @Override
   public void close() throws IOException, InterruptedException {
     for (String namespace : List.copyOf(made)) {

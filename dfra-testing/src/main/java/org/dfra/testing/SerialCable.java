@@ -14,9 +14,9 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * A cable from a robot's host to a device of its own that is simulated elsewhere. In between bytes
- * go through a socket in the file system, which hosts of {@link NetworkNamespaceHosts} share: they
- * never touch a network, so no switch can cut them, as it cannot cut a real serial line.
+ * A simulated serial cable from a robot's host to a device that is simulated on another host. The
+ * bytes pass through a socket in the file system, which the hosts of {@link NetworkNamespaceHosts}
+ * share: they use no network, so the switch cannot cut them, as it cannot cut a real serial line.
  *
  * <pre>
  *   driver --tcp, loopback--&gt; {@link #robotEnd} --file--&gt; {@link #deviceEnd} --tcp, loopback--&gt; device
@@ -42,8 +42,8 @@ public final class SerialCable implements AutoCloseable {
   /**
    * The end at the device.
    *
-   * @param socket a file that is not there yet
-   * @param link where the device answers, {@code tcp://127.0.0.1:port}
+   * @param socket a file that does not exist yet
+   * @param link the device's address, {@code tcp://127.0.0.1:port}
    */
   public static SerialCable deviceEnd(Path socket, String link) throws IOException {
     ServerSocketChannel server = ServerSocketChannel.open(StandardProtocolFamily.UNIX);
@@ -52,14 +52,14 @@ public final class SerialCable implements AutoCloseable {
     return new SerialCable(server, new InetSocketAddress(InetAddress.getLoopbackAddress(), port));
   }
 
-  /** The end at the robot, on the host of the process that calls. */
+  /** The end at the robot, on the host of the calling process. */
   public static SerialCable robotEnd(Path socket) throws IOException {
     ServerSocketChannel server = ServerSocketChannel.open();
     server.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0));
     return new SerialCable(server, UnixDomainSocketAddress.of(socket));
   }
 
-  /** Where a driver finds the end at the robot. */
+  /** The driver's address of the end at the robot. */
   public String link() throws IOException {
     InetSocketAddress at = (InetSocketAddress) from.getLocalAddress();
     return "tcp://" + at.getAddress().getHostAddress() + ":" + at.getPort();
@@ -91,7 +91,7 @@ public final class SerialCable implements AutoCloseable {
     }
   }
 
-  /** Until one of them ends: then both do. */
+  /** Copies until one of them ends, then closes both. */
   private void pass(SocketChannel source, SocketChannel sink) {
     ByteBuffer buffer = ByteBuffer.allocate(BUFFER);
     try {
@@ -103,7 +103,7 @@ public final class SerialCable implements AutoCloseable {
         buffer.clear();
       }
     } catch (IOException e) {
-      open.remove(source); // one of them is gone, which ends the other
+      open.remove(source); // one of them is closed, which ends the other
     } finally {
       end(source);
       end(sink);

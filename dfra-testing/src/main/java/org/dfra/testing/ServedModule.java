@@ -25,8 +25,8 @@ import org.dfra.river.server.ModuleServer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A module to be served in the test's own virtual machine, as a group would serve it, but without
- * an activation system. Immutable.
+ * A module to be served in the test's own virtual machine, as a group serves it, but without an
+ * activation system. Immutable.
  *
  * <pre>{@code
  * ServedModule<GPSServer> gps =
@@ -38,16 +38,19 @@ import org.jspecify.annotations.Nullable;
  * }
  * }</pre>
  *
- * <p>Serving runs the real six activation steps. Serving again, after the server was closed, is
- * what resurrection does: the identity is the same.
+ * <p>Serving executes the real six activation steps. Serving again after the server was closed
+ * simulates a reactivation: the identity is the same.
  *
- * @param activation what the server is constructed with
+ * @param activation the activation data of the server's constructor
  * @param server the server's class; it has a constructor {@code (ActivationID, MarshalledObject)}
  */
 public record ServedModule<S extends ModuleServer<?>>(
     Class<S> server, ModuleActivation activation) {
 
-  /** A module made of these classes: {@code robot/module}, of a fresh identity, joining nothing. */
+  /**
+   * A module made of these classes: {@code robot/module}, with a new identity, joining no lookup
+   * service.
+   */
   public static <S extends ModuleServer<?>> ServedModule<S> of(
       Class<S> server, Class<? extends ModuleProxy<?>> proxy, Class<? extends ModuleImpl> driver) {
     ModuleDescription description =
@@ -69,14 +72,15 @@ public record ServedModule<S extends ModuleServer<?>>(
 
   /**
    * The module {@code robot/name}, as a robot's XML and the properties that come with DFRA describe
-   * it: of a fresh identity, joining nothing.
+   * it: with a new identity, joining no lookup service.
    *
-   * @param folder takes the XML, {@code name.xml}; its fourth line is the first parameter
+   * @param folder the folder in which the XML is written, {@code name.xml}; its fourth line is the
+   *     first parameter
    * @param properties name of a file in {@code config/modules} of the checkout that the system
-   *     property {@code dfra.root} names, without its ending
-   * @param parameters what the XML says besides, in the order of the map
+   *     property {@code dfra.root} names, without its extension
+   * @param parameters the parameters in the XML, in the order of the map
    * @throws IllegalStateException if {@code dfra.root} is not set
-   * @throws Exception what is wrong with the description, or a class that is not there
+   * @throws Exception if the description is invalid, or a class is missing
    */
   public static ServedModule<?> fromProperties(
       Path folder, String name, String properties, Map<String, String> parameters)
@@ -113,9 +117,9 @@ public record ServedModule<S extends ModuleServer<?>>(
   }
 
   /**
-   * The same of a certain kind, which is checked: made of this server and this proxy.
+   * The same with a check of its server and proxy classes.
    *
-   * @throws AssertionError if it is made of others
+   * @throws AssertionError if they differ
    */
   public static <S extends ModuleServer<?>> ServedModule<S> fromProperties(
       Class<S> server,
@@ -147,7 +151,7 @@ public record ServedModule<S extends ModuleServer<?>>(
         .withDescription(described);
   }
 
-  /** The same module of another robot. */
+  /** A copy with another robot. */
   public ServedModule<S> on(String robot) {
     ModuleDescription old = activation.module();
     return withDescription(
@@ -163,7 +167,7 @@ public record ServedModule<S extends ModuleServer<?>>(
             old.place()));
   }
 
-  /** The same under another name. */
+  /** A copy with another name. */
   public ServedModule<S> named(String name) {
     ModuleDescription old = activation.module();
     return withDescription(
@@ -179,7 +183,7 @@ public record ServedModule<S extends ModuleServer<?>>(
             old.place()));
   }
 
-  /** The same with another driver, which has no parameters yet: parameters are a driver's own. */
+  /** A copy with another driver, and without parameters, since they are specific to a driver. */
   public ServedModule<S> withDriver(Class<? extends ModuleImpl> driver) {
     ModuleDescription old = activation.module();
     return withDescription(
@@ -195,12 +199,12 @@ public record ServedModule<S extends ModuleServer<?>>(
             old.place()));
   }
 
-  /** The same with another parameter for its driver. */
+  /** A copy with another parameter for its driver. */
   public ServedModule<S> with(String parameter, String value) {
     return with(parameter, value, Place.CODE);
   }
 
-  /** The same with another parameter for its driver, as if it were written at that place. */
+  /** A copy with another parameter for its driver, as if configured at that place. */
   public ServedModule<S> with(String parameter, String value, Place place) {
     ModuleDescription old = activation.module();
     Map<String, Parameters.Value> values = new TreeMap<>(old.parameters().all());
@@ -218,30 +222,30 @@ public record ServedModule<S extends ModuleServer<?>>(
             old.place()));
   }
 
-  /** The same, as another description has it. */
+  /** A copy with another description. */
   public ServedModule<S> withDescription(ModuleDescription description) {
     return activated(
         description, activation.id(), activation.host(), activation.locators(), activation.state());
   }
 
-  /** The same under another identity. */
+  /** A copy with another identity. */
   public ServedModule<S> withId(UUID id) {
     return activated(
         activation.module(), id, activation.host(), activation.locators(), activation.state());
   }
 
-  /** The same on the computer of this name or address, which must be one of this computer's. */
+  /** A copy with another host name or address, which must be one of this computer's. */
   public ServedModule<S> at(String host) {
     return activated(
         activation.module(), activation.id(), host, activation.locators(), activation.state());
   }
 
-  /** The same, joining this lookup service. */
+  /** A copy that joins this lookup service. */
   public ServedModule<S> joining(EmbeddedReggie reggie) {
     return joining(reggie.locator());
   }
 
-  /** The same, joining the lookup service at this locator. */
+  /** A copy that joins the lookup service at this locator. */
   public ServedModule<S> joining(String locator) {
     return activated(
         activation.module(),
@@ -252,11 +256,12 @@ public record ServedModule<S extends ModuleServer<?>>(
   }
 
   /**
-   * The same as one of a robot that was brought up with a state folder: it keeps there what
-   * outlives it, its identity first, and counts as its robot's own only what is kept there too. To
-   * be called when robot and name are set.
+   * A copy that uses the state folder of a running robot: it stores its persistent state there,
+   * including its identity, and treats only modules registered there as its robot's own. Set robot
+   * and name before.
    *
-   * @param state the robot's; another robot of that name on this computer has another one
+   * @param state the robot's state folder; another robot of that name on this computer has another
+   *     one
    * @throws IOException if its identity cannot be written
    */
   public ServedModule<S> withStateFolder(Path state) throws IOException {
@@ -283,7 +288,7 @@ public record ServedModule<S extends ModuleServer<?>>(
   /**
    * Serves it until the server is closed.
    *
-   * @throws Exception what the server's constructor threw
+   * @throws Exception the exception of the server's constructor
    */
   public S serve() throws Exception {
     Constructor<S> constructor =

@@ -23,7 +23,7 @@ public sealed interface DriveCommand extends Command {
       }
     }
 
-    /** Whether it is no motion at all. */
+    /** Whether both components are zero. */
     public boolean isZero() {
       return speed == 0 && yawRate == 0;
     }

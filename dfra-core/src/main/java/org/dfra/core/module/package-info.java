@@ -1,8 +1,8 @@
 /**
- * What every module implementation is built on.
+ * The base of every module implementation.
  *
- * <p>Enter at {@link org.dfra.core.module.ModuleImpl}, the last of the five classes: the driver. It
- * talks to hardware and knows no network. It is constructed with a {@link
+ * <p>Start at {@link org.dfra.core.module.ModuleImpl}, the last of the five classes: the driver. It
+ * communicates with hardware and is independent of the network. It is constructed with a {@link
  * org.dfra.core.module.ModuleContext}, started once and closed once.
  */
 @NullMarked

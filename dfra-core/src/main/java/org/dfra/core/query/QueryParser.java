@@ -13,8 +13,8 @@ import org.dfra.module.Module;
 import org.dfra.persona.Attributes;
 
 /**
- * Reads a {@link ModuleQuery} from words. What {@link ModuleQuery#toString} writes is read as the
- * same query.
+ * Parses a {@link ModuleQuery} from text. Parsing the result of {@link ModuleQuery#toString} gives
+ * an equal query.
  *
  * <pre>
  *   query      = kind { [ "and" ] clause }
@@ -25,9 +25,9 @@ import org.dfra.persona.Attributes;
  *              | "contains" text
  * </pre>
  *
- * <p>Each clause but {@code with} stands once at the most, in any order. Texts may stand in
- * quotation marks, in which {@code \} protects the next character; single words need none. Degrees
- * are WGS84, north and east are +, or {@code N}, {@code S}, {@code E} or {@code W} follows.
+ * <p>Each clause except {@code with} may occur once, in any order. Texts may be quoted, with {@code
+ * \} to escape the next character; single words need no quotes. Degrees are WGS84, north and east
+ * are +, or {@code N}, {@code S}, {@code E} or {@code W} follows.
  */
 public final class QueryParser {
 
@@ -36,9 +36,7 @@ public final class QueryParser {
 
   private final QueryVocabulary vocabulary;
 
-  /**
-   * @param vocabulary the names it knows
-   */
+  /** @param vocabulary the names that a query may use */
   public QueryParser(QueryVocabulary vocabulary) {
     this.vocabulary = vocabulary;
   }
@@ -46,13 +44,13 @@ public final class QueryParser {
   /**
    * Reads a query.
    *
-   * @throws QuerySyntaxException if it is none; the message says where
+   * @throws QuerySyntaxException if it is not one; the message gives the position
    */
   public ModuleQuery<? extends Module> parse(String text) {
     return new Run(Token.of(text)).query();
   }
 
-  /** One query under way. */
+  /** One parse. */
   private final class Run {
 
     private final TokenStream tokens;

@@ -1,6 +1,8 @@
 package org.dfra.core.query;
 
-/** A query that cannot be read; the message says where, what is wrong, and what would be right. */
+/**
+ * A query that cannot be parsed. The message gives the position, the error, and what is expected.
+ */
 public final class QuerySyntaxException extends IllegalArgumentException {
 
   private static final long serialVersionUID = 1L;
@@ -12,7 +14,7 @@ public final class QuerySyntaxException extends IllegalArgumentException {
     this.position = at.position();
   }
 
-  /** The character of the query where it cannot be read any further; the first is 1. */
+  /** The position of the character where parsing failed; the first is 1. */
   public int position() {
     return position;
   }

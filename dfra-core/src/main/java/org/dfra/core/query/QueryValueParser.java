@@ -9,7 +9,7 @@ import java.util.Locale;
 import org.dfra.core.config.NearestName;
 import org.dfra.core.query.Token.TokenType;
 
-/** Reads the value that a component is to equal, by the component's type. */
+/** Parses the value that a component must equal, by the component's type. */
 final class QueryValueParser {
 
   private final TokenStream tokens;
@@ -90,13 +90,13 @@ final class QueryValueParser {
     }
   }
 
-  /** A whole number where it is one, since a long does not fit into a double. */
+  /** A whole number if it is one, since a double cannot represent every long. */
   private Number number() {
     Token token = tokens.next();
     if (token.type() == TokenType.WORD) {
       try {
         return Long.valueOf(token.text());
-      } catch (NumberFormatException e) { // it has a fraction, or is no number at all
+      } catch (NumberFormatException e) { // it has a fraction, or is not a number
         return tokens.number(token);
       }
     }

@@ -66,8 +66,8 @@ import org.dfra.persona.SensorAttributes;
  *
  * <p>A kind is named by its interface, {@code GPSSensor}; an attribute record by its class, with or
  * without {@code Attributes}: {@code SensorAttributes}, {@code Sensor}, {@code sensor}, {@code
- * gps_receiver}. Case and underscores make no difference where nothing fits exactly. The full name
- * of a class always names it.
+ * gps_receiver}. If nothing matches exactly, case and underscores are ignored. The full name of a
+ * class is always valid.
  */
 public final class QueryVocabulary {
 
@@ -139,14 +139,14 @@ public final class QueryVocabulary {
     this.attributes = attributes;
   }
 
-  /** What dfra-api declares. */
+  /** The vocabulary of dfra-api. */
   public static QueryVocabulary standard() {
     return USUAL;
   }
 
   /**
-   * This, and what is among these types: interfaces of modules, and records of attributes. Any
-   * other type is passed over.
+   * A copy with the module interfaces and attribute records among these types. Other types are
+   * ignored.
    */
   public QueryVocabulary with(Collection<? extends Class<?>> types) {
     Set<Class<? extends Module>> moreKinds = new LinkedHashSet<>(kinds);
@@ -176,7 +176,7 @@ public final class QueryVocabulary {
     return named(name, name.text(), kinds, "there is no kind of module \"" + name.text() + "\"");
   }
 
-  /** The kind of attributes of that name, which stands at the beginning of the token. */
+  /** The kind of attributes of that name, which is the beginning of the token. */
   Class<? extends Attributes> attributes(Token at, String name) {
     return named(at, name, attributes, "there are no attributes \"" + name + "\"");
   }

@@ -5,28 +5,28 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * A piece of a query.
+ * A token of a query.
  *
- * @param text what it says; without its quotation marks where it has any
+ * @param text its text, without quotation marks
  * @param position its first character in the query, from 1 on
  */
 record Token(TokenType type, String text, int position) {
 
   enum TokenType {
-    /** Letters, digits and what names and numbers consist of besides. */
+    /** Letters, digits and the other characters of names and numbers. */
     WORD,
     /** A text in quotation marks. */
     TEXT,
-    /** A sign, such as {@code >=}. */
+    /** An operator or punctuation, such as {@code >=}. */
     SIGN,
-    /** There is no more. */
+    /** The end of the query. */
     END
   }
 
   private static final String SIGNS = "=<>≤≥!,[]°";
   private static final Set<String> DOUBLE_SIGNS = Set.of(">=", "<=", "==", "!=");
 
-  /** Where it stands, as the beginning of a sentence. */
+  /** Its position, as the beginning of a sentence. */
   String positionText() {
     return type == TokenType.END ? "at the end" : "at character " + position;
   }
@@ -35,13 +35,13 @@ record Token(TokenType type, String text, int position) {
     return (type == TokenType.WORD || type == TokenType.SIGN) && text.equals(other);
   }
 
-  /** As it is shown to people. */
+  /** Its text for messages. */
   String quoted() {
     return type == TokenType.END ? "the end" : '"' + text + '"';
   }
 
   /**
-   * The pieces of a query, the last of which is its end.
+   * The tokens of a query, the last of which is its end.
    *
    * @throws QuerySyntaxException if a quotation mark is not closed
    */
@@ -76,7 +76,7 @@ record Token(TokenType type, String text, int position) {
     return !Character.isWhitespace(c) && c != '"' && SIGNS.indexOf(c) < 0;
   }
 
-  /** Reads a text in quotation marks; returns where it goes on. */
+  /** Reads a text in quotation marks; returns the position after it. */
   private static int quoted(String query, int from, StringBuilder text) {
     for (int at = from + 1; at < query.length(); at++) {
       char c = query.charAt(at);

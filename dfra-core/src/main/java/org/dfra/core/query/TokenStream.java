@@ -3,7 +3,7 @@ package org.dfra.core.query;
 import java.util.List;
 import org.dfra.core.query.Token.TokenType;
 
-/** A query's pieces, one after the other. */
+/** The stream of a query's tokens. */
 final class TokenStream {
 
   private final List<Token> tokens;
@@ -17,7 +17,7 @@ final class TokenStream {
     return tokens.get(next);
   }
 
-  /** The next piece; the end, ever again. */
+  /** The next token; at the end, the end token again. */
   Token next() {
     Token token = tokens.get(next);
     if (token.type() != TokenType.END) {
@@ -26,7 +26,7 @@ final class TokenStream {
     return token;
   }
 
-  /** Takes the next piece if it is this. */
+  /** Consumes the next token if it is this text. */
   boolean accept(String text) {
     if (peek().is(text)) {
       Token unused = next();
@@ -35,7 +35,7 @@ final class TokenStream {
     return false;
   }
 
-  /** Takes the next piece, which must be this. */
+  /** Consumes the next token, which must be this text. */
   void expect(String text) {
     Token token = next();
     if (!token.is(text)) {
@@ -47,7 +47,7 @@ final class TokenStream {
   /**
    * A word or a text.
    *
-   * @param what what it is, for the message where there is none
+   * @param what what is expected, for the error message
    */
   Token expectText(String what) {
     Token token = next();
@@ -76,7 +76,7 @@ final class TokenStream {
     return new QuerySyntaxException(token, "a number must stand here, not " + token.quoted());
   }
 
-  /** An angle in degrees; the second direction turns its sign. */
+  /** An angle in degrees; the second direction negates it. */
   double degrees(String positive, String negative) {
     double degrees = number();
     boolean unused = accept("°");

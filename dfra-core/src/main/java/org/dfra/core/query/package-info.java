@@ -1,12 +1,12 @@
 /**
- * Queries as people write them.
+ * Parses textual queries.
  *
  * <pre>
  *   "GPSSensor on atrv1 with sensor.maxRate &gt;= 1" --QueryParser--&gt; ModuleQuery
  * </pre>
  *
- * <p>Enter at {@link org.dfra.core.query.QueryParser}; what names it knows is its {@link
- * org.dfra.core.query.QueryVocabulary}.
+ * <p>Start at {@link org.dfra.core.query.QueryParser}; its {@link
+ * org.dfra.core.query.QueryVocabulary} defines the valid names.
  */
 @NullMarked
 package org.dfra.core.query;

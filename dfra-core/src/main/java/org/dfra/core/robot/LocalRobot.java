@@ -18,11 +18,11 @@ import org.dfra.module.Module;
 import org.dfra.time.Scheduler;
 
 /**
- * A robot whose modules all live in this virtual machine and find each other in its memory: no
- * lookup service, no activation, no proxies. It is made of the same XML as one on the network, of
- * which only the drivers count. Several robots with one directory are a team.
+ * A robot whose modules all run in this virtual machine and find each other in its memory: no
+ * lookup service, no activation, no proxies. It is built from the same XML as one on the network,
+ * of which only the drivers are used. Several robots with one directory form a team.
  *
- * <p>{@link #start} starts the modules in the order written; {@link #close} ends them in {@link
+ * <p>{@link #start} starts the modules in file order; {@link #close} closes them in {@link
  * ShutdownOrder}.
  */
 public final class LocalRobot implements AutoCloseable {
@@ -34,13 +34,13 @@ public final class LocalRobot implements AutoCloseable {
   private boolean started; // guarded by this
 
   /**
-   * Makes its modules.
+   * Creates its modules.
    *
-   * @param directory of the team
-   * @param clock the time; simulated time where the robot is simulated
-   * @param states what outlives a module, by its path
-   * @throws org.dfra.core.config.ConfigurationException if a module cannot be made; those before it
-   *     are closed
+   * @param directory the directory of the team
+   * @param clock the clock; a simulated clock if the robot is simulated
+   * @param states the persistent state of a module, by its path
+   * @throws org.dfra.core.config.ConfigurationException if a module cannot be created; those before
+   *     it are closed
    */
   public LocalRobot(
       RobotDescription description,
@@ -73,7 +73,7 @@ public final class LocalRobot implements AutoCloseable {
   }
 
   /**
-   * Starts the modules and lists them. Does nothing the second time.
+   * Starts the modules and lists them. Does nothing if already started.
    *
    * @throws RuntimeException if one cannot be started; those before it are running
    */
@@ -93,7 +93,7 @@ public final class LocalRobot implements AutoCloseable {
     return name;
   }
 
-  /** Its modules, in the order written. */
+  /** Its modules, in file order. */
   public List<ModuleImpl> modules() {
     return List.copyOf(modules);
   }
@@ -101,7 +101,7 @@ public final class LocalRobot implements AutoCloseable {
   /**
    * One of its modules.
    *
-   * @return nothing where there is none of that name and kind
+   * @return empty if there is none of that name and kind
    */
   public <M> Optional<M> module(String module, Class<M> kind) {
     return modules.stream()
@@ -112,9 +112,9 @@ public final class LocalRobot implements AutoCloseable {
   }
 
   /**
-   * Ends the modules, effectors first; see {@link ShutdownOrder}.
+   * Closes the modules, effectors first; see {@link ShutdownOrder}.
    *
-   * @throws IllegalStateException if one could not be ended; the others were
+   * @throws IllegalStateException if one could not be closed; the others were
    */
   @Override
   public synchronized void close() {

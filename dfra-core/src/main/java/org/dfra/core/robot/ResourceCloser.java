@@ -7,24 +7,22 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /**
- * The end of things that belong together. One that cannot be ended does not keep the others from
- * ending; whoever asked learns afterwards of each, and why.
+ * Closes related resources. A failure to close one does not prevent closing the others; all
+ * failures are reported together afterwards.
  *
- * <p>Safe for use by any threads.
+ * <p>Thread-safe.
  */
 public final class ResourceCloser {
 
   private final String whose;
   private final List<Throwable> failures = new ArrayList<>(); // guarded by this
 
-  /**
-   * @param owner end it is, for the message, e.g. {@code robot atrv1}
-   */
+  /** @param owner the owner of the resources, for the message, e.g. {@code robot atrv1} */
   public ResourceCloser(String owner) {
     this.whose = owner;
   }
 
-  /** Ends one of them now. */
+  /** Closes one resource. */
   public void close(AutoCloseable thing) {
     try {
       thing.close();
@@ -38,13 +36,13 @@ public final class ResourceCloser {
     }
   }
 
-  /** What could not be ended is added to something that went wrong before. */
+  /** Adds the failures to an earlier exception as suppressed ones. */
   public synchronized void addSuppressedTo(Throwable before) {
     failures.forEach(before::addSuppressed);
   }
 
   /**
-   * Throws where one could not be ended.
+   * Throws if a resource could not be closed.
    *
    * @throws IOException whose message names each failure; they are its suppressed exceptions
    */
@@ -55,7 +53,7 @@ public final class ResourceCloser {
   /**
    * The same, as another exception.
    *
-   * @param made makes it from its message
+   * @param made creates it from its message
    */
   public synchronized <X extends Exception> void throwIfFailed(Function<String, X> made) throws X {
     if (failures.isEmpty()) {

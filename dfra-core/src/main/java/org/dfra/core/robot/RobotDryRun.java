@@ -18,16 +18,16 @@ import org.dfra.core.module.ModuleImpl;
 import org.dfra.module.Module;
 
 /**
- * Tries what a robot's XML names before anything is started: every class is there, every driver can
- * be made of its parameters, and the modules that drivers need are there. Drivers are made and
- * thrown away; none is started, so no device is opened and nothing is remembered.
+ * Checks a robot's XML without starting it: every class exists, every driver can be constructed
+ * from its parameters, and the modules that drivers need exist. Drivers are constructed and
+ * discarded; none is started, so no device is opened and no state is stored.
  *
- * <p>A group whose options may change what its virtual machine finds, such as a class path of its
- * own, cannot be tried from outside, and is left out.
+ * <p>A group whose JVM options may change its class path cannot be checked from another JVM, and is
+ * skipped.
  */
 public final class RobotDryRun {
 
-  /** What options begin with that change how a virtual machine runs, not what it finds. */
+  /** Prefix of options that do not change which classes a virtual machine finds. */
   private static final String TUNING = "-X";
 
   private static final String BOOT = "-Xboot";
@@ -35,13 +35,13 @@ public final class RobotDryRun {
   /**
    * Another module that a driver needs.
    *
-   * @param parameter that may name it
-   * @param kind what it must be
+   * @param parameter the parameter that may name it
+   * @param kind its required type
    */
   private record Need(ModuleDescription by, String parameter, Class<?> kind) {}
 
   private final RobotDescription robot;
-  private final Map<String, Class<?>> drivers = new TreeMap<>(); // that were made, by module
+  private final Map<String, Class<?>> drivers = new TreeMap<>(); // classes of drivers, by module
   private final List<Need> needs = new ArrayList<>();
   private final List<String> faults = new ArrayList<>();
 
@@ -57,10 +57,10 @@ public final class RobotDryRun {
   }
 
   /**
-   * Tries all modules of a robot. A module that one of them names must be among them; one that none
-   * names may come later.
+   * Checks all modules of a robot. A module that one of them names must exist; a needed module
+   * without a name may be added later.
    *
-   * @throws ConfigurationException naming everything that is wrong with them, a line each
+   * @throws ConfigurationException with every fault in them, a line each
    */
   public static void check(RobotDescription robot) {
     RobotDryRun rehearsal = new RobotDryRun(robot);
@@ -69,7 +69,7 @@ public final class RobotDryRun {
   }
 
   /**
-   * The same with a robot to which nobody adds anything: all that its modules need must be there.
+   * The same for a complete robot: all modules that its modules need must exist.
    *
    * @throws ConfigurationException likewise
    */
@@ -136,7 +136,7 @@ public final class RobotDryRun {
     faults.add(String.valueOf(fault.getMessage()));
   }
 
-  /** Whether a module of that name is there, and is such a one as far as is known. */
+  /** Whether a module of that name exists, and has that type as far as known. */
   private boolean mayBe(String name, Class<?> kind) {
     Class<?> driver = drivers.get(name);
     return driver == null

@@ -9,11 +9,11 @@ import org.dfra.behavior.Behavior;
 import org.dfra.flow.effector.Effector;
 
 /**
- * The order in which the modules of a robot end: effectors, then behaviours, then all others.
- * Within each of the three, the module that was started last ends first.
+ * The order in which the modules of a robot are closed: effectors, then behaviours, then all
+ * others. Within each of the three, the module that was started last is closed first.
  *
- * <p>Effectors are first because nothing may move that nobody watches any more. A closed effector
- * refuses every command, so a behaviour that still runs cannot move it again.
+ * <p>Effectors are first because nothing may move unsupervised. A closed effector refuses every
+ * command, so a behaviour that still runs cannot move it again.
  */
 public final class ShutdownOrder {
 
@@ -22,7 +22,7 @@ public final class ShutdownOrder {
   private ShutdownOrder() {}
 
   /**
-   * Modules in the order in which they end.
+   * Modules in the order in which they are closed.
    *
    * @param started drivers, servers or proxies of modules, in the order in which they were started
    */
@@ -35,7 +35,7 @@ public final class ShutdownOrder {
 
   /**
    * Whether a module moves the robot: an effector, or a behaviour, which commands effectors. The
-   * driver of such a module closes before anything else of it ends.
+   * driver of such a module is closed before its other parts.
    *
    * @param module its driver, server or proxy
    */

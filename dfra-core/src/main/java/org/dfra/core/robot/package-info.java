@@ -1,5 +1,5 @@
 /**
- * A whole robot in one virtual machine, without any network. Enter at {@link
+ * A whole robot in one virtual machine, without any network. Start at {@link
  * org.dfra.core.robot.LocalRobot}.
  */
 @NullMarked

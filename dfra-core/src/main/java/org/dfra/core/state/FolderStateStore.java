@@ -13,9 +13,9 @@ import java.util.Optional;
 import org.dfra.core.host.PrivateFiles;
 
 /**
- * State in files. Documents are written beside their name, brought to the disk and renamed.
- * Counters are mapped into memory, eight bytes each at a multiple of eight: the kernel keeps what
- * was stored when the process dies.
+ * State in files. Documents are written to a temporary file, synced to disk and renamed. Counters
+ * are memory-mapped, eight bytes each, aligned to eight: the kernel keeps the stored values when
+ * the process dies.
  */
 final class FolderStateStore implements StateStore {
 
@@ -55,7 +55,7 @@ final class FolderStateStore implements StateStore {
         Files.move(
             beside, whole, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
     try (FileChannel directory = FileChannel.open(folder, StandardOpenOption.READ)) {
-      directory.force(true); // the new name itself
+      directory.force(true); // syncs the new name itself
     }
   }
 
@@ -75,16 +75,16 @@ final class FolderStateStore implements StateStore {
   }
 
   /**
-   * Writes what the file holds once, so that the disk has room for all of it. Where it has not,
-   * that is an exception here. With a hole in the file it would be an {@link InternalError}, at any
-   * time after the first store into the hole, in whatever the thread does then.
+   * Writes the file's content once, to allocate its disk space. If the disk is full, this throws an
+   * exception here. With a hole in the file, a full disk would cause an {@link InternalError} at
+   * any time after the first store into the hole, in unrelated code.
    */
   private static void allocate(FileChannel channel, int size) throws IOException {
     ByteBuffer content = ByteBuffer.allocate(size);
     while (content.hasRemaining() && channel.read(content, content.position()) > 0) {
-      // a short read goes on
+      // continue after a short read
     }
-    content.clear(); // what was not there is zero
+    content.clear(); // missing bytes are zero
     while (content.hasRemaining()) {
       int unused = channel.write(content, content.position());
     }

@@ -6,7 +6,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLongArray;
 import org.jspecify.annotations.Nullable;
 
-/** State that is gone with its virtual machine. */
+/** State that is lost when its virtual machine ends. */
 final class InMemoryStateStore implements StateStore {
 
   private final Map<String, byte[]> documents = new ConcurrentHashMap<>();

@@ -5,59 +5,59 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLongArray;
 
-/** What of a module outlives its virtual machine. */
+/** The persistent state of a module. */
 public interface StateStore {
 
   /**
-   * A document as it was last written, whole.
+   * The last written version of a document, complete.
    *
-   * @throws IOException if there is one and it cannot be read
+   * @throws IOException if it exists and cannot be read
    */
   Optional<byte[]> read(String name) throws IOException;
 
   /**
-   * Writes a document. Whoever reads afterwards, also after a crash or a loss of power, reads
-   * either all of the old one or all of the new one.
+   * Writes a document atomically: a later read, also after a crash or a power loss, returns either
+   * the complete old or the complete new document.
    *
    * @throws IOException if it cannot be written; then the old one stays
    */
   void write(String name, byte[] content) throws IOException;
 
   /**
-   * Numbers that are kept as they change, at the price of a memory access.
+   * Persistent counters, updated at the cost of a memory access.
    *
-   * @param count how many; zero each where they are new
-   * @throws IOException if they cannot be kept
+   * @param count how many; new ones are zero
+   * @throws IOException if they cannot be stored
    */
   Counters counters(String name, int count) throws IOException;
 
-  /** Numbers that survive the death of the process at any moment. */
+  /** Counters that survive a crash of the process at any time. */
   interface Counters {
 
-    /** The number at an index. */
+    /** The value at an index. */
     long get(int index);
 
-    /** Sets the number at an index; from then on the process may die. */
+    /** Sets the value at an index; it then survives a crash of the process. */
     void set(int index, long value);
 
-    /** Brings all of them to the disk: from then on the power may fail. */
+    /** Syncs all of them to disk: they then survive a power loss. */
     void force();
 
-    /** Numbers that are gone with this virtual machine; zero each. */
+    /** Counters that are lost when this virtual machine ends; initially zero. */
     static Counters inMemory(int count) {
       return new InMemoryStateStore.InMemoryCounters(new AtomicLongArray(count));
     }
   }
 
-  /** State that is gone with this virtual machine. */
+  /** State that is lost when this virtual machine ends. */
   static StateStore inMemory() {
     return new InMemoryStateStore();
   }
 
   /**
-   * State in files in a folder of its own, which is made if it is not there.
+   * State in files in a separate folder, which is created if missing.
    *
-   * @param folder the module's alone
+   * @param folder used by this module only
    */
   static StateStore inFolder(Path folder) {
     return new FolderStateStore(folder);

@@ -1,6 +1,6 @@
 /**
- * What of a module outlives its virtual machine: its history, the numbers of its events, whether it
- * is stopped for an emergency. Enter at {@link org.dfra.core.state.StateStore}.
+ * The persistent state of a module: its history, the sequence numbers of its events, its
+ * emergency-stop state. Start at {@link org.dfra.core.state.StateStore}.
  */
 @NullMarked
 package org.dfra.core.state;

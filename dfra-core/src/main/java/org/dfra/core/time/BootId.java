@@ -7,13 +7,13 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Names the boot that monotonic time belongs to. On Linux {@link System#nanoTime} is the time since
- * the computer was started, the same in all of its virtual machines, so that one may hand it on to
- * another, or write it down for its next process, together with this.
+ * Identifies the boot that monotonic time belongs to. On Linux {@link System#nanoTime} is the time
+ * since boot, the same in all virtual machines of the computer. So one virtual machine may pass it
+ * to another, or store it for its next process, together with this ID.
  *
- * <p>The boot does not change while this process lives, so it is read once. A failure is never
- * remembered: a process that may open no more files reads it when it may again. Until then it is
- * not known, which is an exception and never another boot. Thread-safe.
+ * <p>The boot does not change while this process lives, so it is read once. A failure is not
+ * cached: a process without free file descriptors reads it later. Until then reading throws, and
+ * never returns another boot's ID. Thread-safe.
  */
 public final class BootId {
 
@@ -23,26 +23,26 @@ public final class BootId {
   private volatile @Nullable String known;
 
   /**
-   * For tests: of another computer.
+   * For tests: the ID of another computer.
    *
-   * @param file holds the ID; a file that does not exist is an operating system without one
+   * @param file contains the ID; a missing file means an operating system without one
    */
   public BootId(Path file) {
     this.file = file;
   }
 
-  /** Of this computer. */
+  /** The ID of this computer. */
   public static BootId system() {
     return SYSTEM;
   }
 
-  /** Whether the operating system names its boots. Asking opens no file. */
+  /** Whether the operating system identifies its boots. Opens no file. */
   public boolean isSupported() {
     return known != null || Files.isReadable(file);
   }
 
   /**
-   * The ID; empty where the operating system names no boots.
+   * The ID; empty if the operating system does not identify boots.
    *
    * @throws IOException if it cannot be read now, as in a shortage of file descriptors
    */

@@ -5,20 +5,20 @@ import java.time.Duration;
 import org.dfra.time.Scheduler;
 
 /**
- * A moment by monotonic time that is written down for another process: the next one may find out
- * how long ago it was, whatever has been done to the computer's clock.
+ * A time stamp by the monotonic clock that is stored for another process: a later process can
+ * compute its age, even if the computer's clock was set.
  *
- * @param bootId names the boot that the time belongs to, see {@link BootId}; empty where it is not
- *     known, so that only this process understands the moment
- * @param nanos by {@link Scheduler#nanos}: on Linux the time since that boot
+ * @param bootId the boot that the time belongs to, see {@link BootId}; empty if unknown, so that
+ *     only this process can use the time stamp
+ * @param nanos the time of {@link Scheduler#nanos}: on Linux the time since that boot
  */
 public record MonotonicTimestamp(String bootId, long nanos) {
 
   /**
-   * The moment that is now.
+   * The current time.
    *
-   * @param id of this boot
-   * @param time the monotonic time to go by
+   * @param id the ID of this boot
+   * @param time the monotonic clock
    */
   public static MonotonicTimestamp now(BootId id, Scheduler time) {
     return new MonotonicTimestamp(nameOf(id), time.nanos());
@@ -27,22 +27,22 @@ public record MonotonicTimestamp(String bootId, long nanos) {
   private static String nameOf(BootId id) {
     try {
       return id.read().orElse("");
-    } catch (IOException e) { // as in a shortage of file descriptors; unknown is safe, see leastAge
+    } catch (IOException e) { // as in a shortage of file descriptors; unknown is safe, see minAge
       return "";
     }
   }
 
-  /** Whether both are of the same boot, as far as that is known. */
+  /** Whether both are of the same boot, as far as known. */
   public boolean isSameBoot(MonotonicTimestamp other) {
     return !bootId.isEmpty() && bootId.equals(other.bootId);
   }
 
   /**
-   * How long ago this was at least.
+   * The minimum age of this time stamp.
    *
-   * @param now by the same monotonic time
-   * @return the exact span within one boot; the time since the boot where this was in an earlier
-   *     one; zero where a boot is not known
+   * @param now the current time by the same monotonic clock
+   * @return the exact age within one boot; the time since boot if this belongs to an earlier boot;
+   *     zero if a boot is unknown
    */
   public Duration minAge(MonotonicTimestamp now) {
     if (bootId.isEmpty() || now.bootId.isEmpty()) {
@@ -52,16 +52,16 @@ public record MonotonicTimestamp(String bootId, long nanos) {
     return Duration.ofNanos(Math.max(0, age));
   }
 
-  /** As {@link #parse} reads it. */
+  /** The format of {@link #parse}. */
   @Override
   public String toString() {
     return nanos + " " + bootId;
   }
 
   /**
-   * Reads what {@link #toString} wrote.
+   * Parses the format of {@link #toString}.
    *
-   * @throws IllegalArgumentException if it is none
+   * @throws IllegalArgumentException if it is not one
    */
   public static MonotonicTimestamp parse(String text) {
     int blank = text.indexOf(' ');

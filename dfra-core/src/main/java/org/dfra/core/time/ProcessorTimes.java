@@ -9,16 +9,16 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /**
- * What a virtual computer's processors have done since it was started, as Linux counts it in {@code
- * /proc/stat}. Where the host has too few processors for all its virtual computers, it gives them
- * to others meanwhile; that is the <em>steal</em> time.
+ * The processor times of a virtual machine since boot, as Linux counts them in {@code /proc/stat}.
+ * If the host has too few processors for all its virtual machines, it assigns them to others
+ * meanwhile; that is the <em>steal</em> time.
  *
- * @param busyTicks for how long programs ran, hundredths of a second, all processors together
- * @param stealTicks for how long the host kept programs from running that wanted to, likewise
+ * @param busyTicks time for which programs ran, hundredths of a second, sum of all processors
+ * @param stealTicks time for which the host prevented runnable programs from running, likewise
  */
 record ProcessorTimes(long busyTicks, long stealTicks) {
 
-  /** Where it is not known. */
+  /** Unknown times. */
   static final ProcessorTimes UNKNOWN = new ProcessorTimes(0, 0);
 
   private static final Path FILE = Path.of("/proc/stat");
@@ -30,7 +30,7 @@ record ProcessorTimes(long busyTicks, long stealTicks) {
 
   private static final long TICK_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
-  /** Those of this computer until now; {@link #UNKNOWN} where it does not count them. */
+  /** The times of this computer until now; {@link #UNKNOWN} if it does not count them. */
   static ProcessorTimes now() {
     try (var lines = Files.lines(FILE)) {
       return of(lines.findFirst().orElse(""));
@@ -40,7 +40,7 @@ record ProcessorTimes(long busyTicks, long stealTicks) {
   }
 
   /**
-   * Reads the line of all processors.
+   * Parses the line of all processors.
    *
    * @param line such as {@code cpu 1493296 0 295974 1011717 8435 0 19100 4626 0 0}
    */
@@ -55,12 +55,12 @@ record ProcessorTimes(long busyTicks, long stealTicks) {
   }
 
   /**
-   * For how much of the time since then programs may have been without a processor that they
-   * wanted: the same share of that time as of the processor time that they wanted, and no longer
-   * than all processors together were given to others.
+   * Upper estimate of the time since then for which runnable programs had no processor: the
+   * fraction of the requested processor time that was stolen, applied to that time, and at most the
+   * sum of the steal times of all processors.
    *
-   * @param before what was done when that time began
-   * @param time how long it was
+   * @param before the processor times at the begin of that time
+   * @param time its duration
    */
   Duration stolenSince(ProcessorTimes before, Duration time) {
     long lost = stealTicks - before.stealTicks;

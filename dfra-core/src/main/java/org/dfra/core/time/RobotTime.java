@@ -7,22 +7,22 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.dfra.core.config.ConfigurationException;
 
 /**
- * The time that this virtual machine's robot lives by. It is told by the system property {@value
- * #PROPERTY}, or where that is not set by the environment's {@value #VARIABLE}, which {@code ./dfra
- * up} hands on to every group: a {@link ScaledTime} as it writes itself, or {@value #REAL}.
+ * The clock of this virtual machine's robot. It is set by the system property {@value #PROPERTY},
+ * or else by the environment variable {@value #VARIABLE}, which {@code ./dfra up} passes to every
+ * group: the text of a {@link ScaledTime}, or {@value #REAL}.
  */
 public final class RobotTime {
 
   /** The system property. */
   public static final String PROPERTY = "dfra.time";
 
-  /** The environment's variable. */
+  /** The environment variable. */
   public static final String VARIABLE = "DFRA_TIME";
 
-  /** How real time is written. */
+  /** The value for real time. */
   public static final String REAL = "real";
 
-  /** By how it is written: modules that share a device must share the time they wait by. */
+  /** Clocks by their text: modules that share a device must share a clock. */
   private static final ConcurrentHashMap<String, ScaledTime> KNOWN = new ConcurrentHashMap<>();
 
   private RobotTime() {}
@@ -30,7 +30,7 @@ public final class RobotTime {
   /**
    * The clock of the robot's modules: one for all of this virtual machine.
    *
-   * @throws ConfigurationException if what is set is no time; the message says what would be
+   * @throws ConfigurationException if the value is invalid; the message names valid values
    */
   public static InstantSource clock() {
     Optional<String> set = set();
@@ -45,7 +45,7 @@ public final class RobotTime {
     }
   }
 
-  /** What another virtual machine must be started with to live by the same time. */
+  /** The JVM options that make another virtual machine use the same clock. */
   public static List<String> options() {
     return set().map(time -> List.of("-D" + PROPERTY + "=" + time)).orElse(List.of());
   }

@@ -14,20 +14,20 @@ import java.util.regex.Pattern;
 import org.dfra.time.Scheduler;
 
 /**
- * Time that was real until an instant and runs at another speed since: the same in every virtual
- * machine of a computer that was told of it, so that devices, drivers and behaviours of a simulated
- * robot agree. Clock and scheduler in one. It writes itself as {@code 4x since
+ * Scaled time: it equals real time until an instant and runs at another speed since. It is the same
+ * in every virtual machine of a computer that is configured with it, so that devices, drivers and
+ * behaviours of a simulated robot agree. Clock and scheduler in one. Its text is {@code 4x since
  * 2026-11-21T16:00:00Z}, and {@link #toHostText} as {@code 4x since 2026-11-21T16:00:00Z (boot
- * 1b9d6bcd-bbfd-4b2d-9b5d-ab8dfbbd4bed, 86400.123456789 s)}: at that instant the computer had been
- * running for so long.
+ * 1b9d6bcd-bbfd-4b2d-9b5d-ab8dfbbd4bed, 86400.123456789 s)}: the uptime of the computer at that
+ * instant.
  *
- * <p>It goes on evenly even where the computer's clock is set meanwhile, and virtual machines that
- * are started before and after that agree. Where the text has no boot, or that of another computer
- * or of an earlier boot, this takes the computer's clock into account once, when it is made.
+ * <p>It runs evenly even if the computer's clock is set meanwhile, and virtual machines that are
+ * started before and after that agree. If the text has no boot, or that of another computer or of
+ * an earlier boot, the computer's clock is read once, at construction.
  */
 public final class ScaledTime implements InstantSource, Scheduler {
 
-  /** The slowest and the fastest there is. */
+  /** The minimum and the maximum speed. */
   public static final double MIN_SPEED = 0.01;
 
   /** See {@link #MIN_SPEED}. */
@@ -40,17 +40,17 @@ public final class ScaledTime implements InstantSource, Scheduler {
   private final double speed;
   private final Instant since;
   private final Scheduler real;
-  private final long beginNanos; // of real, at the instant since
+  private final long beginNanos; // of the real monotonic clock, at the instant {@code since}
 
   /**
-   * @param speed seconds of this time in a real second, {@value #MIN_SPEED} to {@value #MAX_SPEED}
-   * @param since when it was real
+   * @param speed seconds of this time per real second, {@value #MIN_SPEED} to {@value #MAX_SPEED}
+   * @param since the instant until which it equals real time
    */
   public ScaledTime(double speed, Instant since) {
     this(speed, since, InstantSource.system(), Scheduler.system());
   }
 
-  /** For tests: by another real time. */
+  /** For tests: with another real-time clock. */
   ScaledTime(double speed, Instant since, InstantSource clock, Scheduler real) {
     this(speed, since, real, real.nanos() - Duration.between(since, clock.instant()).toNanos());
   }
@@ -67,17 +67,17 @@ public final class ScaledTime implements InstantSource, Scheduler {
   }
 
   /**
-   * Reads what {@link #toString} wrote.
+   * Parses the format of {@link #toString}.
    *
-   * @throws IllegalArgumentException if it is none; the message says what one looks like
-   * @throws UncheckedIOException if it names a boot, and it cannot be read now whether that is this
-   *     one
+   * @throws IllegalArgumentException if it is not one; the message describes the format
+   * @throws UncheckedIOException if it names a boot, and the ID of the current boot cannot be read
+   *     now
    */
   public static ScaledTime parse(String text) {
     return parse(text, BootId.system(), InstantSource.system(), Scheduler.system());
   }
 
-  /** For tests: by another real time. */
+  /** For tests: with another real-time clock. */
   static ScaledTime parse(String text, BootId boot, InstantSource clock, Scheduler real) {
     Matcher parts = TEXT.matcher(text.strip());
     if (parts.matches()) {
@@ -89,14 +89,14 @@ public final class ScaledTime implements InstantSource, Scheduler {
                 speed, since, real, new BigDecimal(parts.group(4)).movePointRight(9).longValue())
             : new ScaledTime(speed, since, clock, real);
       } catch (NumberFormatException | DateTimeException e) {
-        // told below
+        // reported below
       }
     }
     throw new IllegalArgumentException(
         "\"" + text + "\" is no time; write it like 4x since 2026-11-21T16:00:00Z");
   }
 
-  /** Seconds of this time in a real second. */
+  /** Seconds of this time per real second. */
   public double speed() {
     return speed;
   }
@@ -106,7 +106,7 @@ public final class ScaledTime implements InstantSource, Scheduler {
     return since.plusNanos(nanos());
   }
 
-  /** Nanoseconds of this time since it was real. */
+  /** Nanoseconds of this time since the instant until which it equals real time. */
   @Override
   public long nanos() {
     return (long) ((real.nanos() - beginNanos) * speed);
@@ -138,9 +138,9 @@ public final class ScaledTime implements InstantSource, Scheduler {
   }
 
   /**
-   * As it writes itself for other virtual machines of this computer, so that they agree with this
-   * one even where somebody sets the computer's clock before they are started. Other computers read
-   * it too, and go by their clocks.
+   * The text for other virtual machines of this computer, so that they agree with this one even if
+   * the computer's clock is set before they are started. Other computers accept it too, and use
+   * their own clocks.
    *
    * @throws UncheckedIOException if the boot cannot be read now
    */

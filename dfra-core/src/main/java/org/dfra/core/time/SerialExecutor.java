@@ -15,16 +15,16 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Runs what timers hand over, one after the other, on a daemon thread of its own, which begins when
- * it is first needed. So a task that is held up, by a driver that blocks say, holds up nobody but
- * those behind it here, and never a timer. In lock-step the tasks are the timer's own.
+ * Runs tasks that timers submit, one after the other, on a separate daemon thread, which is started
+ * on demand. So a task that blocks, for example in a driver, delays only the tasks behind it here,
+ * and never a timer. In lock-step the tasks run on the scheduler.
  *
- * <p>Where the thread cannot be started, since the computer has none left, the tasks wait, and it
- * is tried again twice a second.
+ * <p>If the thread cannot be started, since the computer has no more threads, the tasks wait, and
+ * the start is retried twice a second.
  */
 public final class SerialExecutor implements Executor, AutoCloseable {
 
-  /** From one try to start the thread to the next, nanoseconds of the scheduler's time. */
+  /** Delay between attempts to start the thread, nanoseconds of the scheduler's time. */
   static final long RETRY_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
 
   /** An idle thread begins a task within microseconds, unless the whole computer stalls. */
@@ -36,18 +36,18 @@ public final class SerialExecutor implements Executor, AutoCloseable {
   private final Scheduler scheduler;
   private final ThreadFactory threads;
 
-  /** The one that runs the tasks, once it has run one. */
+  /** The thread that runs the tasks, once it has run one. */
   private volatile @Nullable Thread running;
 
   // guarded by this
-  private final Queue<Runnable> waiting = new ArrayDeque<>(); // for a thread that can be started
+  private final Queue<Runnable> waiting = new ArrayDeque<>(); // until a thread can be started
   private @Nullable ThreadPoolExecutor thread;
   private boolean retrying;
   private boolean closed;
 
   /**
-   * @param name of the thread
-   * @param scheduler whose timer hands over
+   * @param name name of the thread
+   * @param scheduler the scheduler whose timers submit tasks
    */
   public SerialExecutor(String name, Scheduler scheduler) {
     this(name, scheduler, Thread::new);
@@ -61,9 +61,9 @@ public final class SerialExecutor implements Executor, AutoCloseable {
   }
 
   /**
-   * Begins the thread, so that it cannot fail to later, when something has to be stopped.
+   * Starts the thread in advance, so that it cannot fail later, when the robot must be stopped.
    *
-   * @throws OutOfMemoryError if there cannot be one more thread
+   * @throws OutOfMemoryError if no more threads can be created
    */
   public synchronized void prepare() {
     if (!closed && !scheduler.isLockStep()) {
@@ -71,7 +71,7 @@ public final class SerialExecutor implements Executor, AutoCloseable {
     }
   }
 
-  /** Begins the thread where there is none yet; false where there cannot be one more. */
+  /** Starts the thread if there is none yet; false if no more threads can be created. */
   public boolean isPrepared() {
     try {
       prepare();
@@ -81,7 +81,7 @@ public final class SerialExecutor implements Executor, AutoCloseable {
     }
   }
 
-  /** Has a task run, unless this is closed. Never waits. */
+  /** Submits a task, unless this is closed. Never waits. */
   @Override
   public void execute(Runnable task) {
     synchronized (this) {
@@ -98,16 +98,16 @@ public final class SerialExecutor implements Executor, AutoCloseable {
   }
 
   /**
-   * Has a task run, and waits for its end, but not for long: it goes on after this call where it
-   * takes longer. A task of this thread has it run at once, and waits for its end.
+   * Submits a task, and waits for its end for a limited time: a longer task continues after this
+   * call. If called by a task of this thread, it runs the new task at once, to its end.
    *
-   * @param patience how long it may take; also how long those before it may, real time. Where the
-   *     computer stalls and does not begin an idle thread, that is waited for 0.4 s longer.
+   * @param patience maximum time for the task, and for those before it, real time. If the computer
+   *     stalls and does not schedule an idle thread, the wait is 0.4 s longer.
    * @return whether it has ended; what it threw by then is thrown here
    */
   public boolean executeWithin(Runnable task, Duration patience) {
     if (Thread.currentThread() == running) {
-      task.run(); // nobody else would before this returns
+      task.run(); // no other thread would run it before this returns
       return true;
     }
     boolean isIdle = isIdle();
@@ -144,7 +144,7 @@ public final class SerialExecutor implements Executor, AutoCloseable {
     }
   }
 
-  /** A thread that ends by a task's fault might not be replaced; so it does not end. */
+  /** A thread that ends by a task's exception might not be replaced; so it does not end. */
   private Runnable guarded(Runnable task) {
     return () -> {
       running = Thread.currentThread();
@@ -178,7 +178,7 @@ public final class SerialExecutor implements Executor, AutoCloseable {
     return made;
   }
 
-  /** Takes no more tasks, and drops those that have not begun; the one that has is interrupted. */
+  /** Accepts no more tasks, and drops those that have not begun; the running one is interrupted. */
   public synchronized void closeNow() {
     closed = true;
     waiting.clear();
@@ -187,7 +187,7 @@ public final class SerialExecutor implements Executor, AutoCloseable {
     }
   }
 
-  /** Takes no more tasks; those that it has are run, and none is interrupted. */
+  /** Accepts no more tasks; those already submitted are run, and none is interrupted. */
   @Override
   public synchronized void close() {
     closed = true;
@@ -196,7 +196,7 @@ public final class SerialExecutor implements Executor, AutoCloseable {
     }
   }
 
-  /** A task whose end is awaited for a while. */
+  /** A task whose end is awaited for a limited time. */
   private static final class Awaited implements Runnable {
 
     private final Runnable task;
@@ -217,7 +217,7 @@ public final class SerialExecutor implements Executor, AutoCloseable {
       } catch (RuntimeException | Error e) {
         synchronized (this) {
           if (isAbandoned) {
-            throw e; // nobody else would hear of it
+            throw e; // it would not be reported otherwise
           }
           failure = e;
         }

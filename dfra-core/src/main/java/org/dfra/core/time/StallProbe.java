@@ -12,16 +12,16 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Measures whether this computer runs its programs on time, so that a program that was late can be
- * distinguished from a program that was kept waiting.
+ * Measures whether this computer runs its programs on time, so that a late program can be
+ * distinguished from one that the computer delayed.
  *
- * <p>A thread of its own sleeps for {@link #PERIOD} again and again. What a sleep takes longer than
- * that is a <em>stall</em>, if it is more than 5 ms: the computer was suspended, swapped, or its
- * host gave it no processor. At the same pace the thread reads how many threads of the whole
- * computer want to run. Where they are more than the processors, each program runs slower by that
- * ratio, without any stall. It does so, too, where the host of a virtual computer gives processors
- * to others in slices that are too short to be seen as stalls; Linux counts these. {@link Timing}
- * says exactly how a missed bound is judged by all three.
+ * <p>A separate thread sleeps for {@link #PERIOD} repeatedly. If a sleep is more than 5 ms too
+ * long, the excess is a <em>stall</em>: the computer was suspended, swapped, or its host gave it no
+ * processor. With the same period the thread reads the number of runnable threads of the whole
+ * computer. If they are more than the processors, each program runs slower by that ratio, without
+ * any stall. The same happens if the host of a virtual machine assigns processors to others in
+ * slices that are too short to be seen as stalls; Linux counts these as steal time. {@link Timing}
+ * defines how a missed bound is judged by all three.
  *
  * <pre>
  *   try (StallProbe probe = StallProbe.start()) {
@@ -31,24 +31,24 @@ import org.jspecify.annotations.Nullable;
  *   }
  * </pre>
  *
- * <p>What was over before anybody knew that it is to be judged is asked for by {@link #past}.
+ * <p>For a span of time that is judged only after it has ended, use {@link #past}.
  *
  * <p>The thread is a daemon; {@link #start()} starts it and {@link #close()} ends it.
  */
 public final class StallProbe implements AutoCloseable {
 
-  /** How long the probe sleeps between two measurements. */
+  /** The period of the measurements. */
   public static final Duration PERIOD = Duration.ofMillis(20);
 
   private static final long PERIOD_NANOS = PERIOD.toNanos();
 
-  /** A timer may be late by this without anything being wrong, in nanoseconds. */
+  /** Normal lateness of a timer, in nanoseconds. */
   private static final long USUAL_LATENESS_NANOS = TimeUnit.MILLISECONDS.toNanos(5);
 
-  /** So many measurements are kept for {@link #past}: {@link #MAX_LOOKBACK} at the usual pace. */
+  /** Number of measurements kept for {@link #past}: {@link #MAX_LOOKBACK} at the normal period. */
   private static final int CAPACITY = 4096;
 
-  /** How far back {@link #past} sees at least. */
+  /** The time that {@link #past} can look back at least. */
   public static final Duration MAX_LOOKBACK = PERIOD.multipliedBy(CAPACITY);
 
   private static final Path LOAD = Path.of("/proc/loadavg");
@@ -66,14 +66,14 @@ public final class StallProbe implements AutoCloseable {
   private double loadSum;
   private long measurements;
 
-  /** The last {@value #CAPACITY} of them, each at its number modulo that; guarded by this. */
+  /** A ring buffer of the last {@value #CAPACITY} measurements; guarded by this. */
   private final long[] times = new long[CAPACITY];
 
   private final long[] stalls = new long[CAPACITY];
   private final double[] loads = new double[CAPACITY];
   private final ProcessorTimes[] processorTimes = new ProcessorTimes[CAPACITY];
 
-  /** For tests: by another time, load and processors. */
+  /** For tests: with another clock, load and processor times. */
   StallProbe(LongSupplier nanos, DoubleSupplier load, Supplier<ProcessorTimes> processors) {
     this.nanos = nanos;
     this.load = load;
@@ -82,7 +82,7 @@ public final class StallProbe implements AutoCloseable {
     thread.setDaemon(true);
   }
 
-  /** Starts to measure, until it is closed. */
+  /** Starts a probe, which measures until it is closed. */
   public static StallProbe start() {
     StallProbe probe =
         new StallProbe(System::nanoTime, StallProbe::runnablePerProcessor, ProcessorTimes::now);
@@ -90,12 +90,12 @@ public final class StallProbe implements AutoCloseable {
     return probe;
   }
 
-  /** Begins to time something. */
+  /** Starts a stopwatch. */
   public Stopwatch stopwatch() {
     return new Stopwatch();
   }
 
-  /** Ends the measurement; stopwatches that are stopped later see nothing of the time after it. */
+  /** Ends the measurement; stopwatches that are stopped later do not include the time after it. */
   @Override
   public void close() {
     closed = true;
@@ -132,7 +132,7 @@ public final class StallProbe implements AutoCloseable {
   }
 
   /**
-   * What was measured in a span of time that is over.
+   * The measurements of a past span of time.
    *
    * @param ago how long before now it began; not longer than {@link #MAX_LOOKBACK}
    * @param took how long it lasted, not below 0; a part that is still to come counts as unmeasured
@@ -190,7 +190,7 @@ public final class StallProbe implements AutoCloseable {
     return late > USUAL_LATENESS_NANOS ? late : 0;
   }
 
-  /** Threads of this computer that run or want to, per processor; 1 where that is not known. */
+  /** Runnable threads of this computer per processor; 1 if unknown. */
   private static double runnablePerProcessor() {
     try {
       String text = Files.readString(LOAD); // 0.20 0.18 0.12 1/80 11206
@@ -199,11 +199,11 @@ public final class StallProbe implements AutoCloseable {
       double runnable = Double.parseDouble(text.substring(begin, end));
       return runnable / Runtime.getRuntime().availableProcessors();
     } catch (IOException | IndexOutOfBoundsException | NumberFormatException e) {
-      return 1; // not Linux: only stalls are seen
+      return 1; // not Linux: only stalls are detected
     }
   }
 
-  /** Times one thing. */
+  /** Measures one span of time. */
   public final class Stopwatch {
 
     private final long began;
@@ -221,7 +221,7 @@ public final class StallProbe implements AutoCloseable {
       }
     }
 
-    /** What has been measured since this stopwatch began. It goes on and may be stopped again. */
+    /** The measurement since this stopwatch was started. It continues and may be stopped again. */
     public Timing stop() {
       synchronized (StallProbe.this) {
         long now = nanos.getAsLong();

@@ -5,85 +5,82 @@ import java.time.Duration;
 import java.util.Locale;
 
 /**
- * How long something took, and how far the computer itself was to blame.
+ * A measured duration, with the delays that the computer caused.
  *
- * <p>A bound is judged by {@link #requireWithin} in this order; the first line that applies counts:
+ * <p>{@link #requireWithin} judges a bound in this order; the first line that applies counts:
  *
  * <ol>
  *   <li><b>Kept:</b> it took no longer than the bound. Nothing is printed.
- *   <li><b>Missed during a stall:</b> what it took less all stalls is within the bound, or less the
- *       time that the host gave to others, if that is longer. The test passes and prints {@code
- *       MISSED DURING A STALL: } with the measurements. Both count only where they are at least 100
- *       ms or a tenth of the bound, so a program that is late by itself is not excused by the usual
- *       lateness of timers.
- *   <li><b>Missed during an overload:</b> two or more threads per processor wanted to run on
- *       average, and what it took less the stalls, divided by that average, is within the bound. An
- *       overload may come from the tests themselves, several of which run at a time, so this is no
- *       result yet. Where the property {@value #REPEATS} promises that the missed bound is reported
- *       by {@code ./dfra test} the test passes and prints {@code MISSED DURING AN OVERLOAD: }. With
- *       {@code --full} its class is then repeated alone, where load excuses nothing; in the
- *       everyday tier the closing lines name it. Elsewhere the test fails.
+ *   <li><b>Missed during a stall:</b> the duration minus all stalls is within the bound, or minus
+ *       the steal time, if that is longer. The test passes and prints {@code MISSED DURING A STALL:
+ *       } with the measurements. Both count only if they are at least 100 ms or a tenth of the
+ *       bound, so the normal lateness of timers does not excuse a late program.
+ *   <li><b>Missed during an overload:</b> two or more threads per processor were runnable on
+ *       average, and the duration minus the stalls, divided by that average, is within the bound.
+ *       The tests themselves may cause an overload, since several run at a time, so this is not a
+ *       final result. If the property {@value #REPEATS} states that {@code ./dfra test} reports the
+ *       missed bound, the test passes and prints {@code MISSED DURING AN OVERLOAD: }. With {@code
+ *       --full} its class is then repeated alone, where load excuses nothing; in the default tier
+ *       the closing lines name it. Otherwise the test fails.
  *   <li><b>Missed:</b> the test fails with the measurements.
  * </ol>
  *
- * <p>The bound itself is the requirement's, with no more added than the test needs for looking (say
- * 0.1 s between two looks). How long a test <em>waits</em> for what it measures is another matter:
- * that may be long, so that what comes too late is still measured.
+ * <p>The bound is the requirement's, plus at most the test's polling period (for example 0.1 s).
+ * The timeout of a test's <em>wait</em> for the measured event may be much longer, so that a late
+ * event is still measured.
  *
- * @param took from begin to end, monotonic time
- * @param stalled for how much of it the computer ran no program that was due
- * @param load threads that ran or wanted to, per processor, on average; above 1 each runs slower
- * @param stolen for how much of it at most programs were without a processor that they wanted,
- *     since the host of this virtual computer gave it to others; it may contain what has stalled
+ * @param took duration from begin to end, monotonic time
+ * @param stalled the part of it in which the computer ran no runnable program
+ * @param load runnable threads per processor, on average; above 1 each runs slower
+ * @param stolen upper estimate of the part in which runnable programs had no processor, since the
+ *     host of this virtual machine assigned it to others; it may overlap {@code stalled}
  */
 public record Timing(Duration took, Duration stalled, double load, Duration stolen) {
 
   /**
-   * The system property that is {@code true} where {@code ./dfra test} looks for bounds that were
-   * missed during an overload. Elsewhere load excuses nothing.
+   * The system property that is {@code true} if {@code ./dfra test} reports bounds that were missed
+   * during an overload. Otherwise load excuses nothing.
    */
   public static final String REPEATS = "dfra.repeats";
 
-  /** Below this sum of stalls a computer counts as one that ran its programs on time. */
+  /** Below this sum of stalls the computer is assumed to have run its programs on time. */
   private static final Duration STALL = Duration.ofMillis(100);
 
-  /** Nor does a bound bear more: stalls of a tenth of it count in any case. */
+  /** Stalls of at least this fraction (1/10) of the bound always count. */
   private static final int SHARE = 10;
 
-  /** From so many runnable threads per processor on a computer counts as overloaded. */
+  /** From this number of runnable threads per processor a computer counts as overloaded. */
   private static final double OVERLOAD = 2;
 
-  /** On a computer whose host, if any, gave it its processors all the time. */
+  /** A timing without steal time. */
   public Timing(Duration took, Duration stalled, double load) {
     this(took, stalled, load, Duration.ZERO);
   }
 
   /**
-   * A part of this time, of which nobody knows when it was: any stall may have been in it, and its
-   * share of what the host gave to others.
+   * A part of this time, whose position in it is unknown: it may contain any stall, and has its
+   * share of the steal time.
    *
-   * @param part how long it was
+   * @param part its duration
    */
   public Timing ofPart(Duration part) {
     double share = took.isZero() ? 0 : Math.min(1, (double) part.toNanos() / took.toNanos());
     return new Timing(part, stalled, load, Duration.ofNanos((long) (stolen.toNanos() * share)));
   }
 
-  /**
-   * What it would have taken on a computer that did not stall; stalls that are short do not count.
-   */
+  /** The duration on a computer without stalls; short stalls are ignored. */
   private Duration withoutStalls(Duration bound) {
     Duration lost = stalled.compareTo(stolen) >= 0 ? stalled : stolen;
     boolean counts = lost.compareTo(STALL) >= 0 || lost.multipliedBy(SHARE).compareTo(bound) >= 0;
     return counts ? took.minus(lost) : took;
   }
 
-  /** What that would have taken on a computer that was not overloaded. */
+  /** That duration on a computer without overload. */
   private Duration onAnIdleOne(Duration time) {
     return Duration.ofNanos((long) (load >= OVERLOAD ? time.toNanos() / load : time.toNanos()));
   }
 
-  /** How it compares with a bound. */
+  /** Compares it with a bound. */
   public BoundResult compareWith(Duration bound) {
     if (took.compareTo(bound) <= 0) {
       return BoundResult.MET;
@@ -98,8 +95,8 @@ public record Timing(Duration took, Duration stalled, double load, Duration stol
   }
 
   /**
-   * Returns if the bound was kept. Returns, too, and prints a line that says so, if it was missed
-   * and a stall explains that, or if an overload explains it and the test is going to be repeated.
+   * Returns if the bound was kept. If it was missed because of a stall, or because of an overload
+   * and the test will be repeated, prints a line that reports this and returns.
    *
    * @throws AssertionError if it was missed and nothing explains that
    */
@@ -107,7 +104,7 @@ public record Timing(Duration took, Duration stalled, double load, Duration stol
     requireWithin(what, bound, Boolean.getBoolean(REPEATS), System.out);
   }
 
-  /** The same, for a test that is repeated or not, with a place for the line. */
+  /** The same, with a given repetition mode and output stream. */
   void requireWithin(String what, Duration bound, boolean repeats, PrintStream out) {
     String missed =
         String.format(
@@ -120,10 +117,10 @@ public record Timing(Duration took, Duration stalled, double load, Duration stol
   }
 
   /**
-   * How often something happened that is not to happen, unless the computer stalls.
+   * Judges the count of an event that may occur only if the computer stalls.
    *
    * @param count how often it happened
-   * @param each how long a stall is that explains it once
+   * @param each duration of a stall that explains one occurrence
    */
   public BoundResult compareWith(long count, Duration each) {
     if (count == 0) {
@@ -139,14 +136,14 @@ public record Timing(Duration took, Duration stalled, double load, Duration stol
   }
 
   /**
-   * Returns if something that is not to happen did not. Returns, too, and prints a line that says
-   * so, if it happened no more often than stalls explain, or than an overload does and the test is
-   * going to be repeated.
+   * Returns if an unwanted event did not occur. If it occurred no more often than stalls explain,
+   * or than an overload explains and the test will be repeated, prints a line that reports this and
+   * returns.
    *
-   * @param what what happened
-   * @param count how often it happened
-   * @param each how long a stall is that explains it once
-   * @throws AssertionError if it happened more often
+   * @param what the event
+   * @param count how often it occurred
+   * @param each duration of a stall that explains one occurrence
+   * @throws AssertionError if it occurred more often
    */
   public void requireNone(String what, long count, Duration each) {
     String missed =
@@ -175,14 +172,14 @@ public record Timing(Duration took, Duration stalled, double load, Duration stol
         if (!repeats) {
           throw new AssertionError(sentence);
         }
-        // "./dfra test" looks for these words and repeats the test.
+        // "./dfra test" searches for these words and repeats the test.
         out.println("MISSED DURING AN OVERLOAD: " + sentence);
       }
       case MISSED -> throw new AssertionError(sentence);
     }
   }
 
-  /** What the host gave to others, as the end of a sentence; empty where that is little. */
+  /** The steal time, as the end of a sentence; empty if it is small. */
   public String steal() {
     return stolen.compareTo(STALL) < 0
         ? ""
@@ -190,15 +187,15 @@ public record Timing(Duration took, Duration stalled, double load, Duration stol
             Locale.ROOT, "; its host gave %.3f s of it to others", stolen.toNanos() / 1e9);
   }
 
-  /** How a time compares with its bound. */
+  /** The result of comparing a time with its bound. */
   public enum BoundResult {
-    /** It was kept. */
+    /** The bound was kept. */
     MET,
-    /** It was missed, and would have been kept on a computer that did not stall. */
+    /** The bound was missed, but would have been kept on a computer without stalls. */
     MISSED_DURING_A_STALL,
-    /** It was missed, and would have been kept on a computer that had less to do. */
+    /** The bound was missed, but would have been kept on a computer without overload. */
     MISSED_DURING_AN_OVERLOAD,
-    /** It was missed. */
+    /** The bound was missed. */
     MISSED
   }
 }

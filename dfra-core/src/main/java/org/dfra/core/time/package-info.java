@@ -1,7 +1,7 @@
 /**
- * What time it is on a robot: {@link org.dfra.core.time.RobotTime} is real, or that of a simulation
- * that runs faster or slower. {@link org.dfra.core.time.StallProbe} tells a program that was late
- * from one that the computer kept waiting.
+ * The clocks of a robot: {@link org.dfra.core.time.RobotTime} is real time, or that of a faster or
+ * slower simulation. {@link org.dfra.core.time.StallProbe} distinguishes a late program from one
+ * that the computer delayed.
  */
 @NullMarked
 package org.dfra.core.time;
