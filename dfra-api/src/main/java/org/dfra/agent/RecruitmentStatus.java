@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  * @param helperRobot the robot that it has chosen; null if none
  * @param responderPhase its phase as a responder
  * @param helpedRobot the robot that it helps or has offered to help; null if none
- * @param urge its impatience to help, 0 to 1; at 1 it helps
+ * @param urge its motivation to help, 0 to 1; at 1 it helps
  * @param lastChange the last change, as a clause for operators
  * @param holdReason why its robot answers no calls, as a clause: an operator stopped it and none
  *     has resumed it; null if it is not held

@@ -65,7 +65,7 @@ public sealed interface Condition {
               + value;
     }
 
-    /** Compares numbers as numbers, as {@link #equalTo} does. */
+    /** Compares numbers as numbers, as {@link Condition#equalTo} does. */
     @Override
     public boolean equals(@Nullable Object other) {
       if (!(other instanceof EqualTo that)) {

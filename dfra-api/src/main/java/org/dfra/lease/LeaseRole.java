@@ -1,6 +1,6 @@
 package org.dfra.lease;
 
-/** The role of a lease's holder. */
+/** The role of a lease's holder towards the module. */
 public enum LeaseRole {
   /** Uses the module, which must therefore work. */
   CLIENT,

@@ -65,7 +65,9 @@ public final class EmbeddedReggie
     this(0);
   }
 
-  /** @param port TCP port for unicast discovery; 0 lets the system choose */
+  /**
+   * @param port TCP port for unicast discovery; 0 lets the system choose
+   */
   public EmbeddedReggie(int port) {
     this.wantedPort = port;
   }

@@ -38,7 +38,7 @@ public interface Effector<C extends Command> extends Device {
   void execute(CommandKey key, C command) throws RemoteException;
 
   /**
-   * Makes an emergency stop. Any caller may request it: the commander loses its lease at once, the
+   * Makes an emergency stop. Any client may request it: the commander loses its lease at once, the
    * device stops, and no client can command it until it is {@linkplain #releaseEmergencyStop
    * released}. The stop persists across restarts of the effector's virtual machine. It is never
    * refused, even while the module is not ready, and waits at most half a second for a driver that

@@ -270,7 +270,7 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
     if (!executor.isClosed() && status.phase() == Phase.PAUSED) {
       try {
         prepare(true);
-      } catch (RemoteException | NotReadyException e) { // the next cycle reports the obstacle
+      } catch (RemoteException | NotReadyException e) { // the next cycle reports the cause
         log.info("{}: it goes on without preparation: {}", path(), e.toString());
       }
     }

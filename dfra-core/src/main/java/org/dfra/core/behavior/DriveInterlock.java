@@ -148,8 +148,7 @@ public final class DriveInterlock {
     try (CommandLease lease = wheels.acquireCommandLease(LEASE)) {
       wheels.execute(lease.key(), new Brake(false));
       log.info("{}: the parking brake is released, since a goal is to be pursued", path);
-    } catch (LeaseRefusedException
-        | CommandRefusedException e) { // the next cycle finds and reports the set brake
+    } catch (LeaseRefusedException | CommandRefusedException e) { // the next cycle reports it
       log.info("{}: the parking brake stays set: {}", path, e.getMessage());
     }
   }

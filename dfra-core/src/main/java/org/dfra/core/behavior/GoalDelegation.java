@@ -307,9 +307,7 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
       BehaviorStatus found = left.worker().status();
       @Nullable UUID unwanted = left.unwanted(found);
       if (unwanted != null) {
-        left.worker()
-            .cancelUnattended(
-                unwanted); // by name: the worker may have another client's goal by now
+        left.worker().cancelUnattended(unwanted); // by name: it may have another goal by now
       }
       unresolvedGoal = null;
       if (found.heldSince() == null) {

@@ -202,8 +202,7 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
       throw e;
     }
     if (!velocity.isZero() && motion.velocity().isZero()) {
-      stand(); // meanwhile the brake was set, or the device was reset, perhaps before the command
-      // arrived
+      stand(); // meanwhile the brake was set or the device was reset, perhaps before
     }
     haltIfLate(); // if the driver was blocked, do not wait for a timer
   }

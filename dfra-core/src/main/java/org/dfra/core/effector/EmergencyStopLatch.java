@@ -40,9 +40,8 @@ public final class EmergencyStopLatch {
   /** Taken before this; held while writing, so that an older state never overwrites a newer one. */
   private final Object file = new Object();
 
-  private volatile Latched now; // written with the lock of this held
-  private volatile @Nullable String
-      persistFault; // written with the lock file held; why it cannot be stored
+  private volatile Latched now; // written under this
+  private volatile @Nullable String persistFault; // written under file; why it cannot be stored
 
   /**
    * The current state.

@@ -31,7 +31,7 @@ public abstract class SensorImpl extends DeviceImpl implements Sensor {
     super(context, description, author, version, List.of(), outputTypes, preconditions);
   }
 
-  /** {@inheritDoc} It is never thrown to a local caller. */
+  /** {@inheritDoc} A local call never throws a {@code RemoteException}. */
   @Override
   public abstract double updateRate();
 

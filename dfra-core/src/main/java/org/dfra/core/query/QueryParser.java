@@ -36,7 +36,9 @@ public final class QueryParser {
 
   private final QueryVocabulary vocabulary;
 
-  /** @param vocabulary the names that a query may use */
+  /**
+   * @param vocabulary the names that a query may use
+   */
   public QueryParser(QueryVocabulary vocabulary) {
     this.vocabulary = vocabulary;
   }

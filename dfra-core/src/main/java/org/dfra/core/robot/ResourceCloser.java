@@ -17,7 +17,9 @@ public final class ResourceCloser {
   private final String whose;
   private final List<Throwable> failures = new ArrayList<>(); // guarded by this
 
-  /** @param owner the owner of the resources, for the message, e.g. {@code robot atrv1} */
+  /**
+   * @param owner the owner of the resources, for the message, e.g. {@code robot atrv1}
+   */
   public ResourceCloser(String owner) {
     this.whose = owner;
   }

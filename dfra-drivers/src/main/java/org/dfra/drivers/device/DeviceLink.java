@@ -22,15 +22,15 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
 /**
- * A link to a device, kept open and judged by whether the device gives signs of life.
+ * A link to a device. It is kept open, and reopened when the device gives no sign of life.
  *
  * <p>Parameters that it reads: {@code link}, {@code reopen_first} and {@code reopen_longest}, see
- * {@link LinkSettings}. Parameters that it shows, by {@link #declareIn}: {@code frames}, {@code
+ * {@link LinkSettings}. Parameters that it publishes, by {@link #declareIn}: {@code frames}, {@code
  * dropped_bytes}, {@code malformed_frames}. Tests: {@code link}, {@code readings}; recovery: {@code
  * reopen_link}.
  *
  * <p>Threads: one reader ({@code name reader}), owned from {@link #start} to {@link #close}, calls
- * the protocol. {@link #send} and what is asked may be called by any thread.
+ * the protocol. Any thread may call {@link #send} and the queries.
  */
 public final class DeviceLink implements AutoCloseable {
 
@@ -42,7 +42,7 @@ public final class DeviceLink implements AutoCloseable {
   private final EventCounter eventCounter;
   private final LinkDiagnostics examination;
 
-  /** What others want to be sent; sent by the reader, which alone has the link. */
+  /** Bytes from other threads, sent by the reader, which alone has the link. */
   private final ConcurrentLinkedQueue<byte[]> outbox = new ConcurrentLinkedQueue<>();
 
   private volatile @Nullable SerialLink link;
@@ -50,11 +50,11 @@ public final class DeviceLink implements AutoCloseable {
   private long lifeNanos; // confined to the reader
 
   /**
-   * @param context what the driver was given
-   * @param protocol what is particular to the device
-   * @param ticker the time to wait by
-   * @param source opens the link; null to go by the parameter {@code link}
-   * @param log where the link's changes are told
+   * @param context the driver's context
+   * @param protocol the device's protocol
+   * @param ticker the clock for waits
+   * @param source opens the link; null to use the parameter {@code link}
+   * @param log where changes of the link are logged
    * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
    */
   public DeviceLink(
@@ -78,7 +78,7 @@ public final class DeviceLink implements AutoCloseable {
     this.examination = new LinkDiagnostics(keeper, eventCounter);
   }
 
-  /** Declares what every device behind a link has, see above. */
+  /** Declares the tests, recoveries and parameters of every device behind a link, see above. */
   public void declareIn(Diagnostics examinations, ParameterTable table) {
     examinations.addTest("link", this::link);
     examinations.addTest("readings", this::life);
@@ -86,7 +86,10 @@ public final class DeviceLink implements AutoCloseable {
     showCounts(table, () -> counts);
   }
 
-  /** Declares {@code frames}, {@code dropped_bytes} and {@code malformed_frames}, to be read. */
+  /**
+   * Declares {@code frames}, {@code dropped_bytes} and {@code malformed_frames} as read-only
+   * parameters.
+   */
   public static void showCounts(ParameterTable table, Supplier<StreamCounts> counts) {
     table.declareReadOnly(
         "frames", "intact frames so far", () -> Long.toString(counts.get().frames()));
@@ -100,30 +103,29 @@ public final class DeviceLink implements AutoCloseable {
         () -> Long.toString(counts.get().malformed()));
   }
 
-  /** Begins to open the link; does nothing when already begun. */
+  /** Starts to open the link; does nothing when already started. */
   public void start() {
     keeper.start();
   }
 
-  /** Closes the link for good and returns when nothing more will be told. */
+  /** Closes the link permanently and returns when no more notifications will follow. */
   @Override
   public void close() {
     keeper.close();
   }
 
   /**
-   * Has bytes sent soon; from any thread. Forgotten when the link is opened anew before. At the
-   * latest they are sent when the reader next wakes, that is within 0.1 s; for less see {@link
-   * #sendNow}.
+   * Queues bytes for sending; from any thread. They are discarded when the link is reopened first.
+   * The reader sends them within 0.1 s; for a shorter delay see {@link #sendNow}.
    */
   public void send(byte[] bytes) {
     outbox.add(bytes);
   }
 
   /**
-   * Hands bytes to the line at once; from any thread. Whole messages are never mixed.
+   * Writes bytes to the link immediately; from any thread. Messages are never interleaved.
    *
-   * @return false if there is no link, or it was lost just now; nothing is sent later then
+   * @return false if there is no link or it has just been lost; then nothing is sent later
    */
   public boolean sendNow(byte[] bytes) {
     @Nullable SerialLink now = link;
@@ -134,22 +136,22 @@ public final class DeviceLink implements AutoCloseable {
       now.write(bytes);
       return true;
     } catch (IOException e) {
-      return false; // the reader finds out too, and tells why
+      return false; // the reader detects it too, and reports the reason
     }
   }
 
-  /** The device has shown that it lives and works; on the reader thread. */
+  /** The device has given a sign of life; on the reader thread. */
   public void reportAlive() {
     lifeNanos = ticker.nanos();
     eventCounter.increment(LIFE);
   }
 
-  /** What the device has said, for those who wait for it. */
+  /** Counts the device's messages, for threads that wait for one. */
   public EventCounter eventCounter() {
     return eventCounter;
   }
 
-  /** What has come over the link since the start, all openings together. */
+  /** What has been received over the link since the start, over all openings. */
   public StreamCounts counts() {
     return counts;
   }
@@ -159,12 +161,12 @@ public final class DeviceLink implements AutoCloseable {
     return keeper.isOpen();
   }
 
-  /** Has the link closed and opened again. */
+  /** Closes and reopens the link. */
   public void reopen() {
     keeper.reopen();
   }
 
-  /** Whether the link is open, as a finding. */
+  /** Checks that the link is open. */
   public DiagnosticFinding link() {
     return examination.link();
   }
@@ -183,12 +185,12 @@ public final class DeviceLink implements AutoCloseable {
             "no " + protocol.expected() + " has come within " + LatestReading.seconds(patience));
   }
 
-  /** Has the link opened anew and waits for a sign of life, as a finding. */
+  /** Reopens the link and waits for a sign of life; returns a finding. */
   public DiagnosticFinding reopenLink() throws InterruptedException {
     return examination.reopen("device", this::nextLife);
   }
 
-  /** What happens from one opening of the link to the next; on the reader thread. */
+  /** Handles the link, from one opening to the next; on the reader thread. */
   private final class Dialogue implements LinkHandler {
 
     @Override

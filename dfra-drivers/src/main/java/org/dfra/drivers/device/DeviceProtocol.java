@@ -6,47 +6,47 @@ import org.dfra.drivers.frame.StreamParser;
 import org.dfra.drivers.link.SerialLink;
 
 /**
- * What is particular to one device: its bytes, and what it must be told. All methods are called by
- * the line's reader thread and must not block.
+ * The protocol of one device: how to parse its bytes, and what to send to it. The link's reader
+ * thread calls all methods; they must not block.
  */
 public interface DeviceProtocol {
 
   /**
-   * The link has been opened: forgets the last one and sends what the device must be told first.
+   * The link has been opened: resets the protocol's state and sends the initial commands.
    *
    * @throws IOException if the link is lost already
    */
   void opened(SerialLink link) throws IOException;
 
-  /** Takes the bytes that come; always the same. What they say is told to the driver from there. */
+  /** Parses the received bytes and passes the messages to the driver; always the same parser. */
   StreamParser parser();
 
   /**
-   * Called after every read, in vain or not: sends what is due by now.
+   * Called after every read, with or without bytes: sends what is due.
    *
    * @throws IOException if the link is lost
    */
   default void periodic(SerialLink link) throws IOException {}
 
   /**
-   * The longest wait for bytes before {@link #periodic} is called all the same, 0.1 s by default:
-   * less where something has to be sent in time. Serial ports round it up to 0.1 s.
+   * Maximum wait for bytes between calls of {@link #periodic}, 0.1 s by default; shorter where
+   * messages must be sent on time. Serial ports round it up to 0.1 s.
    */
   default Duration pollInterval() {
     return Duration.ofMillis(100);
   }
 
   /**
-   * For how long the device may give no {@linkplain DeviceLink#reportAlive sign of life} before its
-   * link is opened anew; as things are now, since a device that rests may be silent for longer.
+   * How long the device may give no {@linkplain DeviceLink#reportAlive sign of life} before its
+   * link is reopened, in the current state; an idle device may be silent for longer.
    */
   Duration livenessTimeout();
 
-  /** What it is silent about when it is, for people: {@code scan}, {@code report}. */
+  /** Human-readable name of the expected message: {@code scan}, {@code report}. */
   String expected();
 
   /**
-   * There is no device now; the link will be opened again after a while.
+   * The device is lost; the link will be reopened after the back-off.
    *
    * @param reason why, as a clause
    */

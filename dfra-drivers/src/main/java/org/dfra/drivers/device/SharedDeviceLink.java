@@ -8,18 +8,18 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A line to a device, shared by the modules of a virtual machine that name the same link: a serial
- * port has one owner only. It is opened for the first module that joins, and closed when the last
- * one leaves. A protocol extends it, and keeps its lines in a {@link SharedLinkRegistry}; a module
- * joins and leaves by a {@link SharedLinkHandle}.
+ * A link to a device, shared by the modules of a virtual machine that name the same link, because a
+ * serial port can have only one owner. It is opened for the first module that joins, and closed
+ * when the last one leaves. A protocol extends this class and keeps its links in a {@link
+ * SharedLinkRegistry}; a module joins and leaves through a {@link SharedLinkHandle}.
  *
- * <p>Threads: one reader, owned from the first module to the last; it tells the members.
+ * <p>Threads: one reader, owned from the first module to the last; it notifies the clients.
  *
- * @param <M> what the protocol tells its members and asks of them
+ * @param <M> interface through which the protocol notifies and queries its clients
  */
 public abstract class SharedDeviceLink<M extends SharedLinkClient> {
 
-  /** Where what befalls the line is told. */
+  /** Log for the events of the link. */
   protected final Logger log;
 
   private final SharedLinkRegistry<M, ?> registry;
@@ -28,9 +28,9 @@ public abstract class SharedDeviceLink<M extends SharedLinkClient> {
   private final SharedLinkClients<M> clients = new SharedLinkClients<>();
 
   /**
-   * @param registry where it is kept
-   * @param name of the protocol; the reader is called {@code name reader}
-   * @param context of the first module that joins
+   * @param registry the registry that keeps the link
+   * @param name name of the protocol; the reader is called {@code name reader}
+   * @param context context of the first module that joins
    */
   protected SharedDeviceLink(
       SharedLinkRegistry<M, ?> registry, String name, ModuleContext context) {
@@ -40,7 +40,7 @@ public abstract class SharedDeviceLink<M extends SharedLinkClient> {
     this.log = LoggerFactory.getLogger("dfra." + context.robot() + "." + name);
   }
 
-  /** The line for a protocol, by the parameters of the first module; not started. */
+  /** Makes the link for a protocol from the parameters of the first module; not started. */
   protected final DeviceLink newDeviceLink(
       DeviceProtocol protocol, Ticker ticker, LinkKeeper.@Nullable Source source) {
     ModuleContext shared =
@@ -48,20 +48,20 @@ public abstract class SharedDeviceLink<M extends SharedLinkClient> {
     return new DeviceLink(shared, protocol, ticker, source, log);
   }
 
-  /** The line itself, to be examined. */
+  /** The link itself, for diagnostics. */
   public abstract DeviceLink deviceLink();
 
-  /** Who shares it. */
+  /** The modules that share it. */
   protected final SharedLinkClients<M> clients() {
     return clients;
   }
 
-  /** The path of the module that joined first, whose parameters it goes by. */
+  /** The path of the module that joined first, whose parameters apply. */
   protected final String firstClientPath() {
     return context.path();
   }
 
-  /** A module has joined: opens the line where that was the first. */
+  /** A module has joined: opens the link if that was the first. */
   protected void start() {
     deviceLink().start();
   }
@@ -71,7 +71,7 @@ public abstract class SharedDeviceLink<M extends SharedLinkClient> {
     deviceLink().close();
   }
 
-  /** Leaves; returns when the member will not be told anything any more. */
+  /** Leaves; returns when the client will receive no more notifications. */
   final void leave(M client) {
     registry.leave(client, this);
   }

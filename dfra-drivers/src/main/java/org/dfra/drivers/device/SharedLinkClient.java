@@ -1,8 +1,8 @@
 package org.dfra.drivers.device;
 
 /**
- * A module that shares a {@link SharedDeviceLink}. All methods are called by the line's reader
- * thread, one at a time, but for {@link #path}; they must not block.
+ * A module that shares a {@link SharedDeviceLink}. The link's reader thread calls all methods
+ * except {@link #path}, one at a time; they must not block.
  */
 public interface SharedLinkClient {
 
@@ -10,7 +10,7 @@ public interface SharedLinkClient {
   String path();
 
   /**
-   * There is no device now.
+   * The device is lost.
    *
    * @param reason why, as a clause
    */

@@ -9,18 +9,18 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
- * The modules that share a line. They are told things by its reader thread; one that has been
- * removed is told nothing more. Safe for use by several threads.
+ * The modules that share a link. Its reader thread notifies them; a removed module receives no more
+ * notifications. Safe for use by several threads.
  *
- * @param <M> what its protocol tells them and asks of them
+ * @param <M> interface through which the protocol notifies and queries its clients
  */
 public final class SharedLinkClients<M extends SharedLinkClient> {
 
-  /** Held while members are told something, so that one that has left is told nothing more. */
+  /** Held during notifications, so that a client that has left receives no more of them. */
   private final ReentrantLock dispatchLock = new ReentrantLock();
 
-  private final Set<M> clients = new LinkedHashSet<>(); // guarded by telling
-  private final Set<M> connected = new LinkedHashSet<>(); // guarded by telling
+  private final Set<M> clients = new LinkedHashSet<>(); // guarded by dispatchLock
+  private final Set<M> connected = new LinkedHashSet<>(); // guarded by dispatchLock
 
   void add(M client) {
     dispatchLock.lock();
@@ -32,7 +32,7 @@ public final class SharedLinkClients<M extends SharedLinkClient> {
   }
 
   /**
-   * Returns when it will not be told anything any more.
+   * Removes a client; returns when it will receive no more notifications.
    *
    * @return whether there is none left
    */
@@ -47,7 +47,7 @@ public final class SharedLinkClients<M extends SharedLinkClient> {
     }
   }
 
-  /** Tells those who have joined, or lost their device, since that there is one. */
+  /** Notifies the clients that are not connected yet that there is a device. */
   public void notifyConnected(Consumer<M> action) {
     dispatchLock.lock();
     try {
@@ -61,7 +61,7 @@ public final class SharedLinkClients<M extends SharedLinkClient> {
     }
   }
 
-  /** Tells something to those who were greeted. */
+  /** Notifies the connected clients. */
   public void dispatch(Consumer<M> action) {
     dispatchLock.lock();
     try {
@@ -71,7 +71,7 @@ public final class SharedLinkClients<M extends SharedLinkClient> {
     }
   }
 
-  /** Tells all of them that there is no device any more; they are to be greeted again. */
+  /** Notifies all clients that the device is lost; they are not connected any more. */
   public void notifyLost(String reason) {
     dispatchLock.lock();
     try {
@@ -83,7 +83,7 @@ public final class SharedLinkClients<M extends SharedLinkClient> {
   }
 
   /**
-   * Finds out what they want, all together.
+   * Queries all clients together.
    *
    * @param question must not keep the list
    */

@@ -13,17 +13,18 @@ import org.dfra.drivers.frame.StreamCounts;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A module's end of the {@link SharedDeviceLink} that it shares with others; a protocol extends it.
+ * A module's handle on the {@link SharedDeviceLink} that it shares with others; a protocol extends
+ * it.
  *
- * <p>Parameters that it shows, of all that shares the link: {@code frames}, {@code dropped_bytes},
+ * <p>Parameters that it publishes, for the whole link: {@code frames}, {@code dropped_bytes},
  * {@code malformed_frames}. Test: {@code link}; recovery: {@code reopen_link}.
  *
- * @param <M> what the protocol tells the module and asks of it
- * @param <S> the protocol's line
+ * @param <M> interface through which the protocol notifies and queries the module
+ * @param <S> the protocol's shared link
  */
 public abstract class SharedLinkHandle<M extends SharedLinkClient, S extends SharedDeviceLink<M>> {
 
-  /** Longest wait for an answer, or for the next that comes by itself. */
+  /** Maximum wait for an answer, or for the next unsolicited message. */
   public static final Duration ANSWER = Duration.ofSeconds(3);
 
   private final M client;
@@ -32,14 +33,16 @@ public abstract class SharedLinkHandle<M extends SharedLinkClient, S extends Sha
 
   /**
    * @param client the module
-   * @param joining joins the others, or opens the link if there are none
+   * @param joining joins the shared link, and opens it for the first module
    */
   protected SharedLinkHandle(M client, Function<M, S> joining) {
     this.client = client;
     this.joining = joining;
   }
 
-  /** Declares what every module behind a shared link has, see above. */
+  /**
+   * Declares the test, the recovery and the parameters of every module on a shared link, see above.
+   */
   public void declareIn(Diagnostics examinations, ParameterTable table) {
     examinations.addTest("link", () -> runOnLink(each -> each.deviceLink().link()));
     examinations.addRecovery(
@@ -52,7 +55,7 @@ public abstract class SharedLinkHandle<M extends SharedLinkClient, S extends Sha
         });
   }
 
-  /** Declares a number that is counted for all that shares the link; 0 while it does not run. */
+  /** Declares a count of the whole link; 0 while the module does not run. */
   protected final void show(
       ParameterTable table, String name, String meaning, ToLongFunction<S> count) {
     table.declareReadOnly(
@@ -64,12 +67,12 @@ public abstract class SharedLinkHandle<M extends SharedLinkClient, S extends Sha
         });
   }
 
-  /** Joins the others; opens the link if there are none. */
+  /** Joins the shared link; opens it for the first module. */
   public final void start() {
     joined = joining.apply(client);
   }
 
-  /** Leaves the others; the link is closed if there are none. */
+  /** Leaves the shared link; closes it after the last module. */
   public final void close() {
     @Nullable S now = joined;
     joined = null;
@@ -78,21 +81,21 @@ public abstract class SharedLinkHandle<M extends SharedLinkClient, S extends Sha
     }
   }
 
-  /** What it shares; null before {@link #start} and after {@link #close}. */
+  /** The shared link; null before {@link #start} and after {@link #close}. */
   public final @Nullable S sharedLink() {
     return joined;
   }
 
   /**
-   * A check of what is shared.
+   * A check of the shared link.
    *
-   * @param <S> the protocol's line
+   * @param <S> the protocol's shared link
    */
   public interface LinkCheck<S> {
     DiagnosticFinding run(S shared) throws Exception;
   }
 
-  /** Does it, where the module runs. */
+  /** Runs the check if the module runs. */
   protected final DiagnosticFinding runOnLink(LinkCheck<S> check) throws Exception {
     @Nullable S now = joined;
     return now == null
@@ -100,7 +103,7 @@ public abstract class SharedLinkHandle<M extends SharedLinkClient, S extends Sha
         : check.run(now);
   }
 
-  /** Does it, where the module runs and the link is open. */
+  /** Runs the check if the module runs and the link is open. */
   public final DiagnosticFinding runOnOpenLink(LinkCheck<S> check) throws Exception {
     return runOnLink(
         each -> {
@@ -110,12 +113,12 @@ public abstract class SharedLinkHandle<M extends SharedLinkClient, S extends Sha
   }
 
   /**
-   * The check whether another one comes.
+   * A test that passes when the next event arrives.
    *
-   * @param event is counted by the line's {@link DeviceLink#eventCounter}
-   * @param name what it is, for people
-   * @param timeout longest wait for it; asked when the check begins
-   * @param found tells what is found when it has come
+   * @param event name of the event in the link's {@link DeviceLink#eventCounter}
+   * @param name human-readable name of the event
+   * @param timeout maximum wait; queried when the test begins
+   * @param found makes the finding when it has arrived
    */
   public final DiagnosticProcedure arrivalCheck(
       String event, String name, Supplier<Duration> timeout, DiagnosticProcedure found) {

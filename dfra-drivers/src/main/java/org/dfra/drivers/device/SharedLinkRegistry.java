@@ -7,27 +7,27 @@ import java.util.function.Supplier;
 import org.dfra.drivers.link.Ticker;
 
 /**
- * The lines of one protocol that modules of this virtual machine share. Safe for use by several
+ * The links of one protocol that modules of this virtual machine share. Safe for use by several
  * threads.
  *
- * @param <M> what the protocol tells its members and asks of them
- * @param <S> the protocol's line
+ * @param <M> interface through which the protocol notifies and queries its clients
+ * @param <S> the protocol's shared link
  */
 public final class SharedLinkRegistry<M extends SharedLinkClient, S extends SharedDeviceLink<M>> {
 
-  /** A link is one for the time it lives by: simulated links may have the same name. */
+  /** Links of different clocks are distinct: simulated links may have the same name. */
   private record Key(String linkKey, Ticker ticker) {}
 
   private final Map<Key, S> open = new HashMap<>(); // guarded by itself
 
   /**
-   * Joins the modules of a link; opens it for the first.
+   * Joins a shared link; opens it for the first module.
    *
-   * @param linkKey of the link: the same for the same device
-   * @param ticker the time that the link lives by
-   * @param factory makes the line, where there is none yet
-   * @param compatibilityCheck throws where the module cannot share a line with the others, which
-   *     then goes on without it
+   * @param linkKey key of the link: the same for the same device
+   * @param ticker the clock of the link
+   * @param factory makes the link if there is none yet
+   * @param compatibilityCheck throws if the module cannot share the link with the others; they keep
+   *     it
    */
   public S join(
       M client,

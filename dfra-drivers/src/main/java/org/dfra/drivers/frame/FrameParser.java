@@ -7,10 +7,10 @@ import java.util.function.Function;
 import java.util.function.Predicate;
 
 /**
- * Bytes in, messages out: scanner and decoder in one. Confined to one thread. Never throws,
- * whatever the bytes.
+ * Parses bytes into messages: combines a scanner and a decoder. Confined to one thread. Never
+ * throws, whatever the bytes.
  *
- * @param <M> what the messages are
+ * @param <M> type of the messages
  */
 public abstract class FrameParser<M> implements StreamParser {
 
@@ -19,7 +19,7 @@ public abstract class FrameParser<M> implements StreamParser {
   public interface Decoder<M> {
 
     /**
-     * Decodes one; must not throw, whatever it says.
+     * Decodes one frame; must not throw, whatever its content.
      *
      * @param bytes holds it; valid only during the call
      * @param offset index of its first byte
@@ -32,14 +32,14 @@ public abstract class FrameParser<M> implements StreamParser {
   private final Decoder<? extends M> decoder;
   private final Predicate<? super M> isMalformed;
   private final Consumer<? super M> messages;
-  private final FrameScanner.Sink sink = this::decode; // once: feeding makes no garbage
+  private final FrameScanner.Sink sink = this::decode; // made once: feeding allocates no memory
   private long malformed;
 
   /**
    * @param scanner finds the frames
    * @param decoder decodes them
-   * @param isMalformed whether a message stands for values that cannot be
-   * @param messages is given every message, in order, during {@link #feed} and {@link #finish}
+   * @param isMalformed whether a message represents invalid values
+   * @param messages receives every message, in order, during {@link #feed} and {@link #finish}
    */
   protected FrameParser(
       FrameScanner scanner,
@@ -52,7 +52,7 @@ public abstract class FrameParser<M> implements StreamParser {
     this.messages = messages;
   }
 
-  /** Decodes a whole recording, by a parser that {@code make} makes. */
+  /** Decodes a whole recording, with a parser made by {@code make}. */
   protected static <M> List<M> parse(
       byte[] bytes, Function<Consumer<M>, ? extends FrameParser<M>> make) {
     List<M> found = new ArrayList<>();

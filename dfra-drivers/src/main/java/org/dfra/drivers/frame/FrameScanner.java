@@ -1,24 +1,24 @@
 package org.dfra.drivers.frame;
 
 /**
- * Finds frames in a stream of bytes. Whatever is not part of a frame is dropped and counted, byte
- * by byte, so after damage it is in step again with the next intact frame. Never throws, whatever
- * the bytes; makes no garbage.
+ * Finds frames in a stream of bytes. Bytes outside frames are dropped and counted one by one, so
+ * the scanner resynchronizes with the next intact frame after corrupted data. Never throws,
+ * whatever the bytes; allocates no memory.
  *
- * <p>A false head may look like the beginning of a long frame. Nothing is lost by that, but what
- * follows is told only once the length is there (at most the longest frame of the protocol) or
- * {@link #finish} says that no more will come.
+ * <p>Noise may look like the head of a long frame. No frame is lost then, but following frames are
+ * delivered only when that length has been received (at most the longest frame of the protocol) or
+ * {@link #finish} is called.
  *
  * <p>Confined to one thread.
  */
 public abstract class FrameScanner {
 
-  /** Takes the frames found. */
+  /** Receives the frames found. */
   @FunctionalInterface
   public interface Sink {
 
     /**
-     * Takes one frame, which is intact.
+     * Receives one intact frame.
      *
      * @param buffer holds it; valid only during the call
      * @param offset index of its first byte
@@ -27,10 +27,10 @@ public abstract class FrameScanner {
     void frame(byte[] buffer, int offset, int length);
   }
 
-  /** Answer of {@link #frameLengthAt}: what is there may be the beginning of a frame. */
+  /** Result of {@link #frameLengthAt}: the bytes may be the beginning of a frame. */
   protected static final int NEEDS_MORE = -1;
 
-  /** Answer of {@link #frameLengthAt}: no frame begins here. */
+  /** Result of {@link #frameLengthAt}: no frame begins here. */
   protected static final int NONE = 0;
 
   private final byte[] pending;
@@ -39,30 +39,30 @@ public abstract class FrameScanner {
   private long droppedBytes;
 
   /**
-   * @param longest the longest frame there is, in bytes
+   * @param longest maximum length of a frame, bytes
    */
   protected FrameScanner(int longest) {
     this.pending = new byte[Math.max(4096, 2 * longest)];
   }
 
   /**
-   * Whether a frame begins here. Must not answer {@link #NEEDS_MORE} when the longest frame is
-   * there.
+   * Checks whether a frame begins here. Must not return {@link #NEEDS_MORE} when the bytes of the
+   * longest frame are available.
    *
-   * @param bytes holds what has come
-   * @param at index of the first byte to look at
-   * @param end index after the last byte that has come
+   * @param bytes holds the received bytes
+   * @param at index of the first byte to check
+   * @param end index after the last received byte
    * @return the frame's length in bytes, {@link #NONE} or {@link #NEEDS_MORE}
    */
   protected abstract int frameLengthAt(byte[] bytes, int at, int end);
 
   /**
-   * Takes the next bytes of the stream, cut anywhere.
+   * Processes the next bytes of the stream, split anywhere.
    *
    * @param bytes holds them
    * @param offset index of the first
    * @param length how many
-   * @param sink is given every frame that is complete by now, in order
+   * @param sink receives every complete frame, in order
    */
   public void feed(byte[] bytes, int offset, int length, Sink sink) {
     int from = offset;
@@ -77,10 +77,7 @@ public abstract class FrameScanner {
     }
   }
 
-  /**
-   * No more bytes will follow what was fed: settles what was left over. The next byte fed begins a
-   * new stream.
-   */
+  /** Ends the stream: processes the remaining bytes. The next byte fed begins a new stream. */
   public void finish(Sink sink) {
     scan(sink, true);
   }
@@ -91,14 +88,14 @@ public abstract class FrameScanner {
   }
 
   /**
-   * Bytes since construction that belong to no frame. With the bytes of the frames and the {@link
-   * #pendingBytes} it adds up to all bytes fed.
+   * Bytes since construction that belong to no frame. All bytes fed are these, the bytes of frames,
+   * and the {@link #pendingBytes}.
    */
   public long droppedBytes() {
     return droppedBytes;
   }
 
-  /** Bytes fed that may yet turn out to be a frame's beginning. */
+  /** Bytes fed that may be the beginning of a frame. */
   public int pendingBytes() {
     return end;
   }

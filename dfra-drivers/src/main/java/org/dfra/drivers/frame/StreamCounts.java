@@ -1,11 +1,11 @@
 package org.dfra.drivers.frame;
 
 /**
- * What has come from a device so far.
+ * Counts of what has been received from a device.
  *
  * @param frames intact frames
- * @param droppedBytes bytes that belonged to no frame
- * @param malformed intact frames with values that cannot be; they are among the frames
+ * @param droppedBytes bytes that belong to no frame
+ * @param malformed intact frames with invalid values; included in the frames
  */
 public record StreamCounts(long frames, long droppedBytes, long malformed) {
 

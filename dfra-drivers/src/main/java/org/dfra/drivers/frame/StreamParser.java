@@ -1,13 +1,13 @@
 package org.dfra.drivers.frame;
 
 /**
- * Takes bytes, cut anywhere, and gives whoever it was made for the messages in them. Confined to
- * one thread. Never throws, whatever the bytes, and never holds more of them than it says.
+ * Parses bytes, split anywhere, and passes the messages in them to a consumer. Confined to one
+ * thread. Never throws, whatever the bytes; its buffer is bounded.
  */
 public interface StreamParser {
 
   /**
-   * Takes the next bytes of the stream.
+   * Processes the next bytes of the stream.
    *
    * @param bytes holds them
    * @param offset index of the first
@@ -15,9 +15,9 @@ public interface StreamParser {
    */
   void feed(byte[] bytes, int offset, int length);
 
-  /** No more bytes will follow what was fed; the next byte fed begins a new stream. */
+  /** Ends the stream; the next byte fed begins a new stream. */
   void finish();
 
-  /** What has come so far. */
+  /** What has been received so far. */
   StreamCounts counts();
 }

@@ -1,10 +1,10 @@
 /**
- * Frames in a stream of bytes: what the protocols of all devices on a link have in common.
+ * Frames in a stream of bytes: the common base of all device protocols.
  *
- * <p>Enter at {@link org.dfra.drivers.frame.FrameParser}. A protocol adds the rule that tells a
- * frame from anything else, as a {@link org.dfra.drivers.frame.FrameScanner}, and a decoder. What
- * has no frames that tell themselves from anything else, as HTTP, is another {@link
- * org.dfra.drivers.frame.StreamParser}.
+ * <p>Enter at {@link org.dfra.drivers.frame.FrameParser}. A protocol adds a {@link
+ * org.dfra.drivers.frame.FrameScanner}, which recognizes frames, and a decoder. A protocol without
+ * recognizable frames, such as HTTP, implements {@link org.dfra.drivers.frame.StreamParser}
+ * directly.
  */
 @NullMarked
 package org.dfra.drivers.frame;

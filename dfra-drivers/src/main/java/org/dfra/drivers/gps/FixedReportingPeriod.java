@@ -3,7 +3,8 @@ package org.dfra.drivers.gps;
 import org.dfra.core.config.Parameters;
 
 /**
- * The pace of a receiver that is set to it elsewhere: the parameter {@code period}.
+ * The reporting period of a receiver that is configured with another tool: the parameter {@code
+ * period}.
  *
  * @param seconds from one position to the next
  */

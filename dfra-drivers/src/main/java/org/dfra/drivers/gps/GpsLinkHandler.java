@@ -12,24 +12,24 @@ import org.dfra.flow.sensor.GpsFix;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What happens between the driver and its receiver from one opening of the link to the next, for
- * every protocol: it judges whether the receiver is alive and whether its positions are.
+ * Handles the link to a receiver from one opening to the next, for every protocol: it monitors
+ * whether the receiver is alive and whether its positions are current.
  *
- * <p>Confined to the reader thread, but for {@link #send}.
+ * <p>Confined to the reader thread, except {@link #send}.
  */
 final class GpsLinkHandler implements LinkHandler {
 
-  /** Is told what becomes of the link; on the reader thread. */
+  /** Receives the events of the link; on the reader thread. */
   interface Listener {
 
     /** The link is open. */
     void opened();
 
-    /** Bytes have come. */
+    /** Bytes have been received. */
     void countsChanged(StreamCounts counts);
 
     /**
-     * The last position is too old to be served, or there is no device to serve one.
+     * The last position has expired, or the device is lost.
      *
      * @param awaits what is missing, as a clause
      */
@@ -41,7 +41,7 @@ final class GpsLinkHandler implements LinkHandler {
   private final Ticker ticker;
   private final Listener listener;
 
-  /** What others want to be sent; sent by the reader, which alone has the link. */
+  /** Bytes from other threads, sent by the reader, which alone has the link. */
   private final ConcurrentLinkedQueue<byte[]> outbox = new ConcurrentLinkedQueue<>();
 
   private long solvedNanos;
@@ -49,8 +49,8 @@ final class GpsLinkHandler implements LinkHandler {
   private String state = "";
 
   /**
-   * @param pace how often positions are expected, and how long without one the receiver is taken
-   *     for lost
+   * @param pace how often positions are expected, and after what time without one the receiver
+   *     counts as lost
    */
   GpsLinkHandler(
       GpsReceiverProtocol protocol, ReportingPeriod pace, Ticker ticker, Listener listener) {
@@ -60,7 +60,9 @@ final class GpsLinkHandler implements LinkHandler {
     this.listener = listener;
   }
 
-  /** Has bytes sent soon; from any thread. Forgotten when the link is opened anew first. */
+  /**
+   * Queues bytes for sending; from any thread. They are discarded when the link is reopened first.
+   */
   void send(byte[] bytes) {
     outbox.add(bytes);
   }
@@ -109,7 +111,7 @@ final class GpsLinkHandler implements LinkHandler {
     listener.positionLost(reason);
   }
 
-  /** A solution has come. */
+  /** A solution has been received. */
   void solutionReceived(GpsSolution solution) {
     solvedNanos = ticker.nanos();
     pace.arrived();

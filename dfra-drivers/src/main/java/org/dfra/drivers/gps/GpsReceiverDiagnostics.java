@@ -14,23 +14,23 @@ import org.dfra.drivers.link.LinkDiagnostics;
 import org.dfra.drivers.link.LinkKeeper;
 
 /**
- * What can be examined and mended on every receiver:
+ * Tests and recoveries of every receiver:
  *
  * <ul>
  *   <li>test {@code link}: the link is open
- *   <li>test {@code positions}: solutions come at the expected rate
- *   <li>test {@code satellites}: which ones it sees, how well, and which ones it uses
- *   <li>recovery {@code reopen_link}: the link is closed and opened again, and the receiver speaks
+ *   <li>test {@code positions}: solutions arrive at the expected rate
+ *   <li>test {@code satellites}: which satellites are in view, with what signal, and which are used
+ *   <li>recovery {@code reopen_link}: the link is closed and reopened, and the receiver sends data
  * </ul>
  *
- * <p>The rest is for the drivers' own examinations.
+ * <p>The other methods are for the drivers' own diagnostics.
  */
 public final class GpsReceiverDiagnostics {
 
-  /** The receiver told a solution, with a position or without. */
+  /** The receiver has reported a solution, with a position or without. */
   static final String SOLUTION = "solution";
 
-  /** Satellites that a position takes. */
+  /** Minimum number of satellites for a position. */
   private static final int ENOUGH = 4;
 
   private static final Duration ANSWER = Duration.ofSeconds(3);
@@ -72,12 +72,12 @@ public final class GpsReceiverDiagnostics {
   }
 
   /**
-   * Asks the receiver for something, over an open link.
+   * Sends a query to the receiver over an open link and waits for the answer.
    *
    * @param question the bytes to send
-   * @param answer the name of the message that answers
-   * @param asked what was asked, for people: {@code @@Cj}
-   * @param good what is found when it answers
+   * @param answer the name of the answer's message
+   * @param asked human-readable name of the query: {@code @@Cj}
+   * @param good makes the finding when it answers
    */
   public DiagnosticFinding ask(byte[] question, String answer, String asked, Supplier<String> good)
       throws InterruptedException {
@@ -112,7 +112,7 @@ public final class GpsReceiverDiagnostics {
     return new DiagnosticFinding(used >= ENOUGH, inWords(seen));
   }
 
-  /** {@code 11 in view, 9 heard, 9 used: G14 41° up, …}. */
+  /** {@code 11 in view, 9 tracked, 9 used: G14 41° up, …}. */
   static String inWords(List<SatelliteInView> seen) {
     if (seen.isEmpty()) {
       return "the receiver has told of no satellite";

@@ -24,28 +24,28 @@ import org.dfra.persona.GpsReceiverAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A receiver that streams fixes over a link: what the drivers of all of them have in common. A new
- * receiver is one class that extends this one and brings its {@link GpsReceiverProtocol}.
+ * Common base of the drivers of receivers that stream fixes over a link. The driver of a new
+ * receiver extends this class and supplies its {@link GpsReceiverProtocol}.
  *
  * <p>Parameters:
  *
  * <ul>
  *   <li>{@code link}: where the receiver is, a {@link LinkAddress}, e.g. {@code
  *       serial:/dev/ttyS0?baud=9600}; required
- *   <li>{@code reopen_first}, {@code reopen_longest}: seconds to wait before a lost link is opened
- *       again, at first and at most; default 0.5 and 8
- *   <li>{@code mount_frame}, {@code mount_x} and so on: where the antenna is, see {@link
- *       SensorImpl}
- *   <li>to be read only: {@code satellites}, {@code accuracy}, {@code frames}, {@code
- *       dropped_bytes}, {@code malformed_frames}
+ *   <li>{@code reopen_first}, {@code reopen_longest}: initial and maximum wait before a lost link
+ *       is reopened, seconds; default 0.5 and 8
+ *   <li>{@code mount_frame}, {@code mount_x} and so on: the antenna's pose, see {@link SensorImpl}
+ *   <li>read-only: {@code satellites}, {@code accuracy}, {@code frames}, {@code dropped_bytes},
+ *       {@code malformed_frames}
  * </ul>
  *
- * <p>INITIALIZING until the first position, and again when the link is lost, when no solution came
- * for three periods and 2 s (then the link is opened anew), or when none of them had a position for
- * that long (then it stays open). A position is served no longer than that either.
+ * <p>The module is INITIALIZING until the first position, and again when the link is lost, when no
+ * solution has been received for three periods and 2 s (then the link is reopened), or when no
+ * solution has had a position for that time (then the link stays open). A position is served for
+ * the same time.
  *
  * <p>Threads: one reader ({@code name reader}), owned by a {@link LinkKeeper} from {@code start} to
- * {@code close}, does all the work. Askers see immutable snapshots and never wait for the device.
+ * {@code close}, does all the work. Callers read immutable snapshots and never wait for the device.
  *
  * @param <P> the receiver's protocol
  */
@@ -53,12 +53,12 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends Sen
     implements GPSSensor {
 
   /**
-   * What the receiver last told; immutable.
+   * The receiver's last reports; immutable.
    *
    * @param solution the last solution, with a position or without
    * @param location the last position
-   * @param time the time that came with it
-   * @param utcUnconfirmedReason why that time is not UTC for sure; null when it is
+   * @param time the time of that position
+   * @param utcUnconfirmedReason why UTC is unconfirmed; null when it is confirmed
    */
   private record Snapshot(
       GpsSolution solution,
@@ -68,7 +68,7 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends Sen
 
   private final GpsReceiverType kind;
   private final ReportingPeriod pace;
-  private final LatestReading<Snapshot> latest; // its age is that of the position
+  private final LatestReading<Snapshot> latest; // its age is the position's age
   private final P protocol;
   private final GpsLinkHandler dialogue;
   private final LinkKeeper keeper;
@@ -77,7 +77,7 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends Sen
   private final GpsReceiverPersona attributes;
   private final WeekRollover rollover;
 
-  // written by the reader, read by anyone
+  // written by the reader, read by any thread
   private volatile @Nullable GpsReceiverAttributes receiver;
   private volatile List<SatelliteInView> satellites = List.of();
   private volatile StreamCounts counts = StreamCounts.ZERO;
@@ -85,12 +85,12 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends Sen
   private boolean malformedReported; // confined to the reader
 
   /**
-   * @param context what the driver is given
-   * @param kind what is known of its kind
+   * @param context the driver's context
+   * @param kind the receiver's type
    * @param pace how often positions are expected
-   * @param protocol makes the protocol, which tells this listener
-   * @param ticker the time to wait by
-   * @param source opens the link; null to go by the parameter {@code link}
+   * @param protocol makes the protocol, which notifies this listener
+   * @param ticker the clock for waits
+   * @param source opens the link; null to use the parameter {@code link}
    * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
    */
   protected GpsReceiverImpl(
@@ -167,7 +167,7 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends Sen
     latest.clear("it has ended");
   }
 
-  /** {@inheritDoc} As wanted of the receiver now. */
+  /** {@inheritDoc} The currently configured rate. */
   @Override
   public double updateRate() {
     return 1 / pace.seconds();
@@ -176,8 +176,7 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends Sen
   /**
    * {@inheritDoc} It may have the mode NONE while the receiver has just lost its satellites.
    *
-   * @throws NotReadyException if there has been none yet, or none for so long that the last one
-   *     does not count any more
+   * @throws NotReadyException if none has been received yet, or the last one has expired
    */
   @Override
   public final GpsFix fix() {
@@ -195,9 +194,9 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends Sen
   }
 
   /**
-   * {@inheritDoc} During a leap second it stands still.
+   * {@inheritDoc} It does not advance during a leap second.
    *
-   * @throws NotReadyException as {@link #fix}, and while the receiver does not know UTC
+   * @throws NotReadyException as {@link #fix}, and while UTC is unconfirmed
    */
   @Override
   public final TimeReading time() {
@@ -210,44 +209,46 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends Sen
     return current.time();
   }
 
-  /** {@inheritDoc} The location is one that the receiver was at not long ago. */
+  /** {@inheritDoc} The location is recent but may lag behind the receiver. */
   @Override
   protected final List<? extends Attributes> deviceAttributes() {
     return attributes.all(receiver());
   }
 
-  /** What the receiver is, as far as it has said. */
+  /** The receiver's identity, as far as it has been reported. */
   public final GpsReceiverAttributes receiver() {
     GpsReceiverAttributes identity = receiver;
     return identity == null ? kind.receiver() : identity;
   }
 
-  /** The satellites that the receiver sees, as it last told them. */
+  /** The satellites in view, as last reported. */
   public final List<SatelliteInView> satellites() {
     return satellites;
   }
 
-  /** What has come over the link since the module was started, all openings together. */
+  /** What has been received over the link since the module was started, over all openings. */
   public final StreamCounts counts() {
     return counts;
   }
 
-  /** The receiver's protocol; only what it allows may be called by other threads. */
+  /** The receiver's protocol; other threads may call only the methods that allow it. */
   protected final P protocol() {
     return protocol;
   }
 
-  /** Has bytes sent to the receiver soon; from any thread. Forgotten when the link is reopened. */
+  /**
+   * Queues bytes for the receiver; from any thread. They are discarded when the link is reopened.
+   */
   protected final void send(byte[] bytes) {
     dialogue.send(bytes);
   }
 
-  /** What every receiver can be asked, for examinations of the driver's own. */
+  /** The common diagnostics, for the driver's own tests. */
   protected final GpsReceiverDiagnostics examination() {
     return examination;
   }
 
-  /** Takes what protocol and dialogue tell; on the reader thread. */
+  /** Receives the events of the protocol and the link handler; on the reader thread. */
   private final class Reader implements GpsReceiverProtocol.Listener, GpsLinkHandler.Listener {
 
     @Override

@@ -10,13 +10,13 @@ import org.dfra.persona.LocationAttributes;
 import org.dfra.persona.SensorAttributes;
 import org.jspecify.annotations.Nullable;
 
-/** What a receiver says of itself to those who look for one. */
+/** The attributes by which clients find a receiver. */
 public final class GpsReceiverPersona {
 
-  /** A told location is kept until the receiver is this far from it, in metres. */
+  /** The published location is kept until the receiver is this far from it, metres. */
   private static final double MOVED = 10;
 
-  /** Or until it is this old, whichever comes first. */
+  /** Or until it has this age, whichever comes first. */
   private static final Duration OLD = Duration.ofSeconds(30);
 
   private final SensorAttributes sensor;
@@ -30,9 +30,9 @@ public final class GpsReceiverPersona {
   }
 
   /**
-   * All of it; the location follows the receiver with some delay.
+   * All attributes; the location follows the receiver with some delay.
    *
-   * @param receiver what it is
+   * @param receiver its identity
    */
   public List<Attributes> all(GpsReceiverAttributes receiver) {
     List<Attributes> all = new ArrayList<>(List.of(sensor, receiver));
@@ -43,7 +43,7 @@ public final class GpsReceiverPersona {
     return all;
   }
 
-  /** It is here now; on the reader thread, so that asking changes no answer. */
+  /** Updates the location; on the reader thread, so that queries have no side effects. */
   public void located(LocationReading now) {
     @Nullable LocationAttributes last = reported;
     if (last == null

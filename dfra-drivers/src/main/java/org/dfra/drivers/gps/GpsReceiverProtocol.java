@@ -7,50 +7,50 @@ import org.dfra.drivers.link.SerialLink;
 import org.dfra.persona.GpsReceiverAttributes;
 
 /**
- * What is particular to one kind of receiver: its bytes, and what it must be told. Everything else
- * is in {@link GpsReceiverImpl}. All methods are called by the reader thread and must not block.
+ * The protocol of one type of receiver: how to parse its bytes, and what to send to it. Everything
+ * else is in {@link GpsReceiverImpl}. The reader thread calls all methods; they must not block.
  */
 public interface GpsReceiverProtocol {
 
-  /** Is told what the receiver says; on the reader thread. */
+  /** Receives what the receiver reports; on the reader thread. */
   interface Listener {
 
     /** A solution, with a position or without. */
     void solutionReceived(GpsSolution solution);
 
-    /** The satellites that the receiver sees now. */
+    /** The satellites in view. */
     void satellitesReceived(List<SatelliteInView> satellites);
 
-    /** What the receiver is; told again when more is known. */
+    /** The receiver's identity; reported again when more is known. */
     void identityReceived(GpsReceiverAttributes receiver);
 
-    /** An intact message of this name has come; for those who wait for it. */
+    /** An intact message of this name has been received; for threads that wait for it. */
     void messageReceived(String name);
 
     /**
-     * An intact message that cannot be believed; the first of a link is logged as a warning.
+     * An intact message with an invalid value; the first on a link is logged as a warning.
      *
      * @param name the message's name
-     * @param reason which value, what it is and what it may be
+     * @param reason which value, what it is, and which values are valid
      */
     void malformedReceived(String name, String reason);
 
-    /** Something that a person should know, a sentence; it is logged as a warning. */
+    /** A warning for the operator, as a sentence; it is logged. */
     void warn(String sentence);
   }
 
   /**
-   * The link has been opened: forgets the last one and says what the receiver must be told first.
+   * The link has been opened: resets the protocol's state and sends the initial commands.
    *
    * @throws IOException if the link is lost already
    */
   void opened(SerialLink link) throws IOException;
 
-  /** Takes the bytes that come; always the same. It tells the listener what they say. */
+  /** Parses the received bytes and passes the messages to the listener; always the same parser. */
   FrameParser<?> parser();
 
   /**
-   * Called after every read, in vain or not: says what is due by now.
+   * Called after every read, with or without bytes: sends what is due.
    *
    * @throws IOException if the link is lost
    */

@@ -6,13 +6,13 @@ import org.dfra.persona.GpsReceiverAttributes;
 import org.dfra.persona.SensorAttributes;
 
 /**
- * What is known of a kind of receiver before one has spoken.
+ * What is known of a type of receiver before it has sent data.
  *
- * @param description what it is, for people
- * @param minRate slowest rate of positions that it can be set to, hertz
- * @param maxRate fastest rate, hertz
- * @param receiver what all receivers of the kind have in common
- * @param preconditions what its environment must be like
+ * @param description human-readable description
+ * @param minRate minimum configurable rate of positions, hertz
+ * @param maxRate maximum rate, hertz
+ * @param receiver attributes that all receivers of the type share
+ * @param preconditions environmental preconditions
  */
 public record GpsReceiverType(
     String description,
@@ -21,7 +21,7 @@ public record GpsReceiverType(
     GpsReceiverAttributes receiver,
     List<Precondition> preconditions) {
 
-  /** What holds for every receiver of satellites. */
+  /** The precondition of every satellite receiver. */
   public static final Precondition SATELLITES =
       new Precondition("satellites in view of the antenna", 4, 64, "");
 
@@ -29,7 +29,7 @@ public record GpsReceiverType(
     preconditions = List.copyOf(preconditions);
   }
 
-  /** A kind whose receivers tell themselves what they are, if at all. */
+  /** A type whose receivers identify themselves, if at all. */
   public static GpsReceiverType of(
       String description, double minRate, double maxRate, List<Precondition> preconditions) {
     return new GpsReceiverType(

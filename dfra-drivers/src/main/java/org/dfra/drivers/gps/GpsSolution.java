@@ -5,17 +5,17 @@ import org.dfra.flow.sensor.GpsFix;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a receiver told of one moment.
+ * A receiver's solution for one epoch.
  *
  * @param fix the fix, with a position or without
- * @param utcUnconfirmedReason why the fix' time is not UTC for sure, a clause ({@code it does not
- *     tell the date}); null when it is
- * @param state what the receiver does, as the rest of "the receiver is …"
- * @param horizontalAccuracy what the receiver takes its horizontal error for, metres, one sigma;
- *     NaN where it does not tell
- * @param verticalAccuracy the same of its height
- * @param reportsDate whether the fix' date is the receiver's, sure or not; false where the
- *     computer's clock stands in for it
+ * @param utcUnconfirmedReason why UTC is unconfirmed for the fix's time, a clause ({@code it does
+ *     not tell the date}); null when it is confirmed
+ * @param state the receiver's state, completing "the receiver is …"
+ * @param horizontalAccuracy estimated horizontal accuracy, metres, one sigma; NaN where it is not
+ *     reported
+ * @param verticalAccuracy the same for the height
+ * @param reportsDate whether the fix's date is the receiver's, confirmed or not; false where it is
+ *     from the computer's clock
  */
 public record GpsSolution(
     GpsFix fix,
@@ -25,7 +25,7 @@ public record GpsSolution(
     double verticalAccuracy,
     boolean reportsDate) {
 
-  /** The same at another time, UTC. */
+  /** A copy with another time, UTC. */
   GpsSolution withTime(Instant utc) {
     return new GpsSolution(
         new GpsFix(
@@ -44,7 +44,7 @@ public record GpsSolution(
         reportsDate);
   }
 
-  /** Of a receiver that reports the date only together with UTC. */
+  /** For a receiver that reports the date only together with UTC. */
   public GpsSolution(
       GpsFix fix,
       @Nullable String utcDoubt,
@@ -54,7 +54,7 @@ public record GpsSolution(
     this(fix, utcDoubt, state, horizontalAccuracy, verticalAccuracy, utcDoubt == null);
   }
 
-  /** Of a receiver that does not tell how accurate it is. */
+  /** For a receiver that does not report its accuracy. */
   public GpsSolution(GpsFix fix, @Nullable String utcDoubt, String state) {
     this(fix, utcDoubt, state, Double.NaN, Double.NaN);
   }

@@ -3,14 +3,14 @@ package org.dfra.drivers.gps;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One satellite as a receiver sees it.
+ * A satellite in a receiver's view.
  *
- * @param name system and number as RINEX writes them: {@code G14}; G is GPS, R GLONASS, E Galileo,
- *     C BeiDou, J QZSS, I NavIC, S an augmentation satellite
- * @param elevation above the horizon, degrees, −90 to 90; null where it is not told
- * @param azimuth from true north, clockwise, degrees, 0 to 360; null where it is not told
+ * @param name system and number in RINEX notation: {@code G14}; G is GPS, R GLONASS, E Galileo, C
+ *     BeiDou, J QZSS, I NavIC, S an augmentation satellite
+ * @param elevation above the horizon, degrees, −90 to 90; null where it is not reported
+ * @param azimuth from true north, clockwise, degrees, 0 to 360; null where it is not reported
  * @param signal carrier to noise density, dB-Hz; null where it is not tracked
- * @param used whether the position rests on it
+ * @param used whether it is used for the position
  */
 public record SatelliteInView(
     String name,
@@ -19,7 +19,7 @@ public record SatelliteInView(
     @Nullable Integer signal,
     boolean used) {
 
-  /** Whether the receiver hears it. */
+  /** Whether the receiver tracks it. */
   public boolean isTracked() {
     return signal != null;
   }

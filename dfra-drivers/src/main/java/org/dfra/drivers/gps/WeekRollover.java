@@ -17,22 +17,22 @@ import org.dfra.drivers.link.Ticker;
  *
  * <ul>
  *   <li>A <b>receiver</b> cannot report a date before {@link #RELEASED}, since this program did not
- *       exist then. Such a date is moved later by the least multiple of 1024 weeks that brings it
- *       to that day or a later one. Any other date is believed. The computer's clock has no part in
- *       this: it may be at 1970, or years wrong, or behind the receiver.
- *   <li>A <b>recording</b> ({@code replay:}) is of any year. Its dates are left as they were
+ *       exist then. Such a date is moved later by the smallest multiple of 1024 weeks that brings
+ *       it to that day or a later one. Any other date is accepted. The computer's clock is not
+ *       used, because it may be at 1970, years wrong, or behind the receiver.
+ *   <li>A <b>recording</b> ({@code replay:}) may be from any year. Its dates are left as they were
  *       recorded.
- *   <li>In a <b>simulation</b>, which is of any year too, the simulated clock is right. A date up
- *       to 512 weeks before it, or later than it, is believed; an earlier one is brought within 512
- *       weeks of it.
+ *   <li>In a <b>simulation</b>, which may be in any year too, the simulated clock is right. A date
+ *       up to 512 weeks before it, or later than it, is accepted; an earlier one is moved to within
+ *       512 weeks of it.
  * </ul>
  *
  * <p>Only dates that a receiver has reported are corrected, never those of the computer's clock
- * that stand in for one that is not known yet.
+ * that are used while the receiver's date is unknown.
  */
 public final class WeekRollover {
 
-  /** No receiver was read by this code before that. To be moved on with a release before 2046. */
+  /** This code did not exist before that date. Must be moved later by a release before 2046. */
   static final Instant RELEASED = Instant.parse("2026-11-01T00:00:00Z");
 
   private static final Duration PERIOD = Duration.ofDays(7 * 1024);
@@ -58,7 +58,7 @@ public final class WeekRollover {
         : new WeekRollover(reported -> near(clock.instant(), reported));
   }
 
-  /** The time that a receiver means which reports this one. */
+  /** The correct time for a reported time. */
   public Instant correct(Instant reported) {
     return rule.apply(reported);
   }
@@ -74,7 +74,7 @@ public final class WeekRollover {
   /**
    * Moves a time later by whole periods, to that time.
    *
-   * @param rounding added to the seconds that it is before that time, before they are divided
+   * @param rounding added to the difference in seconds before the division
    */
   private static Instant later(Instant reported, Instant to, long rounding) {
     long behind = Duration.between(reported, to).toSeconds();

@@ -3,11 +3,10 @@ package org.dfra.drivers.link;
 import java.time.Duration;
 
 /**
- * How long to wait before the next try: the first wait, then twice as long each time, up to the
- * longest.
+ * How long to wait before the next attempt: the initial wait, doubled each time, up to the maximum.
  *
- * @param initial the first wait, longer than 0
- * @param max the longest wait, at least {@code first}
+ * @param initial the initial wait, longer than 0
+ * @param max the maximum wait, at least {@code initial}
  */
 public record BackOff(Duration initial, Duration max) {
 
@@ -21,9 +20,9 @@ public record BackOff(Duration initial, Duration max) {
   }
 
   /**
-   * The wait after so many tries in vain.
+   * The wait after a number of consecutive failures.
    *
-   * @param failures tries in vain since the last one that was not, at least 1
+   * @param failures failures since the last success, at least 1
    */
   public Duration after(int failures) {
     int doublings = Math.min(Math.max(0, failures - 1), 30);

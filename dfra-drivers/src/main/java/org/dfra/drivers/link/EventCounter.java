@@ -7,8 +7,8 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
 /**
- * Counts what a device has said or what became of its link, by any name (a message's ID, say), for
- * those who wait for the next: tests and recoveries. Safe for use by several threads.
+ * Counts events of a device or its link by name (for example a message's ID), for tests and
+ * recoveries that wait for the next one. Safe for use by several threads.
  */
 public final class EventCounter {
 
@@ -18,14 +18,14 @@ public final class EventCounter {
   private final Map<String, Long> counts = new HashMap<>(); // guarded by lock
 
   /**
-   * @param ticker the time to wait by
+   * @param ticker the clock for waits
    */
   public EventCounter(Ticker ticker) {
     this.ticker = ticker;
     this.changed = ticker.newCondition(lock);
   }
 
-  /** One more has come. */
+  /** Counts one event. */
   public void increment(String event) {
     lock.lock();
     try {
@@ -36,7 +36,7 @@ public final class EventCounter {
     }
   }
 
-  /** How many have come so far. */
+  /** Number of events so far. */
   public long total(String event) {
     lock.lock();
     try {
@@ -46,7 +46,7 @@ public final class EventCounter {
     }
   }
 
-  /** Waits until one more has come than {@code before}; false when none has in time. */
+  /** Waits until the count exceeds {@code before}; false after the timeout. */
   public boolean await(String event, long before, Duration timeout) throws InterruptedException {
     lock.lock();
     try {

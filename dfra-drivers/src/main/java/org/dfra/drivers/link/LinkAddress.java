@@ -2,14 +2,17 @@ package org.dfra.drivers.link;
 
 import java.io.IOException;
 
-/** Where a device is: a link's URL, read and checked. {@code toString} is the URL as written. */
+/**
+ * The address of a device: a parsed and checked link URL. {@code toString} is the URL as
+ * configured.
+ */
 public sealed interface LinkAddress permits SerialAddress, TcpAddress, ReplayAddress, SimAddress {
 
   /**
-   * Reads a URL: {@code serial:}, {@code tcp:}, {@code replay:} or {@code sim:}.
+   * Parses a URL: {@code serial:}, {@code tcp:}, {@code replay:} or {@code sim:}.
    *
-   * @throws IllegalArgumentException if it is not one; the message says what is wrong and what is
-   *     allowed
+   * @throws IllegalArgumentException if it is invalid; the message explains what is wrong and what
+   *     is allowed
    */
   static LinkAddress parse(String url) {
     LinkUrl parts = LinkUrl.split(url);
@@ -24,9 +27,9 @@ public sealed interface LinkAddress permits SerialAddress, TcpAddress, ReplayAdd
   }
 
   /**
-   * Reads a URL and opens the link, on real time.
+   * Parses a URL and opens the link, in real time.
    *
-   * @throws IllegalArgumentException if it is no link's URL
+   * @throws IllegalArgumentException if it is not a link URL
    * @throws IOException if the link cannot be opened
    */
   static SerialLink open(String url) throws IOException {
@@ -34,11 +37,10 @@ public sealed interface LinkAddress permits SerialAddress, TcpAddress, ReplayAdd
   }
 
   /**
-   * Opens the link. Bytes that came before this call are thrown away where the link can tell.
+   * Opens the link. Bytes received before this call are discarded where the link can detect them.
    *
-   * @param ticker the time to wait by, where the link itself paces its bytes; and whose {@code
-   *     sim:} links are meant
-   * @throws IOException if it cannot be opened; the message says why and what to look at
+   * @param ticker the clock of a link that paces its bytes, and the owner of the {@code sim:} links
+   * @throws IOException if it cannot be opened; the message explains why and what to check
    */
   SerialLink open(Ticker ticker) throws IOException;
 }

@@ -4,7 +4,7 @@ import java.time.Duration;
 import org.dfra.core.module.Diagnostics.DiagnosticFinding;
 import org.dfra.core.module.LatestReading;
 
-/** What can be examined and mended on any link: whether it is open, and that it is opened anew. */
+/** The test and the recovery of any link: whether it is open, and reopening it. */
 public final class LinkDiagnostics {
 
   private static final String OPENING = "opening";
@@ -13,27 +13,27 @@ public final class LinkDiagnostics {
   private final LinkKeeper keeper;
   private final EventCounter eventCounter;
 
-  /** A sign from the device. */
+  /** A sign of life from the device. */
   @FunctionalInterface
   public interface Sign {
 
     /**
-     * Waits for one.
+     * Waits for a sign of life.
      *
-     * @param good what is found when it comes
+     * @param good text of the finding when it arrives
      */
     DiagnosticFinding await(String good) throws InterruptedException;
   }
 
   /**
-   * @param eventCounter counts the openings, besides what the device says
+   * @param eventCounter counts the openings, besides the device's messages
    */
   public LinkDiagnostics(LinkKeeper keeper, EventCounter eventCounter) {
     this.keeper = keeper;
     this.eventCounter = eventCounter;
   }
 
-  /** The link was opened; whoever is told so by the keeper tells it. */
+  /** The link was opened; called by the link keeper's handler. */
   public void opened() {
     eventCounter.increment(OPENING);
   }
@@ -46,9 +46,9 @@ public final class LinkDiagnostics {
   }
 
   /**
-   * Has the link closed and opened again, and waits for a sign.
+   * Closes and reopens the link, and waits for a sign of life.
    *
-   * @param deviceName gives the sign: {@code device}
+   * @param deviceName name of the device that gives the sign: {@code device}
    */
   public DiagnosticFinding reopen(String deviceName, Sign sign) throws InterruptedException {
     long before = eventCounter.total(OPENING);

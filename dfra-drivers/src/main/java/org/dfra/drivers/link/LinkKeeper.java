@@ -8,15 +8,15 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
 /**
- * Keeps a link open: opens it, reads it, and opens it again when it is lost, waiting longer and
- * longer while that is in vain.
+ * Keeps a link open: opens it, reads it, and reopens it when it is lost, with a growing wait
+ * between failed attempts.
  *
- * <p>Owns one thread, the reader. {@link #start} starts it; it owns the link and calls the {@link
- * LinkHandler}; {@link #close} stops it and returns when it has ended. Both do nothing the second
- * time, and a keeper closed before it was started never starts.
+ * <p>It owns one thread, the reader, which owns the link and calls the {@link LinkHandler}. {@link
+ * #start} starts the reader; {@link #close} stops it and returns when it has ended. Both do nothing
+ * the second time, and a keeper that is closed before it is started never starts.
  *
- * <p>Logs changes, not tries: once when the device answers, once for each new reason why it does
- * not.
+ * <p>It logs changes, not attempts: once when the device answers, and once for each new reason why
+ * it does not.
  */
 public final class LinkKeeper implements AutoCloseable {
 
@@ -25,7 +25,7 @@ public final class LinkKeeper implements AutoCloseable {
   public interface Source {
 
     /**
-     * Opens it; may block for a few seconds, and ends soon when its thread is interrupted.
+     * Opens the link; may block for a few seconds, and returns soon when its thread is interrupted.
      *
      * @throws IOException if it cannot be opened
      */
@@ -56,12 +56,12 @@ public final class LinkKeeper implements AutoCloseable {
   private @Nullable String logged = "";
 
   /**
-   * @param name whose link it is; the thread is called {@code name reader}
+   * @param name name of the link's owner; the thread is called {@code name reader}
    * @param source opens the link
-   * @param user what to do with it
-   * @param backOff how long to wait between tries
-   * @param ticker the time to wait by
-   * @param log where changes are told
+   * @param user handles the link
+   * @param backOff how long to wait between attempts
+   * @param ticker the clock for waits
+   * @param log where changes are logged
    */
   public LinkKeeper(
       String name, Source source, LinkHandler user, BackOff backOff, Ticker ticker, Logger log) {
@@ -102,7 +102,7 @@ public final class LinkKeeper implements AutoCloseable {
     return fault;
   }
 
-  /** Closes the link, if it is open, and opens it again at once. Returns before that is done. */
+  /** Closes the link, if it is open, and reopens it immediately. Returns before that is done. */
   public void reopen() {
     lock.lock();
     try {
@@ -148,13 +148,13 @@ public final class LinkKeeper implements AutoCloseable {
 
   private void run() {
     while (!closed) {
-      boolean unused = Thread.interrupted(); // one left over would close every new connection
+      boolean unused = Thread.interrupted(); // a pending interrupt would close every new connection
       String reason;
       try (SerialLink opened = source.open()) {
         reason = adopt(opened) ? serve(opened) : "closed";
       } catch (IOException e) {
         reason = String.valueOf(e.getMessage());
-      } catch (RuntimeException | Error e) { // whatever it is, the device must be kept
+      } catch (RuntimeException | Error e) { // whatever the error, the link must be kept
         log.error("the driver failed, its link is opened again: {}", e.toString(), e);
         reason = "the driver failed: " + e;
       }
@@ -165,7 +165,7 @@ public final class LinkKeeper implements AutoCloseable {
     }
   }
 
-  /** Makes {@code opened} the link that {@link #close} closes; false when it is too late. */
+  /** Makes {@code opened} the link that {@link #close} closes; false when already closed. */
   private boolean adopt(@Nullable SerialLink opened) {
     lock.lock();
     try {
@@ -176,7 +176,7 @@ public final class LinkKeeper implements AutoCloseable {
     }
   }
 
-  /** Reads until the link is lost or the user gives it up; returns why. */
+  /** Reads until the link is lost or the handler gives it up; returns why. */
   private String serve(SerialLink opened) throws IOException {
     user.opened(opened);
     byte[] buffer = new byte[BUFFER_BYTES];
@@ -213,7 +213,7 @@ public final class LinkKeeper implements AutoCloseable {
     fault = reason;
     try {
       user.lost(reason);
-    } catch (RuntimeException | Error e) { // whatever it is, the link must be opened again
+    } catch (RuntimeException | Error e) { // whatever the error, the link must be reopened
       log.error("the driver failed when its link was lost: {}", e.toString(), e);
       fault = reason + "; and the driver failed: " + e;
     }
@@ -230,7 +230,7 @@ public final class LinkKeeper implements AutoCloseable {
         left = nanos - (ticker.nanos() - begin);
       }
     } catch (InterruptedException e) {
-      // closed is set, or somebody else wants us to go on
+      // closed is set, or the wait is ended early
     } finally {
       hurried = false;
       lock.unlock();

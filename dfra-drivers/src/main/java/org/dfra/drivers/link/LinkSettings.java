@@ -3,15 +3,15 @@ package org.dfra.drivers.link;
 import java.time.Duration;
 import org.dfra.core.config.Parameters;
 
-/** Reads the parameters that every driver of a device behind a link has. */
+/** Reads the common parameters of the drivers of devices behind a link. */
 public final class LinkSettings {
 
   private LinkSettings() {}
 
   /**
-   * {@code link}: where the device is; required.
+   * {@code link}: the device's address; required.
    *
-   * @throws org.dfra.core.config.ConfigurationException if it is not set or is no link's URL
+   * @throws org.dfra.core.config.ConfigurationException if it is not set or is not a link URL
    */
   public static LinkAddress address(Parameters parameters) {
     try {
@@ -22,8 +22,8 @@ public final class LinkSettings {
   }
 
   /**
-   * {@code reopen_first}, {@code reopen_longest}: seconds to wait before a lost link is opened
-   * again, at first and at most, 0.01 to 3600; default 0.5 and 8.
+   * {@code reopen_first}, {@code reopen_longest}: initial and maximum wait before a lost link is
+   * reopened, seconds, 0.01 to 3600; default 0.5 and 8.
    *
    * @throws org.dfra.core.config.ConfigurationException if they are set to anything else
    */

@@ -6,8 +6,8 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 
 /**
- * The parts of a link's URL: {@code scheme:target?key=value&key=value}. The target is taken as it
- * is written, without any escapes, so that file names need none.
+ * The parts of a link's URL: {@code scheme:target?key=value&key=value}. The target is taken
+ * literally, without escapes, so that file names need none.
  */
 record LinkUrl(String url, String scheme, String target, Map<String, String> options) {
 
@@ -43,7 +43,7 @@ record LinkUrl(String url, String scheme, String target, Map<String, String> opt
     }
   }
 
-  /** Refuses every option that is not one of {@code names}. */
+  /** Rejects every option that is not one of {@code names}. */
   void allow(Set<String> names) {
     for (String name : options.keySet()) {
       if (!names.contains(name)) {
@@ -69,7 +69,7 @@ record LinkUrl(String url, String scheme, String target, Map<String, String> opt
     }
   }
 
-  /** A finite number that is at least {@code min}. */
+  /** Reads a finite number that is at least {@code min}. */
   double number(String name, double fallback, double min) {
     String text = options.get(name);
     if (text == null) {
@@ -87,7 +87,7 @@ record LinkUrl(String url, String scheme, String target, Map<String, String> opt
     return number;
   }
 
-  /** One of the words of an option. */
+  /** Reads one of the allowed words of an option. */
   String word(String name, String fallback, Set<String> words) {
     String text = options.getOrDefault(name, fallback);
     if (!words.contains(text)) {

@@ -6,15 +6,15 @@ import java.nio.file.Path;
 import java.util.Set;
 
 /**
- * Recorded bytes: {@code replay:file?pace=1.0&baud=9600&loop=false}. The file holds the bytes as
- * they came over the line; they are played back-to-back as a line of {@code baud} would bring them,
- * ten bits to a byte, {@code pace} times as fast. What is written to the link is thrown away.
+ * Recorded bytes: {@code replay:file?pace=1.0&baud=9600&loop=false}. The file contains the received
+ * bytes; they are replayed without gaps at the rate of a serial line of {@code baud}, ten bits per
+ * byte, {@code pace} times as fast. Bytes written to the link are discarded.
  *
- * @param url the address as written
+ * @param url the URL as configured
  * @param file the recording; a relative name is relative to the working directory
  * @param pace how many times as fast as the line; 0 is as fast as possible
  * @param baud bits per second of the line
- * @param loop whether to begin again at the end; otherwise the device is lost there
+ * @param loop whether to restart at the end; otherwise the link is lost there
  */
 public record ReplayAddress(String url, Path file, double pace, int baud, boolean loop)
     implements LinkAddress {

@@ -6,7 +6,10 @@ import java.time.Duration;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
-/** Plays a recording. A byte is there when its last bit would be; the first read begins to play. */
+/**
+ * Replays a recording. A byte is available when its last bit would have arrived; the first read
+ * starts the replay.
+ */
 final class ReplayLink implements SerialLink {
 
   private static final double BIT_NANOS_PER_BYTE = 10e9;
@@ -120,7 +123,7 @@ final class ReplayLink implements SerialLink {
       closed.signalAll();
       file.close();
     } catch (IOException e) {
-      // it was only read
+      // it was opened only for reading
     } finally {
       lock.unlock();
     }

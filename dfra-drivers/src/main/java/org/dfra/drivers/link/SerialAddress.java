@@ -7,9 +7,9 @@ import java.util.Set;
 
 /**
  * A serial port of this computer: {@code serial:/dev/ttyS0?baud=9600&bits=8&parity=none&stop=1}.
- * All options may be left out; the values shown are what holds then. No flow control.
+ * All options are optional; the values shown are the defaults. No flow control.
  *
- * @param url the address as written
+ * @param url the URL as configured
  * @param port the port's name or path
  * @param baud bits per second on the line
  * @param bits data bits per character, 5 to 8

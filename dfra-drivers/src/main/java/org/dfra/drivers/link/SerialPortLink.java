@@ -6,8 +6,8 @@ import java.io.IOException;
 import java.time.Duration;
 
 /**
- * A serial port by jSerialComm, read semi-blocking by one thread. Its listeners are not used: when
- * the device goes away they spin, while a semi-blocking read tells it.
+ * A serial port with jSerialComm, read semi-blocking by one thread. Its listeners are not used:
+ * they spin when the device is removed, while a semi-blocking read reports it.
  */
 final class SerialPortLink implements SerialLink {
 
@@ -45,7 +45,7 @@ final class SerialPortLink implements SerialLink {
               + port.getLastErrorCode()
               + "); is it in use, and may this user read and write it?");
     }
-    port.flushIOBuffers(); // what came while nobody listened is old
+    port.flushIOBuffers(); // bytes received before the opening are outdated
     return new SerialPortLink(address, port, TIMEOUT_STEP_MILLIS);
   }
 

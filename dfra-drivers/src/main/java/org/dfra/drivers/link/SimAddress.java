@@ -4,11 +4,11 @@ import java.io.IOException;
 import java.util.Set;
 
 /**
- * A simulated device in this virtual machine: {@code sim:name}. Device, link and driver go by the
- * same time, in lock-step, so that a run can be repeated bit by bit.
+ * A simulated device in this virtual machine: {@code sim:name}. Device, link and driver use the
+ * same clock, in lock-step, so that runs are bit-for-bit repeatable.
  *
- * @param url the address as written
- * @param name the device's name among the {@link SimLinkRegistry} of the driver's time
+ * @param url the URL as configured
+ * @param name the device's name in the {@link SimLinkRegistry} of the driver's clock
  */
 public record SimAddress(String url, String name) implements LinkAddress {
 

@@ -4,19 +4,18 @@ import java.io.IOException;
 import java.util.TreeMap;
 
 /**
- * The simulated devices that links lead to, by name. Each time in lock-step has its own, so that
- * several simulations in one virtual machine do not see each other's. Safe for use by several
- * threads.
+ * The simulated devices of {@code sim:} links, by name. Each lock-step clock has its own registry,
+ * so that several simulations in one virtual machine are separate. Safe for use by several threads.
  */
 public final class SimLinkRegistry {
 
-  /** Those of real time: there are none. */
+  /** The empty registry of real time. */
   static final SimLinkRegistry NONE =
       new SimLinkRegistry(
           "this module lives by real time, and sim: links are of a simulation in lock-step only;"
               + " write serial:, tcp: or replay:, or give the module the simulation's clock");
 
-  /** A simulated device's end. */
+  /** Opens links to a simulated device. */
   @FunctionalInterface
   public interface LinkFactory {
 
@@ -33,10 +32,10 @@ public final class SimLinkRegistry {
   private final TreeMap<String, LinkFactory> ports = new TreeMap<>(); // guarded by this
 
   /**
-   * No device yet.
+   * Makes a registry without devices.
    *
-   * @param emptyReason why there is none and how to get one, a clause; told to who asks for one
-   *     while there is none
+   * @param emptyReason why there is no device and how to add one, a clause; reported to callers
+   *     that request a device from an empty registry
    */
   public SimLinkRegistry(String emptyReason) {
     this.whenEmpty = emptyReason;
@@ -45,8 +44,8 @@ public final class SimLinkRegistry {
   /**
    * Adds a device.
    *
-   * @param name what its link's URL has after {@code sim:}
-   * @throws IllegalArgumentException if there is one of this name, or no URL can have it
+   * @param name the part of its link's URL after {@code sim:}
+   * @throws IllegalArgumentException if the name is used already, or is not valid in a URL
    */
   public synchronized void add(String name, LinkFactory factory) {
     if (name.isBlank() || name.indexOf('?') >= 0) {
@@ -65,7 +64,7 @@ public final class SimLinkRegistry {
     }
   }
 
-  /** Removes a device. Does nothing when {@code port} is not, or no longer, the one of the name. */
+  /** Removes a device. Does nothing if {@code factory} is not the current one of that name. */
   public synchronized void remove(String name, LinkFactory factory) {
     ports.remove(name, factory);
   }

@@ -7,7 +7,7 @@ import java.util.Set;
  * A serial server or an emulator on the network: {@code tcp://host:port}; an IPv6 address in
  * brackets.
  *
- * @param url the address as written
+ * @param url the URL as configured
  * @param host host name or address
  * @param port TCP port, 1 to 65535
  */

@@ -10,7 +10,7 @@ import java.nio.channels.SocketChannel;
 import java.time.Duration;
 
 /**
- * A TCP connection. It is a channel's socket because only such a one can be interrupted while it
+ * A TCP connection. It uses a channel's socket, because only that can be interrupted while it
  * connects.
  */
 final class TcpLink implements SerialLink {
@@ -96,7 +96,7 @@ final class TcpLink implements SerialLink {
     try {
       socket.close();
     } catch (IOException e) {
-      // nothing is left to be closed
+      // nothing remains to be closed
     }
   }
 

@@ -8,38 +8,38 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
 /**
- * Time for logic that waits: a count of nanoseconds from an arbitrary origin, and a way to wait for
- * it. Tests step it; a simulated robot scales it or runs in lock-step with it.
+ * A clock for code that waits: nanoseconds from an arbitrary origin, and methods to wait for them.
+ * Tests step it; a simulated robot scales it or runs in lock-step with it.
  *
- * <p>Whoever waits takes its conditions from {@link #newCondition} and its threads from {@link
- * #newThread}, and waits for their end by {@link #join}. In lock-step that is how the time knows
- * who is at work; in real time these are what they seem.
+ * <p>Code that waits must create its conditions with {@link #newCondition} and its threads with
+ * {@link #newThread}, and wait for their end with {@link #join}. A lock-step clock uses these to
+ * know which threads are running; in real time they are plain conditions and threads.
  */
 public interface Ticker {
 
-  /** The time in nanoseconds; only differences mean something. */
+  /** The time in nanoseconds; only differences are meaningful. */
   long nanos();
 
   /**
-   * Waits until {@code condition} is signalled, at the longest for {@code nanos} of this time. May
-   * return early, so the caller looks at {@link #nanos} again.
+   * Waits until {@code condition} is signalled, at most {@code nanos} of this clock. May return
+   * early, so the caller must check {@link #nanos} again.
    *
    * @param condition one of {@link #newCondition}, whose lock the caller holds
-   * @param nanos longest wait; none when not positive
+   * @param nanos maximum wait; no wait when not positive
    * @throws InterruptedException if the waiting thread is interrupted
    */
   void await(Condition condition, long nanos) throws InterruptedException;
 
-  /** A condition of {@code lock} to wait for by this time. */
+  /** Makes a condition of {@code lock} for waits on this clock. */
   default Condition newCondition(ReentrantLock lock) {
     return lock.newCondition();
   }
 
   /**
-   * A daemon thread that waits by this time; not started.
+   * Makes a daemon thread that waits on this clock; not started.
    *
-   * @param name its role
-   * @param role what it does until it ends
+   * @param name its name
+   * @param role the task that it runs
    */
   default Thread newThread(String name, Runnable role) {
     Thread thread = new Thread(role, name);
@@ -48,9 +48,9 @@ public interface Ticker {
   }
 
   /**
-   * Waits until a thread of {@link #newThread} has ended, which it has been told to do.
+   * Waits until a thread of {@link #newThread} has ended; the caller must have requested its end.
    *
-   * @param patience longest wait, in real time
+   * @param patience maximum wait, in real time
    * @return whether it has ended
    * @throws InterruptedException if the waiting thread is interrupted
    */
@@ -59,21 +59,21 @@ public interface Ticker {
     return !thread.isAlive();
   }
 
-  /** The {@code sim:} links of the robot that lives by this time; none where that is real. */
+  /** The {@code sim:} links of the robot that uses this clock; empty in real time. */
   default SimLinkRegistry simLinks() {
     return SimLinkRegistry.NONE;
   }
 
-  /** The computer's monotonic time: nobody sets it, so it never jumps. */
+  /** The computer's monotonic clock: it cannot be set, so it never jumps. */
   static Ticker system() {
     return SystemTicker.INSTANCE;
   }
 
   /**
-   * The time a module's clock goes by. For the computer's own clock this is {@link #system}, so
-   * that setting the clock (by this very GPS, say) ends no wait early and prolongs none. A clock
-   * that is a ticker itself, as that of a robot in lock-step, is taken as it is. Any other clock
-   * may be stopped or run at another speed, so it is looked at every few milliseconds.
+   * The ticker for a module's clock. For the computer's own clock this is {@link #system}, so that
+   * setting that clock (for example from GPS) neither shortens nor prolongs a wait. A clock that is
+   * a ticker itself, such as that of a robot in lock-step, is returned unchanged. Any other clock
+   * may be stopped or run at another speed, so it is polled every few milliseconds.
    */
   static Ticker of(InstantSource clock) {
     if (clock instanceof Ticker ticker) {
@@ -82,14 +82,14 @@ public interface Ticker {
     return isSystemClock(clock) ? system() : new ClockTicker(clock);
   }
 
-  /** Whether a clock is the computer's own, and not that of a simulation. */
+  /** Whether a clock is the computer's own, not that of a simulation. */
   static boolean isSystemClock(InstantSource clock) {
     return clock.equals(InstantSource.system())
         || (clock instanceof Clock c && c.equals(Clock.system(c.getZone())));
   }
 }
 
-/** The computer's monotonic time. */
+/** The computer's monotonic clock. */
 enum SystemTicker implements Ticker {
   INSTANCE;
 
@@ -105,7 +105,7 @@ enum SystemTicker implements Ticker {
   }
 }
 
-/** The time of a simulated clock, by looking at it every few milliseconds. */
+/** The time of a simulated clock, polled every few milliseconds. */
 record ClockTicker(InstantSource clock) implements Ticker {
 
   private static final long LOOK_EVERY_NANOS = 5_000_000;

@@ -1,6 +1,6 @@
 package org.dfra.drivers.camera.mjpeg;
 
-/** Bytes that wait to be understood, in one array. It grows up to a bound and never beyond. */
+/** Received bytes that are not parsed yet, in one array that grows up to a bound. */
 final class ByteQueue {
 
   private static final int FIRST = 16 * 1024;
@@ -11,14 +11,14 @@ final class ByteQueue {
   private int end;
 
   /**
-   * @param maxBytes bytes that it holds at the most
+   * @param maxBytes maximum number of bytes held
    */
   ByteQueue(int maxBytes) {
     this.most = maxBytes;
     this.bytes = new byte[Math.min(FIRST, maxBytes)];
   }
 
-  /** Takes as many as it has room for; how many. */
+  /** Adds as many bytes as fit; returns how many. */
   int add(byte[] from, int offset, int length) {
     if (bytes.length - end < length) {
       makeRoom(length);
@@ -42,7 +42,10 @@ final class ByteQueue {
     end = held;
   }
 
-  /** The array that holds them, from {@link #start} to {@link #end}; until the next change. */
+  /**
+   * The array that holds the bytes, from {@link #start} to {@link #end}; valid until the next
+   * change.
+   */
   byte[] array() {
     return bytes;
   }
@@ -59,12 +62,12 @@ final class ByteQueue {
     return end - start;
   }
 
-  /** Bytes of memory taken. */
+  /** Size of the array, bytes. */
   int capacity() {
     return bytes.length;
   }
 
-  /** Gives the first ones away. */
+  /** Removes the first bytes. */
   void skip(int count) {
     start += count;
     if (start == end) {
@@ -73,7 +76,7 @@ final class ByteQueue {
     }
   }
 
-  /** Index of the first occurrence that begins at {@code from} or after; −1 where there is none. */
+  /** Index of the first occurrence at or after {@code from}; −1 where there is none. */
   int find(byte[] needle, int from) {
     for (int i = from; i <= end - needle.length; i++) {
       if (bytes[i] == needle[0] && matches(needle, i)) {
@@ -92,7 +95,7 @@ final class ByteQueue {
     return true;
   }
 
-  /** Index after the next line feed at {@code from} or after; −1 where there is none. */
+  /** Index after the next line feed at or after {@code from}; −1 where there is none. */
   int endOfLine(int from) {
     for (int i = from; i < end; i++) {
       if (bytes[i] == '\n') {
@@ -102,7 +105,7 @@ final class ByteQueue {
     return -1;
   }
 
-  /** Index after the blank line that ends a head which begins at {@link #start}; −1: not there. */
+  /** Index after the blank line that ends the head at {@link #start}; −1 if there is none yet. */
   int endOfHead() {
     int line = start;
     for (int next = endOfLine(line); next >= 0; next = endOfLine(line)) {

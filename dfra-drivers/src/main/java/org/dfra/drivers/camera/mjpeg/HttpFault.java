@@ -2,17 +2,17 @@ package org.dfra.drivers.camera.mjpeg;
 
 import java.util.Locale;
 
-/** Why a response is no stream of images, in a sentence that says what to do. */
+/** Explains why a response is not an image stream, and what to do about it. */
 final class HttpFault {
 
   private HttpFault() {}
 
   /**
-   * What is wrong with a response; empty where it is a stream.
+   * The fault in a response; empty where it is an image stream.
    *
    * @param head its head
-   * @param path what was asked for
-   * @param user who asked; empty where nobody said who
+   * @param path the requested path
+   * @param user user name of the request; empty without authentication
    */
   static String of(HttpHead head, String path, String user) {
     String answer = (head.status() + " " + head.reason()).strip();
@@ -69,7 +69,7 @@ final class HttpFault {
             + "); set user and password";
   }
 
-  /** A location may name a password before its host. */
+  /** Removes the user name and the password from a redirect's location. */
   private static String withoutUser(String location) {
     return location.replaceFirst("//[^/@]*@", "//");
   }

@@ -9,24 +9,24 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What stands before a body: of a response, or of a part of one.
+ * The head of an HTTP response, or of a part of a multipart body.
  *
- * @param status as in {@code 404}; 0 where it is a part's
- * @param reason as in {@code Not Found}; may be empty
- * @param headers values by names in lower case; of a name given twice the first
+ * @param status such as {@code 404}; 0 for the head of a part
+ * @param reason such as {@code Not Found}; may be empty
+ * @param headers values by lower-case name; the first value of a repeated name
  */
 public record HttpHead(int status, String reason, Map<String, String> headers) {
 
   private static final Pattern STATUS = Pattern.compile("HTTP/1\\.[01] ([1-5][0-9]{2})(?: (.*))?");
   private static final Pattern BOUNDARY =
       Pattern.compile("(?i).*;\\s*boundary\\s*=\\s*(?:\"([^\"]+)\"|([^\\s;]+)).*");
-  private static final int LONGEST_BOUNDARY = 100; // RFC 2046 says 70
+  private static final int LONGEST_BOUNDARY = 100; // maximum 70, RFC 2046
 
   public HttpHead {
     headers = Map.copyOf(headers);
   }
 
-  /** Reads a response's; empty where its first line is no status line. */
+  /** Parses a response's head; empty where its first line is not a status line. */
   static Optional<HttpHead> ofResponse(byte[] bytes, int offset, int length) {
     String[] lines = lines(bytes, offset, length);
     Matcher matcher = STATUS.matcher(lines[0].stripTrailing());
@@ -37,7 +37,7 @@ public record HttpHead(int status, String reason, Map<String, String> headers) {
     return Optional.of(new HttpHead(Integer.parseInt(matcher.group(1)), reason, headers(lines, 1)));
   }
 
-  /** Reads a part's, which may be empty. */
+  /** Parses the head of a part, which may be empty. */
   static HttpHead ofPart(byte[] bytes, int offset, int length) {
     return new HttpHead(0, "", headers(lines(bytes, offset, length), 0));
   }
@@ -59,7 +59,7 @@ public record HttpHead(int status, String reason, Map<String, String> headers) {
     return headers;
   }
 
-  /** Without what could spoil a log; a stranger has written it. */
+  /** Removes characters that could corrupt a log; the text comes from the network. */
   private static String printable(String text) {
     String clean = text.replaceAll("[^\\x20-\\x7E]", "?");
     return clean.length() > 200 ? clean.substring(0, 200) + "…" : clean;
@@ -70,7 +70,7 @@ public record HttpHead(int status, String reason, Map<String, String> headers) {
     return headers.getOrDefault(name, "");
   }
 
-  /** The media type without its parameters, in lower case; empty where none is told. */
+  /** The media type without its parameters, in lower case; empty where the head has none. */
   public String mediaType() {
     String type = header("content-type");
     int end = type.indexOf(';');
@@ -78,8 +78,8 @@ public record HttpHead(int status, String reason, Map<String, String> headers) {
   }
 
   /**
-   * What separates the parts, without leading hyphens, since some cameras count these as part of it
-   * and some do not; empty where this is no head of a multipart body.
+   * The boundary between parts, without leading hyphens, because cameras differ in whether they
+   * belong to it; empty where this is not the head of a multipart body.
    */
   public String boundary() {
     Matcher matcher = BOUNDARY.matcher(header("content-type"));

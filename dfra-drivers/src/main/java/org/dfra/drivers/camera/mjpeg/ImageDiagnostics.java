@@ -15,7 +15,7 @@ import org.dfra.core.module.LatestReading;
 import org.dfra.drivers.device.DeviceLink;
 import org.dfra.flow.sensor.CameraImage;
 
-/** Looks at an image as people would. */
+/** Checks whether an image can be decoded and has visible content. */
 final class ImageDiagnostics {
 
   static final String IMAGE = "image";
@@ -25,7 +25,7 @@ final class ImageDiagnostics {
   private final Supplier<CameraImage> images;
 
   /**
-   * @param images the last image; throws where there is none
+   * @param images supplies the last image; throws if there is none
    */
   ImageDiagnostics(DeviceLink line, MjpegProtocol protocol, Supplier<CameraImage> images) {
     this.deviceLink = line;
@@ -33,7 +33,7 @@ final class ImageDiagnostics {
     this.images = images;
   }
 
-  /** Waits for the next image, decodes it, and looks whether there is anything in it. */
+  /** Waits for the next image, decodes it, and checks that it has visible content. */
   DiagnosticFinding checkNextImage() throws InterruptedException {
     DiagnosticFinding link = deviceLink.link();
     if (!link.passed()) {
@@ -47,14 +47,14 @@ final class ImageDiagnostics {
     return of(images.get());
   }
 
-  /** What is seen in an image. */
+  /** Checks one image. */
   static DiagnosticFinding of(CameraImage image) {
     BufferedImage decoded;
     ImageReader reader = ImageIO.getImageReadersByMIMEType(image.mediaType()).next();
     try (var in = new MemoryCacheImageInputStream(new ByteArrayInputStream(image.data()))) {
       reader.setInput(in);
       decoded = reader.read(0);
-    } catch (IOException | RuntimeException e) { // the JDK's decoders throw both on damage
+    } catch (IOException | RuntimeException e) { // the JDK's decoders throw both for damaged data
       return new DiagnosticFinding(false, "the image cannot be decoded: " + e.getMessage());
     } finally {
       reader.dispose();

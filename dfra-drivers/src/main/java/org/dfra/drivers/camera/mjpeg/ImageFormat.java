@@ -3,12 +3,12 @@ package org.dfra.drivers.camera.mjpeg;
 import java.util.Optional;
 
 /**
- * What an encoded image is, as far as its markers tell without decoding it.
+ * The format of an encoded image, read from its markers without decoding it.
  *
  * @param mediaType {@code image/jpeg} or {@code image/png}
  * @param width pixels
  * @param height pixels
- * @param bits of each sample
+ * @param bits bits per sample
  * @param isGrey whether a pixel is one sample
  */
 public record ImageFormat(String mediaType, int width, int height, int bits, boolean isGrey) {
@@ -24,7 +24,7 @@ public record ImageFormat(String mediaType, int width, int height, int bits, boo
     0, 0, 0, 0, 'I', 'E', 'N', 'D', (byte) 0xAE, 0x42, 0x60, (byte) 0x82
   };
 
-  /** Reads an image's markers; empty where it is neither a JPEG nor a PNG from begin to end. */
+  /** Reads an image's markers; empty where it is not a complete JPEG or PNG. */
   static Optional<ImageFormat> of(byte[] bytes, int offset, int length) {
     if (length > 4 && at(bytes, offset) == 0xFF && at(bytes, offset + 1) == SOI) {
       return ofJpeg(bytes, offset, offset + length);
@@ -81,7 +81,7 @@ public record ImageFormat(String mediaType, int width, int height, int bits, boo
     return Optional.empty();
   }
 
-  /** SOF0 to SOF15, but for the tables DHT, JPG and DAC among them. */
+  /** Whether the marker is SOF0 to SOF15, except DHT, JPG and DAC. */
   private static boolean isFrame(int marker) {
     return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
   }

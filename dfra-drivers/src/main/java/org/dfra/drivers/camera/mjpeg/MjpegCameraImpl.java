@@ -23,40 +23,40 @@ import org.dfra.persona.SensorAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A network camera that streams images over HTTP: in light as JPEG; of heat as PNG, grey with 16
- * bits, hundredths of a kelvin.
+ * A network camera that streams images over HTTP: visible light as JPEG; thermal as 16-bit grey
+ * PNG, in hundredths of a kelvin.
  *
  * <p>Parameters:
  *
  * <ul>
  *   <li>{@code link}: {@code tcp://host:port}; required. {@code reopen_first}, {@code
  *       reopen_longest}: see {@link org.dfra.drivers.link.LinkSettings}
- *   <li>{@code path}: of the stream at the camera; default {@code /}
- *   <li>{@code user}, {@code password}: for cameras that ask for them, by basic authentication;
- *       never shown, never logged
+ *   <li>{@code path}: path of the stream on the camera; default {@code /}
+ *   <li>{@code user}, {@code password}: for cameras that require basic authentication; never shown,
+ *       never logged
  *   <li>{@code band}: {@code visible} or {@code thermal}; default visible
  *   <li>{@code field_of_view}: from the left edge to the right, radians, 0.001 to 3.1; required;
  *       can be set while it runs
- *   <li>{@code frame_rate}: images per second, as the camera is set up, 0.1 to 120; default 10
+ *   <li>{@code frame_rate}: images per second, as configured on the camera, 0.1 to 120; default 10
  *   <li>{@code idle_period}: seconds from one image to the next while there are no clients, 0 to
- *       3600; default 10; in between it is not connected. 0: it streams all the time. Can be set
+ *       3600; default 10; the connection is closed in between. 0: it always streams. Can be set
  *       while it runs
- *   <li>{@code largest_image}: bytes, 10 000 to 64 Mi; a larger one is dropped and counted; default
- *       4 Mi
- *   <li>{@code mount_frame} and so on: where the camera is; its frame looks along x. See {@link
+ *   <li>{@code largest_image}: bytes, 10 000 to 64 Mi; a larger image is dropped and counted;
+ *       default 4 Mi
+ *   <li>{@code mount_frame} and so on: the camera's pose; it looks along x of its frame. See {@link
  *       org.dfra.core.module.DeviceImpl}
- *   <li>to be read only: {@code frames}, {@code dropped_bytes}, {@code malformed_frames}
+ *   <li>read-only: {@code frames}, {@code dropped_bytes}, {@code malformed_frames}
  * </ul>
  *
- * <p>An image is stamped with the camera's {@code X-Timestamp} (seconds since 1970) where it sends
- * one that is within 10 s of this computer's time, else with the time when it has come.
+ * <p>An image has the time of the camera's {@code X-Timestamp} (seconds since 1970) where that is
+ * within 10 s of this computer's time, else its time of arrival.
  *
- * <p>INITIALIZING until the first image; again, with the reason in a sentence, when the link is
- * lost, the camera answers with an error, ends the stream, or sends no image for 5 s. An image is
- * served for 5 s, while it rests for the idle period longer.
+ * <p>The module is INITIALIZING until the first image, and again, with the reason, when the link is
+ * lost or the camera answers with an error, ends the stream, or sends no image for 5 s. An image is
+ * served for 5 s; while the camera is idle, for the idle period longer.
  *
- * <p>Tests: {@code link}, {@code readings} (images come), {@code image} (the next one can be
- * decoded and shows something). Recovery: {@code reopen_link}.
+ * <p>Tests: {@code link}, {@code readings} (images arrive), {@code image} (the next image can be
+ * decoded and has visible content). Recovery: {@code reopen_link}.
  *
  * <p>Threads: one reader ({@code name reader}), owned from {@code start} to {@code close}.
  */
@@ -64,7 +64,10 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
 
   private static final Duration OLDEST = Duration.ofSeconds(5);
 
-  /** A camera whose clock is farther off was never set, or tells the time since it was started. */
+  /**
+   * A larger clock difference means that the camera's clock was never set, or counts from its
+   * start.
+   */
   private static final Duration MOST_OFF = Duration.ofSeconds(10);
 
   private static final List<Precondition> PRECONDITIONS =
@@ -77,7 +80,7 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
   private volatile double fieldOfView;
   private volatile double idlePeriod;
   private volatile boolean hasClients;
-  private volatile @Nullable CameraAttributes can; // null: it has sent nothing yet
+  private volatile @Nullable CameraAttributes can; // null before the first image
 
   /**
    * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
@@ -86,7 +89,7 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
     this(context, Ticker.of(context.clock()), null);
   }
 
-  /** For tests: by another time, and over links made in another way. */
+  /** For tests: uses the given clock and source of links. */
   MjpegCameraImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
     super(context, "network camera, MJPEG", "DFRA", "1.0", List.of("CameraImage"), PRECONDITIONS);
     this.written = MjpegSettings.of(settings());
@@ -124,7 +127,7 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
             value -> idlePeriod = value);
   }
 
-  /** Seconds from one image to the next now; 0 while it is to stream. */
+  /** Current time from one image to the next, seconds; 0 while streaming is required. */
   private double requiredIdlePeriod() {
     return hasClients ? 0 : idlePeriod;
   }
@@ -143,7 +146,7 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
 
   @Override
   protected void onClientCount(int number) {
-    hasClients = number > 0; // the reader looks at it every 0.1 s
+    hasClients = number > 0; // the reader polls it every 0.1 s
   }
 
   @Override
@@ -178,7 +181,7 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
     return all;
   }
 
-  /** What comes from the camera; on the reader's thread. */
+  /** Handles what the camera sends; on the reader thread. */
   private final class Camera implements MjpegProtocol.Listener {
 
     @Override
@@ -226,7 +229,7 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
       publish(image);
     }
 
-    /** When it was taken: as the camera says, where its clock can be right; else by now. */
+    /** When the image was taken: the camera's time where it is plausible, else the current time. */
     private Instant taken(Part part) {
       Instant now = clock().instant();
       return TimestampParser.of(part.head().header("x-timestamp"))

@@ -1,6 +1,6 @@
 package org.dfra.drivers.camera.mjpeg;
 
-/** What comes from the camera. */
+/** A message from the camera. */
 public sealed interface MjpegMessage {
 
   /**
@@ -11,25 +11,25 @@ public sealed interface MjpegMessage {
   record Response(HttpHead head) implements MjpegMessage {}
 
   /**
-   * An image, whole from its first marker to its last.
+   * An image, complete from its first marker to its last.
    *
    * @param head the part's head
-   * @param shape what the image is
-   * @param data the image as the camera encoded it; nobody else holds it
+   * @param shape the image's format
+   * @param data the image as the camera encoded it; not shared
    */
   record Part(
       HttpHead head, ImageFormat shape, @SuppressWarnings("ArrayRecordComponent") byte[] data)
       implements MjpegMessage {}
 
   /**
-   * A part that is no image, or not a whole one, or too large.
+   * A part that is not an image, incomplete, or too large.
    *
-   * @param reason what it is
+   * @param reason what is wrong
    */
   record Malformed(String reason) implements MjpegMessage {}
 
   /**
-   * Nothing that could be understood will follow.
+   * Nothing that can be parsed will follow.
    *
    * @param reason why, as a clause
    */

@@ -12,30 +12,33 @@ import org.dfra.drivers.frame.StreamCounts;
 import org.dfra.drivers.frame.StreamParser;
 
 /**
- * Bytes in, images out.
+ * Parses a stream of bytes into images.
  *
  * <pre>
- *   HEAD --200, multipart--&gt; BETWEEN &lt;--------------------------------+
- *    | anything else          | a line with the boundary              |
- *    v                        v                                       |
- *   DEAF &lt;--last boundary-- PART_HEAD --Content-Length--&gt; COUNTED ----+ so many bytes are there
- *                             +----------without it-----&gt; UNCOUNTED --+ the next boundary is there
+ *   RESPONSE_HEAD --200, multipart--&gt; SEEKING_BOUNDARY &lt;--------------------+
+ *     | anything else                   | a line with the boundary          |
+ *     v                                 v                                   |
+ *   DISCARDING &lt;--last boundary------ PART_HEAD                             |
+ *                                       | Content-Length                    |
+ *                                       +--&gt; FIXED_LENGTH_BODY -------------+ all bytes received
+ *                                       | no Content-Length                 |
+ *                                       +--&gt; DELIMITED_BODY ----------------+ next boundary
  * </pre>
  *
- * <p>A part that is no whole image is dropped, and the next boundary looked for from its begin on,
- * since its length may be what is wrong. Of a part without a length the end is known only when the
- * next one begins, so such images come one late.
+ * <p>A part that is not a complete image is dropped. The search for the next boundary begins at the
+ * start of that part, because its length may be wrong. The end of a part without a length is known
+ * only when the next part begins, so such images arrive one part late.
  *
- * <p>It holds no more bytes than those of the largest image allowed and of one head. Every byte is
- * counted once: as an image's, as one of what stands around images, or as dropped.
+ * <p>The parser buffers at most the largest allowed image and one head. Every byte is counted once:
+ * as image data, as structure (heads and boundaries), or as dropped.
  */
 public final class MjpegParser implements StreamParser {
 
-  /** A response's head is not longer, bytes. */
+  /** Maximum size of a response's head, bytes. */
   static final int LONGEST_HEAD = 8 * 1024;
 
   private static final int LONGEST_PART_HEAD = 4 * 1024;
-  private static final int LONGEST_DELIMITER = 160; // with blanks behind it
+  private static final int LONGEST_DELIMITER = 160; // with trailing blanks
   private static final byte[] HTTP = {'H', 'T', 'T', 'P', '/'};
 
   private enum State {
@@ -54,8 +57,8 @@ public final class MjpegParser implements StreamParser {
   private State state = State.RESPONSE_HEAD;
   private byte[] delimiter = {};
   private HttpHead partHead = HttpHead.ofPart(delimiter, 0, 0);
-  private int length; // of the part, where it is counted
-  private int searched; // bytes of the part without a delimiter, where it is not
+  private int length; // of the part, where its length is known
+  private int searched; // bytes of the part searched for a delimiter, where it has no length
 
   private long parts;
   private long malformed;
@@ -64,8 +67,8 @@ public final class MjpegParser implements StreamParser {
   private long structureBytes;
 
   /**
-   * @param largest bytes of the largest image allowed
-   * @param messages is given every message, in order, during {@link #feed}
+   * @param largest maximum size of an image, bytes
+   * @param messages receives every message, in order, during {@link #feed}
    */
   public MjpegParser(int largest, Consumer<? super MjpegMessage> messages) {
     this.largest = largest;
@@ -85,7 +88,7 @@ public final class MjpegParser implements StreamParser {
       while (goesOn) {
         goesOn = step();
       }
-      if (part == 0) { // cannot be: every state lets go of more than it may hold
+      if (part == 0) { // cannot happen: every state releases bytes before the buffer is full
         throw new IllegalStateException(state + " holds " + pending.size() + " bytes");
       }
     }
@@ -112,17 +115,17 @@ public final class MjpegParser implements StreamParser {
     return structureBytes;
   }
 
-  /** Bytes fed that are not understood yet. */
+  /** Bytes fed that are not parsed yet. */
   int pendingBytes() {
     return pending.size();
   }
 
-  /** Bytes of memory that hold them. */
+  /** Size of the buffer, bytes. */
   int capacity() {
     return pending.capacity();
   }
 
-  /** Whether there is something left to be understood. */
+  /** Parses one element; returns whether there may be more to parse. */
   private boolean step() {
     return switch (state) {
       case RESPONSE_HEAD -> head();
@@ -145,7 +148,7 @@ public final class MjpegParser implements StreamParser {
       return end("what answers there speaks no HTTP");
     }
     int end = pending.endOfHead();
-    if ((end < 0 ? pending.end() : end) - start > LONGEST_HEAD) { // however it was cut
+    if ((end < 0 ? pending.end() : end) - start > LONGEST_HEAD) { // however the stream was split
       return end("its head has no end");
     }
     if (end < 0) {
@@ -183,7 +186,7 @@ public final class MjpegParser implements StreamParser {
       structure(end - pending.start());
       return end("the camera has ended its stream");
     }
-    if (!remainder.isEmpty()) { // another word that begins the same
+    if (!remainder.isEmpty()) { // another word with the same beginning
       drop(1);
       return true;
     }
@@ -192,7 +195,9 @@ public final class MjpegParser implements StreamParser {
     return true;
   }
 
-  /** Lets go of what is before a delimiter: ends of lines belong to it, anything else does not. */
+  /**
+   * Skips the bytes before a delimiter: line ends count as its structure, other bytes as dropped.
+   */
   private void skipTo(int found) {
     byte[] bytes = pending.array();
     int count = found - pending.start();
@@ -266,7 +271,7 @@ public final class MjpegParser implements StreamParser {
     return true;
   }
 
-  /** Whether only hyphens are before it, which some cameras do not count to it. */
+  /** Whether only hyphens precede it on its line; some cameras do not count them as part of it. */
   private boolean beginsLine(int at) {
     int i = at;
     while (i > pending.start() && at - i < 2 && pending.array()[i - 1] == '-') {
@@ -306,7 +311,7 @@ public final class MjpegParser implements StreamParser {
     messages.accept(part);
   }
 
-  /** Gives the part up and looks for the next. */
+  /** Drops the part and searches for the next. */
   private boolean refuse(String reason) {
     parts++;
     malformed++;

@@ -12,34 +12,34 @@ import org.dfra.drivers.link.SerialLink;
 import org.dfra.drivers.link.Ticker;
 
 /**
- * What is said to the camera, and when.
+ * Controls the connection: when to request a stream, and when to close it.
  *
  * <pre>
  *            opened: GET
  *                v
  *   +------&gt; STREAMING   takes images
- *   |            v an image has come, and nobody is a client
- *   |        RESTING     not connected
- *   |            v a client has come, or the idle period is over: connected again, GET
+ *   |            v an image has arrived, and there are no clients
+ *   |        IDLE        not connected
+ *   |            v a client has arrived, or the idle period is over: reconnects, GET
  *   +------------+
  *
- *   an error, an end, silence --&gt; the link is opened anew, by its back-off
+ *   an error, an end, silence --&gt; the link is reopened, by its back-off
  * </pre>
  *
  * <p>Confined to the reader.
  */
 final class MjpegProtocol implements DeviceProtocol {
 
-  /** What the driver is told; by the reader. */
+  /** Receives the events; called by the reader. */
   interface Listener {
 
-    /** An image has come that the camera should send; whether it is one to be served. */
+    /** An image of the expected type has arrived; returns whether it is to be served. */
     boolean imageReceived(Part part);
 
-    /** A part was none that the camera should send. */
+    /** A part was not of the expected type. */
     void refused(String reason);
 
-    /** There is no camera now. */
+    /** The camera is lost. */
     void lost(String reason);
   }
 
@@ -51,14 +51,15 @@ final class MjpegProtocol implements DeviceProtocol {
   private final Listener listener;
   private final MjpegParser parser;
 
-  private String fault = ""; // why the stream must be opened anew; empty while all is well
-  private boolean hasSeen; // an image since it was connected
-  private volatile boolean isIdle; // also read by those who wait for an image
+  private String fault = ""; // why the stream must be reopened; empty without a fault
+  private boolean hasSeen; // an image has arrived since it was connected
+  private volatile boolean isIdle; // also read by threads that wait for an image
   private volatile long connectedNanos;
-  private volatile long lifeNanos; // when the last image came, or the link was opened anew
+  private volatile long lifeNanos; // when the last image arrived, or the link was reopened
 
   /**
-   * @param idlePeriod seconds from one image to the next now; 0 while it is to stream
+   * @param idlePeriod current time from one image to the next, seconds; 0 while streaming is
+   *     required
    */
   MjpegProtocol(
       MjpegSettings settings, Ticker ticker, DoubleSupplier idlePeriod, Listener listener) {
@@ -109,7 +110,7 @@ final class MjpegProtocol implements DeviceProtocol {
 
   @Override
   public Duration livenessTimeout() {
-    // Counted from the last image on, which was rightly long ago when it was connected again.
+    // Counted from the last image, which may be old when the camera is reconnected.
     return isIdle
         ? SILENCE.plusNanos(Math.round(idlePeriod.getAsDouble() * 1e9))
         : SILENCE.plusNanos(Math.max(0, connectedNanos - lifeNanos));

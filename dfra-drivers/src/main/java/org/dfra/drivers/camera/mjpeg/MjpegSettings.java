@@ -12,17 +12,17 @@ import org.dfra.drivers.link.TcpAddress;
 import org.dfra.flow.sensor.CameraImage.Band;
 
 /**
- * What was written for a camera, read and checked; see {@link MjpegCameraImpl}.
+ * The checked parameters of a camera; see {@link MjpegCameraImpl}.
  *
- * @param address where it is
+ * @param address the camera's address
  * @param path of its stream
- * @param user whom it knows; empty where it wants to know nobody
- * @param authorization the header that says so; never to be shown
- * @param band what it sees
+ * @param user user name; empty without authentication
+ * @param authorization the authorization header; must not be shown
+ * @param band the spectral band
  * @param fieldOfView from the left edge to the right, radians
- * @param frameRate images per second, as it is set up
- * @param idlePeriod seconds from one image to the next without clients; 0: as with clients
- * @param maxImageBytes bytes of the largest image allowed
+ * @param frameRate images per second, as configured on the camera
+ * @param idlePeriod seconds from one image to the next without clients; 0: the same as with clients
+ * @param maxImageBytes maximum size of an image, bytes
  */
 record MjpegSettings(
     LinkAddress address,
@@ -42,7 +42,7 @@ record MjpegSettings(
   private static final int USUAL_LARGEST = 4 * 1024 * 1024;
 
   /**
-   * Reads them.
+   * Reads the parameters.
    *
    * @throws org.dfra.core.config.ConfigurationException if one is missing or wrong
    */
@@ -80,7 +80,7 @@ record MjpegSettings(
   private static String authorization(Parameters parameters, String user) {
     Optional<String> password = parameters.find("password");
     if (user.isEmpty()) {
-      // With a password this says that the user is not set, and not what the password is.
+      // With a password this reports that the user is not set, without showing the password.
       return password.isPresent() ? parameters.text("user") : "";
     }
     if (user.contains(":") || user.matches("(?s).*\\p{Cntrl}.*")) {
@@ -101,11 +101,11 @@ record MjpegSettings(
   }
 
   private static double fieldOfView(Parameters parameters) {
-    String unused = parameters.text("field_of_view"); // required: nobody can guess it
+    String unused = parameters.text("field_of_view"); // required: there is no sensible default
     return parameters.number("field_of_view", Double.NaN, NARROWEST, WIDEST);
   }
 
-  /** What the camera is asked, once for each stream. */
+  /** The HTTP request, sent once for each stream. */
   byte[] request() {
     String host = address.toString().replaceFirst("^[a-z]+:(//)?", "");
     String request =
@@ -119,12 +119,12 @@ record MjpegSettings(
     return request.getBytes(StandardCharsets.ISO_8859_1);
   }
 
-  /** What the images must be encoded as. */
+  /** The required media type of the images. */
   String mediaType() {
     return band == Band.THERMAL ? "image/png" : "image/jpeg";
   }
 
-  /** Without what nobody may see. */
+  /** Omits the credentials. */
   @Override
   public String toString() {
     return "MjpegSettings[address=" + address + ", path=" + path + ", band=" + band + "]";

@@ -10,8 +10,9 @@ import org.dfra.drivers.link.Ticker;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A link that can rest: its connection is closed, but nobody takes it for lost. {@link #suspend},
- * {@link #resume}, reading and writing are for one thread, the reader; closing for any.
+ * A link that can be suspended: its connection is closed, but the link does not count as lost.
+ * {@link #suspend}, {@link #resume}, reading and writing are confined to one thread, the reader;
+ * any thread may close it.
  */
 final class SuspendableLink implements SerialLink {
 
@@ -20,7 +21,7 @@ final class SuspendableLink implements SerialLink {
   private final String name;
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition closing;
-  private @Nullable SerialLink connection; // guarded by lock; null while it rests
+  private @Nullable SerialLink connection; // guarded by lock; null while suspended
   private boolean closed; // guarded by lock
 
   private SuspendableLink(LinkKeeper.Source source, Ticker ticker, SerialLink first) {
@@ -36,7 +37,7 @@ final class SuspendableLink implements SerialLink {
     return new SuspendableLink(source, ticker, source.open());
   }
 
-  /** Closes the connection until it is woken. */
+  /** Closes the connection until {@link #resume}. */
   void suspend() {
     SerialLink last;
     lock.lock();
@@ -51,7 +52,7 @@ final class SuspendableLink implements SerialLink {
     }
   }
 
-  /** Connects again, unless it is connected. */
+  /** Reconnects, unless it is connected. */
   void resume() throws IOException {
     if (current() != null) {
       return;
@@ -70,7 +71,7 @@ final class SuspendableLink implements SerialLink {
     throw new IOException(name + ": closed meanwhile");
   }
 
-  /** Whether it is not connected. */
+  /** Whether the link is suspended. */
   boolean isResting() {
     return current() == null;
   }
@@ -94,7 +95,7 @@ final class SuspendableLink implements SerialLink {
     lock.lock();
     try {
       if (!closed) {
-        ticker.await(closing, timeout.toNanos()); // or less: whoever reads looks again
+        ticker.await(closing, timeout.toNanos()); // or less: the reader checks again
       }
       return closed ? -1 : 0;
     } catch (InterruptedException e) {

@@ -12,7 +12,7 @@ final class TimestampParser {
 
   private TimestampParser() {}
 
-  /** The time; empty where the text is none. */
+  /** Parses the time; empty where the text is invalid. */
   static Optional<Instant> of(String text) {
     Matcher matcher = SECONDS.matcher(text);
     if (!matcher.matches()) {

@@ -1,11 +1,11 @@
 /**
- * Network cameras that send one image after the other over HTTP, as {@code
- * multipart/x-mixed-replace}: images in light as JPEG, of heat as PNG with 16 bits.
+ * Network cameras that stream images over HTTP, as {@code multipart/x-mixed-replace}: visible light
+ * as JPEG, thermal as 16-bit PNG.
  *
  * <pre>
  *   bytes --&gt; MjpegParser --MjpegMessage: Response, Part ...--&gt; MjpegProtocol --&gt; MjpegCameraImpl
  *             HttpHead, ImageFormat
- *   SuspendableLink: the connection, closed while nobody wants images
+ *   SuspendableLink: the connection, closed while there are no clients
  * </pre>
  *
  * <p>Enter at {@link org.dfra.drivers.camera.mjpeg.MjpegCameraImpl}. Sources: RFC 9110 and 9112

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * How much charge a battery has left at a voltage: a line through points. Its text is {@code
- * volts:share volts:share ...}, both rising, the shares from 0 to 1.
+ * The remaining charge of a battery as a function of its voltage, linear between points. Its text
+ * form is {@code volts:share volts:share ...}, both rising, the shares from 0 to 1.
  *
  * @param points at least two
  */
@@ -27,7 +27,7 @@ record ChargeCurve(List<Point> points) {
     }
   }
 
-  /** Two sealed lead-acid batteries of 12 V in a row, at rest: 11.8 V each are empty. */
+  /** Two sealed 12 V lead-acid batteries in series, without load: empty at 11.8 V each. */
   static final ChargeCurve LEAD_ACID_24 = parse("23.6:0 24.2:0.25 24.7:0.5 25.2:0.75 25.7:1");
 
   private static final String FORM =
@@ -38,10 +38,9 @@ record ChargeCurve(List<Point> points) {
   }
 
   /**
-   * Reads one.
+   * Parses a curve.
    *
-   * @throws IllegalArgumentException if it is none; the message says, as the rest of a sentence,
-   *     what it is not
+   * @throws IllegalArgumentException if the text is invalid; the message completes a sentence
    */
   static ChargeCurve parse(String text) {
     List<Point> points = new ArrayList<>();
@@ -75,7 +74,7 @@ record ChargeCurve(List<Point> points) {
     throw new IllegalArgumentException(FORM);
   }
 
-  /** What is left at a voltage; outside of the curve as at its nearer end. */
+  /** The remaining charge at a voltage; outside the curve, that of the nearer end. */
   double remaining(double voltage) {
     Point below = points.get(0);
     for (Point above : points) {
@@ -93,7 +92,7 @@ record ChargeCurve(List<Point> points) {
     return BigDecimal.valueOf(number).stripTrailingZeros().toPlainString();
   }
 
-  /** As it is read. */
+  /** The text form that {@link #parse} reads. */
   @Override
   public String toString() {
     return points.stream().map(Point::toString).collect(Collectors.joining(" "));

@@ -1,8 +1,8 @@
 package org.dfra.drivers.drive.rflex;
 
 /**
- * Numbers of four bytes none of which is 1B. The controller takes 1B for the beginning of an end
- * wherever it stands, and knows no way to say that it is not meant so.
+ * Four-byte numbers without the byte 1B. The controller treats every 1B as the beginning of an end
+ * mark, and its protocol has no escape sequence.
  */
 final class EscapeFreeNumbers {
 
@@ -11,7 +11,7 @@ final class EscapeFreeNumbers {
   private EscapeFreeNumbers() {}
 
   /**
-   * The nearest such number; of two equally near the smaller.
+   * The nearest such number; the smaller of two equally near ones.
    *
    * @param value 0 to {@link #MOST}
    */
@@ -41,7 +41,7 @@ final class EscapeFreeNumbers {
     return shift < 0 ? value : (value >>> shift << shift) + (1L << shift); // ends in 1C 00..
   }
 
-  /** The place of the first byte that is 1B, in bits from the right; negative where none is. */
+  /** Position of the first byte that is 1B, in bits from the right; negative if there is none. */
   private static int escapeIn(long value) {
     if (value < 0 || value > MOST) {
       throw new IllegalArgumentException(value + " is outside 0 to " + MOST);

@@ -19,25 +19,25 @@ import org.dfra.persona.SensorAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The battery of an ATRV-Jr, as its rFLEX controller measures it. It is in one group with the
- * drive; see {@link RflexDriveImpl}.
+ * The battery of an ATRV-Jr, as its rFLEX controller measures it. It belongs to the same group as
+ * the drive; see {@link RflexDriveImpl}.
  *
  * <p>Parameters, besides those of {@link RflexLinkHandle}, all of which can be set while it runs:
  *
  * <ul>
  *   <li>{@code status_period}: seconds from one reading to the next, 0.2 to 60; default 1
- *   <li>{@code voltage_offset}: volts at the battery above what the controller measures, −5 to 5;
- *       default 1.2. Measure it once with a voltmeter
- *   <li>{@code charge_curve}: what is left at which voltage, {@code volts:share volts:share ...};
- *       default two lead-acid batteries of 12 V in a row, at rest
+ *   <li>{@code voltage_offset}: volts to add to the controller's measurement, −5 to 5; default 1.2.
+ *       Measure it once with a voltmeter
+ *   <li>{@code charge_curve}: remaining charge by voltage, {@code volts:share volts:share ...};
+ *       default two 12 V lead-acid batteries in series, without load
  *   <li>{@code least_voltage}: volts, below which the test {@code voltage} fails; default 23
  * </ul>
  *
- * <p>What remains is guessed from the voltage. It is too low while the motors draw current, which
- * the controller does not measure.
+ * <p>The remaining charge is estimated from the voltage. The estimate is too low while the motors
+ * draw current, which the controller does not measure.
  *
- * <p>INITIALIZING until the first status, and again when the link is lost. A reading is served for
- * three periods and 2 s.
+ * <p>The module is INITIALIZING until the first status, and again when the link is lost. A reading
+ * is served for three periods and 2 s.
  *
  * <p>Tests: {@code link}, {@code readings}, {@code voltage}; recovery: {@code reopen_link}.
  * Threads: it owns none.
@@ -66,7 +66,7 @@ public final class RflexBatteryImpl extends SensorImpl implements BatterySensor 
     this(context, Ticker.of(context.clock()), null);
   }
 
-  /** For tests: by another time, and over links made in another way. */
+  /** For tests: uses the given clock and source of links. */
   RflexBatteryImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
     super(
         context,
@@ -157,8 +157,7 @@ public final class RflexBatteryImpl extends SensorImpl implements BatterySensor 
   /**
    * {@inheritDoc}
    *
-   * @throws NotReadyException if it was not told yet, or not for so long that it does not count any
-   *     more
+   * @throws NotReadyException if no reading has been received yet, or the last one has expired
    */
   @Override
   public BatteryState battery() {

@@ -6,25 +6,25 @@ import org.dfra.drivers.device.SharedLinkClient;
 /** A module that shares an {@link RflexController}. */
 interface RflexClient extends SharedLinkClient {
 
-  /** How often it wants to hear where the axes are, unless it says otherwise. */
+  /** Default period of axis reports. */
   Duration USUAL_REPORTS = Duration.ofMillis(100);
 
-  /** How often it wants to hear of battery and brake, unless it says otherwise. */
+  /** Default period of battery and brake reports. */
   Duration USUAL_STATUS = Duration.ofSeconds(1);
 
-  /** How often it wants to hear where the axes are; asked again and again. */
+  /** Required period of axis reports; queried repeatedly. */
   default Duration reports() {
     return USUAL_REPORTS;
   }
 
-  /** How often it wants to hear of battery and brake; asked again and again. */
+  /** Required period of battery and brake reports; queried repeatedly. */
   default Duration status() {
     return USUAL_STATUS;
   }
 
-  /** The link is open; from now on it is heard, and can be told something. */
+  /** The link is open; from now on messages are received and commands can be sent. */
   void opened();
 
-  /** The controller said this. */
+  /** The controller has sent this message. */
   void messageReceived(RflexMessage message);
 }

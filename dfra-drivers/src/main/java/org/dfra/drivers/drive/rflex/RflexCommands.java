@@ -4,13 +4,12 @@ import java.nio.ByteBuffer;
 import org.dfra.drivers.drive.rflex.RflexMessage.Axis;
 
 /**
- * What an rFLEX controller can be told, as frames. Pure.
+ * Encodes commands to an rFLEX controller as frames. Pure.
  *
- * <p>No frame has the byte 1B anywhere but in its first and its last but one place. Where a number
- * that was asked for would bring one in, the nearest that does not takes its place: of a velocity
- * that is off by 1 count, or by at most 128 counts, which are 1.5 mm/s, where its second byte is
- * concerned. The checksum may become 1B too; then the least important number, a torque or a period,
- * is moved until it is not.
+ * <p>A frame has the byte 1B only as its first and its last but one byte. A number that contains 1B
+ * is replaced by the nearest one without it: a velocity changes by 1 count, or by at most 128
+ * counts (1.5 mm/s) where its second byte is 1B. If the checksum is 1B, the least important number,
+ * a torque or a period, is changed until it is not.
  */
 public final class RflexCommands {
 
@@ -26,11 +25,11 @@ public final class RflexCommands {
   private RflexCommands() {}
 
   /**
-   * Have an axis move so from now on.
+   * Sets the velocity of an axis.
    *
-   * @param velocity counts per second, its sign is the direction; up to 2³² − 1 either way
-   * @param acceleration counts per second squared by which it gets there, 0 to 2³² − 1
-   * @param torque the most torque, in the controller's unit, 0 to 2³² − 1
+   * @param velocity counts per second, the sign is the direction; magnitude up to 2³² − 1
+   * @param acceleration acceleration to that velocity, counts per second squared, 0 to 2³² − 1
+   * @param torque maximum torque, in the controller's unit, 0 to 2³² − 1
    */
   public static byte[] velocity(Axis axis, long velocity, long acceleration, long torque) {
     ByteBuffer data = ByteBuffer.allocate(VELOCITY_LENGTH);
@@ -43,35 +42,35 @@ public final class RflexCommands {
   }
 
   /**
-   * Tell where both axes are, again and again.
+   * Requests periodic reports of both axes.
    *
-   * @param period microseconds, 0 to 2³² − 1; 0 for no more
+   * @param period microseconds, 0 to 2³² − 1; 0 stops the reports
    */
   public static byte[] reports(long period) {
     ByteBuffer data = ByteBuffer.allocate(8).putInt((int) period).putInt(BOTH_AXES);
     return clean(RflexDecoder.MOTION, REQUEST_REPORTS, data, 0, period);
   }
 
-  /** Tell battery and brake, once. */
+  /** Requests one report of battery and brake. */
   public static byte[] status() {
     return frame(RflexDecoder.SYSTEM, RflexDecoder.STATUS, new byte[0]);
   }
 
-  /** Forget velocities, accelerations and torques that were set. */
+  /** Resets velocities, accelerations and torques to the defaults. */
   public static byte[] defaults() {
     return frame(RflexDecoder.MOTION, SET_DEFAULTS, new byte[0]);
   }
 
-  /** Set or release the brake. */
+  /** Sets or releases the brake. */
   public static byte[] brake(boolean set) {
     return frame(RflexDecoder.MOTION, set ? SET_BRAKE : RELEASE_BRAKE, new byte[0]);
   }
 
-  /** The frame with the number at {@code at}, or the nearest one, that makes it free of 1B. */
+  /** The frame with the requested number at {@code at}, or the nearest number that leaves no 1B. */
   private static byte[] clean(int port, int opcode, ByteBuffer data, int at, long requested) {
     long below = EscapeFreeNumbers.atMost(requested);
     long above = EscapeFreeNumbers.atLeast(requested);
-    while (true) { // ends soon: a number next to another has another checksum
+    while (true) { // ends soon: adjacent numbers have different checksums
       boolean isBelow =
           above > EscapeFreeNumbers.MOST || (below >= 0 && requested - below <= above - requested);
       byte[] made = frame(port, opcode, data.putInt(at, (int) (isBelow ? below : above)).array());

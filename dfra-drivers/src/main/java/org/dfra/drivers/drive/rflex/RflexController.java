@@ -20,27 +20,27 @@ import org.jspecify.annotations.Nullable;
  * An rFLEX controller, shared by the modules of a virtual machine that name the same link, as a
  * {@link SharedDeviceLink}.
  *
- * <p>It has the controller report both axes as often as the most curious member wants, and asks for
- * battery and brake likewise. A controller that reports nothing for {@link #LOST_AFTER} is lost,
- * and its link opened anew.
+ * <p>It requests reports of both axes, and of battery and brake, with the shortest period that a
+ * client requires. A controller that reports nothing for {@link #LOST_AFTER} counts as lost, and
+ * its link is reopened.
  *
  * <p>Threads: one reader ({@code rflex reader}) and one writer ({@code rflex writer}, see {@link
  * RflexOutbox}), from the first module to the last.
  */
 final class RflexController extends SharedDeviceLink<RflexClient> {
 
-  /** After so long without a report. */
+  /** Time without a report after which the controller counts as lost. */
   static final Duration LOST_AFTER = Duration.ofSeconds(1);
 
-  /** What is counted for a report of each axis, and for a status. */
+  /** Events that are counted: a report of both axes, and a status. */
   static final String REPORT = "report";
 
   static final String STATUS = "status";
 
-  /** A request may be lost on the way. */
+  /** Time after which a request without an answer is repeated. */
   private static final Duration ASK_AGAIN = Duration.ofMillis(500);
 
-  /** A link that is lost so soon after it was opened was perhaps taken by somebody else. */
+  /** A link that is lost so soon after opening may be in use by another program. */
   private static final Duration SOON = Duration.ofSeconds(3);
 
   private static final String HINT =
@@ -56,7 +56,7 @@ final class RflexController extends SharedDeviceLink<RflexClient> {
   private final RflexParser parser = new RflexParser(this::messageReceived);
 
   // confined to the reader
-  private @Nullable Duration requested; // how often it is to report; null before it was told
+  private @Nullable Duration requested; // requested report period; null before the first request
   private long requestedNanos;
   private long reportedNanos;
   private long askedNanos; // for the last status
@@ -78,8 +78,9 @@ final class RflexController extends SharedDeviceLink<RflexClient> {
   /**
    * Joins the modules of a link; opens it for the first.
    *
-   * @param source opens the link; null to go by the parameter {@code link}
-   * @throws org.dfra.core.config.ConfigurationException if others name the same port in another way
+   * @param source opens the link; null to use the parameter {@code link}
+   * @throws org.dfra.core.config.ConfigurationException if other modules open the same port with
+   *     other settings
    */
   static RflexController join(
       RflexClient client,
@@ -103,7 +104,7 @@ final class RflexController extends SharedDeviceLink<RflexClient> {
     }
   }
 
-  /** A serial port is one, however its line is set. */
+  /** A serial port is the same link, whatever its line settings are. */
   private static String linkKey(LinkAddress address) {
     return address instanceof SerialAddress serial ? "serial:" + serial.port() : address.toString();
   }
@@ -116,7 +117,7 @@ final class RflexController extends SharedDeviceLink<RflexClient> {
 
   @Override
   protected void close() {
-    outbox.close(); // a halt may be on its way
+    outbox.close(); // a halt may be pending
     super.close();
   }
 
@@ -125,13 +126,13 @@ final class RflexController extends SharedDeviceLink<RflexClient> {
     return deviceLink;
   }
 
-  /** Where the controller is told something. */
+  /** The queue of frames to the controller. */
   RflexOutbox outbox() {
     return outbox;
   }
 
   private void write(byte[] frame) {
-    boolean unused = deviceLink.sendNow(frame); // where there is no link, nobody is told later
+    boolean unused = deviceLink.sendNow(frame); // without a link, the frame is dropped
   }
 
   private void messageReceived(RflexMessage message) {
@@ -146,13 +147,13 @@ final class RflexController extends SharedDeviceLink<RflexClient> {
     clients().dispatch(client -> client.messageReceived(message));
   }
 
-  /** What the most curious member wants. */
+  /** The shortest period that a client requires. */
   private Duration shortest(Function<RflexClient, Duration> desired, Duration fallback) {
     return clients()
         .query(all -> all.stream().map(desired).min(Duration::compareTo).orElse(fallback));
   }
 
-  /** What happens on the link; on the reader thread. */
+  /** Handles the link; on the reader thread. */
   private final class Protocol implements DeviceProtocol {
 
     @Override

@@ -10,7 +10,7 @@ import org.dfra.drivers.drive.rflex.RflexMessage.Other;
 import org.dfra.drivers.drive.rflex.RflexMessage.SonarReport;
 import org.dfra.drivers.drive.rflex.RflexMessage.SystemStatus;
 
-/** Intact frames in, messages out. Pure; never throws, whatever the frame. */
+/** Decodes intact frames into messages. Pure; never throws, whatever the frame. */
 public final class RflexDecoder {
 
   static final int SYSTEM = 1;
@@ -27,14 +27,17 @@ public final class RflexDecoder {
   private static final int SONAR_HEAD = 8;
   private static final int ECHO_LENGTH = 3;
 
-  /** The highest a battery of this robot can be; more is damage that the checksum missed. */
+  /**
+   * Maximum plausible battery voltage; a higher value is a transmission error that the checksum
+   * missed.
+   */
   private static final double MOST_VOLTS = 60;
 
   private static final double SONAR_UNITS_PER_METRE = 1476;
 
   private RflexDecoder() {}
 
-  /** Whether the controller sends frames with data of this length. */
+  /** Whether the controller sends such frames with data of this length. */
   static boolean isKnownLength(int port, int opcode, int length) {
     if (port < SYSTEM || port > LAST_PORT) {
       return false;

@@ -20,64 +20,65 @@ import org.dfra.module.Readiness;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The wheels of an ATRV-Jr, by its rFLEX controller. Where odometry and battery of the same
- * controller are modules too, all of them are in one group and name the same {@code link}; see
+ * The drive of an ATRV-Jr, through its rFLEX controller. Where odometry and battery of the same
+ * controller are modules too, all of them belong to one group and name the same {@code link}; see
  * {@link RflexController}.
  *
  * <p>Parameters, besides those of {@link DriveImpl} and {@link RflexLinkHandle}:
  *
  * <ul>
- *   <li>{@code units_per_metre}, {@code units_per_radian}: what the controller counts, 1000 to
+ *   <li>{@code units_per_metre}, {@code units_per_radian}: the controller's counts, 1000 to
  *       1000000, negative where it counts backwards or to the right; default 87462.73 and 36277.67
- *   <li>{@code acceleration}, {@code turn_acceleration}: m/s² and rad/s² by which it drives;
- *       default 1 and 2
- *   <li>{@code stop_deceleration}, {@code stop_turn_deceleration}: m/s² and rad/s² by which it
- *       stands; default 7 and 14. What they take from full speed limits {@code longest_silence}
- *   <li>{@code torque}, {@code turn_torque}: the most torque, in the controller's unit; default
+ *   <li>{@code acceleration}, {@code turn_acceleration}: acceleration of the drive, m/s² and
+ *       rad/s²; default 1 and 2
+ *   <li>{@code stop_deceleration}, {@code stop_turn_deceleration}: deceleration of a stop, m/s² and
+ *       rad/s²; default 7 and 14. The stopping time from full speed limits {@code longest_silence}
+ *   <li>{@code torque}, {@code turn_torque}: maximum torque, in the controller's unit; default
  *       30000
  * </ul>
  *
- * <p>INITIALIZING until both axes were reported and the brake is known; again when the link is
- * lost. A velocity is told to the controller once, never again by itself. Only a halt is told again
- * while the wheels are reported to turn on, since a halt does no harm and its frame may be lost.
+ * <p>The module is INITIALIZING until both axes have been reported and the state of the brake is
+ * known, and again when the link is lost. A velocity is sent to the controller once and never
+ * repeated. Only a halt is repeated while the controller reports that the wheels turn, because a
+ * halt does no harm and its frame may be lost.
  *
- * <p>When the controller is switched on its brake is set. This driver never releases it by itself,
- * and no recovery does: the robot may stand on a slope, so that is for the commander. The brake is
- * known from the controller's status, once a second.
+ * <p>When the controller is switched on its brake is set. Neither this driver nor a recovery
+ * releases it without a command, because the robot may be on a slope. The controller's status
+ * reports the brake once a second.
  *
  * <p>Tests, none of which moves the robot: {@code link}, {@code readings}, {@code brake}, {@code
- * voltage}. Recoveries: {@code reopen_link}; {@code reset_defaults}, which is refused while the
+ * voltage}. Recoveries: {@code reopen_link}; {@code reset_defaults}, which is rejected while the
  * wheels turn.
  *
  * <p>Threads: it owns none; see {@link RflexController}.
  */
 public final class RflexDriveImpl extends DriveImpl {
 
-  /** The controller is not told of a range; this is what such electronics usually bears. */
+  /** No source states a range for the controller; this is typical for such electronics. */
   static final List<Precondition> PRECONDITIONS =
       List.of(new Precondition("temperature", 0, 40, "°C"));
 
-  /** Slower is standing: 1 mm/s and 1 mrad/s. */
+  /** Maximum speed of a stopped robot: 1 mm/s and 1 mrad/s. */
   private static final double STOPPED_RATE = 1e-3;
 
-  /** From a halt to the next, where the wheels turn on. */
+  /** Period of halts while the wheels still turn. */
   private static final Duration HALT_AGAIN = Duration.ofMillis(200);
 
-  /** From a command to the brake until a status that contradicts it counts. */
+  /** Time after a brake command during which a contradicting status is ignored. */
   private static final Duration BRAKE_OBEYED = Duration.ofSeconds(2);
 
   private final Ticker ticker;
   private final RflexDriveSettings wheels;
   private final RflexLinkHandle port;
 
-  /** Taken after the base class' locks, and before none. */
+  /** Acquired after the base class' locks; no other lock is acquired while it is held. */
   private final Object commandLock = new Object();
 
-  private boolean halted = true; // guarded by told
-  private long haltedNanos; // guarded by told
+  private boolean halted = true; // guarded by commandLock
+  private long haltedNanos; // guarded by commandLock
   private @Nullable Boolean
-      commandedBrake; // guarded by told; null when the status is to be believed
-  private long brakeNanos; // guarded by told
+      commandedBrake; // guarded by commandLock; null when the reported status applies
+  private long brakeNanos; // guarded by commandLock
 
   // written by the reader
   private final Map<Axis, MotorReport> reports = new EnumMap<>(Axis.class);
@@ -92,7 +93,7 @@ public final class RflexDriveImpl extends DriveImpl {
     this(context, Ticker.of(context.clock()), null);
   }
 
-  /** For tests: by another time, and over links made in another way. */
+  /** For tests: uses the given clock and source of links. */
   RflexDriveImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
     this(context, ticker, source, RflexDriveSettings.from(context.parameters()));
   }
@@ -238,7 +239,7 @@ public final class RflexDriveImpl extends DriveImpl {
       return RflexDriveImpl.this.path();
     }
 
-    /** Whatever the controller was told before, now the wheels are to stand. */
+    /** Stops the wheels, whatever was sent before. */
     @Override
     public void opened() {
       awaits = "the link is open, axes and brake have not been told yet";
@@ -276,7 +277,7 @@ public final class RflexDriveImpl extends DriveImpl {
         return;
       }
       synchronized (commandLock) {
-        // Not after a velocity: under this lock it is either told already, or told after this.
+        // No halt follows a new velocity: velocities are sent under the same lock.
         if (halted && ticker.nanos() - haltedNanos >= HALT_AGAIN.toNanos()) {
           haltedNanos = ticker.nanos();
           sendHalt();
@@ -289,7 +290,7 @@ public final class RflexDriveImpl extends DriveImpl {
       awaits = reason;
       stopped = false;
       if (readiness().serves()) {
-        transitionTo(Readiness.INITIALIZING, reason); // from here on nothing is obeyed
+        transitionTo(Readiness.INITIALIZING, reason); // from here on no command is executed
         deviceReset(driveState().parkingBrakeEngaged());
       }
       synchronized (commandLock) {
@@ -299,7 +300,7 @@ public final class RflexDriveImpl extends DriveImpl {
     }
   }
 
-  /** A status that was under way when the brake was told something is older than that. */
+  /** Takes the reported brake, unless the status may be older than the last brake command. */
   private void believe(boolean isSet) {
     synchronized (commandLock) {
       Boolean commanded = commandedBrake;

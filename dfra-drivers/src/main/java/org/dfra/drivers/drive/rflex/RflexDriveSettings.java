@@ -6,16 +6,15 @@ import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.persona.DriveAttributes;
 
 /**
- * How the wheels of an ATRV-Jr are told what to do: what the controller counts, and how fast they
- * get faster and slower. Pure.
+ * Settings of the drive of an ATRV-Jr: the controller's counts, accelerations and torques. Pure.
  *
  * @param countsPerMetre counts for a metre, negative where the controller counts backwards
  * @param countsPerRadian counts for a radian, negative where it counts to the right
- * @param acceleration metres per second squared, while they are driven
- * @param yawAcceleration radians per second squared, likewise
- * @param stopDeceleration metres per second squared, when they are to stand
- * @param stopYawDeceleration radians per second squared, likewise
- * @param torque the most torque along x, in the controller's unit
+ * @param acceleration metres per second squared, while driving
+ * @param yawAcceleration radians per second squared, the same
+ * @param stopDeceleration metres per second squared, when stopping
+ * @param stopYawDeceleration radians per second squared, the same
+ * @param torque maximum torque along x, in the controller's unit
  * @param yawTorque the same about z
  */
 record RflexDriveSettings(
@@ -28,10 +27,10 @@ record RflexDriveSettings(
     double torque,
     double yawTorque) {
 
-  /** What the robot can, and how large it is with bumpers and wheels. */
+  /** The robot's maximum velocities, and its size with bumpers and wheels. */
   static final DriveAttributes ATRV_JR = new DriveAttributes(1, 2, 0.78, 0.64);
 
-  /** Of CARMEN's driver; Player's has 90810 and 37000. */
+  /** From CARMEN's driver; Player's driver has 90810 and 37000. */
   private static final double PER_METRE = 87_462.73;
 
   private static final double PER_RADIAN = 36_277.67;
@@ -40,15 +39,16 @@ record RflexDriveSettings(
   private static final double TORQUE = 30_000;
   private static final double MOST_TORQUE = 1_000_000;
 
-  /** Seconds from the timer to the controller: two frames that are 10 ms apart, and some. */
+  /** Delay from the timer to the controller, seconds: two frames 10 ms apart, and a margin. */
   private static final double ON_THE_WAY = 0.03;
 
   /**
-   * Seconds that braking may take at the most, so that some are left for silence; the way included.
+   * Maximum stopping time including the transmission delay, seconds, so that some time is left for
+   * the command timeout.
    */
   private static final double LONGEST_BRAKING = 0.45;
 
-  /** The parameters, see {@link RflexDriveImpl}. */
+  /** Reads the parameters, see {@link RflexDriveImpl}. */
   static RflexDriveSettings from(Parameters parameters) {
     RflexDriveSettings wheels =
         new RflexDriveSettings(
@@ -64,7 +64,7 @@ record RflexDriveSettings(
     return wheels;
   }
 
-  /** Counts for a unit: how many, and in which direction. */
+  /** Counts per unit; the sign is the direction. */
   static double counts(Parameters parameters, String name, double usual) {
     double counts = parameters.number(name, usual, -MOST_COUNTS, MOST_COUNTS);
     if (Math.abs(counts) < LEAST_COUNTS) {
@@ -100,7 +100,7 @@ record RflexDriveSettings(
     }
   }
 
-  /** Seconds until wheels stand that were as fast as they can, the way of the command included. */
+  /** Stopping time from full speed, including the transmission delay, seconds. */
   double braking() {
     return Math.max(
             ATRV_JR.maxSpeed() / stopDeceleration, ATRV_JR.maxYawRate() / stopYawDeceleration)
@@ -108,8 +108,8 @@ record RflexDriveSettings(
   }
 
   /**
-   * The frame that has an axis move so. Along x, 1 count per second takes the place of 0, as
-   * reference drivers do it: 11 micrometres in a second, which no wheel turns by.
+   * The frame that sets the velocity of an axis. Along x, 0 is replaced by 1 count per second, as
+   * in reference drivers: 11 micrometres per second, at which no wheel turns.
    */
   byte[] frame(Axis axis, Velocity commanded) {
     boolean isAlong = axis == Axis.TRANSLATION;

@@ -4,8 +4,8 @@ import org.dfra.drivers.frame.FrameScanner;
 
 /**
  * Finds the frames of an rFLEX controller: {@code 1B 02, port, id, opcode, length, data, checksum,
- * 1B 03}. It goes by the length, since the controller's numbers may hold 1B as any other byte. The
- * lengths of the frames that matter are known, so a damaged length does not make it wait.
+ * 1B 03}. It uses the length, because the controller's numbers may contain 1B like any other byte.
+ * The lengths of the supported frames are known, so a corrupted length does not delay it.
  */
 public final class RflexFramer extends FrameScanner {
 
@@ -21,7 +21,7 @@ public final class RflexFramer extends FrameScanner {
 
   private static final int LONGEST_DATA = 255;
 
-  /** A framer at the beginning of a stream. */
+  /** Makes a framer at the beginning of a stream. */
   public RflexFramer() {
     super(LONGEST_DATA + AROUND);
   }

@@ -9,16 +9,16 @@ import org.dfra.drivers.link.Ticker;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A module's end of the {@link RflexController} that it shares with others.
+ * A module's handle on the {@link RflexController} that it shares with others.
  *
  * <p>Parameters that it reads: {@code link}, {@code reopen_first}, {@code reopen_longest}; of the
- * last two those of the first module that starts count. What it shows and how it is examined: see
- * {@link SharedLinkHandle}.
+ * last two, the values of the first module that starts apply. For its published parameters and
+ * diagnostics see {@link SharedLinkHandle}.
  */
 final class RflexLinkHandle extends SharedLinkHandle<RflexClient, RflexController> {
 
   /**
-   * @param source opens the link; null to go by the parameter {@code link}
+   * @param source opens the link; null to use the parameter {@code link}
    * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
    */
   RflexLinkHandle(
@@ -27,23 +27,21 @@ final class RflexLinkHandle extends SharedLinkHandle<RflexClient, RflexControlle
       Ticker ticker,
       LinkKeeper.@Nullable Source source) {
     super(client, each -> RflexController.join(each, context, ticker, source));
-    var unusedAddress = LinkSettings.address(context.parameters()); // complain now, not later
+    var unusedAddress = LinkSettings.address(context.parameters()); // reports invalid values now
     var unusedBackOff = LinkSettings.backOff(context.parameters());
   }
 
-  /**
-   * Where the controller is told something; null before {@link #start} and after {@link #close}.
-   */
+  /** The queue of frames to the controller; null before {@link #start} and after {@link #close}. */
   @Nullable RflexOutbox outbox() {
     @Nullable RflexController now = sharedLink();
     return now == null ? null : now.outbox();
   }
 
   /**
-   * The check whether another one comes.
+   * A test that passes when the next event arrives.
    *
-   * @param event is counted
-   * @param found tells what is found when it has come
+   * @param event name of the event
+   * @param found makes the finding when it has arrived
    */
   DiagnosticProcedure arrivalCheck(String event, DiagnosticProcedure found) {
     return arrivalCheck(event, event, () -> ANSWER, found);

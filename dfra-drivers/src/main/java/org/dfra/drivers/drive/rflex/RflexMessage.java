@@ -2,22 +2,25 @@ package org.dfra.drivers.drive.rflex;
 
 import java.util.List;
 
-/** What an rFLEX controller says. Numbers are the controller's own unless a unit is named. */
+/**
+ * A message from an rFLEX controller. Numbers are in the controller's own unit unless a unit is
+ * named.
+ */
 public sealed interface RflexMessage {
 
-  /** One of the two motions that the controller drives and counts. */
+  /** One of the two axes of motion that the controller drives and counts. */
   enum Axis {
-    /** Along the robot's x. */
+    /** Translation along the robot's x. */
     TRANSLATION,
-    /** About the robot's z. */
+    /** Rotation about the robot's z. */
     ROTATION
   }
 
   /**
-   * Where an axis is, port 2 opcode 33. The sign of position and velocity is that of the direction
-   * of motion.
+   * State of an axis, port 2 opcode 33. The sign of position and velocity is the direction of
+   * motion.
    *
-   * @param timestamp the controller's clock, unsigned, in a unit that no source tells
+   * @param timestamp the controller's clock, unsigned, in a unit that no source documents
    * @param axis which of the two
    * @param position counted since the controller was switched on; wraps around at 32 bits
    * @param velocity counts per second
@@ -29,7 +32,7 @@ public sealed interface RflexMessage {
       implements RflexMessage {}
 
   /**
-   * How the controller is, port 1 opcode 1.
+   * Status of the controller, port 1 opcode 1.
    *
    * @param timestamp as in {@link MotorReport}
    * @param voltage volts as measured, about 1.2 V below those at the battery
@@ -38,10 +41,10 @@ public sealed interface RflexMessage {
   record SystemStatus(long timestamp, double voltage, boolean brakeSet) implements RflexMessage {}
 
   /**
-   * What the sonars heard, port 4 opcode 2.
+   * The echoes of the sonars, port 4 opcode 2.
    *
    * @param timestamp as in {@link MotorReport}
-   * @param echoes in the order told
+   * @param echoes in the order reported
    */
   record SonarReport(long timestamp, List<Echo> echoes) implements RflexMessage {
 
@@ -59,19 +62,19 @@ public sealed interface RflexMessage {
   record Echo(int sonar, double range) {}
 
   /**
-   * An intact frame that this driver has no use for.
+   * An intact frame that this driver does not use.
    *
    * @param port which part of the controller
-   * @param opcode what it tells
+   * @param opcode kind of the frame
    * @param length of its data in bytes
    */
   record Other(int port, int opcode, int length) implements RflexMessage {}
 
   /**
-   * An intact frame with values that cannot be.
+   * An intact frame with invalid values.
    *
    * @param port which part of the controller
-   * @param opcode what it tells
+   * @param opcode kind of the frame
    * @param reason which value, as a clause
    */
   record Malformed(int port, int opcode, String reason) implements RflexMessage {}

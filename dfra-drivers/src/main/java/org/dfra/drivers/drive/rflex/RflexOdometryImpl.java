@@ -18,25 +18,26 @@ import org.dfra.persona.SensorAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How far the wheels of an ATRV-Jr have carried it, by its rFLEX controller. It is in one group
- * with the drive; see {@link RflexDriveImpl}.
+ * Wheel odometry of an ATRV-Jr, from its rFLEX controller. It belongs to the same group as the
+ * drive; see {@link RflexDriveImpl}.
  *
  * <p>Parameters, besides those of {@link RflexLinkHandle}:
  *
  * <ul>
- *   <li>{@code units_per_metre}, {@code units_per_radian}: as of {@link RflexDriveImpl}; write the
- *       same
+ *   <li>{@code units_per_metre}, {@code units_per_radian}: as in {@link RflexDriveImpl}; set the
+ *       same values
  *   <li>{@code report_period}: seconds from one reading to the next, 0.02 to 0.3; default 0.1; can
  *       be set while it runs
- *   <li>to be read only: {@code restarts}, how often the controller began to count anew
+ *   <li>read-only: {@code restarts}, how often the controller restarted its counts
  * </ul>
  *
- * <p>The pose is that of {@code robot/base_link} in {@code robot/odom}, which stands where the
- * robot was when this module was started. When the controller is switched off and on, or the link
- * is lost, the pose goes on from where it was; {@link WheelOdometer} tells how that is noticed.
+ * <p>The pose is that of {@code robot/base_link} in {@code robot/odom}, whose origin is the robot's
+ * pose when this module was started. When the controller is switched off and on, or the link is
+ * lost, the pose continues from its last value; {@link WheelOdometer} explains how a restart is
+ * detected.
  *
- * <p>INITIALIZING until both axes were reported, and again when the link is lost. A reading is
- * served for five periods, and half a second at least.
+ * <p>The module is INITIALIZING until both axes have been reported, and again when the link is
+ * lost. A reading is served for five periods, but at least half a second.
  *
  * <p>Tests: {@code link}, {@code readings}; recovery: {@code reopen_link}. Threads: it owns none.
  */
@@ -66,7 +67,7 @@ public final class RflexOdometryImpl extends SensorImpl implements OdometrySenso
     this(context, Ticker.of(context.clock()), null);
   }
 
-  /** For tests: by another time, and over links made in another way. */
+  /** For tests: uses the given clock and source of links. */
   RflexOdometryImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
     super(
         context,
@@ -128,8 +129,7 @@ public final class RflexOdometryImpl extends SensorImpl implements OdometrySenso
   /**
    * {@inheritDoc}
    *
-   * @throws NotReadyException if it was not told yet, or not for so long that it does not count any
-   *     more
+   * @throws NotReadyException if no reading has been received yet, or the last one has expired
    */
   @Override
   public Odometry odometry() {

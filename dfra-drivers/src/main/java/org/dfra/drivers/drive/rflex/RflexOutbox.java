@@ -13,28 +13,28 @@ import org.dfra.drivers.link.Ticker;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Frames on their way to the controller. Of velocities only the newest waits, so that none is ever
- * sent when it is old: what a halt follows is the velocity that is just being written, not a queue
- * of those that were told faster than the line carries them.
+ * Queue of frames to the controller. It keeps only the newest velocity of each axis, so that no
+ * outdated velocity is sent: a halt waits only for the frame that is being written, not for a
+ * backlog of velocities.
  *
- * <p>A halt goes before everything else, and {@value #HALTS} times, since it does no harm and a
- * frame may be damaged on the way. A velocity goes once, after what was told before it, the release
- * of a brake, say. The axes take turns, so that velocities that come faster than they are sent do
- * not keep one of them back. Frames are {@link #SPACING} apart, since reference drivers found that
- * the controller misses those that come faster.
+ * <p>A halt precedes all other frames and is sent {@value #HALTS} times, because it does no harm
+ * and a frame may be corrupted. A velocity is sent once, after earlier frames such as the release
+ * of the brake. The axes alternate, so that frequent velocities of one axis do not delay the other.
+ * Frames are {@link #SPACING} apart, because the controller misses faster ones according to
+ * reference drivers.
  *
- * <p>Owns one thread, the writer, so that whoever commands never waits for a line that is stuck.
- * {@link #start} starts it; {@link #close} has it send what waits, at once, and end.
+ * <p>It owns one thread, the writer, so that callers never wait for a blocked link. {@link #start}
+ * starts it; {@link #close} makes it send the queued frames immediately and end.
  */
 final class RflexOutbox implements AutoCloseable {
 
-  /** How often a halt is sent: the last within 0.06 s. */
+  /** How many times a halt is sent: the last time within 0.06 s. */
   static final int HALTS = 3;
 
-  /** From one frame to the next. */
+  /** Interval between frames. */
   static final Duration SPACING = Duration.ofMillis(10);
 
-  /** The longest that {@link #close} waits for a line that does not take what is left. */
+  /** Maximum time that {@link #close} waits for a blocked link. */
   private static final Duration LONGEST_END = Duration.ofSeconds(1);
 
   private static final Duration IDLE = Duration.ofMinutes(1);
@@ -48,15 +48,15 @@ final class RflexOutbox implements AutoCloseable {
   // guarded by lock
   private final Map<Axis, byte[]> velocities = new EnumMap<>(Axis.class);
   private final Queue<byte[]> others = new ArrayDeque<>();
-  private Axis next = Axis.TRANSLATION; // whose turn it is
+  private Axis next = Axis.TRANSLATION; // the axis that is sent next
   private int halts; // frames of a halt that are still to be sent
   private boolean closed;
   private boolean started;
 
   /**
    * @param name the thread is called {@code name writer}
-   * @param ticker the time to wait by
-   * @param sink takes each frame; may block
+   * @param ticker the clock for waits
+   * @param sink writes each frame; may block
    */
   RflexOutbox(String name, Ticker ticker, Consumer<byte[]> sink) {
     this.ticker = ticker;
@@ -78,12 +78,12 @@ final class RflexOutbox implements AutoCloseable {
     }
   }
 
-  /** Takes the place of velocities that wait. */
+  /** Queues velocities; replaces those that are not sent yet. */
   void velocity(byte[] translation, byte[] rotation) {
     put(translation, rotation, false);
   }
 
-  /** The same, before everything else, and more than once. */
+  /** Queues a halt, before all other frames, to be sent more than once. */
   void halt(byte[] translation, byte[] rotation) {
     put(translation, rotation, true);
   }
@@ -100,7 +100,7 @@ final class RflexOutbox implements AutoCloseable {
     }
   }
 
-  /** Goes after what waits, but for velocities. */
+  /** Queues a frame after the queued ones, but before velocities. */
   void add(byte[] frame) {
     lock.lock();
     try {
@@ -111,7 +111,7 @@ final class RflexOutbox implements AutoCloseable {
     }
   }
 
-  /** Forgets what waits: there is no controller to be told. */
+  /** Discards the queued frames, because the controller is lost. */
   void clear() {
     lock.lock();
     try {
@@ -135,7 +135,7 @@ final class RflexOutbox implements AutoCloseable {
       lock.unlock();
     }
     try {
-      boolean unused = ticker.join(writer, LONGEST_END); // else the closing link frees it
+      boolean unused = ticker.join(writer, LONGEST_END); // otherwise closing the link unblocks it
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
@@ -159,14 +159,14 @@ final class RflexOutbox implements AutoCloseable {
       }
       return frame;
     } catch (InterruptedException e) {
-      return null; // nobody but the end of the process does that
+      return null; // only the end of the process does that
     } finally {
       lock.unlock();
     }
   }
 
   private byte @Nullable [] poll() {
-    boolean isUrgent = halts > 2 * (HALTS - 1); // a halt was not sent yet
+    boolean isUrgent = halts > 2 * (HALTS - 1); // a halt has not been sent yet
     if (velocities.isEmpty() || (!isUrgent && !others.isEmpty())) {
       return others.poll();
     }

@@ -4,11 +4,11 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.dfra.drivers.frame.FrameParser;
 
-/** Bytes of an rFLEX controller in, messages out. */
+/** Parses the bytes of an rFLEX controller into messages. */
 public final class RflexParser extends FrameParser<RflexMessage> {
 
   /**
-   * @param messages is given every message, in order, during {@link #feed} and {@link #finish}
+   * @param messages receives every message, in order, during {@link #feed} and {@link #finish}
    */
   public RflexParser(Consumer<? super RflexMessage> messages) {
     super(

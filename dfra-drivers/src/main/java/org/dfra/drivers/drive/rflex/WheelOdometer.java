@@ -4,19 +4,20 @@ import org.dfra.drivers.drive.rflex.RflexMessage.Axis;
 import org.dfra.drivers.drive.rflex.RflexMessage.MotorReport;
 
 /**
- * Adds up where wheels have carried the robot from what the controller counts. Confined to one
+ * Integrates the robot's pose from the controller's counts (dead reckoning). Confined to one
  * thread; reads no clock.
  *
- * <p>Each axis is counted by itself, and both are put together when both have been told: the robot
- * is taken to have gone along an arc in between. A report that was lost is made good by the next.
+ * <p>Each axis is counted separately. When both have been reported, their motions are combined into
+ * an arc. The next report compensates for a lost one.
  *
- * <p>The controller's counts wrap around at 32 bits. Where it was switched off and on they begin
- * anew, which is no motion: its clock has gone back, or the count went further than wheels can in
- * {@value #LONGEST_GAP} s, or the link was away and the count is 0 after it.
+ * <p>The controller's counts wrap around at 32 bits. They restart when the controller is switched
+ * off and on, which is not a motion. A restart is detected when its clock goes back, when a count
+ * changes more than the wheels can move in {@value #LONGEST_GAP} s, or when a count is 0 after the
+ * link was interrupted.
  */
 final class WheelOdometer {
 
-  /** Seconds; the link is opened anew and wheels stand long before. */
+  /** Seconds; the link is reopened and the wheels stop long before that. */
   private static final double LONGEST_GAP = 3;
 
   /** One axis. */
@@ -25,10 +26,10 @@ final class WheelOdometer {
     final double longest; // metres or radians from one report to the next
     boolean known;
     boolean afterGap;
-    boolean fresh; // told since both were put together
+    boolean fresh; // reported since both were combined
     int position;
     long timestamp;
-    double moved; // metres or radians since both were put together
+    double moved; // metres or radians since both were combined
     double speed;
 
     Count(double perUnit, double fastest) {
@@ -67,22 +68,22 @@ final class WheelOdometer {
   /**
    * @param countsPerMetre counts for a metre, negative where the controller counts backwards
    * @param countsPerRadian counts for a radian, negative where it counts to the right
-   * @param maxSpeed metres per second that wheels can go
-   * @param maxYawRate radians per second likewise
+   * @param maxSpeed maximum speed of the wheels, metres per second
+   * @param maxYawRate maximum yaw rate, radians per second
    */
   WheelOdometer(double countsPerMetre, double countsPerRadian, double maxSpeed, double maxYawRate) {
     this.along = new Count(countsPerMetre, maxSpeed);
     this.about = new Count(countsPerRadian, maxYawRate);
   }
 
-  /** The link was away: nobody knows what happened meanwhile. */
+  /** The link was interrupted: reports may be missing. */
   void linkInterrupted() {
     along.afterGap = true;
     about.afterGap = true;
   }
 
   /**
-   * Takes a report.
+   * Processes a report.
    *
    * @return whether there is a new pose
    */
@@ -104,7 +105,7 @@ final class WheelOdometer {
 
   private void join() {
     double half = about.moved / 2;
-    // The chord of an arc, which is the arc itself where it is straight.
+    // The chord of the arc, which equals the arc where it is straight.
     double chord = half == 0 ? along.moved : along.moved * Math.sin(half) / half;
     x += chord * Math.cos(yaw + half);
     y += chord * Math.sin(yaw + half);
@@ -115,32 +116,32 @@ final class WheelOdometer {
     about.fresh = false;
   }
 
-  /** Metres forward of the beginning. */
+  /** Position along the initial x axis, metres. */
   double x() {
     return x;
   }
 
-  /** Metres to the left of the beginning. */
+  /** Position along the initial y axis (left), metres. */
   double y() {
     return y;
   }
 
-  /** Radians to the left since the beginning, not wrapped. */
+  /** Yaw since the beginning, radians, left is +, not wrapped. */
   double yaw() {
     return yaw;
   }
 
-  /** Metres per second, forward is +, as last told. */
+  /** Last reported speed, metres per second, forward is +. */
   double speed() {
     return along.speed;
   }
 
-  /** Radians per second, to the left is +, as last told. */
+  /** Last reported yaw rate, radians per second, left is +. */
   double yawRate() {
     return about.speed;
   }
 
-  /** How often an axis began to count anew. */
+  /** How often an axis restarted its count. */
   long restarts() {
     return restarts;
   }

@@ -10,8 +10,8 @@
  * </pre>
  *
  * <p>Enter at {@link org.dfra.drivers.drive.rflex.RflexDriveImpl}. A serial port has one reader, so
- * the three modules share a {@link org.dfra.drivers.drive.rflex.RflexController}, and belong into
- * one group of the robot's XML.
+ * the three modules share a {@link org.dfra.drivers.drive.rflex.RflexController} and must be in one
+ * group of the robot's XML.
  */
 @NullMarked
 package org.dfra.drivers.drive.rflex;

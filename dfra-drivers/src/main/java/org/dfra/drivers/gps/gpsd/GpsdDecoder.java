@@ -21,9 +21,9 @@ import org.dfra.drivers.gps.gpsd.GpsdMessage.Version;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Decodes lines that {@link GpsdFramer} found, one at a time. Pure; never throws on what a line
- * says: what is wrong makes a {@link Malformed}. Members that are not known are skipped, since
- * every version of gpsd adds some.
+ * Decodes lines that {@link GpsdFramer} found, one at a time. Pure; never throws, whatever the
+ * content of a line: an invalid line makes a {@link Malformed}. Unknown members are skipped,
+ * because every version of gpsd adds some.
  */
 public final class GpsdDecoder {
 
@@ -35,7 +35,7 @@ public final class GpsdDecoder {
           .disable(StreamReadFeature.INCLUDE_SOURCE_IN_LOCATION)
           .build();
 
-  /** What stands for a number that is not known, where numbers cannot be negative. */
+  /** Represents an unknown number where numbers cannot be negative. */
   private static final int UNKNOWN = -1;
 
   private final JsonParser in;
@@ -60,7 +60,7 @@ public final class GpsdDecoder {
       } catch (IOException | DateTimeException e) {
         return new Malformed(line.name, firstLine(e));
       }
-    } catch (IOException e) { // of closing, which reads nothing
+    } catch (IOException e) { // from closing, which reads nothing
       return new Malformed("", firstLine(e));
     }
   }
@@ -239,7 +239,7 @@ public final class GpsdDecoder {
     return (int) value;
   }
 
-  /** NaN where it is not known, for which some drivers of gpsd write −1. */
+  /** NaN where it is unknown, for which some drivers of gpsd write −1. */
   private double number(String member, @Nullable JsonToken token, double least, double most)
       throws IOException {
     if (token != JsonToken.VALUE_NUMBER_INT && token != JsonToken.VALUE_NUMBER_FLOAT) {
@@ -261,7 +261,7 @@ public final class GpsdDecoder {
     }
   }
 
-  /** A value that cannot be; never leaves the decoder. */
+  /** An invalid value; never leaves the decoder. */
   private static final class WrongValue extends IOException {
 
     private static final long serialVersionUID = 1L;

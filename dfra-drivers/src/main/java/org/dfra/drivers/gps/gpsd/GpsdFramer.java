@@ -4,8 +4,8 @@ import java.nio.charset.StandardCharsets;
 import org.dfra.drivers.frame.FrameScanner;
 
 /**
- * Finds gpsd's objects: a line that begins with a class, whose braces and brackets close with its
- * end and not before. Whether the rest is JSON, the decoder finds out.
+ * Finds gpsd's objects: a line that begins with a class and whose braces and brackets close exactly
+ * at its end. The decoder checks whether the rest is JSON.
  */
 public final class GpsdFramer extends FrameScanner {
 
@@ -14,7 +14,9 @@ public final class GpsdFramer extends FrameScanner {
 
   private static final byte[] HEAD = "{\"class\":\"".getBytes(StandardCharsets.US_ASCII);
 
-  /** What may stand outside texts, besides braces and brackets: numbers, true, false and null. */
+  /**
+   * Characters allowed outside strings, besides braces and brackets: numbers, true, false and null.
+   */
   private static final boolean[] OUTSIDE = outside();
 
   /** A framer at the beginning of a stream. */
@@ -49,7 +51,7 @@ public final class GpsdFramer extends FrameScanner {
     for (int i = at; i < limit; i++) {
       byte next = bytes[i];
       if (next >= 0 && next < ' ') {
-        return NONE; // neither texts nor what is between them have control characters
+        return NONE; // control characters are not allowed
       }
       if (inText) {
         if (next == '\\') {

@@ -24,18 +24,19 @@ import org.dfra.persona.GpsReceiverAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A receiver that gpsd serves, at {@code tcp://host:2947}.
+ * A receiver served by gpsd, at {@code tcp://host:2947}.
  *
  * <p>Parameters, besides those of every {@link GpsReceiverImpl}:
  *
  * <ul>
  *   <li>{@code device}: which of gpsd's receivers, by its path, e.g. {@code /dev/ttyUSB0}; by
- *       default all of them, which is right where there is one
- *   <li>{@code period}: seconds from one position to the next, as the receiver is set up; default 1
+ *       default all of them, which is correct for one receiver
+ *   <li>{@code period}: seconds from one position to the next, as configured in the receiver;
+ *       default 1
  * </ul>
  *
- * <p>A 3-D fix needs the height above the ellipsoid ({@code altHAE}), which gpsd tells from version
- * 3.20 on. Test, besides: {@code identification}, gpsd answers {@code ?VERSION} within 3 s.
+ * <p>A 3-D fix needs the height above the ellipsoid ({@code altHAE}), which gpsd reports since
+ * version 3.20. Test, besides: {@code identification}, gpsd answers {@code ?VERSION} within 3 s.
  */
 public final class GpsdImpl extends GpsReceiverImpl<GpsdImpl.Protocol> {
 
@@ -50,7 +51,7 @@ public final class GpsdImpl extends GpsReceiverImpl<GpsdImpl.Protocol> {
     this(context, Ticker.of(context.clock()), null);
   }
 
-  /** For tests: by another time, and over links made in another way. */
+  /** For tests: uses the given clock and source of links. */
   GpsdImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
     super(
         context,
@@ -75,7 +76,7 @@ public final class GpsdImpl extends GpsReceiverImpl<GpsdImpl.Protocol> {
     return (command + "\r\n").getBytes(StandardCharsets.UTF_8);
   }
 
-  /** Asks gpsd to tell what it hears, and takes it. */
+  /** Requests gpsd's reports and processes them. */
   static final class Protocol implements GpsReceiverProtocol {
 
     private static final String SYSTEMS = "GSEC?JRI";
@@ -85,7 +86,7 @@ public final class GpsdImpl extends GpsReceiverImpl<GpsdImpl.Protocol> {
     private final String device;
     private final GpsdParser parser = new GpsdParser(this::messageReceived);
 
-    private volatile String release = ""; // read by anyone
+    private volatile String release = ""; // read by any thread
     private List<SatelliteInView> satellites = List.of();
     private double pdop = Double.NaN;
     private double hdop = Double.NaN;
@@ -96,7 +97,7 @@ public final class GpsdImpl extends GpsReceiverImpl<GpsdImpl.Protocol> {
       this.device = deviceIn(context.parameters());
     }
 
-    /** Whether the path can stand in a command as it is. */
+    /** Reads the device's path and checks that it needs no escapes in a command. */
     private static String deviceIn(Parameters parameters) {
       if (parameters.find("device").isEmpty()) {
         return "";
@@ -233,7 +234,7 @@ public final class GpsdImpl extends GpsReceiverImpl<GpsdImpl.Protocol> {
             system == 'S' && reported.number() > 100 ? reported.number() - 100 : reported.number();
         return String.format(Locale.ROOT, "%c%02d", system, number);
       }
-      int prn = reported.prn(); // by its range, as in NMEA
+      int prn = reported.prn(); // from its number range, as in NMEA
       if (prn > 64 && prn <= 96) {
         return String.format(Locale.ROOT, "R%02d", prn - 64);
       }

@@ -4,7 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** What gpsd said, decoded from one line. A number that was not told is NaN or −1. */
+/** A message from gpsd, decoded from one line. A number that is not reported is NaN or −1. */
 public sealed interface GpsdMessage {
 
   /** The object's class: {@code TPV}. */
@@ -13,18 +13,18 @@ public sealed interface GpsdMessage {
   /**
    * {@code TPV}: time, position, velocity.
    *
-   * @param device which receiver; empty if not told
+   * @param device which receiver; empty if not reported
    * @param mode 0 unknown, 1 no fix, 2 2-D, 3 3-D
    * @param status 0 unknown, 1 normal, 2 differential, 3 and 4 real time kinematic, 5 dead
    *     reckoning, 6 satellites and dead reckoning, 7 surveyed, 8 simulated, 9 P(Y)
-   * @param time UTC; null if not told
+   * @param time UTC; null if not reported
    * @param latitude degrees, north is +
    * @param longitude degrees, east is +
    * @param height above the ellipsoid, metres
    * @param speed over ground, metres per second
    * @param track direction of travel, degrees, 0 is true north, clockwise is +
-   * @param horizontalError estimate, metres, of a certainty that gpsd does not state
-   * @param verticalError the same of the height
+   * @param horizontalError estimate, metres; gpsd does not state its confidence level
+   * @param verticalError the same for the height
    */
   record Tpv(
       String device,
@@ -65,14 +65,14 @@ public sealed interface GpsdMessage {
   /**
    * A satellite.
    *
-   * @param prn gpsd's own number; −1 if not told
+   * @param prn gpsd's own number; −1 if not reported
    * @param system 0 GPS, 1 augmentation, 2 Galileo, 3 BeiDou, 5 QZSS, 6 GLONASS, 7 NavIC; −1 if not
-   *     told
-   * @param number its number in its system; −1 if not told
-   * @param elevation above the horizon, degrees; NaN if not told
-   * @param azimuth from true north, clockwise, degrees; NaN if not told
-   * @param signal dB-Hz; NaN if not told
-   * @param used whether the position rests on it
+   *     reported
+   * @param number its number in its system; −1 if not reported
+   * @param elevation above the horizon, degrees; NaN if not reported
+   * @param azimuth from true north, clockwise, degrees; NaN if not reported
+   * @param signal dB-Hz; NaN if not reported
+   * @param used whether it is used for the position
    */
   record Satellite(
       int prn,
@@ -99,9 +99,9 @@ public sealed interface GpsdMessage {
   /**
    * {@code DEVICE}, alone or in {@code DEVICES}.
    *
-   * @param path the receiver's path; empty if not told
-   * @param driver what gpsd takes it for; empty if not known yet
-   * @param subtype what the receiver says it is; empty if it has not
+   * @param path the receiver's path; empty if not reported
+   * @param driver type that gpsd has detected; empty if not known yet
+   * @param subtype the receiver's identification; empty if it has sent none
    */
   record Device(String path, String driver, String subtype) implements GpsdMessage {
 
@@ -128,7 +128,7 @@ public sealed interface GpsdMessage {
   record Other(String name) implements GpsdMessage {}
 
   /**
-   * A line that is no JSON, or has values that cannot be.
+   * A line that is not JSON, or has invalid values.
    *
    * @param name the object's class as far as it could be read
    * @param reason what is wrong

@@ -4,11 +4,11 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.dfra.drivers.frame.FrameParser;
 
-/** Bytes of gpsd's protocol in, messages out. */
+/** Parses the bytes of gpsd's protocol into messages. */
 public final class GpsdParser extends FrameParser<GpsdMessage> {
 
   /**
-   * @param messages is given every message, in order, during {@link #feed} and {@link #finish}
+   * @param messages receives every message, in order, during {@link #feed} and {@link #finish}
    */
   public GpsdParser(Consumer<? super GpsdMessage> messages) {
     super(new GpsdFramer(), GpsdDecoder::decode, GpsdMessage.Malformed.class::isInstance, messages);

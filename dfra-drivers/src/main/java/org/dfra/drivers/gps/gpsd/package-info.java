@@ -1,5 +1,5 @@
 /**
- * Receivers behind gpsd, the daemon of most Linux systems that speaks with receivers of all makers.
+ * Receivers behind gpsd, a daemon on Linux that supports receivers of many manufacturers.
  *
  * <pre>
  *   bytes --&gt; GpsdFramer --&gt; GpsdDecoder --&gt; GpsdMessage --&gt; GpsdImpl
@@ -8,10 +8,10 @@
  * </pre>
  *
  * <p>Enter at {@link org.dfra.drivers.gps.gpsd.GpsdImpl} for the driver, at {@link
- * org.dfra.drivers.gps.gpsd.GpsdParser} for the bytes alone.
+ * org.dfra.drivers.gps.gpsd.GpsdParser} for the protocol alone.
  *
- * <p>Over TCP, port 2947 by default, come lines of JSON, one object in each, whose first member is
- * {@code class}. Source: gpsd's protocol documentation, versions 3.20 to 3.25.
+ * <p>gpsd sends lines of JSON over TCP, port 2947 by default; each line is one object whose first
+ * member is {@code class}. Source: gpsd's protocol documentation, versions 3.20 to 3.25.
  */
 @NullMarked
 package org.dfra.drivers.gps.gpsd;

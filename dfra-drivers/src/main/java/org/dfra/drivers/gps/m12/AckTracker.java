@@ -10,8 +10,8 @@ import org.dfra.drivers.link.Ticker;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Settings that the receiver acknowledges by a message of the same ID: sends them, and sends them
- * again while no acknowledgement comes. Confined to the reader thread.
+ * Sends settings that the receiver acknowledges with a message of the same ID, and resends them
+ * until they are acknowledged. Confined to the reader thread.
  */
 final class AckTracker {
 
@@ -27,7 +27,7 @@ final class AckTracker {
     this.ticker = ticker;
   }
 
-  /** Nothing is to be acknowledged any more. */
+  /** Drops all pending settings. */
   void forget() {
     open.clear();
   }
@@ -37,12 +37,15 @@ final class AckTracker {
     link.write(command);
   }
 
-  /** The receiver has acknowledged. */
+  /** The receiver has acknowledged a setting. */
   void acknowledge(String id) {
     open.remove(id);
   }
 
-  /** Sends again what is due; returns the ID of one that was sent in vain for good, or null. */
+  /**
+   * Resends what is due; returns the ID of a setting that is given up without an acknowledgement,
+   * or null.
+   */
   @Nullable String resendDue(SerialLink link) throws IOException {
     for (Iterator<Map.Entry<String, Open>> all = open.entrySet().iterator(); all.hasNext(); ) {
       Map.Entry<String, Open> entry = all.next();

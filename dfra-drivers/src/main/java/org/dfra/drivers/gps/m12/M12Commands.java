@@ -27,12 +27,15 @@ public final class M12Commands {
     return encode("Ea", checkedRate(rate));
   }
 
-  /** {@code @@Cj}: what the receiver is. */
+  /** {@code @@Cj}: requests the receiver's identification. */
   public static byte[] identification() {
     return encode("Cj");
   }
 
-  /** {@code @@Cf}: be as when it left the factory, sending nothing. Answered by the same. */
+  /**
+   * {@code @@Cf}: resets to factory defaults, with no messages enabled. Acknowledged with the same
+   * ID.
+   */
   public static byte[] defaults() {
     return encode("Cf");
   }
@@ -49,7 +52,7 @@ public final class M12Commands {
   /**
    * {@code @@Bb}: the satellites above the horizon, whenever they change.
    *
-   * @param on whether to tell them; otherwise once now and no more
+   * @param on whether to report changes; otherwise one message now and no more
    */
   public static byte[] visibleSatellites(boolean on) {
     return encode("Bb", on ? 1 : 0);
@@ -64,13 +67,13 @@ public final class M12Commands {
     return encode("Hn", checkedRate(rate));
   }
 
-  /** {@code @@Ge}: time RAIM on (1). */
+  /** {@code @@Ge}: enables time RAIM (1). */
   public static byte[] timeRaimOn() {
     return encode("Ge", 1);
   }
 
   /**
-   * {@code @@En}: time RAIM of eight channels, switched on, with an alarm limit of 1 µs and a pulse
+   * {@code @@En}: time RAIM of eight channels, enabled, with an alarm limit of 1 µs and a pulse
    * whenever a satellite is tracked.
    *
    * @param rate as for {@link #positionOf12Channels}
@@ -79,25 +82,25 @@ public final class M12Commands {
     return encode("En", checkedRate(rate), 1, 0, 10, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
   }
 
-  /** {@code @@Gd}: solve for this. Answered by the same. */
+  /** {@code @@Gd}: sets what to solve for. Acknowledged with the same ID. */
   public static byte[] positionControl(PositionControl.Mode mode) {
     return encode("Gd", mode.ordinal());
   }
 
   /**
-   * {@code @@At}: solve for this; for receivers of eight channels, which have no {@code @@Gd}.
-   * Answered by the same.
+   * {@code @@At}: sets what to solve for; for receivers of eight channels, which have no
+   * {@code @@Gd}. Acknowledged with the same ID.
    */
   public static byte[] positionHold(PositionHoldMode.Mode mode) {
     return encode("At", mode.ordinal());
   }
 
-  /** {@code @@At}: is the position held? A mode out of range asks. */
+  /** {@code @@At}: queries whether the position is held. A mode out of range makes a query. */
   public static byte[] askPositionHold() {
     return encode("At", 0xFF);
   }
 
-  /** {@code @@As}: which position would be held? */
+  /** {@code @@As}: queries the position for position hold. */
   public static byte[] askHoldPosition() {
     int[] out = new int[13];
     out[0] = 0x7F; // latitude, longitude and height out of range
@@ -109,8 +112,8 @@ public final class M12Commands {
   }
 
   /**
-   * {@code @@Gb}: the date and time, for a receiver that has just been switched on. One that tracks
-   * satellites knows better and ignores it. Answered by the same.
+   * {@code @@Gb}: sets date and time, for a receiver that has just been switched on. A receiver
+   * that tracks satellites ignores it. Acknowledged with the same ID.
    *
    * @param time the time; the receiver takes whole seconds
    */
@@ -130,21 +133,21 @@ public final class M12Commands {
         0);
   }
 
-  /** {@code @@Bo}: how far is GPS time ahead of UTC? Told whenever it changes. */
+  /** {@code @@Bo}: queries GPS time minus UTC. Reported whenever it changes. */
   public static byte[] utcOffset() {
     return encode("Bo", 1);
   }
 
-  /** {@code @@Aw}: tell time as UTC (1), not as GPS time (0). */
+  /** {@code @@Aw}: sets the reported time scale to UTC (1), not GPS time (0). */
   public static byte[] utcTime() {
     return encode("Aw", 1);
   }
 
   /**
-   * A frame.
+   * Encodes a frame.
    *
    * @param id the two letters
-   * @param payload its bytes, of which the low eight bits count
+   * @param payload its bytes; only the low eight bits of each are used
    */
   public static byte[] encode(String id, int... payload) {
     byte[] frame = new byte[payload.length + 7];

@@ -7,8 +7,8 @@ import java.util.List;
 import org.dfra.drivers.gps.m12.M12Fields.MalformedException;
 
 /**
- * Decodes intact frames, one at a time. Pure; never throws on what a frame says: a value that
- * cannot be makes a {@link MalformedMessage}.
+ * Decodes intact frames, one at a time. Pure; never throws, whatever the content of a frame: an
+ * invalid value makes a {@link MalformedMessage}.
  */
 public final class M12Decoder {
 
@@ -115,7 +115,7 @@ public final class M12Decoder {
     return new VisibleSatellites(count, places);
   }
 
-  /** The two messages order their fields alike, but for the satellites taken out. */
+  /** The two messages have the same fields, except for the removed satellites. */
   private static TimeRaim timeRaim(
       M12Fields fields, String id, int pulseAt, long removed, int accuracyAt)
       throws MalformedException {

@@ -9,16 +9,17 @@ import org.dfra.drivers.gps.GpsReceiverDiagnostics;
 import org.dfra.module.Precondition;
 
 /**
- * What can be examined and mended on the receiver, besides {@link GpsReceiverDiagnostics}:
+ * Tests and recoveries of the receiver, besides {@link GpsReceiverDiagnostics}:
  *
  * <ul>
  *   <li>test {@code identification}: the receiver answers {@code @@Cj} within 3 s
- *   <li>test {@code antenna}: what the last position frame says of the antenna
- *   <li>test {@code integrity}: what time RAIM ({@code @@Hn}, {@code @@En}) found of the satellites
- *   <li>recovery {@code reinitialise}: the receiver is set to its defaults ({@code @@Cf}) and told
- *       anew what to send
- *   <li>recovery {@code set_time}: the receiver is told date and time ({@code @@Gb}), which makes
- *       the search for its first satellites shorter; one that tracks satellites ignores it
+ *   <li>test {@code antenna}: the antenna's state in the last position frame
+ *   <li>test {@code integrity}: the result of time RAIM ({@code @@Hn}, {@code @@En}) for the
+ *       satellites
+ *   <li>recovery {@code reinitialise}: the receiver is reset to its defaults ({@code @@Cf}) and
+ *       configured again
+ *   <li>recovery {@code set_time}: sends date and time to the receiver ({@code @@Gb}), which
+ *       shortens the first satellite acquisition; a receiver that tracks satellites ignores it
  * </ul>
  */
 final class M12Diagnostics {

@@ -10,7 +10,7 @@ record M12Fields(byte[] bytes, int start) {
   /** Milli-arc-seconds in a degree. */
   private static final double PER_DEGREE = 3_600_000;
 
-  /** Heights the receiver can tell, centimetres: −1 km to 18 km. */
+  /** Range of heights that the receiver can report, centimetres: −1 km to 18 km. */
   private static final int LOWEST = -100_000;
 
   private static final int HIGHEST = 1_800_000;
@@ -104,12 +104,12 @@ record M12Fields(byte[] bytes, int start) {
     return within("heading (0.1°)", u16(offset), 0, 3600) / 10.0;
   }
 
-  /** Tenths; 99.9 is the most. */
+  /** Tenths; maximum 99.9. */
   double dilution(int offset) throws MalformedException {
     return within("dilution (0.1)", u16(offset), 0, 999) / 10.0;
   }
 
-  /** A value that cannot be; never leaves the decoder. */
+  /** An invalid value; never leaves the decoder. */
   static final class MalformedException extends Exception {
 
     private static final long serialVersionUID = 1L;

@@ -4,8 +4,8 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * The total length in bytes of every frame a receiver sends, from the first {@code @} to the line
- * feed. Source: Motorola Oncore M12+ user's guide, message summary.
+ * The total length in bytes of every frame that a receiver sends, from the first {@code @} to the
+ * line feed. Source: Motorola Oncore M12+ user's guide, message summary.
  */
 public final class M12Lengths {
 
@@ -28,7 +28,7 @@ public final class M12Lengths {
     return id1 < 'A' || id1 > 'Z' || id2 < 'A' || id2 > 'z' ? 0 : BY_ID[index(id1, id2)];
   }
 
-  /** All lengths by ID, such as {@code Ha} to 154. */
+  /** All lengths by ID, for example 154 for {@code Ha}. */
   public static Map<String, Integer> all() {
     return TABLE;
   }

@@ -1,6 +1,6 @@
 package org.dfra.drivers.gps.m12;
 
-/** What a receiver said, decoded from one intact frame. */
+/** A message from a receiver, decoded from one intact frame. */
 public sealed interface M12Message
     permits M12PositionMessage,
         VisibleSatellites,

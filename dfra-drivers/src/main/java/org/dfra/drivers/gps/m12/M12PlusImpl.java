@@ -13,27 +13,27 @@ import org.dfra.persona.GpsReceiverAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Motorola Oncore M12+ GPS receiver, and its eight-channel forerunners.
+ * Motorola Oncore M12+ GPS receiver, and its eight-channel predecessors.
  *
  * <p>Parameters, besides those of every {@link GpsReceiverImpl}:
  *
  * <ul>
  *   <li>{@code rate}: seconds from one position to the next, a whole number from 1 to 255; default
  *       1; can be set while it runs
- *   <li>{@code idle_rate}: the same while the last client is gone, not less than {@code rate};
- *       default 10; can be set while it runs
+ *   <li>{@code idle_rate}: the same while there are no clients any more, not less than {@code
+ *       rate}; default 10; can be set while it runs
  *   <li>{@code positioning}: {@code position_3d} (default), {@code altitude_hold}, {@code hold} or
  *       {@code survey}; can be set while it runs
  *   <li>{@code positions}: {@code full} (default) or {@code short}, for a slow line
- *   <li>to be read only: {@code integrity}, what time RAIM says; {@code held_position}; {@code
+ *   <li>read-only: {@code integrity}, the result of time RAIM; {@code held_position}; {@code
  *       utc_offset}
  * </ul>
  *
- * <p>A receiver that has had no client yet works at {@code rate}, so that it is warm when the first
- * one comes. What it can be examined for is in {@link M12Diagnostics}.
+ * <p>Until the first client arrives the receiver works at {@code rate}, so that it is ready for
+ * that client. For tests and recoveries see {@link M12Diagnostics}.
  *
- * <p>Positions are the receiver's filtered ones, with the height above the ellipsoid; speed is the
- * one over ground.
+ * <p>Positions are the receiver's filtered ones, with the height above the ellipsoid; speed is over
+ * ground.
  */
 public final class M12PlusImpl extends GpsReceiverImpl<M12Protocol> {
 
@@ -56,9 +56,9 @@ public final class M12PlusImpl extends GpsReceiverImpl<M12Protocol> {
   }
 
   /**
-   * For tests: by another time, and over links made in another way.
+   * For tests: uses the given clock and source of links.
    *
-   * @param source opens the link; null to go by the parameter {@code link}
+   * @param source opens the link; null to use the parameter {@code link}
    */
   M12PlusImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
     this(
@@ -149,7 +149,7 @@ public final class M12PlusImpl extends GpsReceiverImpl<M12Protocol> {
     rate.setIdleMode(number == 0);
   }
 
-  /** What the receiver says it is; empty until it has said so. */
+  /** The receiver's identification; empty until it is received. */
   public Optional<ReceiverIdentification> identified() {
     return protocol().identification();
   }

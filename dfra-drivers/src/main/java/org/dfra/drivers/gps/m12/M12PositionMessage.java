@@ -4,7 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import org.dfra.flow.sensor.GpsFix;
 
-/** A message that tells position, time and satellites. */
+/** A message with position, time and satellites. */
 public sealed interface M12PositionMessage extends M12Message
     permits Position12Channels, ShortPosition, Position8Channels {
 
@@ -29,13 +29,13 @@ public sealed interface M12PositionMessage extends M12Message
   /** Satellites locked on. */
   int tracked();
 
-  /** What every channel does, in the receiver's order. */
+  /** The state of every channel, in the receiver's order. */
   List<SatelliteChannel> channels();
 
   /** What was solved for. */
   GpsFix.Mode mode();
 
-  /** What the receiver says of its state, in words, for a person who waits for a position. */
+  /** The receiver's state as human-readable text, for an operator who waits for a position. */
   String stateInWords();
 
   /**
@@ -44,16 +44,16 @@ public sealed interface M12PositionMessage extends M12Message
    */
   Instant utc();
 
-  /** Whether {@link #utc} is UTC for sure, as far as this message can tell. */
+  /** Whether {@link #utc} is confirmed as UTC by this message. */
   boolean knowsUtc();
 
-  /** The message as every GPS sensor tells it, as far as this message alone can tell. */
+  /** Converts the message to a fix, from this message alone. */
   default GpsFix toFix() {
     return toFix(mode(), utc());
   }
 
   /**
-   * The same with what other messages say.
+   * Converts the message to a fix, with data from other messages.
    *
    * @param mode what was solved for
    * @param utc time of the solution

@@ -15,19 +15,18 @@ import org.dfra.persona.GpsReceiverAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is said between the driver and the receiver, from one opening of the link to the next.
+ * The exchange between the driver and the receiver, from one opening of the link to the next.
  *
- * <p>It asks what the receiver is ({@code @@Cj}), sets it to a safe state (time as UTC,
+ * <p>It queries the receiver's identification ({@code @@Cj}), sets it to a safe state (time as UTC,
  * {@code @@Aw}; a position that is solved for, not held, {@code @@Gd}; time RAIM on, {@code @@Ge}),
- * sends again what is not acknowledged, and asks for {@code @@Ha} and {@code @@Hn} at the set rate,
- * and for {@code @@Bb} and {@code @@Bo} when they change. A receiver that has sent no position
- * after {@value #PATIENCE_SECONDS} s is asked for {@code @@Ea} and {@code @@En} too, since it may
- * have eight channels only. Once a twelve-channel position has come, {@code @@Ea} is no longer
- * listened to, and the receiver is commanded to stop it if it was asked for. A receiver of eight
- * channels is set to hold its position or not by {@code @@At}, and holds one where the last
- * {@code @@At} was 1.
+ * resends what is not acknowledged, and requests {@code @@Ha} and {@code @@Hn} at the set rate, and
+ * {@code @@Bb} and {@code @@Bo} on change. A receiver that has sent no position after {@value
+ * #PATIENCE_SECONDS} s is asked for {@code @@Ea} and {@code @@En} too, because it may have only
+ * eight channels. Once a twelve-channel position has been received, {@code @@Ea} is ignored, and
+ * the receiver is commanded to stop it if it was requested. {@code @@At} sets whether a receiver of
+ * eight channels holds its position; it does where the last {@code @@At} was 1.
  *
- * <p>Confined to the reader thread, but for what it was last told, which anyone may ask.
+ * <p>Confined to the reader thread, except the last received reports, which any thread may read.
  */
 final class M12Protocol implements GpsReceiverProtocol {
 
@@ -60,7 +59,7 @@ final class M12Protocol implements GpsReceiverProtocol {
   private PositionHoldMode.@Nullable Mode positionHold; // of an eight-channel receiver
   private boolean asksPositionHold;
 
-  // written by the reader, read by anyone
+  // written by the reader, read by any thread
   private volatile @Nullable ReceiverStatus status;
   private volatile @Nullable TimeRaim timeRaim;
   private volatile @Nullable HeldPosition held;
@@ -69,7 +68,7 @@ final class M12Protocol implements GpsReceiverProtocol {
   private volatile @Nullable ReceiverIdentification identification;
 
   /**
-   * @param clock stamps what the receiver reports while it does not know UTC
+   * @param clock gives the time of reports while UTC is unconfirmed
    */
   M12Protocol(
       M12ReportingPeriod rate,
@@ -95,22 +94,22 @@ final class M12Protocol implements GpsReceiverProtocol {
     return Optional.ofNullable(timeRaim);
   }
 
-  /** The position that would be held; empty before the receiver has told it. */
+  /** The position for position hold; empty before the receiver has reported it. */
   Optional<HeldPosition> held() {
     return Optional.ofNullable(held);
   }
 
-  /** What the receiver's clock was set to, or showed when it was asked. */
+  /** The receiver's clock as last set or reported. */
   Optional<ReceiverClock> clock() {
     return Optional.ofNullable(receiverClock);
   }
 
-  /** GPS time minus UTC; empty before the receiver has told it. */
+  /** GPS time minus UTC; empty before the receiver has reported it. */
   Optional<M12UtcOffset> utcOffset() {
     return Optional.ofNullable(utcOffset);
   }
 
-  /** What the receiver says it is; empty until it has said so. */
+  /** The receiver's identification; empty until it is received. */
   Optional<ReceiverIdentification> identification() {
     return Optional.ofNullable(identification);
   }
@@ -199,7 +198,9 @@ final class M12Protocol implements GpsReceiverProtocol {
     }
   }
 
-  /** Eight channels have no {@code @@Gd}, and no altitude hold that this driver knows. */
+  /**
+   * Eight-channel receivers have no {@code @@Gd}, and no altitude hold that this driver supports.
+   */
   private void sendPositionHold(SerialLink link) throws IOException {
     PositionControl.Mode target = settings.positioning();
     acks.send(
@@ -268,7 +269,7 @@ final class M12Protocol implements GpsReceiverProtocol {
     }
     boolean mayHold = message instanceof Position8Channels eight && eight.mayHold();
     boolean holds = mayHold && positionHold == PositionHoldMode.Mode.ON;
-    // A survey ends without a message: the receiver holds then, and says so when it is asked.
+    // A survey ends without a message: the receiver then holds, and reports it when queried.
     asksPositionHold |= mayHold && positionHold == PositionHoldMode.Mode.SURVEY;
     GpsFix.Mode mode = holds ? GpsFix.Mode.POSITION_HOLD : message.mode();
     listener.satellitesReceived(satelliteTracker.with(message, mode));
@@ -281,7 +282,7 @@ final class M12Protocol implements GpsReceiverProtocol {
             holds
                 ? ReceiverStatus.State.POSITION_HOLD.inWords(message.tracked(), message.visible())
                 : message.stateInWords()));
-    reportIdentity(); // it may have become clear how many channels there are
+    reportIdentity(); // the number of channels may have become known
   }
 
   private @Nullable String utcUnconfirmedReason(M12PositionMessage message, boolean holds) {

@@ -4,13 +4,13 @@ import org.dfra.core.config.Parameters;
 import org.dfra.drivers.gps.m12.PositionControl.Mode;
 
 /**
- * What the receiver is to do, but for its rate. Safe for use by several threads.
+ * The required settings of the receiver, except its rate. Safe for use by several threads.
  *
  * <p>Parameters:
  *
  * <ul>
  *   <li>{@code positioning}: {@code position_3d} (default), {@code altitude_hold}, {@code hold} or
- *       {@code survey}; a receiver that holds its position tells a moving robot a false one
+ *       {@code survey}; a receiver that holds its position reports a wrong one on a moving robot
  *   <li>{@code positions}: {@code full} ({@code @@Ha}, with satellites; default) or {@code short}
  *       ({@code @@Hb}), for a slow line
  * </ul>
@@ -42,20 +42,20 @@ final class M12ReceiverSettings {
     return new M12ReceiverSettings(positions.equals("short"), mode);
   }
 
-  /** Whether {@code @@Hb} is wanted instead of {@code @@Ha}. */
+  /** Whether to use {@code @@Hb} instead of {@code @@Ha}. */
   boolean shortPositions() {
     return shortPositions;
   }
 
-  /** What is to be solved for. */
+  /** What to solve for. */
   Mode positioning() {
     return positioning;
   }
 
   /**
-   * Sets what is to be solved for.
+   * Sets what to solve for.
    *
-   * @throws IllegalArgumentException if it is none of the words; the message says what it is not
+   * @throws IllegalArgumentException if the word is invalid; the message explains why
    */
   void setPositioning(String word) {
     positioning = modeOf(word);

@@ -5,15 +5,15 @@ import org.dfra.core.config.Parameters;
 import org.dfra.drivers.gps.ReportingPeriod;
 
 /**
- * How often the receiver is to tell its position: at one rate while it has clients, at another,
- * slower one while it rests. Also how old a position may be, which follows the rate.
+ * How often the receiver reports its position: one rate with clients, a slower one while idle. It
+ * also determines the maximum age of a position, which follows the rate.
  *
- * <p>When the rate goes up, positions are judged by the slower one until the first at the new rate
- * has come. Safe for use by several threads.
+ * <p>When the rate increases, the slower rate determines the maximum age until the first position
+ * at the new rate arrives. Safe for use by several threads.
  */
 final class M12ReportingPeriod implements ReportingPeriod {
 
-  /** Seconds; the receiver takes no more. */
+  /** Maximum that the receiver accepts, seconds. */
   static final int LONGEST = 255;
 
   private int working; // all guarded by this
@@ -22,8 +22,8 @@ final class M12ReportingPeriod implements ReportingPeriod {
   private int judgedBy;
 
   /**
-   * @param working seconds between positions while it works
-   * @param idle seconds between positions while it rests
+   * @param working seconds between positions with clients
+   * @param idle seconds between positions while idle
    */
   M12ReportingPeriod(int working, int idle) {
     this.working = working;
@@ -34,7 +34,7 @@ final class M12ReportingPeriod implements ReportingPeriod {
   /**
    * Reads {@code rate} and {@code idle_rate}.
    *
-   * @throws org.dfra.core.config.ConfigurationException if one is no number of seconds it can be
+   * @throws org.dfra.core.config.ConfigurationException if one is not a valid number of seconds
    */
   static M12ReportingPeriod from(Parameters parameters) {
     return new M12ReportingPeriod(
@@ -77,12 +77,12 @@ final class M12ReportingPeriod implements ReportingPeriod {
     judgedBy = Math.max(judgedBy, now());
   }
 
-  /** Seconds between positions, as wanted now. */
+  /** Currently required time between positions, seconds. */
   synchronized int now() {
     return isIdle ? Math.max(idle, working) : working;
   }
 
-  /** A position has come at the rate that is wanted now. */
+  /** A position has been received at the currently required rate. */
   synchronized void arrivedAtThisRate() {
     judgedBy = now();
   }

@@ -10,8 +10,8 @@ import org.dfra.flow.sensor.GpsFix;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Puts the satellites together: {@code @@Bb} tells where they stand, {@code @@Ha} and {@code @@Ea}
- * how well they are heard. Confined to the reader thread.
+ * Combines the data of satellites: {@code @@Bb} reports their directions, {@code @@Ha} and
+ * {@code @@Ea} their signals. Confined to the reader thread.
  */
 final class M12SatelliteTracker {
 
@@ -31,7 +31,7 @@ final class M12SatelliteTracker {
   }
 
   /**
-   * Takes the channels.
+   * Adds the channels of a message.
    *
    * @param mode what was solved for
    */

@@ -7,7 +7,7 @@ import java.time.LocalDateTime;
 import java.time.ZoneOffset;
 
 /**
- * Date and time as the receiver writes them. Whether it is UTC or GPS time, the message must say.
+ * Date and time in the receiver's format. The message determines whether it is UTC or GPS time.
  *
  * <p>A receiver whose firmware has outlived its GPS week count is wrong by 1024 weeks; {@link
  * org.dfra.drivers.gps.WeekRollover} corrects that, not this class.
@@ -35,8 +35,8 @@ public record M12Time(LocalDate date, int hour, int minute, int second, int nano
   }
 
   /**
-   * The same time on Java's scale, which has no leap seconds: during one it stands still at the
-   * last nanosecond of the minute.
+   * The same time on Java's scale, which has no leap seconds: during one it stays at the last
+   * nanosecond of the minute.
    */
   public Instant toInstant() {
     boolean leap = second == 60;

@@ -18,12 +18,12 @@ import org.dfra.flow.sensor.GpsFix;
  * @param visible satellites above the horizon by the almanac; may exceed 12
  * @param tracked satellites locked on, 0 to 12
  * @param channels the twelve channels
- * @param status what the receiver does
+ * @param status the receiver's state
  * @param clockBias error of the receiver's clock, nanoseconds
  * @param oscillatorOffset the oscillator's frequency, hertz above the nominal one
  * @param temperature of the oscillator, degrees Celsius
- * @param utcState what the receiver knows of UTC
- * @param localOffset offset of local time from UTC in minutes, + is east; told, not applied
+ * @param utcState the receiver's knowledge of UTC
+ * @param localOffset offset of local time from UTC in minutes, + is east; reported, not applied
  * @param idTag the six letters stored in the receiver for its owner
  */
 public record Position12Channels(
@@ -65,7 +65,9 @@ public record Position12Channels(
     return status.inWords(tracked, visible);
   }
 
-  /** {@inheritDoc} Where the receiver tells GPS time and knows the offset, it is converted. */
+  /**
+   * {@inheritDoc} Where the receiver reports GPS time and knows the offset, the time is converted.
+   */
   @Override
   public Instant utc() {
     Instant reported = time.toInstant();

@@ -6,9 +6,8 @@ import org.dfra.flow.sensor.GpsFix;
 
 /**
  * {@code @@Ea}: position, status and data of an eight-channel receiver. It has one speed and one
- * position. It tells neither whether its time is UTC, which {@code @@Bo} and {@code @@Aw} do, nor
- * whether the position is held, which {@code @@At} does. Source: Motorola Oncore user's guides,
- * eight-channel messages.
+ * position. Whether its time is UTC is reported by {@code @@Bo} and {@code @@Aw}, and whether the
+ * position is held by {@code @@At}. Source: Motorola Oncore user's guides, eight-channel messages.
  *
  * @param time date and time of the solution
  * @param position the position
@@ -16,12 +15,12 @@ import org.dfra.flow.sensor.GpsFix;
  * @param heading direction of travel, degrees, 0 to 360, 0 is true north, clockwise is +
  * @param dilution dilution of precision
  * @param isHorizontalDilution whether that is HDOP; otherwise PDOP
- * @param antenna what is known of the antenna
+ * @param antenna state of the antenna
  * @param visible satellites above the horizon by the almanac; may exceed 8
  * @param tracked satellites locked on, 0 to 8
  * @param channels the eight channels
- * @param status the status byte as it came: 80 propagate, 40 poor geometry, 20 3-D fix, 10 2-D fix,
- *     08 acquiring or position hold, 02 fewer than 3 satellites, 01 bad almanac (hexadecimal)
+ * @param status the raw status byte: 80 propagate, 40 poor geometry, 20 3-D fix, 10 2-D fix, 08
+ *     acquiring or position hold, 02 fewer than 3 satellites, 01 bad almanac (hexadecimal)
  */
 public record Position8Channels(
     M12Time time,
@@ -54,9 +53,8 @@ public record Position8Channels(
   }
 
   /**
-   * Whether the position is a held one if {@code @@At} says that the receiver holds its position:
-   * the two states share a bit. One that tracks nothing and sees fewer than 3 satellites is
-   * acquiring.
+   * Whether the position is held if {@code @@At} reports position hold: the two states share a bit.
+   * A receiver that tracks no satellite and has fewer than 3 in view is acquiring.
    */
   public boolean mayHold() {
     boolean searches = tracked == 0 && (status & TOO_FEW) != 0;
@@ -99,7 +97,7 @@ public record Position8Channels(
     return time.toInstant();
   }
 
-  /** {@inheritDoc} It never is, by this message alone; {@code @@Bo} and {@code @@Aw} tell. */
+  /** {@inheritDoc} Always false for this message alone; {@code @@Bo} and {@code @@Aw} report it. */
   @Override
   public boolean knowsUtc() {
     return false;

@@ -9,7 +9,7 @@ import java.util.Locale;
  */
 public record PositionControl(Mode mode) implements M12Message {
 
-  /** What a receiver may be told to solve for, in the order of their numbers. */
+  /** What a receiver can solve for, in the order of the protocol's numbers. */
   public enum Mode {
     /** Latitude, longitude and height. The only one for a receiver that moves. */
     POSITION_3D,
@@ -20,7 +20,7 @@ public record PositionControl(Mode mode) implements M12Message {
     /** Position, averaged for hours and then held. */
     SURVEY;
 
-    /** As it is written in configuration: {@code position_3d}. */
+    /** The word used in configuration: {@code position_3d}. */
     public String word() {
       return name().toLowerCase(Locale.ROOT);
     }

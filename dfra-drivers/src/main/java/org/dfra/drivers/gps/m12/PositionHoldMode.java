@@ -4,11 +4,11 @@ package org.dfra.drivers.gps.m12;
  * {@code @@At}: whether an eight-channel receiver holds its position; also its acknowledgement of
  * the command.
  *
- * @param mode what it does
+ * @param mode the mode
  */
 public record PositionHoldMode(Mode mode) implements M12Message {
 
-  /** What an eight-channel receiver may be set to, in the order of their numbers. */
+  /** The modes of an eight-channel receiver, in the order of the protocol's numbers. */
   public enum Mode {
     /** It solves for its position. */
     OFF,

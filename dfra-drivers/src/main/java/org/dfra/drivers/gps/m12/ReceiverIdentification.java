@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * {@code @@Cj}: what the receiver is. Texts as the receiver writes them, trimmed; empty where it
- * does not tell. Found by their labels, since the columns differ between firmwares.
+ * {@code @@Cj}: the receiver's identification. Texts as received, trimmed; empty where missing.
+ * They are found by their labels, because the columns differ between firmwares.
  *
  * @param copyright the first line
  * @param softwarePartNumber {@code SFTW P/N #}
@@ -38,7 +38,7 @@ public record ReceiverIdentification(
     return "Cj";
   }
 
-  /** Reads the text of the message. */
+  /** Parses the text of the message. */
   static ReceiverIdentification of(byte[] bytes, int from, int to) {
     String text = new String(bytes, from, to - from, StandardCharsets.US_ASCII);
     List<String> lines =
@@ -74,7 +74,7 @@ public record ReceiverIdentification(
     return "";
   }
 
-  /** One blank for each run of blanks and unprintable characters, none at the ends. */
+  /** Replaces each run of blanks and unprintable characters by one blank, and trims the line. */
   private static String cleaned(String line) {
     return line.replaceAll("[^\\x21-\\x7E]+", " ").strip();
   }

@@ -5,19 +5,19 @@ import org.dfra.flow.sensor.GpsFix;
 /**
  * The receiver status word of the twelve-channel messages.
  *
- * @param bits the word as it came, 16 bits
+ * @param bits the raw word, 16 bits
  */
 public record ReceiverStatus(int bits) {
 
-  /** What the receiver does, bits 15 to 13. */
+  /** The receiver's state, bits 15 to 13. */
   public enum State {
     /** Not used by the protocol. */
     RESERVED_0("in a state the protocol does not name"),
     /** Not used by the protocol. */
     RESERVED_1("in a state the protocol does not name"),
-    /** The satellites stand too close together for a position. */
+    /** The satellites are too close together for a position. */
     BAD_GEOMETRY("tracking satellites that stand too close together"),
-    /** Looking for satellites. */
+    /** Searching for satellites. */
     ACQUIRING("acquiring satellites"),
     /** The position is held and only time is solved for. */
     POSITION_HOLD("holding its position"),
@@ -36,26 +36,26 @@ public record ReceiverStatus(int bits) {
       this.words = words;
     }
 
-    /** The state as the rest of the sentence "the receiver is …". */
+    /** The state, completing the sentence "the receiver is …". */
     public String inWords() {
       return words;
     }
 
-    /** The same, with how many satellites are tracked of those visible. */
+    /** The same, with the numbers of tracked and visible satellites. */
     String inWords(int tracked, int visible) {
       return words + ", " + tracked + " of " + visible + " tracked";
     }
   }
 
-  /** What is known of the antenna, bits 2 and 1. */
+  /** State of the antenna, bits 2 and 1. */
   public enum Antenna {
-    /** Connected and drawing the right current. */
+    /** Connected, and it draws the right current. */
     OK,
-    /** Drawing too much current: a short circuit. */
+    /** It draws too much current: a short circuit. */
     OVER_CURRENT,
-    /** Drawing too little current: not connected, or a passive one. */
+    /** It draws too little current: not connected, or passive. */
     UNDER_CURRENT,
-    /** The receiver has no voltage to give it. */
+    /** The receiver cannot supply its voltage. */
     NO_VOLTAGE;
 
     private static final Antenna[] BY_BITS = values();
@@ -65,7 +65,7 @@ public record ReceiverStatus(int bits) {
     }
   }
 
-  /** What the receiver does. */
+  /** The receiver's state. */
   public State state() {
     return State.BY_BITS[bits >> 13 & 7];
   }
@@ -80,13 +80,13 @@ public record ReceiverStatus(int bits) {
     };
   }
 
-  /** What the receiver does and with how many satellites, for people. */
+  /** The receiver's state and its numbers of satellites, as human-readable text. */
   String inWords(int tracked, int visible) {
     String words = state().inWords(tracked, visible);
     return antenna() == Antenna.OK ? words : words + ", antenna " + antenna();
   }
 
-  /** What is known of the antenna. */
+  /** State of the antenna. */
   public Antenna antenna() {
     return Antenna.of(bits >> 1);
   }

@@ -1,14 +1,14 @@
 package org.dfra.drivers.gps.m12;
 
 /**
- * What one of the receiver's channels does.
+ * State of one of the receiver's channels.
  *
  * @param satellite number of the satellite (SV id, PRN), 1 to 37; 0 when the channel is idle
- * @param mode how far it is with it: 0 code search, 1 code acquire, 2 automatic gain, 3 preposition
+ * @param mode tracking mode: 0 code search, 1 code acquire, 2 automatic gain, 3 preposition
  *     acquire, 4 bit sync, 5 message sync, 6 satellite time, 7 ephemeris, 8 available for position
  * @param carrierToNoise strength of the signal, dB-Hz (C/No)
- * @param ephemerisIssue issue of the ephemeris (IODE); −1 where the message does not tell
- * @param status the channel's status bits as they came: 16 bits in {@code @@Ha}, 8 in {@code @@Ea}
+ * @param ephemerisIssue issue of the ephemeris (IODE); −1 where the message does not contain it
+ * @param status the channel's raw status bits: 16 bits in {@code @@Ha}, 8 in {@code @@Ea}
  */
 public record SatelliteChannel(
     int satellite, int mode, int carrierToNoise, int ephemerisIssue, int status) {

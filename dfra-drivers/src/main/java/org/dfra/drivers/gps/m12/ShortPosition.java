@@ -6,7 +6,7 @@ import org.dfra.flow.sensor.GpsFix;
 
 /**
  * {@code @@Hb}: position and status of a twelve-channel receiver in a third of the bytes of
- * {@code @@Ha}; it tells of no satellite, and not whether its time is UTC. Source: Motorola Oncore
+ * {@code @@Ha}; it contains no satellites, and not whether its time is UTC. Source: Motorola Oncore
  * M12+ user's guide.
  *
  * @param time date and time of the solution
@@ -17,7 +17,7 @@ import org.dfra.flow.sensor.GpsFix;
  * @param dilution PDOP for a 3-D fix, HDOP for a 2-D one, 0 in position hold
  * @param visible satellites above the horizon by the almanac; may exceed 12
  * @param tracked satellites locked on, 0 to 12
- * @param status what the receiver does
+ * @param status the receiver's state
  * @param idTag the six letters stored in the receiver for its owner
  */
 public record ShortPosition(
@@ -58,7 +58,7 @@ public record ShortPosition(
     return time.toInstant();
   }
 
-  /** {@inheritDoc} It never is, by this message alone; {@code @@Bo} and {@code @@Aw} tell. */
+  /** {@inheritDoc} Always false for this message alone; {@code @@Bo} and {@code @@Aw} report it. */
   @Override
   public boolean knowsUtc() {
     return false;

@@ -2,17 +2,17 @@ package org.dfra.drivers.gps.m12;
 
 /**
  * {@code @@Hn} and {@code @@En}: whether the satellites agree on the time (time RAIM, receiver
- * autonomous integrity monitoring). Source: Motorola Oncore user's guides; the places of solution
- * status and sawtooth as in the drivers of the NTP project.
+ * autonomous integrity monitoring). Source: Motorola Oncore user's guides; the offsets of solution
+ * status and sawtooth are those of the NTP project's drivers.
  *
  * @param id {@code Hn} of twelve channels, {@code En} of eight
  * @param pulse whether the receiver gives its pulse each second
- * @param solution what the last solution was found to be
- * @param ability what the satellites in sight allow to be found
- * @param removed numbers of the satellites taken out of the solution, one bit each, the lowest is
- *     satellite 1; 0 where the message does not tell
+ * @param solution result for the last solution
+ * @param ability what can be detected with the satellites in view
+ * @param removed satellites removed from the solution, one bit each, the lowest is satellite 1; 0
+ *     where the message does not contain it
  * @param accuracy the time solution's accuracy, one sigma, nanoseconds
- * @param sawtooth by how much the next pulse comes too early, nanoseconds
+ * @param sawtooth how much too early the next pulse is, nanoseconds
  */
 public record TimeRaim(
     String id,
@@ -24,21 +24,21 @@ public record TimeRaim(
     int sawtooth)
     implements M12Message {
 
-  /** What a solution was found to be. */
+  /** Result for a solution. */
   public enum Solution {
     /** Within the alarm limit. */
     OK,
-    /** Beyond the alarm limit: do not believe it. */
+    /** Beyond the alarm limit: do not use it. */
     ALARM,
     /** Not known: too few satellites, or time RAIM is off. */
     UNKNOWN
   }
 
-  /** What can be found with the satellites in sight. */
+  /** What can be detected with the satellites in view. */
   public enum Ability {
-    /** A wrong satellite can be detected and taken out. */
+    /** A faulty satellite can be detected and removed. */
     DETECTION_AND_ISOLATION,
-    /** A wrong satellite can be detected only. */
+    /** A faulty satellite can only be detected. */
     DETECTION,
     /** Neither. */
     NONE

@@ -1,7 +1,7 @@
 package org.dfra.drivers.gps.m12;
 
 /**
- * {@code @@Aw}: the time that the receiver tells; its acknowledgement of the command.
+ * {@code @@Aw}: the time scale that the receiver reports; its acknowledgement of the command.
  *
  * @param isUtc whether it is UTC; otherwise GPS time
  */

@@ -1,11 +1,11 @@
 package org.dfra.drivers.gps.m12;
 
 /**
- * What the receiver knows of UTC.
+ * The receiver's knowledge of UTC.
  *
- * @param isUtc whether it tells UTC; otherwise GPS time
- * @param isKnown whether it has learned the offset from the satellites; after a cold start that
- *     takes up to 12.5 minutes
+ * @param isUtc whether it reports UTC; otherwise GPS time
+ * @param isKnown whether it has received the offset from the satellites; takes up to 12.5 minutes
+ *     after a cold start
  * @param offset GPS time minus UTC, seconds, −32 to 31
  */
 public record UtcState(boolean isUtc, boolean isKnown, int offset) {

@@ -6,14 +6,14 @@ import java.util.List;
  * {@code @@Bb}: the satellites above the horizon by the almanac. Source: Motorola Oncore user's
  * guides.
  *
- * @param count how many there are; may exceed the twelve that are told of one by one
+ * @param count their number; may exceed the twelve that are listed
  * @param satellites at most twelve of them
  */
 public record VisibleSatellites(int count, List<VisibleSatellite> satellites)
     implements M12Message {
 
   /**
-   * Where a satellite stands.
+   * Direction of a satellite.
    *
    * @param satellite its number, 1 to 37
    * @param doppler shift of its carrier, hertz

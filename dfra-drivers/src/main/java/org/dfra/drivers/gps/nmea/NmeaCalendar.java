@@ -8,15 +8,15 @@ import java.time.ZoneOffset;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Knows the day of a time of day, also where the sentence with the date comes less often than the
- * others, and across midnight. Confined to one thread.
+ * Finds the date of a time of day, also across midnight and where the sentence with the date is
+ * sent less often than the others. Confined to one thread.
  */
 final class NmeaCalendar {
 
   private static final Duration HALF_A_DAY = Duration.ofHours(12);
   private static final Duration DAY = Duration.ofDays(1);
 
-  /** The last moment of which the date is known; null before the first. */
+  /** The last time with a known date; null before the first. */
   private @Nullable Instant last;
 
   void forget() {
@@ -36,8 +36,8 @@ final class NmeaCalendar {
   }
 
   /**
-   * The moment of this time of day that is nearest to the last one known; before the first, the
-   * nearest to the host's.
+   * The instant with this time of day that is nearest to the last known one; before the first,
+   * nearest to the host's time.
    */
   Instant resolve(LocalTime time, Instant host) {
     Instant near = last == null ? host : last;

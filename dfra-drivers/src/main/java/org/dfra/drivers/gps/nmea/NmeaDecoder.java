@@ -15,8 +15,8 @@ import org.dfra.drivers.gps.nmea.NmeaSentence.Vtg;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Zda;
 
 /**
- * Decodes intact sentences, one at a time. Never throws on what a sentence says: a value that
- * cannot be makes a {@link Malformed}. Confined to one thread.
+ * Decodes intact sentences, one at a time. Never throws, whatever the content of a sentence: an
+ * invalid value makes a {@link Malformed}. Confined to one thread.
  */
 final class NmeaDecoder {
 
@@ -34,7 +34,7 @@ final class NmeaDecoder {
     fields.take(bytes, offset, length);
     int at = fields.start(0);
     if (fields.length(0) != ADDRESS || bytes[at] == 'P') {
-      return new Other("", fields.text(0)); // a maker's own
+      return new Other("", fields.text(0)); // a manufacturer's own
     }
     String talker = talker(bytes[at], bytes[at + 1]);
     int type =
@@ -95,7 +95,8 @@ final class NmeaDecoder {
   }
 
   /**
-   * Each number has its unit in the next field, but in old receivers' sentences, of four numbers.
+   * Each number has its unit in the next field, except in the four-number sentences of old
+   * receivers.
    */
   private Vtg vtg(String talker) throws MalformedException {
     boolean hasUnits = fields.letter(2) == 'T' || fields.count() > 5;

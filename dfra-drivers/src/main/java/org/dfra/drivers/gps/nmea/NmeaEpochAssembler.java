@@ -19,15 +19,14 @@ import org.dfra.geometry.GeoPosition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Puts the sentences of one moment together. {@code RMC} has date, speed and course, {@code GGA} or
+ * Combines the sentences of one epoch. {@code RMC} has date, speed and course, {@code GGA} or
  * {@code GNS} height and quality, {@code GSA} the dimensions, {@code VTG} speed and course, {@code
- * ZDA} the date; no sentence says that it is the last of its moment.
+ * ZDA} the date; no sentence marks the end of its epoch.
  *
- * <p>A solution is published as soon as both {@code RMC} and {@code GGA} (or {@code GNS}) of a
- * moment are there, or the one of them that the receiver sends; what is still incomplete when the
- * next moment begins is published then. Of {@code GSA} and {@code GSV} the last ones count, which
- * may be those of the moment before; of speed and course those of the last 2 s, see {@link
- * NmeaMotion}.
+ * <p>A solution is published as soon as both {@code RMC} and {@code GGA} (or {@code GNS}) of an
+ * epoch have been received, or the one of them that the receiver sends; an incomplete solution is
+ * published when the next epoch begins. The last {@code GSA} and {@code GSV} are used, which may
+ * belong to the previous epoch, and the speed and course of the last 2 s, see {@link NmeaMotion}.
  *
  * <p>Confined to one thread.
  */
@@ -54,15 +53,15 @@ final class NmeaEpochAssembler {
   private @Nullable Gsa gsa;
 
   /**
-   * @param clock gives the day while the receiver has not told the date
-   * @param solutions is given every solution
+   * @param clock gives the date while the receiver has not reported one
+   * @param solutions receives every solution
    */
   NmeaEpochAssembler(InstantSource clock, Consumer<GpsSolution> solutions) {
     this.clock = clock;
     this.solutions = solutions;
   }
 
-  /** Forgets everything: another stream begins. */
+  /** Resets the state: another stream begins. */
   void forget() {
     time = null;
     rmc = null;
@@ -76,12 +75,12 @@ final class NmeaEpochAssembler {
     satellites = List.of();
   }
 
-  /** The satellites in view, as far as they are known. */
+  /** The known satellites in view. */
   List<SatelliteInView> satellites() {
     return satellites;
   }
 
-  /** Takes a sentence; true when the satellites may have changed. */
+  /** Processes a sentence; true when the satellites may have changed. */
   boolean take(NmeaSentence sentence) {
     if (sentence instanceof Rmc next) {
       beginEpoch(next.time());
@@ -117,7 +116,7 @@ final class NmeaEpochAssembler {
     publishIfComplete();
   }
 
-  /** There are receivers that send both; the first of a moment counts. */
+  /** Some receivers send both; the first of an epoch is used. */
   private void takeUnlessGiven(Gns next) {
     boolean given = gga != null && next.time() != null && next.time().equals(time);
     if (!given) {
@@ -127,7 +126,7 @@ final class NmeaEpochAssembler {
 
   private void beginEpoch(@Nullable LocalTime next) {
     boolean same = next != null && next.equals(time);
-    // Receivers without the time say so twice in each epoch; it ends with what came before.
+    // RMC and GGA may both have no time; then they belong to the same epoch.
     boolean sameUnknown = next == null && time == null && (rmc == null) != (gga == null);
     if (same || sameUnknown) {
       return;
@@ -186,7 +185,7 @@ final class NmeaEpochAssembler {
     }
     if (gga != null) {
       return switch (gga.quality()) {
-        case 0, 6 -> GpsFix.Mode.NONE; // estimated is what the M12+ calls propagated
+        case 0, 6 -> GpsFix.Mode.NONE; // "estimated" is what the M12+ calls "propagated"
         case 7 -> GpsFix.Mode.POSITION_HOLD;
         default -> dimensions();
       };
@@ -198,7 +197,7 @@ final class NmeaEpochAssembler {
     };
   }
 
-  /** Without a height above the ellipsoid no fix is one in 3-D, whatever the receiver says. */
+  /** Without a height above the ellipsoid a fix is not 3-D, whatever the receiver reports. */
   private GpsFix.Mode dimensions() {
     boolean flat = gsa != null && gsa.dimensions() == 2;
     return flat || Double.isNaN(height()) ? GpsFix.Mode.FIX_2D : GpsFix.Mode.FIX_3D;

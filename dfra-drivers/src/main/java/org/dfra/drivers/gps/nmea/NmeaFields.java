@@ -6,20 +6,20 @@ import java.time.LocalDate;
 import java.time.LocalTime;
 import org.jspecify.annotations.Nullable;
 
-/** The fields of one sentence at a time, by their numbers; 0 is talker and type. Reused. */
+/** The fields of one sentence by number; 0 is talker and type. Reused for each sentence. */
 final class NmeaFields {
 
   private static final int MOST = 64;
   private static final long[] POWERS = {
     1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000, 1_000_000_000
   };
-  private static final int MOST_DIGITS = 17; // of a long that a double still tells apart, nearly
+  private static final int MOST_DIGITS = 17; // roughly the longs that a double represents exactly
 
   private byte[] bytes = new byte[0];
   private final int[] starts = new int[MOST + 1];
   private int count;
 
-  /** Takes a sentence as {@link NmeaFramer} found it. */
+  /** Sets the sentence, as found by {@link NmeaFramer}. */
   void take(byte[] sentence, int offset, int length) {
     bytes = sentence;
     count = 0;
@@ -37,7 +37,7 @@ final class NmeaFields {
     starts[count] = at + 1;
   }
 
-  /** How many there are. */
+  /** Number of fields. */
   int count() {
     return count;
   }
@@ -142,7 +142,7 @@ final class NmeaFields {
     }
     int value = whole("date", field, 0, 311_299);
     if (value == 0) {
-      return null; // six zeros: the receiver does not know it
+      return null; // six zeros: unknown to the receiver
     }
     int year = value % 100;
     try {
@@ -200,7 +200,7 @@ final class NmeaFields {
         digits++;
         decimals += decimals < 0 ? 0 : 1;
       } else if (decimals < 0) {
-        throw wrong(what, field, "a number"); // too long before its point
+        throw wrong(what, field, "a number"); // too many digits before the point
       }
     }
     if (digits == 0) {
@@ -215,7 +215,7 @@ final class NmeaFields {
         what + " \"" + text(field) + "\" in field " + field + " is not " + expected);
   }
 
-  /** A value that cannot be; never leaves the decoder. */
+  /** An invalid value; never leaves the decoder. */
   static final class MalformedException extends Exception {
 
     private static final long serialVersionUID = 1L;

@@ -3,15 +3,15 @@ package org.dfra.drivers.gps.nmea;
 import org.dfra.drivers.frame.FrameScanner;
 
 /**
- * Finds sentences: a {@code $}, printable characters, a right checksum, the end of the line.
+ * Finds sentences: a {@code $}, printable characters, a correct checksum, the end of the line.
  *
- * <p>A sentence without a checksum counts only on a stream that has had none with one: there it is
- * damage.
+ * <p>A sentence without a checksum is accepted only on a stream that has had no sentence with one;
+ * otherwise it counts as corrupted.
  */
 public final class NmeaFramer extends FrameScanner {
 
   /**
-   * Longest sentence, with the end of its line. The standard says 82, but receivers' own sentences
+   * Longest sentence, with the end of its line. The standard allows 82, but proprietary sentences
    * are longer.
    */
   public static final int LONGEST = 256;
@@ -73,7 +73,7 @@ public final class NmeaFramer extends FrameScanner {
     return right;
   }
 
-  /** The digit's value; so negative that no checksum equals it when it is none. */
+  /** The digit's value; for another character a negative value that no checksum equals. */
   private static int hex(byte digit) {
     if (digit >= '0' && digit <= '9') {
       return digit - '0';

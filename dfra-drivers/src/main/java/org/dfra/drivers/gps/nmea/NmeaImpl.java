@@ -13,17 +13,16 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Any receiver that sends NMEA 0183: {@code RMC}, {@code GGA} or {@code GNS}, {@code VTG}, {@code
- * ZDA}, {@code GSA} and {@code GSV} of any talker. Nothing is sent to it: it is set up with its
- * maker's tool.
+ * ZDA}, {@code GSA} and {@code GSV} of any talker. The driver sends nothing to it: it is configured
+ * with its manufacturer's tool.
  *
  * <p>Parameter, besides those of every {@link GpsReceiverImpl}: {@code period}, seconds from one
- * position to the next, as the receiver is set up; default 1. It only says how long silence may
- * last.
+ * position to the next, as configured in the receiver; default 1. It only determines the timeout.
  *
- * <p>A fix is one in 3-D where {@code GGA} tells altitude and geoid separation, which make the
- * height above the ellipsoid; without them its height is 0. What {@code GGA} calls estimated is no
+ * <p>A fix is 3-D where {@code GGA} has altitude and geoid separation, whose sum is the height
+ * above the ellipsoid; without them its height is 0. An estimated position ({@code GGA}) is not a
  * fix. Speed and course are those of the last {@code RMC} or {@code VTG} for 2 s, and unknown (NaN)
- * after that. Where neither {@code RMC} nor {@code ZDA} has come there is no {@code time}, since
+ * after that. Until {@code RMC} or {@code ZDA} has been received there is no {@code time}, because
  * the date is missing.
  */
 public final class NmeaImpl extends GpsReceiverImpl<NmeaImpl.Protocol> {
@@ -38,7 +37,7 @@ public final class NmeaImpl extends GpsReceiverImpl<NmeaImpl.Protocol> {
     this(context, Ticker.of(context.clock()), null);
   }
 
-  /** For tests: by another time, and over links made in another way. */
+  /** For tests: uses the given clock and source of links. */
   NmeaImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
     super(
         context,
@@ -49,7 +48,7 @@ public final class NmeaImpl extends GpsReceiverImpl<NmeaImpl.Protocol> {
         source);
   }
 
-  /** Listens only. */
+  /** Only receives. */
   static final class Protocol implements GpsReceiverProtocol {
 
     private final Listener listener;

@@ -7,13 +7,13 @@ import org.dfra.drivers.gps.nmea.NmeaSentence.Vtg;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Speed and course, which other sentences have than the position, and which many receivers send
- * less often: the last ones count for {@link #MAX_AGE}, by the receiver's own time. Confined to one
+ * Speed and course. They come in other sentences than the position, and many receivers send them
+ * less often. They are valid for {@link #MAX_AGE}, by the receiver's own time. Confined to one
  * thread.
  */
 final class NmeaMotion {
 
-  /** How long they count. */
+  /** How long they are valid. */
   static final Duration MAX_AGE = Duration.ofSeconds(2);
 
   private static final Duration DAY = Duration.ofDays(1);
@@ -28,9 +28,7 @@ final class NmeaMotion {
     reported = null;
   }
 
-  /**
-   * Takes what {@code RMC} says; of one that the receiver does not stand by, that it is unknown.
-   */
+  /** Takes speed and course from {@code RMC}; they are unknown where it is marked invalid. */
   void take(Rmc rmc) {
     if (!rmc.valid() || rmc.mode() == 'N') {
       forget();
@@ -40,9 +38,9 @@ final class NmeaMotion {
   }
 
   /**
-   * Takes what {@code VTG} says.
+   * Takes speed and course from {@code VTG}.
    *
-   * @param time the moment it belongs to; null if that is not known
+   * @param time the time that it belongs to; null if unknown
    */
   void take(Vtg vtg, @Nullable LocalTime time) {
     if (vtg.mode() == 'N') {
@@ -58,7 +56,9 @@ final class NmeaMotion {
     reported = time;
   }
 
-  /** Drops what is too old at that time of day; without the time of either nothing is kept. */
+  /**
+   * Drops values that are too old at that time of day; values without a known time are dropped too.
+   */
   void expire(@Nullable LocalTime now) {
     LocalTime then = reported;
     if (now == null || then == null) {

@@ -4,11 +4,11 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.dfra.drivers.frame.FrameParser;
 
-/** Bytes of NMEA 0183 in, sentences out. */
+/** Parses the bytes of NMEA 0183 into sentences. */
 public final class NmeaParser extends FrameParser<NmeaSentence> {
 
   /**
-   * @param messages is given every message, in order, during {@link #feed} and {@link #finish}
+   * @param messages receives every message, in order, during {@link #feed} and {@link #finish}
    */
   public NmeaParser(Consumer<? super NmeaSentence> messages) {
     super(

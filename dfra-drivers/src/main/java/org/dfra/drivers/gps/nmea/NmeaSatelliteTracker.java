@@ -13,12 +13,12 @@ import org.dfra.drivers.gps.nmea.NmeaSentence.Gsv;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Satellite;
 
 /**
- * Puts together what many sentences say of the satellites: {@code GSV} of every system and signal,
+ * Combines the satellite data of several sentences: {@code GSV} of every system and signal, and
  * {@code GSA} of those in use. Confined to one thread.
  */
 final class NmeaSatelliteTracker {
 
-  /** A system that was not told of for so many epochs is gone. */
+  /** Number of epochs without a report after which a system is dropped. */
   private static final int LONGEST_AGE = 30;
 
   private static final String SYSTEMS = "?GRECJI"; // by the numbers of NMEA 4.1
@@ -38,7 +38,7 @@ final class NmeaSatelliteTracker {
   private boolean usedIsOld;
   private int epoch;
 
-  /** A new epoch begins. */
+  /** Starts a new epoch. */
   void nextEpoch() {
     epoch++;
     usedIsOld = true;
@@ -49,7 +49,7 @@ final class NmeaSatelliteTracker {
     }
   }
 
-  /** Takes the satellites in use. */
+  /** Adds the satellites in use. */
   void take(Gsa gsa) {
     if (usedIsOld) {
       used.clear();
@@ -65,8 +65,8 @@ final class NmeaSatelliteTracker {
   }
 
   /**
-   * Takes satellites in view. Where some sentences of a round are lost, the last whole round
-   * counts; there are receivers, though, of which none ever is whole.
+   * Adds satellites in view. Where sentences of a set are lost, the last complete set is used; some
+   * receivers never send a complete set.
    *
    * @return whether the satellites have changed
    */
@@ -79,7 +79,7 @@ final class NmeaSatelliteTracker {
       expected = 1;
     }
     if (gsv.number() != expected || !collecting.equals(key)) {
-      expected = 0; // one was lost: wait for the next round
+      expected = 0; // one was lost: wait for the next set
       return changed;
     }
     expected++;
@@ -103,7 +103,7 @@ final class NmeaSatelliteTracker {
     return better;
   }
 
-  /** All of them, by name. */
+  /** All satellites, sorted by name. */
   List<SatelliteInView> all() {
     Map<String, SatelliteInView> all = new TreeMap<>();
     groups.forEach(
@@ -126,7 +126,7 @@ final class NmeaSatelliteTracker {
         used.contains(name));
   }
 
-  /** One satellite on two signals. */
+  /** The stronger of two signals of one satellite. */
   private static SatelliteInView stronger(SatelliteInView one, SatelliteInView other) {
     Integer first = one.signal();
     Integer second = other.signal();
@@ -141,7 +141,7 @@ final class NmeaSatelliteTracker {
       case "GB", "BD" -> 'C';
       case "GQ", "QZ" -> 'J';
       case "GI", "IR" -> 'I';
-      default -> '?'; // several: by their numbers
+      default -> '?'; // several systems: by their numbers
     };
   }
 

@@ -6,13 +6,13 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a receiver said, decoded from one intact sentence. A field that was empty is NaN, null or
- * −1, as each one says.
+ * A sentence from a receiver, decoded from one intact line. An empty field is NaN, null or −1, as
+ * documented for each field.
  */
 public sealed interface NmeaSentence {
 
   /**
-   * Who talks: {@code GP} GPS, {@code GL} GLONASS, {@code GA} Galileo, {@code GB} or {@code BD}
+   * The talker ID: {@code GP} GPS, {@code GL} GLONASS, {@code GA} Galileo, {@code GB} or {@code BD}
    * BeiDou, {@code GQ} or {@code QZ} QZSS, {@code GI} or {@code IR} NavIC, {@code GN} several at
    * once.
    */
@@ -21,9 +21,9 @@ public sealed interface NmeaSentence {
   /**
    * {@code RMC}: recommended minimum.
    *
-   * @param talker who talks
+   * @param talker talker ID
    * @param time time of day, UTC; null while the receiver has none
-   * @param valid whether the receiver stands by it
+   * @param valid whether the receiver marks it valid
    * @param latitude degrees, north is +; NaN if empty
    * @param longitude degrees, east is +; NaN if empty
    * @param speed over ground, metres per second; NaN if empty
@@ -48,7 +48,7 @@ public sealed interface NmeaSentence {
   /**
    * {@code GGA}: fix data.
    *
-   * @param talker who talks
+   * @param talker talker ID
    * @param time time of day, UTC; null while the receiver has none
    * @param latitude degrees, north is +; NaN if empty
    * @param longitude degrees, east is +; NaN if empty
@@ -74,12 +74,12 @@ public sealed interface NmeaSentence {
   /**
    * {@code GNS}: fix data of several systems.
    *
-   * @param talker who talks
+   * @param talker talker ID
    * @param time time of day, UTC; null while the receiver has none
    * @param latitude degrees, north is +; NaN if empty
    * @param longitude degrees, east is +; NaN if empty
    * @param modes a letter for each system, in the order GPS, GLONASS, Galileo, BeiDou, QZSS, NavIC:
-   *     as in {@link Rmc#mode}, and {@code P} precise; empty in the further sentences of a moment,
+   *     as in {@link Rmc#mode}, and {@code P} precise; empty in the further sentences of an epoch,
    *     one for each system, which have no position
    * @param used satellites in use; −1 if empty
    * @param dilution horizontal dilution of precision; NaN if empty
@@ -98,7 +98,10 @@ public sealed interface NmeaSentence {
       double separation)
       implements NmeaSentence {
 
-    /** From the best mode to the worst; each stands at its number in {@link #QUALITIES}. */
+    /**
+     * From the best mode to the worst; each has its quality at the same index in {@link
+     * #QUALITIES}.
+     */
     private static final String BEST_FIRST = "RFPDASME";
 
     private static final int[] QUALITIES = {4, 5, 3, 2, 1, 8, 7, 6};
@@ -113,7 +116,7 @@ public sealed interface NmeaSentence {
       return 0;
     }
 
-    /** The same as the sentence for one system. */
+    /** Converts it to {@code GGA}, the sentence for one system. */
     Gga toGga() {
       return new Gga(
           talker, time, latitude, longitude, quality(), used, dilution, altitude, separation);
@@ -121,10 +124,10 @@ public sealed interface NmeaSentence {
   }
 
   /**
-   * {@code VTG}: course and speed. It has no time: it belongs to the moment that was reported
-   * before it.
+   * {@code VTG}: course and speed. It has no time: it belongs to the epoch that was reported before
+   * it.
    *
-   * @param talker who talks
+   * @param talker talker ID
    * @param course direction of travel, degrees, 0 is true north, clockwise is +; NaN if empty
    * @param speed over ground, metres per second; NaN if empty
    * @param mode as in {@link Rmc#mode}
@@ -134,7 +137,7 @@ public sealed interface NmeaSentence {
   /**
    * {@code ZDA}: date and time.
    *
-   * @param talker who talks
+   * @param talker talker ID
    * @param time time of day, UTC; null if empty
    * @param date the date, UTC; null if empty
    * @param localZone minutes to be added to local time for UTC, negative east of Greenwich; null if
@@ -150,13 +153,13 @@ public sealed interface NmeaSentence {
   /**
    * {@code GSA}: satellites in use and dilution of precision.
    *
-   * @param talker who talks
+   * @param talker talker ID
    * @param dimensions 1 no fix, 2 a 2-D fix, 3 a 3-D fix; −1 if empty
    * @param satellites numbers of those in use, at most twelve
    * @param pdop dilution of precision of the position; NaN if empty
    * @param hdop the same, horizontal
    * @param vdop the same, vertical
-   * @param system 1 GPS, 2 GLONASS, 3 Galileo, 4 BeiDou, 5 QZSS, 6 NavIC; −1 where not told
+   * @param system 1 GPS, 2 GLONASS, 3 Galileo, 4 BeiDou, 5 QZSS, 6 NavIC; −1 where not reported
    */
   record Gsa(
       String talker,
@@ -171,12 +174,12 @@ public sealed interface NmeaSentence {
   /**
    * {@code GSV}: satellites in view, at most four in a sentence.
    *
-   * @param talker who talks
-   * @param total how many sentences tell of all
+   * @param talker talker ID
+   * @param total number of sentences in the set
    * @param number which one this is, from 1
    * @param inView how many satellites are in view
-   * @param satellites the ones told of here
-   * @param signal which of the satellites' signals; −1 where not told
+   * @param satellites the satellites of this sentence
+   * @param signal which of the satellites' signals; −1 where not reported
    */
   record Gsv(
       String talker, int total, int number, int inView, List<Satellite> satellites, int signal)
@@ -185,18 +188,18 @@ public sealed interface NmeaSentence {
   /**
    * A satellite in view.
    *
-   * @param number its number, in the receiver's way of counting
+   * @param number its number, in the receiver's numbering
    * @param elevation above the horizon, degrees; −1 if empty
    * @param azimuth from true north, clockwise, degrees; −1 if empty
    * @param signal carrier to noise density, dB-Hz; −1 if it is not tracked
    */
   record Satellite(int number, int elevation, int azimuth, int signal) {}
 
-  /** An intact sentence of another type, or a maker's own. */
+  /** An intact sentence of another type, or a proprietary one. */
   record Other(String talker, String type) implements NmeaSentence {}
 
   /**
-   * An intact sentence whose content cannot be.
+   * An intact sentence with invalid content.
    *
    * @param reason which field, what it is and what it may be
    */

@@ -13,36 +13,36 @@ public final class UbxCommands {
 
   private UbxCommands() {}
 
-  /** {@code MON-VER}: what the receiver is. */
+  /** {@code MON-VER}: requests the receiver's identification. */
   public static byte[] version() {
     return encode(UbxFramer.MON_VER);
   }
 
-  /** {@code CFG-MSG}: send {@code NAV-PVT} with every solution. */
+  /** {@code CFG-MSG}: requests {@code NAV-PVT} with every solution. */
   public static byte[] positions() {
     return encode(CFG_MSG, UbxFramer.NAV_PVT >> 8, UbxFramer.NAV_PVT, 1);
   }
 
   /**
-   * {@code CFG-MSG}: send {@code NAV-SAT} with one in so many solutions.
+   * {@code CFG-MSG}: requests {@code NAV-SAT} with every n-th solution.
    *
-   * @param every how many, 1 to 255
+   * @param every number of solutions per message, 1 to 255
    */
   public static byte[] satellites(int every) {
     return encode(CFG_MSG, UbxFramer.NAV_SAT >> 8, UbxFramer.NAV_SAT, every);
   }
 
-  /** {@code CFG-RATE}: solve once in such a period, at full multiples of it in UTC. */
+  /** {@code CFG-RATE}: sets the period of solutions, aligned to multiples of it in UTC. */
   public static byte[] period(Duration period) {
     int millis = (int) period.toMillis();
     return encode(CFG_RATE, millis, millis >> 8, 1, 0, 0, 0);
   }
 
   /**
-   * A frame.
+   * Encodes a frame.
    *
    * @param type class and ID, the class in the high byte
-   * @param payload its bytes, of which the low eight bits count
+   * @param payload its bytes; only the low eight bits of each are used
    */
   public static byte[] encode(int type, int... payload) {
     byte[] frame = new byte[payload.length + UbxFramer.AROUND];

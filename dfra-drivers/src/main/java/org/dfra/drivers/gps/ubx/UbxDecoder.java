@@ -17,8 +17,8 @@ import org.dfra.drivers.gps.ubx.UbxMessage.Version;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Decodes intact frames, one at a time. Pure; never throws on what a frame says: a value that
- * cannot be makes a {@link Malformed}.
+ * Decodes intact frames, one at a time. Pure; never throws, whatever the content of a frame: an
+ * invalid value makes a {@link Malformed}.
  */
 public final class UbxDecoder {
 
@@ -141,7 +141,7 @@ public final class UbxDecoder {
     return new Version(text(0, 30), text(30, 10), extensions);
   }
 
-  /** What stands before the first zero byte. */
+  /** The text before the first zero byte. */
   private String text(int offset, int most) {
     int end = 0;
     while (end < most && bytes[at + offset + end] != 0) {

@@ -3,8 +3,8 @@ package org.dfra.drivers.gps.ubx;
 import org.dfra.drivers.frame.FrameScanner;
 
 /**
- * Finds the frames of UBX. The lengths of the messages that matter are known, so a damaged length
- * does not make the scanner wait for bytes that never come.
+ * Finds the frames of UBX. The lengths of the supported messages are known, so a corrupted length
+ * does not make the scanner wait for bytes that never arrive.
  */
 public final class UbxFramer extends FrameScanner {
 
@@ -29,7 +29,7 @@ public final class UbxFramer extends FrameScanner {
   /** Bytes around the payload. */
   static final int AROUND = 8;
 
-  /** Longest payload: {@code NAV-SAT} with as many satellites as its count can tell. */
+  /** Longest payload: {@code NAV-SAT} with the maximum of its satellite count. */
   private static final int LONGEST_PAYLOAD = 8 + 12 * 255;
 
   private static final int LONGEST_OTHER = 1024;

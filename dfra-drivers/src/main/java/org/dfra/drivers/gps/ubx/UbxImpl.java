@@ -24,12 +24,13 @@ import org.dfra.persona.GpsReceiverAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A u-blox receiver that speaks UBX, generations 7 to 9: {@code NAV-PVT}, {@code NAV-SAT}, {@code
+ * A u-blox receiver with UBX, generations 7 to 9: {@code NAV-PVT}, {@code NAV-SAT}, {@code
  * MON-VER}.
  *
- * <p>When the link is opened it is asked what it is, told the period ({@code CFG-RATE}) and what to
- * send ({@code CFG-MSG}), in its working memory only. One that refuses a setting is said to, and
- * serves all the same where it was set up with its maker's tool.
+ * <p>When the link is opened, the driver queries the receiver's identification and sets the period
+ * ({@code CFG-RATE}) and the messages ({@code CFG-MSG}), in its volatile memory only. If the
+ * receiver rejects a setting, the driver logs it and continues; the receiver still works if it was
+ * configured with its manufacturer's tool.
  *
  * <p>Parameter, besides those of every {@link GpsReceiverImpl}: {@code period}, seconds from one
  * position to the next, 0.05 to 60; default 1.
@@ -55,7 +56,7 @@ public final class UbxImpl extends GpsReceiverImpl<UbxImpl.Protocol> {
     this(context, Ticker.of(context.clock()), null);
   }
 
-  /** For tests: by another time, and over links made in another way. */
+  /** For tests: uses the given clock and source of links. */
   UbxImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
     this(
         context,
@@ -82,17 +83,17 @@ public final class UbxImpl extends GpsReceiverImpl<UbxImpl.Protocol> {
                         () -> "it says it is " + protocol().model()));
   }
 
-  /** Tells the receiver what to send, and takes it. */
+  /** Configures the receiver and processes its messages. */
   static final class Protocol implements GpsReceiverProtocol {
 
     private static final String SYSTEMS = "GSEC?JRI";
-    private static final int SKY_EVERY = 5; // solutions; the sky turns slowly
+    private static final int SKY_EVERY = 5; // solutions; the satellites move slowly
 
     private final ModuleContext context;
     private final FixedReportingPeriod pace;
     private final Listener listener;
     private final UbxParser parser = new UbxParser(this::messageReceived);
-    private volatile @Nullable Version version; // read by anyone
+    private volatile @Nullable Version version; // read by any thread
     private int visible;
 
     Protocol(ModuleContext context, FixedReportingPeriod pace, Listener listener) {

@@ -4,7 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** What a receiver said, decoded from one intact frame. */
+/** A message from a receiver, decoded from one intact frame. */
 public sealed interface UbxMessage {
 
   /** The message's name, as in the receiver's description: {@code NAV-PVT}. */
@@ -14,7 +14,7 @@ public sealed interface UbxMessage {
    * {@code NAV-PVT}: position, velocity and time.
    *
    * @param utc the time, UTC; null while the receiver does not know date and time
-   * @param resolved whether the time is UTC for sure, to the second
+   * @param resolved whether UTC is confirmed, to the second
    * @param fixType 0 none, 1 dead reckoning, 2 2-D, 3 3-D, 4 satellites and dead reckoning, 5 time
    *     only
    * @param fixOk whether the fix is within the receiver's limits, and its position is valid
@@ -83,12 +83,12 @@ public sealed interface UbxMessage {
    * @param signal carrier to noise density, dB-Hz; 0 if it is not tracked
    * @param elevation above the horizon, degrees, −90 to 90; out of this range if unknown
    * @param azimuth from true north, clockwise, degrees, 0 to 360
-   * @param used whether the position rests on it
+   * @param used whether it is used for the position
    */
   record Satellite(int system, int number, int signal, int elevation, int azimuth, boolean used) {}
 
   /**
-   * {@code ACK-ACK} and {@code ACK-NAK}: what became of a setting.
+   * {@code ACK-ACK} and {@code ACK-NAK}: the response to a setting.
    *
    * @param accepted whether it was accepted
    * @param type class and ID of the setting, the class in the high byte
@@ -102,7 +102,7 @@ public sealed interface UbxMessage {
   }
 
   /**
-   * {@code MON-VER}: what the receiver is.
+   * {@code MON-VER}: the receiver's identification.
    *
    * @param software version of its software
    * @param hardware version of its hardware
@@ -119,7 +119,7 @@ public sealed interface UbxMessage {
       return "MON-VER";
     }
 
-    /** What stands after {@code key=} in the extensions; null where it does not. */
+    /** The value of {@code key=} in the extensions; null where it is missing. */
     public @Nullable String extension(String key) {
       for (String line : extensions) {
         if (line.startsWith(key + "=")) {
@@ -144,10 +144,10 @@ public sealed interface UbxMessage {
   }
 
   /**
-   * An intact message whose content cannot be.
+   * An intact message with invalid content.
    *
    * @param name the message's name
-   * @param reason which value, what it is and what it may be
+   * @param reason which value, what it is, and which values are valid
    */
   record Malformed(String name, String reason) implements UbxMessage {}
 }

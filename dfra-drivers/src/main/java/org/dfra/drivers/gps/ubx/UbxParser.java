@@ -4,11 +4,11 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.dfra.drivers.frame.FrameParser;
 
-/** Bytes of UBX in, messages out. */
+/** Parses the bytes of UBX into messages. */
 public final class UbxParser extends FrameParser<UbxMessage> {
 
   /**
-   * @param messages is given every message, in order, during {@link #feed} and {@link #finish}
+   * @param messages receives every message, in order, during {@link #feed} and {@link #finish}
    */
   public UbxParser(Consumer<? super UbxMessage> messages) {
     super(new UbxFramer(), UbxDecoder::decode, UbxMessage.Malformed.class::isInstance, messages);

@@ -4,10 +4,10 @@ import java.nio.charset.StandardCharsets;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Reads what a {@link Dsp3000Framer} has found. Never throws, whatever the bytes. */
+/** Decodes the lines that a {@link Dsp3000Framer} has found. Never throws, whatever the bytes. */
 public final class Dsp3000Decoder {
 
-  /** The gyro measures no faster turn, degrees per second. */
+  /** Maximum rate that the gyro measures, degrees per second. */
   public static final double FASTEST = 375;
 
   private static final Pattern LINE =

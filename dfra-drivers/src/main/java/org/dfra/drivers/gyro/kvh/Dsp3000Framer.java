@@ -3,9 +3,9 @@ package org.dfra.drivers.gyro.kvh;
 import org.dfra.drivers.frame.FrameScanner;
 
 /**
- * Finds lines that are whole: from the line feed of the one before to the carriage return, made of
- * nothing but what numbers are made of. There is no checksum; that each line begins with the end of
- * another keeps the rest of a cut one from being taken for a smaller number.
+ * Finds complete lines: from the line feed of the previous line to the carriage return, with only
+ * characters of numbers. There is no checksum; the required line feed before each line prevents the
+ * remainder of a truncated line from being read as a smaller number.
  */
 public final class Dsp3000Framer extends FrameScanner {
 

@@ -24,32 +24,33 @@ import org.dfra.persona.SensorAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The fibre-optic rate gyro KVH DSP-3000 on its serial line: 38400 8N1, 100 lines a second.
+ * The fibre-optic rate gyro KVH DSP-3000 on a serial link: 38400 8N1, 100 lines per second.
  *
- * <p>The gyro says that clockwise is +; what is told here is to the left +, radians per second,
- * less the bias.
+ * <p>The gyro reports clockwise as +; this driver reports left as +, in radians per second, with
+ * the bias subtracted.
  *
  * <p>Parameters:
  *
  * <ul>
  *   <li>{@code link}, {@code reopen_first}, {@code reopen_longest}: see {@link
  *       org.dfra.drivers.link.LinkSettings}; the link is required
- *   <li>{@code inverted}: {@code true} where it is mounted upside down; default {@code false}; can
- *       be set while it runs
- *   <li>{@code bias}: what it tells while it stands, radians per second, left is +, −{@value
- *       #MOST_BIAS} to {@value #MOST_BIAS}; default 0; can be set while it runs, and is by the
- *       recovery {@code zero_while_standing}
+ *   <li>{@code inverted}: {@code true} for a gyro that is mounted upside down; default {@code
+ *       false}; can be set while it runs
+ *   <li>{@code bias}: the reported rate of a stationary gyro, radians per second, left is +,
+ *       −{@value #MOST_BIAS} to {@value #MOST_BIAS}; default 0; can be set while it runs, also by
+ *       the recovery {@code zero_while_standing}
  *   <li>{@code mount_frame} and so on: see {@link org.dfra.core.module.DeviceImpl}
- *   <li>to be read only: {@code frames}, {@code dropped_bytes}, {@code malformed_frames}
+ *   <li>read-only: {@code frames}, {@code dropped_bytes}, {@code malformed_frames}
  * </ul>
  *
- * <p>INITIALIZING until {@value #TRUSTED} lines in a row were valid; again when the link is lost,
- * when no line came for 2 s, or as soon as the gyro says that its rate is not valid. A rate is
- * served for 0.5 s.
+ * <p>The module is INITIALIZING until {@value #TRUSTED} consecutive lines were valid, and again
+ * when the link is lost, when no line has been received for 2 s, or when the gyro reports that its
+ * rate is not valid. A rate is served for 0.5 s.
  *
- * <p>Tests: {@code link}, {@code readings} (lines come), {@code validity} (the next line is valid).
- * Recoveries: {@code reopen_link}; {@code zero_while_standing}: takes the mean of 5 s for the bias,
- * and refuses it where the gyro visibly turns. Whoever asks for it vouches that the robot stands.
+ * <p>Tests: {@code link}, {@code readings} (lines arrive), {@code validity} (the next line is
+ * valid). Recoveries: {@code reopen_link}; {@code zero_while_standing}: sets the bias to the mean
+ * of 5 s, and fails if the gyro measures a rotation. The caller must ensure that the robot is
+ * stationary.
  *
  * <p>Threads: one reader ({@code name reader}), owned from {@code start} to {@code close}.
  */
@@ -76,7 +77,7 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
   private volatile boolean inverted;
   private volatile double bias;
   private volatile boolean lastWasValid;
-  private volatile @Nullable StationaryBiasEstimator measuring; // null: nobody wants the bias
+  private volatile @Nullable StationaryBiasEstimator measuring; // null while no bias is measured
 
   /**
    * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
@@ -85,7 +86,7 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
     this(context, Ticker.of(context.clock()), null);
   }
 
-  /** For tests: by another time, and over links made in another way. */
+  /** For tests: uses the given clock and source of links. */
   Dsp3000Impl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
     super(
         context,
@@ -204,16 +205,16 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
     return finding;
   }
 
-  /** What is done with the line; on the reader's thread. */
+  /** The gyro's protocol; on the reader thread. */
   private final class Gyro implements DeviceProtocol {
 
-    /** Rate mode; told thrice, since the gyro misses a letter now and then. */
+    /** Rate mode; sent three times, because the gyro sometimes misses a character. */
     private static final String RATE_MODE = "RRR";
 
     private static final Duration SILENCE = Duration.ofSeconds(2);
 
     private final Dsp3000Parser parser = new Dsp3000Parser(this::messageReceived);
-    private int valid; // lines in a row
+    private int valid; // consecutive lines
 
     @Override
     public void opened(SerialLink link) throws IOException {

@@ -1,18 +1,19 @@
 package org.dfra.drivers.gyro.kvh;
 
-/** What one line of the gyro says. */
+/** The content of one line of the gyro. */
 public sealed interface Dsp3000Message {
 
   /**
    * A rate, in the mode {@code R}.
    *
    * @param degreesPerSecond about its axis; seen from its upper side, clockwise is +
-   * @param isValid whether the gyro vouches for it; not while it starts, nor when it is broken
+   * @param isValid whether the gyro reports it as valid; false while it starts, and when it is
+   *     defective
    */
   record Rate(double degreesPerSecond, boolean isValid) implements Dsp3000Message {}
 
   /**
-   * A line that says what cannot be.
+   * A line with an invalid value.
    *
    * @param line the line
    */

@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.dfra.drivers.frame.FrameParser;
 
-/** Bytes in, messages out: {@link Dsp3000Framer} and {@link Dsp3000Decoder} in one. */
+/** Parses bytes into messages: combines {@link Dsp3000Framer} and {@link Dsp3000Decoder}. */
 public final class Dsp3000Parser extends FrameParser<Dsp3000Message> {
 
-  /** Gives {@code messages} every message in the stream. */
+  /** Passes every message in the stream to {@code messages}. */
   public Dsp3000Parser(Consumer<? super Dsp3000Message> messages) {
     super(
         new Dsp3000Framer(),

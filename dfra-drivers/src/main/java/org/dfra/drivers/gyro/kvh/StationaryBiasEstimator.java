@@ -4,25 +4,25 @@ import java.util.Locale;
 import org.dfra.core.module.Diagnostics.DiagnosticFinding;
 
 /**
- * The mean of what a gyro tells while it is said to stand, which is its bias, and whether that can
- * be. Confined to one thread at a time.
+ * Estimates the bias of a stationary gyro as the mean of its readings, and checks that it is
+ * plausible. Confined to one thread at a time.
  */
 final class StationaryBiasEstimator {
 
-  /** Readings taken: 5 s. */
+  /** Number of readings: 5 s. */
   static final int READINGS = 500;
 
-  /** What the noise of one that stands never reaches, standard deviation, degrees per second. */
+  /** Upper bound of the noise of a stationary gyro, standard deviation, degrees per second. */
   static final double MOST_SPREAD = 0.5;
 
-  /** What no bias reaches, degrees per second; the maker says 20 degrees per hour. */
+  /** Upper bound of the bias, degrees per second; the manufacturer states 20 degrees per hour. */
   static final double MOST_BIAS = 1;
 
   private int count;
   private double mean; // rad/s
   private double squares; // sum of squared differences from the mean, (rad/s)²
 
-  /** Takes a rate, radians per second; whether that was the last that is needed. */
+  /** Adds a rate, radians per second; returns whether it was the last that is needed. */
   boolean add(double rate) {
     count++;
     double difference = rate - mean;

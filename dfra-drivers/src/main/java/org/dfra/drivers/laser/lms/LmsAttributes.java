@@ -4,14 +4,14 @@ import org.dfra.persona.Attributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the laser says of itself.
+ * The attributes that the laser reports.
  *
- * @param type its type and version, such as {@code LMS200;30106;V02.30}; null until it has told
- * @param software version of its software; null until it has told
- * @param baud bits per second of its line; null while not known
- * @param measuringMode code of its measuring mode; null while not known
- * @param windowClean the dirtiest channel of its window, per cent of a clean one; null while not
- *     known
+ * @param type its type and version, such as {@code LMS200;30106;V02.30}; null until reported
+ * @param software version of its software; null until reported
+ * @param baud bits per second of its link; null while unknown
+ * @param measuringMode code of its measuring mode; null while unknown
+ * @param windowClean the dirtiest channel of its window, per cent of a clean one; null while
+ *     unknown
  */
 public record LmsAttributes(
     @Nullable String type,

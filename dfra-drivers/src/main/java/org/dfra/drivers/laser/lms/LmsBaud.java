@@ -2,7 +2,7 @@ package org.dfra.drivers.laser.lms;
 
 import java.util.Optional;
 
-/** The speeds of the laser's line. It wakes at the slowest. */
+/** The baud rates of the laser's link. It starts at the lowest. */
 public enum LmsBaud {
   /** 9600 bits per second, after power-on and reset. */
   B9600(9_600, 0x42, 103),
@@ -10,7 +10,7 @@ public enum LmsBaud {
   B19200(19_200, 0x41, 51),
   /** 38 400 bits per second. */
   B38400(38_400, 0x40, 25),
-  /** 500 000 bits per second, by RS-422. */
+  /** 500 000 bits per second, over RS-422. */
   B500000(500_000, 0x48, 1);
 
   private final int rate;
@@ -28,12 +28,12 @@ public enum LmsBaud {
     return rate;
   }
 
-  /** The operating mode that sets it. */
+  /** The operating mode that sets this rate. */
   int mode() {
     return mode;
   }
 
-  /** That of so many bits per second. */
+  /** The rate for a number of bits per second. */
   static Optional<LmsBaud> of(double rate) {
     for (LmsBaud each : values()) {
       if (each.rate == rate) {
@@ -43,7 +43,7 @@ public enum LmsBaud {
     return Optional.empty();
   }
 
-  /** That of the register in the laser's status, whose lower bits divide a clock of 1 MHz. */
+  /** The rate for the register in the laser's status, whose lower bits divide a 1 MHz clock. */
   static Optional<LmsBaud> ofRegister(int register) {
     for (LmsBaud each : values()) {
       if (each.divisor == (register & 0x7FFF)) {

@@ -9,8 +9,9 @@ import org.dfra.drivers.link.SerialLink;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The speeds at which the laser is searched: the wanted one, where it was left, then the others,
- * beginning with where it wakes. Where none is wanted, the line's is left alone.
+ * The baud rates at which the driver searches for the laser: the configured one, the last known
+ * one, then the others, beginning with the power-on rate. Without a configured rate, the link's
+ * rate is not changed.
  *
  * <p>Confined to the reader thread.
  */
@@ -20,8 +21,8 @@ final class LmsBaudSearch {
   private final List<LmsBaud> all = new ArrayList<>();
   private int index;
   private boolean isFound;
-  private Optional<LmsBaud> host = Optional.empty(); // what this end was set to
-  private Optional<LmsBaud> laser = Optional.empty(); // what the laser says
+  private Optional<LmsBaud> host = Optional.empty(); // what this end is set to
+  private Optional<LmsBaud> laser = Optional.empty(); // what the laser reports
 
   LmsBaudSearch(Optional<LmsBaud> wanted) {
     this.target = wanted;
@@ -35,7 +36,7 @@ final class LmsBaudSearch {
     }
   }
 
-  /** The search begins, with the first of them. */
+  /** Restarts the search with the first rate. */
   void restart() {
     index = -1;
     isFound = false;
@@ -43,7 +44,7 @@ final class LmsBaudSearch {
     laser = Optional.empty();
   }
 
-  /** Sets this end to the next one; returns why one of them was left out, a sentence, or null. */
+  /** Sets this end to the next rate; returns why a rate was skipped, a sentence, or null. */
   @Nullable String next(SerialLink link) {
     String warning = null;
     for (int i = 0; i < all.size(); i++) {
@@ -65,7 +66,7 @@ final class LmsBaudSearch {
     laser = Optional.empty();
   }
 
-  /** Whether this end can be as fast as wanted; returns why not, a clause, or null. */
+  /** Checks whether this end supports the configured rate; returns why not, a clause, or null. */
   @Nullable String tryWanted(SerialLink link) throws IOException {
     if (target.isEmpty() || host.isEmpty()) {
       return null;
@@ -80,14 +81,14 @@ final class LmsBaudSearch {
     }
   }
 
-  /** Sets this end to the wanted one, which the laser has by now. */
+  /** Sets this end to the configured rate, which the laser already uses. */
   void followWanted(SerialLink link) throws IOException {
     if (target.isPresent()) {
       set(link, target.get());
     }
   }
 
-  /** Sets this end to where a laser wakes, if it may be set. */
+  /** Sets this end to the power-on rate, if its rate may be set. */
   void setSlowest(SerialLink link) throws IOException {
     if (target.isPresent()) {
       set(link, LmsBaud.B9600);
@@ -107,17 +108,17 @@ final class LmsBaudSearch {
     return isFound;
   }
 
-  /** The laser has said what its speed is. */
+  /** The laser has reported its rate. */
   void laserReported(LmsBaud baud) {
     laser = Optional.of(baud);
   }
 
-  /** The speed of the line, as far as is known. */
+  /** The link's rate, as far as known. */
   Optional<LmsBaud> now() {
     return laser.isPresent() ? laser : host;
   }
 
-  /** {@code at 38400, 9600 … baud}, with a space before it, or nothing. */
+  /** {@code at 38400, 9600 … baud}, with a space before it, or an empty text. */
   String inWords() {
     return all.isEmpty()
         ? ""

@@ -7,12 +7,12 @@ import org.dfra.drivers.link.SerialLink;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Keeps this end of the line at the laser's speed, and tells when it is better not to say anything.
+ * Keeps this end of the link at the laser's baud rate, and reports when nothing must be sent.
  *
  * <pre>
- *   IDLE --laser will change its speed--&gt; SWITCHED --followed--&gt; SETTLING --250 ms--&gt; IDLE
+ *   IDLE --laser will change its rate--&gt; SWITCHED --followed--&gt; SETTLING --250 ms--&gt; IDLE
  *    |                                                                                ^
- *    '--laser resets itself--&gt; WAKING, at the slowest speed --it woke, or 60 s--------'
+ *    '--laser resets itself--&gt; WAKING, at the lowest rate --it has started, or 60 s---'
  * </pre>
  *
  * <p>Confined to the reader thread.
@@ -21,11 +21,11 @@ final class LmsBaudSynchronizer {
 
   private static final Duration SETTLING_TIME = Duration.ofMillis(250);
 
-  /** How long a laser may take to wake. */
+  /** Maximum time that a laser takes to start. */
   static final Duration WAKING = Duration.ofSeconds(60);
 
   private final LmsBaudSearch speeds;
-  private boolean switched; // the far end has changed its speed, this one follows
+  private boolean switched; // the far end has changed its rate, this end follows
   private boolean waking;
   private long wakingUntilNanos;
   private long quietUntilNanos;
@@ -38,7 +38,7 @@ final class LmsBaudSynchronizer {
     return speeds;
   }
 
-  /** Sets this end to the next speed to be tried; see {@link LmsBaudSearch#next}. */
+  /** Sets this end to the next rate of the search; see {@link LmsBaudSearch#next}. */
   @Nullable String search(SerialLink link, long now) {
     switched = false;
     waking = false;
@@ -46,18 +46,18 @@ final class LmsBaudSynchronizer {
     return speeds.next(link);
   }
 
-  /** The laser has said that it will change its speed. */
+  /** The laser has reported that it will change its rate. */
   void switched() {
     switched = true;
   }
 
-  /** The laser has said that it will reset itself. */
+  /** The laser has reported that it will reset. */
   void resets(long now) {
     waking = true;
     wakingUntilNanos = now + WAKING.toNanos();
   }
 
-  /** The laser has said that it is awake. */
+  /** The laser has reported that it has started. */
   void poweredOn() {
     waking = false;
     speeds.restart();
@@ -68,9 +68,9 @@ final class LmsBaudSynchronizer {
   }
 
   /**
-   * Does what is due.
+   * Performs the rate changes that are due.
    *
-   * @return false if the laser has not woken in time, and must be searched
+   * @return false if the laser has not started in time and must be searched
    */
   boolean update(SerialLink link, long now) throws IOException {
     if (switched) {
@@ -79,12 +79,12 @@ final class LmsBaudSynchronizer {
       quietUntilNanos = now + SETTLING_TIME.toNanos();
     }
     if (waking && !speeds.isAtSlowest()) {
-      speeds.setSlowest(link); // where a laser wakes
+      speeds.setSlowest(link); // the power-on rate
     }
     return !waking || now - wakingUntilNanos <= 0;
   }
 
-  /** Whether nothing is to be sent now. */
+  /** Whether nothing may be sent now. */
   boolean isQuiet(long now) {
     return waking || now - quietUntilNanos < 0;
   }

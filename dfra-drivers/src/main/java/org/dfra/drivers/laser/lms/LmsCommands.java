@@ -2,7 +2,7 @@ package org.dfra.drivers.laser.lms;
 
 import java.nio.charset.StandardCharsets;
 
-/** The telegrams that the laser is sent. */
+/** Encodes the telegrams to the laser. */
 public final class LmsCommands {
 
   private static final int LASER = 0x00;
@@ -10,27 +10,30 @@ public final class LmsCommands {
 
   private LmsCommands() {}
 
-  /** Resets it, as if it had been switched off and on; {@code 91} answers, later {@code 90}. */
+  /** Resets it, like switching it off and on; {@code 91} answers, later {@code 90}. */
   public static byte[] reset() {
     return telegram(0x10);
   }
 
-  /** Has it send every scan that the line has room for; {@code A0} answers. */
+  /** Starts streaming at the highest rate that the link allows; {@code A0} answers. */
   public static byte[] stream() {
     return telegram(0x20, 0x24);
   }
 
-  /** Has it send scans only when asked; {@code A0} answers. */
+  /** Stops streaming: scans are sent only on request; {@code A0} answers. */
   public static byte[] stop() {
     return telegram(0x20, 0x25);
   }
 
-  /** Sets the speed of its line; {@code A0} answers, still at the old one. */
+  /** Sets its baud rate; {@code A0} answers, still at the old rate. */
   public static byte[] baud(LmsBaud baud) {
     return telegram(0x20, baud.mode());
   }
 
-  /** Lets its configuration be changed, until its mode is set otherwise; {@code A0} answers. */
+  /**
+   * Enters installation mode, which allows configuration, until another mode is set; {@code A0}
+   * answers.
+   */
   public static byte[] installation() {
     byte[] password = PASSWORD.getBytes(StandardCharsets.US_ASCII);
     int[] payload = new int[2 + password.length];
@@ -41,27 +44,27 @@ public final class LmsCommands {
     return telegram(payload);
   }
 
-  /** Asks for one scan; {@code B0} answers. */
+  /** Requests one scan; {@code B0} answers. */
   public static byte[] scan() {
     return telegram(0x30, 0x01);
   }
 
-  /** Asks how it is; {@code B1} answers. */
+  /** Requests its status; {@code B1} answers. */
   public static byte[] status() {
     return telegram(0x31);
   }
 
-  /** Asks for the errors that it remembers; {@code B2} answers. */
+  /** Requests its stored errors; {@code B2} answers. */
   public static byte[] errors() {
     return telegram(0x32);
   }
 
-  /** Asks what it is; {@code BA} answers. */
+  /** Requests its type; {@code BA} answers. */
   public static byte[] type() {
     return telegram(0x3A);
   }
 
-  /** Sets where its beams are, until it is switched off; {@code BB} answers. */
+  /** Sets its field of view and resolution, until it is switched off; {@code BB} answers. */
   public static byte[] variant(LmsVariant variant) {
     return telegram(
         0x3B,
@@ -71,7 +74,7 @@ public final class LmsCommands {
         variant.stepHundredths() >> 8);
   }
 
-  /** Asks for its configuration; {@code F4} answers. */
+  /** Requests its configuration; {@code F4} answers. */
   public static byte[] configuration() {
     return telegram(0x74);
   }
@@ -91,7 +94,7 @@ public final class LmsCommands {
     return telegram(LASER, payload);
   }
 
-  /** A whole telegram, check included. */
+  /** A complete telegram, CRC included. */
   static byte[] telegram(int address, int[] payload) {
     int crcAt = LmsFramer.HEAD + payload.length;
     byte[] bytes = new byte[crcAt + LmsFramer.TAIL];

@@ -5,15 +5,15 @@ import java.util.HexFormat;
 import java.util.Optional;
 
 /**
- * The laser's configuration, which it keeps in its flash memory. Only two of its bytes are of
- * interest here; the others, which are about its switching outputs, are written back as they are.
+ * The laser's configuration, which it keeps in its flash memory. Only two of its bytes are used
+ * here; the others, which configure its switching outputs, are written back unchanged.
  */
 public final class LmsConfiguration {
 
-  /** Bytes that every laser has. */
+  /** Minimum length, bytes. */
   static final int SHORTEST = 8;
 
-  /** Bytes that the longest one has. */
+  /** Maximum length, bytes. */
   static final int LONGEST = 40;
 
   private static final int MODE_AT = 5;
@@ -22,18 +22,18 @@ public final class LmsConfiguration {
   private final byte[] bytes;
 
   /**
-   * @param bytes as the laser tells them, {@value #SHORTEST} to {@value #LONGEST}
+   * @param bytes as the laser reports them, {@value #SHORTEST} to {@value #LONGEST}
    */
   LmsConfiguration(byte[] bytes) {
     this.bytes = bytes.clone();
   }
 
-  /** The bytes, as the laser tells and takes them. */
+  /** The bytes, in the laser's format. */
   byte[] bytes() {
     return bytes.clone();
   }
 
-  /** What of its samples is the distance; empty for a mode that nobody knows. */
+  /** Its measuring mode, which defines the distance bits of a sample; empty for an unknown mode. */
   public Optional<MeasuringMode> mode() {
     return MeasuringMode.of(modeCode());
   }
@@ -43,18 +43,18 @@ public final class LmsConfiguration {
     return bytes[MODE_AT] & 0xFF;
   }
 
-  /** What it counts distances in; empty for a unit that nobody knows. */
+  /** Its unit of distance; empty for an unknown unit. */
   public Optional<LmsUnit> unit() {
     int code = bytes[UNIT_AT] & 0xFF;
     return code < LmsUnit.values().length ? Optional.of(LmsUnit.values()[code]) : Optional.empty();
   }
 
-  /** The same with another measuring mode. */
+  /** A copy with another measuring mode. */
   LmsConfiguration with(MeasuringMode mode) {
     return with(MODE_AT, mode.code());
   }
 
-  /** The same with another unit. */
+  /** A copy with another unit. */
   LmsConfiguration with(LmsUnit unit) {
     return with(UNIT_AT, unit.ordinal());
   }

@@ -8,22 +8,23 @@ import org.dfra.drivers.laser.lms.LmsRequest.Kind;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is known of the laser, and so what is to be asked or told next until it is as wanted. The
- * order of {@link #next} is the order of things; whoever changes a wish needs not care.
+ * Configures the laser: from the laser's known state it selects the next request, until the laser
+ * has the required settings. {@link #next} defines the order of requests; changed settings need no
+ * order.
  *
- * <p>Confined to the reader thread, but for {@link #enqueue} and {@link #writes}.
+ * <p>Confined to the reader thread, except {@link #enqueue} and {@link #writes}.
  */
 final class LmsConfigurator {
 
-  /** The flash memory is written so often at most in a driver's life: it wears out. */
+  /** Maximum number of flash writes per run of the driver: flash memory wears out. */
   private static final int MOST_WRITES = 3;
 
-  /** A laser that says that it is at another speed than it was told is not told for ever. */
+  /** Maximum number of attempts to change the rate of a laser that reports another one. */
   private static final int TRIES = 3;
 
   private final LmsSettings settings;
   private final ConcurrentLinkedQueue<LmsRequest> inquiries = new ConcurrentLinkedQueue<>();
-  private final Set<Kind> vain = EnumSet.noneOf(Kind.class); // refused, or not to be tried again
+  private final Set<Kind> vain = EnumSet.noneOf(Kind.class); // rejected, or not to be retried
 
   private boolean stopped;
   private boolean streaming;
@@ -41,7 +42,7 @@ final class LmsConfigurator {
     this.settings = orders;
   }
 
-  /** Nothing is known any more: another laser, or one that was reset. */
+  /** Discards the known state: another laser, or one that was reset. */
   void forget() {
     inquiries.clear();
     vain.clear();
@@ -52,7 +53,7 @@ final class LmsConfigurator {
     lost();
   }
 
-  /** The laser does not answer any more, as far as is known at this speed. */
+  /** The laser no longer answers at this rate. */
   void lost() {
     stopped = false;
     streaming = false;
@@ -62,16 +63,16 @@ final class LmsConfigurator {
     variant = null;
   }
 
-  /** Has something asked when there is time; from any thread. */
+  /** Queues a request; from any thread. */
   void enqueue(LmsRequest request) {
     inquiries.add(request);
   }
 
   /**
-   * What is to be asked or told next; null where all is as wanted.
+   * The next request; null when the laser has the required settings.
    *
-   * @param baud the speed of the line, where the laser does not tell it
-   * @param isIdle whether no scans are wanted now
+   * @param baud the link's rate, where the laser does not report it
+   * @param isIdle whether no scans are required now
    */
   @Nullable LmsRequest next(Optional<LmsBaud> baud, boolean isIdle) {
     LmsStatus reported = status;
@@ -132,12 +133,12 @@ final class LmsConfigurator {
     return settings.measuringMode().map(unit::with).orElse(unit);
   }
 
-  /** A stream is ended before the laser is asked for anything else. */
+  /** Stops a stream before any other request. */
   private LmsRequest quietly(LmsRequest request) {
     return streaming ? LmsRequest.STOP : request;
   }
 
-  /** Takes what the laser answered; returns what people should know of it, a sentence, or null. */
+  /** Processes the laser's answer; returns a warning for the operator, a sentence, or null. */
   @Nullable String answered(Kind kind, LmsMessage answer) {
     if (answer instanceof LmsMessage.ModeReply set) {
       return set.isDone() ? entered(kind) : refused(kind);
@@ -153,7 +154,7 @@ final class LmsConfigurator {
           ? "the laser's flash was written, but the laser still has " + inWords()
           : null;
     } else if (answer instanceof LmsMessage.ConfigurationChangeReply set) {
-      configuration = null; // asked again, after installation mode
+      configuration = null; // repeated, after installation mode
       return set.isDone() ? null : refused(kind);
     } else if (answer instanceof LmsMessage.VariantReply set) {
       variant = set.variant();
@@ -167,12 +168,12 @@ final class LmsConfigurator {
     streaming = kind == Kind.STREAM;
     installing = kind == Kind.INSTALLATION;
     if (kind == Kind.BAUD) {
-      status = null; // shows that it answers at that speed
+      status = null; // shows that it answers at that rate
     }
     return null;
   }
 
-  /** The laser does not do it; returns what people should know, a sentence. */
+  /** The laser has rejected a request; returns a warning for the operator, a sentence. */
   String refused(Kind kind) {
     vain.add(kind);
     if (kind == Kind.CONFIGURE) {
@@ -184,14 +185,14 @@ final class LmsConfigurator {
     return "the laser was asked " + kind.words() + " and refuses; it keeps " + inWords();
   }
 
-  /** It is of no use to try that again. */
+  /** Gives up a request that would fail again. */
   void giveUp(Kind kind) {
     vain.add(kind);
   }
 
-  /** It is under way to the laser. */
+  /** A request has been sent. */
   void sent(Kind kind) {
-    if (kind == Kind.CONFIGURE) { // counts even if no answer comes
+    if (kind == Kind.CONFIGURE) { // counts even without an answer
       wrote = true;
       writes = writes + 1;
     } else if (kind == Kind.BAUD) {
@@ -199,24 +200,24 @@ final class LmsConfigurator {
     }
   }
 
-  /** Something is not as it was known to be: what the laser is set to is asked again. */
+  /** The known state is not correct: queries the laser's settings again. */
   void invalidate() {
     status = null;
     configuration = null;
   }
 
-  /** Where its beams are; null while that is not known. */
+  /** Its field of view and resolution; null while unknown. */
   @Nullable LmsVariant variant() {
     return variant;
   }
 
-  /** What of its samples is the distance; empty while that is not known. */
+  /** Its measuring mode; empty while unknown. */
   Optional<MeasuringMode> mode() {
     LmsConfiguration now = configuration;
     return now == null ? Optional.empty() : now.mode();
   }
 
-  /** Why its scans cannot be understood, as a clause; null where they can. */
+  /** Why its scans cannot be interpreted, as a clause; null where they can. */
   @Nullable String unusableReason() {
     LmsConfiguration now = configuration;
     if (now != null && now.mode().isEmpty()) {
@@ -228,7 +229,7 @@ final class LmsConfigurator {
     return now != null && beams == null ? "nobody knows where its beams are" : null;
   }
 
-  /** Whether it is as wanted, or as near to that as can be. */
+  /** Whether it has the required settings, or the nearest possible ones. */
   boolean isConfigured() {
     return status != null && configuration != null && !installing;
   }

@@ -1,13 +1,13 @@
 package org.dfra.drivers.laser.lms;
 
-/** The check of a telegram: SICK's own 16 bits, over everything before it. */
+/** The CRC of a telegram: SICK's own 16 bits, over all bytes before it. */
 final class LmsCrc {
 
   private static final int POLYNOMIAL = 0x8005;
 
   private LmsCrc() {}
 
-  /** The check of {@code bytes[from]} to {@code bytes[to - 1]}, 0 to FFFF hex. */
+  /** The CRC of {@code bytes[from]} to {@code bytes[to - 1]}, 0 to FFFF hex. */
   static int of(byte[] bytes, int from, int to) {
     int crc = 0;
     int last = 0;

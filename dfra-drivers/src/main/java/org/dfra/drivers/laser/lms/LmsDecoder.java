@@ -9,8 +9,8 @@ import java.util.Optional;
 import org.dfra.drivers.laser.lms.LmsMessage.LmsError;
 
 /**
- * Decodes intact frames, one at a time. Pure; never throws on what a frame says: a value that
- * cannot be makes a {@link LmsMessage.Malformed}.
+ * Decodes intact frames, one at a time. Pure; never throws, whatever the content of a frame: an
+ * invalid value makes a {@link LmsMessage.Malformed}.
  */
 public final class LmsDecoder {
 
@@ -146,7 +146,7 @@ public final class LmsDecoder {
     return new LmsMessage.Malformed(String.format(Locale.ROOT, "%02X", command), reason);
   }
 
-  /** Printable text; bytes after a zero do not count. */
+  /** Printable text; bytes after a zero are ignored. */
   private static String text(byte[] bytes, int from, int length) {
     String all = new String(bytes, from, length, StandardCharsets.US_ASCII);
     int zero = all.indexOf(0);

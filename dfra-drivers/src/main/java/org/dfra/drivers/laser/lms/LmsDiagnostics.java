@@ -13,31 +13,32 @@ import org.dfra.module.Precondition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What can be examined and mended on the laser, besides {@link DeviceLink}. A stream is interrupted
- * while the laser is asked.
+ * Tests and recoveries of the laser, besides those of {@link DeviceLink}. A stream is interrupted
+ * during a query.
  *
  * <ul>
- *   <li>test {@code status}: it tells how it is (31 hex), and is sound: no defect, no error, laser
- *       on, window clean, values plausible
- *   <li>test {@code type}: it tells what it is (3A hex)
- *   <li>test {@code errors}: it tells which errors it remembers (32 hex), none of them present
- *   <li>recovery {@code reset}: it begins anew, as if it had been switched off and on, and is told
- *       anew what to do; takes up to a minute
- *   <li>recovery {@code renegotiate}: it is searched at all speeds and told anew what to do
+ *   <li>test {@code status}: it reports its status (31 hex) and is healthy: no defect, no error,
+ *       laser on, window clean, values plausible
+ *   <li>test {@code type}: it reports its type (3A hex)
+ *   <li>test {@code errors}: it reports its stored errors (32 hex), none of them present
+ *   <li>recovery {@code reset}: it is restarted, like switching it off and on, and configured
+ *       again; takes up to a minute
+ *   <li>recovery {@code renegotiate}: the driver searches for it at all baud rates and configures
+ *       it again
  * </ul>
  */
 final class LmsDiagnostics {
 
-  /** A scan that was understood has come. */
+  /** A scan that could be interpreted has been received. */
   static final String SCAN = "understood scan";
 
-  /** Source: technical description of the LMS 200; none of them was tried. */
+  /** Source: technical description of the LMS 200; none of them was tested. */
   static final List<Precondition> PRECONDITIONS =
       List.of(
           new Precondition("temperature of the air around it", 0, 50, "°C"),
           new Precondition("supply voltage", 20.4, 27.6, "V"));
 
-  /** Stopping a stream at 9600 baud, asking, and trying again twice. */
+  /** Time to stop a stream at 9600 baud, send a query, and retry twice. */
   private static final Duration ANSWER = Duration.ofSeconds(8);
 
   private static final Duration ANEW = Duration.ofSeconds(30);
@@ -47,7 +48,7 @@ final class LmsDiagnostics {
   private final LmsProtocol protocol;
   private final LmsIdlePolicy idlePolicy;
 
-  // what the laser last told; written by the reader, read by anyone
+  // the laser's last reports; written by the reader, read by any thread
   private volatile @Nullable LmsStatus status;
   private volatile LmsMessage.@Nullable ErrorsReply errors;
   private volatile String type = "a laser that has not told its type";
@@ -67,7 +68,7 @@ final class LmsDiagnostics {
         "renegotiate", () -> anew(protocol::renegotiate, ANEW, "was searched"));
   }
 
-  /** Takes what the laser told. */
+  /** Processes a telegram from the laser. */
   void telegramReceived(LmsMessage.Telegram telegram) {
     if (telegram instanceof LmsStatus now) {
       status = now;

@@ -4,7 +4,7 @@ import org.dfra.drivers.frame.FrameScanner;
 
 /**
  * Finds the laser's telegrams. An ACK right before a telegram belongs to it; a NAK is a frame of
- * its own. Telegrams to the laser, such as an echo of the driver's own, are none.
+ * its own. Telegrams to the laser, such as an echo of the driver's own, are not frames.
  */
 public final class LmsFramer extends FrameScanner {
 

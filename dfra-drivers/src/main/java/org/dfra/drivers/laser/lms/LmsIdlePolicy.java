@@ -5,7 +5,9 @@ import org.dfra.core.module.ParameterTable;
 import org.dfra.core.module.ParameterTable.NumberRange;
 import org.dfra.drivers.link.Ticker;
 
-/** Whether the laser may rest, since nobody uses it. Safe for use by several threads. */
+/**
+ * Decides whether the laser may be idle because it has no clients. Safe for use by several threads.
+ */
 final class LmsIdlePolicy {
 
   private final Ticker ticker;
@@ -14,7 +16,7 @@ final class LmsIdlePolicy {
   private volatile long usedNanos;
 
   /**
-   * @param idleAfter how long nobody must have used it; zero where it never rests
+   * @param idleAfter time without use after which it may be idle; zero: never
    */
   LmsIdlePolicy(Ticker ticker, Duration idleAfter) {
     this.ticker = ticker;
@@ -31,7 +33,7 @@ final class LmsIdlePolicy {
         this::setIdleSeconds);
   }
 
-  /** Somebody uses it now. */
+  /** The laser is used now. */
   void used() {
     usedNanos = ticker.nanos();
   }
@@ -49,7 +51,7 @@ final class LmsIdlePolicy {
     idleAfter = Duration.ofMillis(Math.round(1e3 * seconds));
   }
 
-  /** Whether it may rest now. */
+  /** Whether it may be idle now. */
   boolean mayIdle() {
     return clients == 0 && !idleAfter.isZero() && ticker.nanos() - usedNanos > idleAfter.toNanos();
   }

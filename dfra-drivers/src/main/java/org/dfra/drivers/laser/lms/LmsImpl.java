@@ -17,39 +17,39 @@ import org.dfra.persona.Attributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * SICK LMS 200 scanning laser, and those of its relatives that speak its telegrams.
+ * SICK LMS 200 laser scanner, and related models with the same telegrams.
  *
  * <p>Parameters:
  *
  * <ul>
  *   <li>{@code link}, {@code reopen_first}, {@code reopen_longest}: see {@link LinkSettings}
- *   <li>{@code baud}: bits per second to work at: 9600, 19200, 38400, 500000, or {@code keep} to
- *       use the line as it is. Default 38400 on {@code serial:} and {@code sim:}, else {@code
- *       keep}: a serial server's speed is its own, and only one that follows the laser's may be
- *       given another
+ *   <li>{@code baud}: bits per second: 9600, 19200, 38400, 500000, or {@code keep} to use the
+ *       link's current rate. Default 38400 on {@code serial:} and {@code sim:}, else {@code keep}:
+ *       a serial server has its own rate, so set another value only for a server that follows the
+ *       laser's rate
  *   <li>{@code field_of_view}: degrees, 180 (default) or 100; {@code resolution}: degrees, 0.5
  *       (default), 1, or 0.25 with field_of_view 100; both can be set while it runs
  *   <li>{@code units}: {@code mm} (default), {@code cm} or {@code keep}; {@code measuring_mode}: 0
- *       to 6, 15 or {@code keep} (default), see {@link MeasuringMode}. They stand in the laser's
- *       flash memory, which is written only where it differs
+ *       to 6, 15 or {@code keep} (default), see {@link MeasuringMode}. They are stored in the
+ *       laser's flash memory, which is written only where it differs
  *   <li>{@code mode}: {@code continuous} (default) or {@code polled}, every {@code period} seconds,
  *       0.02 to 60, default 1; both can be set while it runs
- *   <li>{@code idle_after}: seconds without clients before it stops sending, 0 to 3600, 0 is never;
- *       default 10; can be set while it runs
- *   <li>{@code mount_frame}, {@code mount_x} and so on: where it is, see {@link SensorImpl}
- *   <li>to be read only: {@code status}, {@code flash_writes}, and those of {@link DeviceLink}
+ *   <li>{@code idle_after}: seconds without clients before scans are stopped, 0 to 3600, 0 is
+ *       never; default 10; can be set while it runs
+ *   <li>{@code mount_frame}, {@code mount_x} and so on: its pose, see {@link SensorImpl}
+ *   <li>read-only: {@code status}, {@code flash_writes}, and those of {@link DeviceLink}
  * </ul>
  *
- * <p>INITIALIZING until the first scan, and again when the link is lost, when the laser does not
- * answer, or when no scan came for three periods and 2 s. A laser that rests is READY but has no
- * scan; the first client wakes it, and so does {@link #scan}. What it can be examined for is in
- * {@link LmsDiagnostics}.
+ * <p>The module is INITIALIZING until the first scan, and again when the link is lost, when the
+ * laser does not answer, or when no scan has been received for three periods and 2 s. An idle laser
+ * is READY but has no scan; the first client starts it, and so does {@link #scan}. For tests and
+ * recoveries see {@link LmsDiagnostics}.
  *
- * <p>A scan's time is when its last byte came, less the time its telegram takes on the line and the
- * time the mirror takes for it; how long the laser thinks in between is not known, and not counted.
+ * <p>A scan's time is the arrival of its last byte minus the transmission time of its telegram and
+ * the mirror's scan time; the laser's processing time is unknown and not included.
  *
  * <p>Threads: one reader ({@code name reader}), owned by a {@link DeviceLink} from {@code start} to
- * {@code close}, does all the work. Askers see immutable snapshots and never wait for the laser.
+ * {@code close}, does all the work. Callers read immutable snapshots and never wait for the laser.
  */
 public final class LmsImpl extends SensorImpl implements RangeSensor {
 
@@ -61,8 +61,8 @@ public final class LmsImpl extends SensorImpl implements RangeSensor {
   private final LmsDiagnostics examination;
   private final LmsPersona persona;
 
-  // written by the reader, read by anyone
-  private volatile Duration longestAge = Duration.ZERO; // of a scan, at the rate of the last
+  // written by the reader, read by any thread
+  private volatile Duration longestAge = Duration.ZERO; // of a scan, at the last scan's rate
   private volatile StatusByte health = StatusByte.OK;
 
   /**
@@ -73,9 +73,9 @@ public final class LmsImpl extends SensorImpl implements RangeSensor {
   }
 
   /**
-   * For tests: by another time, and over links made in another way.
+   * For tests: uses the given clock and source of links.
    *
-   * @param source opens the link; null to go by the parameter {@code link}
+   * @param source opens the link; null to use the parameter {@code link}
    */
   LmsImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
     super(
@@ -123,7 +123,7 @@ public final class LmsImpl extends SensorImpl implements RangeSensor {
     idlePolicy.setClients(number);
   }
 
-  /** {@inheritDoc} While it rests, of the time when it works again. */
+  /** {@inheritDoc} While it is idle, the rate that it has with clients. */
   @Override
   public double updateRate() {
     if (settings.isPolled()) {
@@ -133,10 +133,9 @@ public final class LmsImpl extends SensorImpl implements RangeSensor {
   }
 
   /**
-   * {@inheritDoc} It wakes a laser that rests.
+   * {@inheritDoc} It starts an idle laser.
    *
-   * @throws NotReadyException if there has been none yet, or none for so long that the last one
-   *     does not count any more
+   * @throws NotReadyException if none has been received yet, or the last one has expired
    */
   @Override
   public RangeScan scan() {
@@ -158,7 +157,7 @@ public final class LmsImpl extends SensorImpl implements RangeSensor {
     return persona.all();
   }
 
-  /** Takes what the protocol tells; on the reader thread. */
+  /** Receives the protocol's events; on the reader thread. */
   private final class Reader implements LmsListener {
 
     private boolean malformedReported;

@@ -1,35 +1,38 @@
 package org.dfra.drivers.laser.lms;
 
-/** Is told what the laser says; on the reader thread. */
+/** Receives what the laser reports; on the reader thread. */
 interface LmsListener {
 
-  /** Something intact has come, or {@link LmsProtocol#PREPARED}; for those who wait for it. */
+  /**
+   * An intact message has been received, or {@link LmsProtocol#PREPARED}; for threads that wait for
+   * it.
+   */
   void messageReceived(String name);
 
   /**
-   * A scan that is understood.
+   * A scan that can be interpreted.
    *
-   * @param mode what of its samples is the distance
-   * @param variant where its beams are
-   * @param baud bits per second of the line that it came over
+   * @param mode measuring mode, which defines the distance bits of a sample
+   * @param variant its field of view and resolution
+   * @param baud bits per second of its link
    */
   void scanReceived(LmsScan scan, MeasuringMode mode, LmsVariant variant, int baud);
 
   /** Every intact telegram. */
   void telegramReceived(LmsMessage.Telegram telegram);
 
-  /** An intact telegram that cannot be believed. */
+  /** An intact telegram with an invalid value. */
   void malformedReceived(String name, String reason);
 
-  /** Something that a person should know, a sentence. */
+  /** A warning for the operator, as a sentence. */
   void warn(String sentence);
 
-  /** There are no scans now, for this reason, a clause. */
+  /** No scans are received, for this reason, a clause. */
   void scansLost(String reason);
 
-  /** The laser answers, but no scan has come yet: what is awaited, a clause. */
+  /** The laser answers, but no scan has been received yet: what is missing, a clause. */
   void awaiting(String what);
 
-  /** Whether no scans are wanted now. */
+  /** Whether no scans are required now. */
   boolean isIdleRequested();
 }

@@ -3,23 +3,23 @@ package org.dfra.drivers.laser.lms;
 import java.util.List;
 import java.util.Locale;
 
-/** What the laser said, decoded from one intact frame. */
+/** A message from the laser, decoded from one intact frame. */
 public sealed interface LmsMessage {
 
-  /** What it is, for people and for those who wait for it: a reply's command in hex, or NAK. */
+  /** Its name, for operators and for threads that wait for it: a reply's command in hex, or NAK. */
   String name();
 
   /** A telegram, which ends with the laser's status. */
   sealed interface Telegram extends LmsMessage permits LmsScan, LmsStatus, Reply {
 
-    /** How the laser is. */
+    /** The laser's status. */
     StatusByte status();
   }
 
-  /** A telegram that answers a command, or tells that the laser wakes. */
+  /** A telegram that answers a command, or reports that the laser has started. */
   sealed interface Reply extends Telegram {}
 
-  /** {@code 15}: the laser could not read the telegram that it was sent. */
+  /** {@code 15}: the laser could not read the last telegram. */
   record Nak() implements LmsMessage {
 
     @Override
@@ -28,7 +28,7 @@ public sealed interface LmsMessage {
     }
   }
 
-  /** {@code 90}: it is ready, at 9600 baud, after power-on or reset; {@code BA}: what it is. */
+  /** {@code 90}: it is ready, at 9600 baud, after power-on or reset; {@code BA}: its type. */
   record TypeReply(boolean isPowerOn, String type, StatusByte status) implements Reply {
 
     @Override
@@ -37,7 +37,7 @@ public sealed interface LmsMessage {
     }
   }
 
-  /** {@code 91}: it resets itself now. */
+  /** {@code 91}: it resets now. */
   record ResetReply(StatusByte status) implements Reply {
 
     @Override
@@ -46,7 +46,7 @@ public sealed interface LmsMessage {
     }
   }
 
-  /** {@code 92}: it does not know the command, or must not obey it now. */
+  /** {@code 92}: the command is unknown, or cannot be executed now. */
   record RefusedReply(StatusByte status) implements Reply {
 
     @Override
@@ -56,7 +56,7 @@ public sealed interface LmsMessage {
   }
 
   /**
-   * {@code A0}: what became of a change of its operating mode.
+   * {@code A0}: result of a change of its operating mode.
    *
    * @param result 0 done, 1 the password is wrong, 2 the laser has a fault
    */
@@ -74,10 +74,10 @@ public sealed interface LmsMessage {
   }
 
   /**
-   * {@code BB}: what became of a change of variant.
+   * {@code BB}: result of a change of variant.
    *
    * @param isDone whether it was changed
-   * @param variant the one it has now
+   * @param variant the current one
    */
   record VariantReply(boolean isDone, LmsVariant variant, StatusByte status) implements Reply {
 
@@ -97,10 +97,10 @@ public sealed interface LmsMessage {
   }
 
   /**
-   * {@code F7}: what became of a change of its configuration.
+   * {@code F7}: result of a change of its configuration.
    *
    * @param isDone whether it was changed
-   * @param configuration the one it has now
+   * @param configuration the current one
    */
   record ConfigurationChangeReply(boolean isDone, LmsConfiguration configuration, StatusByte status)
       implements Reply {
@@ -111,7 +111,7 @@ public sealed interface LmsMessage {
     }
   }
 
-  /** {@code B2}: the errors that it remembers. */
+  /** {@code B2}: its stored errors. */
   record ErrorsReply(List<LmsError> errors, StatusByte status) implements Reply {
 
     public ErrorsReply {
@@ -125,14 +125,14 @@ public sealed interface LmsMessage {
   }
 
   /**
-   * An error that the laser remembers.
+   * An error that the laser has stored.
    *
-   * @param type as the lower bits of a {@link StatusByte}; bit 7 where it is over
-   * @param number which one, by the telegram listing
+   * @param type as the lower bits of a {@link StatusByte}; bit 7 if it is no longer present
+   * @param number error number of the telegram listing
    */
   record LmsError(int type, int number) {
 
-    /** Whether it still holds. */
+    /** Whether it is still present. */
     public boolean isPresent() {
       return (type & 0x80) == 0;
     }
@@ -161,10 +161,10 @@ public sealed interface LmsMessage {
   }
 
   /**
-   * An intact telegram whose content cannot be.
+   * An intact telegram with invalid content.
    *
-   * @param name as of the right one
-   * @param reason which value, what it is and what it may be
+   * @param name the name of the valid message
+   * @param reason which value, what it is, and which values are valid
    */
   record Malformed(String name, String reason) implements LmsMessage {}
 }

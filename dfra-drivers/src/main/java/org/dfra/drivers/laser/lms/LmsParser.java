@@ -5,13 +5,13 @@ import java.util.function.Consumer;
 import org.dfra.drivers.frame.FrameParser;
 
 /**
- * Bytes of the laser in, messages out. A NAK counts as malformed, too: noise has many of its one
- * byte, and none of them shows that there is a laser.
+ * Parses the laser's bytes into messages. A NAK counts as malformed too: it is a single byte that
+ * is frequent in noise, so it does not show that there is a laser.
  */
 public final class LmsParser extends FrameParser<LmsMessage> {
 
   /**
-   * @param messages is given every message, in order, during {@link #feed} and {@link #finish}
+   * @param messages receives every message, in order, during {@link #feed} and {@link #finish}
    */
   public LmsParser(Consumer<? super LmsMessage> messages) {
     super(new LmsFramer(), LmsDecoder::decode, LmsParser::isMalformed, messages);

@@ -6,10 +6,10 @@ import org.dfra.persona.RangeAttributes;
 import org.dfra.persona.SensorAttributes;
 import org.jspecify.annotations.Nullable;
 
-/** What the laser says of itself to those who look for one. Told by the reader, asked by anyone. */
+/** The attributes by which clients find the laser. Updated by the reader, read by any thread. */
 final class LmsPersona {
 
-  /** Watts, without heating; technical description of the LMS 200. */
+  /** Power in watts, without heating; technical description of the LMS 200. */
   private static final double POWER = 20;
 
   private static final SensorAttributes SENSOR =
@@ -29,7 +29,7 @@ final class LmsPersona {
     this.settings = orders;
   }
 
-  /** All of it: what it sees is what is wanted until the first scan shows what it is. */
+  /** All attributes; the range attributes are the configured ones until the first scan. */
   List<Attributes> all() {
     @Nullable RangeAttributes seen = sight;
     RangeAttributes range =
@@ -42,13 +42,13 @@ final class LmsPersona {
     return List.of(SENSOR, range, laser);
   }
 
-  /** Bits per second of the line, as told, or as wanted. */
+  /** Bits per second of the link, as reported, or as configured. */
   int baud() {
     Integer reported = laser.baud();
     return reported == null ? settings.baud().orElse(LmsBaud.B9600).rate() : reported;
   }
 
-  /** Takes what the laser told. */
+  /** Processes a telegram from the laser. */
   void update(LmsMessage.Telegram telegram) {
     if (telegram instanceof LmsStatus status) {
       laser = laser.with(status);
@@ -57,7 +57,7 @@ final class LmsPersona {
     }
   }
 
-  /** A scan has shown how it sees. */
+  /** Updates the range attributes from a scan. */
   void updateRangeAttributes(MeasuringMode mode, LmsUnit unit, LmsVariant variant) {
     RangeAttributes now = sight(mode, unit, variant);
     if (!now.equals(sight)) {

@@ -10,31 +10,31 @@ import org.dfra.drivers.link.Ticker;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is said between the driver and the laser, from one opening of the link to the next.
+ * The exchange between the driver and the laser, from one opening of the link to the next.
  *
  * <pre>
- *               next speed                     as LmsConfigurator says
+ *               next rate                      requests of LmsConfigurator
  *             .------------.                  .---------------.
  *             v            |                  v               |
- *   opened -&gt; SEARCHING ---'--- answers ---&gt; PREPARING -------'--&gt; WORKING &lt;--clients--&gt; RESTING
+ *   opened -&gt; SEARCHING ---'--- answers ---&gt; PREPARING -------'--&gt; WORKING &lt;--clients--&gt; IDLE
  *             ^     ^                         |  |                  |                     |
- *             |     '-- no answer, 3 times ---'  '-- another wish, an inquiry ------------'
+ *             |     '-- no answer, 3 times ---'  '-- changed settings, a query -----------'
  *             |                                                     |
- *             '---- it wakes (90), or 60 s after a reset -----------'
+ *             '---- it has started (90), or 60 s after a reset -----'
  * </pre>
  *
- * <p>One request is under way at a time. It is sent again when the laser could not read it (NAK),
- * and when no answer came. Where the driver may set the speed of the line, the laser is searched at
- * the wanted one, then at the others, and then told to use the wanted one; the driver's own end
- * follows, see {@link LmsBaudSynchronizer}. A laser at rest is asked how it is every {@value
- * #IDLE_POLL_SECONDS} s.
+ * <p>One request is pending at a time. It is resent when the laser could not read it (NAK), and
+ * when no answer was received. Where the driver may set the link's baud rate, it searches for the
+ * laser at the configured rate, then at the others, and then switches the laser to the configured
+ * rate; the driver's own end follows, see {@link LmsBaudSynchronizer}. An idle laser's status is
+ * queried every {@value #IDLE_POLL_SECONDS} s.
  *
- * <p>Confined to the reader thread, but for {@link #enqueue}, {@link #renegotiate} and {@link
+ * <p>Confined to the reader thread, except {@link #enqueue}, {@link #renegotiate} and {@link
  * #reset}.
  */
 final class LmsProtocol implements DeviceProtocol {
 
-  /** Counted by {@link LmsListener#messageReceived} when the laser has become as wanted. */
+  /** Event of {@link LmsListener#messageReceived} when the laser has the required settings. */
   static final String PREPARED = "prepared";
 
   private static final int IDLE_POLL_SECONDS = 2;
@@ -50,7 +50,7 @@ final class LmsProtocol implements DeviceProtocol {
   private final LmsBaudSearch speeds;
 
   private final PendingRequest pendingRequest = new PendingRequest();
-  private final PollTimer pollTimer = new PollTimer(); // of polls, or looks at one that rests
+  private final PollTimer pollTimer = new PollTimer(); // of polls, or of status queries when idle
 
   private volatile boolean configuredReported; // since the search began
   private volatile boolean toRenegotiate;
@@ -65,27 +65,27 @@ final class LmsProtocol implements DeviceProtocol {
     this.speeds = tuning.speeds();
   }
 
-  /** Has something asked when there is time; from any thread. */
+  /** Queues a request; from any thread. */
   void enqueue(LmsRequest request) {
     plan.enqueue(request);
   }
 
-  /** Has the laser searched at all speeds and told all wishes anew; from any thread. */
+  /** Searches for the laser at all baud rates and configures it again; from any thread. */
   void renegotiate() {
     toRenegotiate = true;
   }
 
-  /** Has the laser reset; from any thread. */
+  /** Resets the laser; from any thread. */
   void reset() {
     toReset = true;
   }
 
-  /** Whether the laser has become as wanted since the link was opened; for any thread. */
+  /** Whether the laser has been configured since the link was opened; from any thread. */
   boolean isConfigured() {
     return configuredReported;
   }
 
-  /** How often the laser's flash memory was written; for any thread. */
+  /** How often the laser's flash memory was written; from any thread. */
   int flashWrites() {
     return plan.flashWrites();
   }
@@ -104,7 +104,7 @@ final class LmsProtocol implements DeviceProtocol {
     search(link);
   }
 
-  /** Looks for the laser at the next speed to be tried. */
+  /** Searches for the laser at the next baud rate. */
   private void search(SerialLink link) throws IOException {
     pendingRequest.end();
     plan.lost();
@@ -121,7 +121,7 @@ final class LmsProtocol implements DeviceProtocol {
     return parser;
   }
 
-  /** Where it is polled often, or both ends are left alone, 0.1 s would be too long a wait. */
+  /** Shorter for frequent polls and rate changes, where 0.1 s would be too long. */
   @Override
   public Duration pollInterval() {
     boolean isBusy = settings.isPolled() || tuning.isQuiet(ticker.nanos());
@@ -143,7 +143,7 @@ final class LmsProtocol implements DeviceProtocol {
         : Duration.ofMillis(Math.round(2000 + 3000 * period));
   }
 
-  /** Whether scans ought to come now. */
+  /** Whether scans are expected now. */
   private boolean scans() {
     return plan.isConfigured() && (plan.isStreaming() || polls());
   }
@@ -205,7 +205,7 @@ final class LmsProtocol implements DeviceProtocol {
         : null;
   }
 
-  /** Whether it makes sense: a speed that this end cannot have is of no use. */
+  /** Whether to send the request: a rate that this end does not support is useless. */
   private boolean mayBeSent(SerialLink link, LmsRequest next) throws IOException {
     String warning = next.kind() == Kind.BAUD ? speeds.tryWanted(link) : null;
     if (warning != null) {
@@ -215,13 +215,13 @@ final class LmsProtocol implements DeviceProtocol {
     return warning == null;
   }
 
-  /** No answer has come: asks again, or takes the laser for lost. */
+  /** Handles a missing answer: repeats the request, or treats the laser as lost. */
   private void judge(SerialLink link, long now) throws IOException {
     Kind kind = pendingRequest.kind();
     if (kind == null || pendingRequest.repeat(link, speeds.isFound(), now)) {
       return;
     }
-    if (kind == Kind.TYPE || kind == Kind.ERRORS) { // old ones may not know them
+    if (kind == Kind.TYPE || kind == Kind.ERRORS) { // old models may not support them
       pendingRequest.end();
       plan.giveUp(kind);
       listener.warn("the laser was asked " + kind.words() + " and does not answer that");
@@ -262,7 +262,7 @@ final class LmsProtocol implements DeviceProtocol {
     listener.messageReceived(telegram.name());
   }
 
-  /** It was reset, by us or by its switch. */
+  /** The laser was reset, by this driver or by its power switch. */
   private void poweredOn() {
     tuning.poweredOn();
     configuredReported = false;
@@ -295,7 +295,7 @@ final class LmsProtocol implements DeviceProtocol {
     LmsVariant variant = plan.variant();
     Optional<MeasuringMode> mode = plan.mode();
     if (variant == null || mode.isEmpty() || !plan.isConfigured()) {
-      return; // of a stream that somebody else began
+      return; // of a stream that another program started
     }
     if (scan.beams() != variant.beams()) {
       String reason = scan.beams() + " beams came, where " + variant.inWords() + " was set";

@@ -3,38 +3,38 @@ package org.dfra.drivers.laser.lms;
 import java.time.Duration;
 
 /**
- * Something that the laser is asked or told, of which one at a time is under way.
+ * A request to the laser. One request is pending at a time.
  *
- * @param kind what
+ * @param kind its kind
  * @param telegram the bytes to send
  */
 record LmsRequest(Kind kind, byte[] telegram) {
 
-  /** What it is about, what answers it, and how long that may take. */
+  /** The kind of a request, its answer, and the timeout. */
   enum Kind {
-    /** To send scans only when asked; ends a stream and installation mode. */
+    /** Sends scans only on request; ends a stream and installation mode. */
     STOP("A0", 1500, "to wait for orders"),
-    /** How it is. */
+    /** Queries its status. */
     STATUS("B1", 1500, "how it is"),
-    /** To use another speed. */
+    /** Sets its baud rate. */
     BAUD("A0", 1500, "to change its baud rate"),
-    /** What it is. */
+    /** Queries its type. */
     TYPE("BA", 1500, "what it is"),
-    /** How it is configured. */
+    /** Queries its configuration. */
     CONFIGURATION("F4", 1500, "for its configuration"),
-    /** To let its configuration be changed. */
+    /** Enters installation mode. */
     INSTALLATION("A0", 3000, "to enter installation mode"),
-    /** To change its configuration; a flash memory is slow. */
+    /** Changes its configuration; flash memory is slow. */
     CONFIGURE("F7", 15_000, "to change its configuration"),
-    /** To place its beams otherwise. */
+    /** Sets its field of view and resolution. */
     VARIANT("BB", 3000, "to change its field of view and resolution"),
-    /** Which errors it remembers. */
+    /** Queries its stored errors. */
     ERRORS("B2", 1500, "for its errors"),
-    /** To send one scan after the other. */
+    /** Streams scans. */
     STREAM("A0", 1500, "to stream scans"),
-    /** To send a scan. */
+    /** Requests one scan. */
     SCAN("B0", 2000, "for a scan"),
-    /** To begin anew. */
+    /** Restarts the laser. */
     RESET("91", 3000, "to reset itself");
 
     private final String answer;
@@ -47,17 +47,17 @@ record LmsRequest(Kind kind, byte[] telegram) {
       this.words = words;
     }
 
-    /** Name of the message that answers. */
+    /** Name of the answer's message. */
     String answer() {
       return answer;
     }
 
-    /** How long the answer may take. */
+    /** Timeout for the answer. */
     Duration timeout() {
       return patience;
     }
 
-    /** As the rest of: {@code the laser was asked …}. */
+    /** Completes the sentence {@code the laser was asked …}. */
     String words() {
       return words;
     }

@@ -3,13 +3,13 @@ package org.dfra.drivers.laser.lms;
 import java.util.Arrays;
 
 /**
- * {@code B0}: a scan, its samples from right to left. What of a sample is the distance depends on
- * the laser's measuring mode, which a scan does not tell.
+ * {@code B0}: a scan, its samples from right to left. The distance bits of a sample depend on the
+ * laser's measuring mode, which a scan does not contain.
  *
- * @param unit what distances are counted in
+ * @param unit unit of distance
  * @param samples 0 to 65 535 each; copied in and out
  * @param index the laser's counter of scans, 0 to 255; −1 where it does not send one
- * @param status how the laser is
+ * @param status the laser's status
  */
 public record LmsScan(
     LmsUnit unit,
@@ -32,12 +32,12 @@ public record LmsScan(
     return samples.clone();
   }
 
-  /** How many beams. */
+  /** Number of beams. */
   public int beams() {
     return samples.length;
   }
 
-  /** Distances in metres, or what stands for none; see {@link MeasuringMode#range}. */
+  /** Distances in metres, or special values; see {@link MeasuringMode#range}. */
   public float[] ranges(MeasuringMode mode) {
     float[] ranges = new float[samples.length];
     for (int i = 0; i < ranges.length; i++) {
@@ -60,7 +60,7 @@ public record LmsScan(
     return 31 * Arrays.hashCode(samples) + index;
   }
 
-  /** In a line: the samples are counted, not listed. */
+  /** One line, with the number of samples instead of the samples. */
   @Override
   public String toString() {
     return "LmsScan[" + samples.length + " beams in " + unit + ", index=" + index + ", " + status;

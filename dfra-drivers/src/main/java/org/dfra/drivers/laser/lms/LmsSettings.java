@@ -11,7 +11,10 @@ import org.dfra.drivers.link.LinkSettings;
 import org.dfra.drivers.link.SerialAddress;
 import org.dfra.drivers.link.SimAddress;
 
-/** What the laser is wanted to do, by the driver's parameters. Safe for use by several threads. */
+/**
+ * The required settings of the laser, from the driver's parameters. Safe for use by several
+ * threads.
+ */
 final class LmsSettings {
 
   static final String FIELDS = "100 or 180, degrees";
@@ -43,7 +46,7 @@ final class LmsSettings {
   }
 
   /**
-   * Reads them.
+   * Reads the parameters.
    *
    * @throws org.dfra.core.config.ConfigurationException if a parameter is wrong
    */
@@ -57,7 +60,7 @@ final class LmsSettings {
         parameters.number("period", 1, 0.02, 60));
   }
 
-  /** Declares those that can be set while the driver runs. */
+  /** Declares the parameters that can be set while the driver runs. */
   void declareIn(ParameterTable table) {
     table.declareText("field_of_view", FIELDS, this::fieldOfView, this::setField);
     table.declareText("resolution", RESOLUTIONS, this::resolution, this::setResolution);
@@ -70,7 +73,7 @@ final class LmsSettings {
         this::setPeriod);
   }
 
-  /** {@code idle_after}: seconds without clients before it rests; 0 is never. */
+  /** {@code idle_after}: seconds without clients before it becomes idle; 0 is never. */
   static Duration idleAfterIn(Parameters parameters) {
     return parameters.seconds("idle_after", Duration.ofSeconds(10), Duration.ZERO, HOUR);
   }
@@ -147,17 +150,17 @@ final class LmsSettings {
     }
   }
 
-  /** The speed to work at; empty where it is not to be changed. */
+  /** The required baud rate; empty where it is not to be changed. */
   Optional<LmsBaud> baud() {
     return baud;
   }
 
-  /** What it is to count in; empty where that is not to be changed. */
+  /** The required unit; empty where it is not to be changed. */
   Optional<LmsUnit> unit() {
     return unit;
   }
 
-  /** Its measuring mode; empty where that is not to be changed. */
+  /** The required measuring mode; empty where it is not to be changed. */
   Optional<MeasuringMode> measuringMode() {
     return measuringMode;
   }
@@ -175,7 +178,7 @@ final class LmsSettings {
     return degrees == 1 ? "1" : String.format(Locale.ROOT, "%s", degrees);
   }
 
-  /** Sets where the beams are; refuses what there is not. */
+  /** Sets the field of view; throws for an unsupported one. */
   synchronized void setField(String text) {
     variant = chosen(text, resolution(), FIELDS + "; 180 not with resolution 0.25");
   }
@@ -193,7 +196,7 @@ final class LmsSettings {
     }
   }
 
-  /** Whether it is asked for every scan. */
+  /** Whether every scan is requested (polled). */
   boolean isPolled() {
     return polled;
   }
@@ -209,7 +212,7 @@ final class LmsSettings {
     polled = text.equals("polled");
   }
 
-  /** Seconds from one question for a scan to the next. */
+  /** Period of scan requests, seconds. */
   double period() {
     return period;
   }

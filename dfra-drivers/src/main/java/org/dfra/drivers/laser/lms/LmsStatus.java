@@ -5,21 +5,21 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * {@code B1}: what the laser tells of itself.
+ * {@code B1}: the laser's status report.
  *
  * @param software version of its software, such as {@code V02.30}
- * @param operatingMode what it does: 24 hex streams scans, 25 hex waits to be asked, 0 installs
+ * @param operatingMode 24 hex streams scans, 25 hex sends scans on request, 0 is installation mode
  * @param isDefective whether it has a defect
- * @param pollution of the front window, channel by channel, per cent of what a clean one had; 100
- *     where the laser has not been calibrated
- * @param revolutions of its mirror, 0 to 65 535, counted anew at power-on
- * @param amplitude of the laser's light, per cent of what it had when it was calibrated
+ * @param pollution of the front window, channel by channel, per cent of a clean window; 100 for a
+ *     laser that has not been calibrated
+ * @param revolutions of its mirror, 0 to 65 535, counted from power-on
+ * @param amplitude of the laser's light, per cent of the calibrated value
  * @param modeCode its measuring mode
- * @param variant where its beams are; empty for one that nobody knows
- * @param unit what it counts distances in; empty for one that nobody knows
- * @param baud the speed of its line; empty for one that nobody knows
+ * @param variant its field of view and resolution; empty if unknown
+ * @param unit its unit of distance; empty if unknown
+ * @param baud its baud rate; empty if unknown
  * @param isLaserOff whether its light is off
- * @param status how it is
+ * @param status its status byte
  */
 public record LmsStatus(
     String software,
@@ -45,12 +45,12 @@ public record LmsStatus(
     return "B1";
   }
 
-  /** Whether a robot can rely on it. */
+  /** Whether it is healthy. */
   public boolean isSound() {
     return !isDefective && !isLaserOff && status.isSound();
   }
 
-  /** In a sentence. */
+  /** A human-readable sentence. */
   public String inWords() {
     return String.format(
         Locale.ROOT,

@@ -1,6 +1,6 @@
 package org.dfra.drivers.laser.lms;
 
-/** What the laser counts distances in; in the order of its two bits in a scan. */
+/** Units of the laser's distances; in the order of the two bits in a scan. */
 public enum LmsUnit {
   /** Centimetres. */
   CM(0.01, 0.01),
@@ -17,13 +17,14 @@ public enum LmsUnit {
     this.accuracy = accuracy;
   }
 
-  /** One of it, metres. */
+  /** The unit in metres. */
   public double metres() {
     return metres;
   }
 
   /**
-   * Of a distance told in it, one sigma, metres: that of the laser, or the unit where it is more.
+   * Accuracy of a distance in this unit, one sigma, metres: the laser's, or the unit if that is
+   * larger.
    */
   public double accuracy() {
     return accuracy;

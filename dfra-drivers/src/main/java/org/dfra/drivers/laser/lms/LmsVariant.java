@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Where the laser's beams are. They turn from right to left, the middle one is forward. The mirror
- * turns {@value #REVOLUTIONS_PER_SECOND} times in a second and meets beams a degree apart; finer
- * ones take several turns, each a little further than the last.
+ * Field of view and resolution of the laser's beams. They sweep from right to left, the middle beam
+ * points forward. The mirror makes {@value #REVOLUTIONS_PER_SECOND} revolutions per second with
+ * beams one degree apart; finer resolutions take several revolutions, each with a small offset.
  *
  * @param fieldDegrees from the first beam to the last, 100 or 180
  * @param stepHundredths from beam to beam, hundredths of a degree: 25, 50 or 100
@@ -15,7 +15,7 @@ public record LmsVariant(int fieldDegrees, int stepHundredths) {
 
   static final int REVOLUTIONS_PER_SECOND = 75;
 
-  /** Those that there are, of which 0.25° needs the narrow field. */
+  /** The supported variants; 0.25° requires the narrow field. */
   private static final List<LmsVariant> ALL =
       List.of(
           new LmsVariant(180, 100),
@@ -24,13 +24,13 @@ public record LmsVariant(int fieldDegrees, int stepHundredths) {
           new LmsVariant(100, 50),
           new LmsVariant(100, 25));
 
-  /** The variant, if there is such a one. */
+  /** The variant with these values, if it is supported. */
   static Optional<LmsVariant> of(int degrees, int hundredths) {
     LmsVariant asked = new LmsVariant(degrees, hundredths);
     return ALL.contains(asked) ? Optional.of(asked) : Optional.empty();
   }
 
-  /** How many beams. */
+  /** Number of beams. */
   public int beams() {
     return fieldDegrees * 100 / stepHundredths + 1;
   }
@@ -40,27 +40,30 @@ public record LmsVariant(int fieldDegrees, int stepHundredths) {
     return -Math.toRadians(fieldDegrees / 2.0);
   }
 
-  /** From one beam to the next, radians, to the left. */
+  /** Angle from one beam to the next, radians, to the left. */
   public double step() {
     return Math.toRadians(stepHundredths / 100.0);
   }
 
-  /** From the first beam to the last, radians. */
+  /** Angle from the first beam to the last, radians. */
   public double fieldOfView() {
     return Math.toRadians(fieldDegrees);
   }
 
-  /** Turns of the mirror for one scan. */
+  /** Revolutions of the mirror for one scan. */
   private int revolutions() {
     return 100 / stepHundredths;
   }
 
-  /** Seconds from one scan to the next, where the line is fast enough. */
+  /** Seconds from one scan to the next, where the link is fast enough. */
   public double period() {
     return (double) revolutions() / REVOLUTIONS_PER_SECOND;
   }
 
-  /** Seconds from the first beam measured to the last: all turns but the rest of the last one. */
+  /**
+   * Seconds from the first measured beam to the last: all revolutions without the remainder of the
+   * last.
+   */
   public double duration() {
     return (revolutions() - 1 + fieldDegrees / 360.0) / REVOLUTIONS_PER_SECOND;
   }
@@ -71,7 +74,7 @@ public record LmsVariant(int fieldDegrees, int stepHundredths) {
   }
 
   /**
-   * Scans in a second over a line.
+   * Scans per second over a link.
    *
    * @param baud its bits per second
    */

@@ -3,21 +3,21 @@ package org.dfra.drivers.laser.lms;
 import java.util.Optional;
 
 /**
- * What the sixteen bits of a sample are: the lowest are the distance, the others say in which field
- * or how bright something is. Which of the two is not told here; the number of bits is.
+ * The layout of a sample's sixteen bits: the lowest are the distance, the others are field flags or
+ * the intensity. This type has only the number of distance bits.
  *
  * @param code as in the laser's configuration: 0 to 6, or 15
  * @param bits of the distance, 13 to 16
  */
 public record MeasuringMode(int code, int bits) {
 
-  /** Of a laser as it is sold. */
+  /** The factory setting. */
   static final MeasuringMode DEFAULT = new MeasuringMode(0, 13);
 
-  /** The greatest distance that the laser is made for, metres. */
+  /** Maximum range of the laser, metres. */
   private static final double FARTHEST = 80;
 
-  /** Values from the top of the field down that are no distances. */
+  /** Number of the highest values that are not distances. */
   private static final int RESERVED = 8;
 
   /** The mode of this code; empty where the telegram listing has none. */
@@ -31,19 +31,19 @@ public record MeasuringMode(int code, int bits) {
     };
   }
 
-  /** The greatest value of the field. */
+  /** Maximum value of the distance bits. */
   public int top() {
     return (1 << bits) - 1;
   }
 
-  /** The longest distance that can be told in this unit, metres. */
+  /** Maximum distance that can be represented in this unit, metres. */
   public double maxRange(LmsUnit unit) {
     return Math.min(FARTHEST, (top() - RESERVED - 1) * unit.metres());
   }
 
   /**
-   * The distance of a sample in metres; +∞ where the laser says that it is over its range, NaN
-   * where it says that it could not measure (dazzled, too weak a signal, a channel's error,
+   * The distance of a sample in metres; +∞ where the laser reports that it exceeds its range, NaN
+   * where it reports that it could not measure (dazzled, too weak a signal, a channel's error,
    * invalid).
    */
   public float range(int sample, LmsUnit unit) {

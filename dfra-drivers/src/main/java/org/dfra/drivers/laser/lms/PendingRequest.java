@@ -5,7 +5,7 @@ import org.dfra.drivers.laser.lms.LmsRequest.Kind;
 import org.dfra.drivers.link.SerialLink;
 import org.jspecify.annotations.Nullable;
 
-/** The request under way, of which there is one at most. Confined to the reader thread. */
+/** The pending request; at most one at a time. Confined to the reader thread. */
 final class PendingRequest {
 
   private static final int TRIES = 3;
@@ -13,7 +13,7 @@ final class PendingRequest {
   private @Nullable LmsRequest request;
   private int tries;
   private long sentNanos;
-  private boolean responsive; // something intact, since it was sent
+  private boolean responsive; // an intact message was received since it was sent
   private boolean unread; // the laser could not read it
 
   /** Sends a request. */
@@ -31,39 +31,39 @@ final class PendingRequest {
     link.write(next.telegram());
   }
 
-  /** What is under way; null where nothing is. */
+  /** Kind of the pending request; null if there is none. */
   @Nullable Kind kind() {
     LmsRequest now = request;
     return now == null ? null : now.kind();
   }
 
-  /** It is answered, or given up. */
+  /** Ends the request: it is answered, or given up. */
   void end() {
     request = null;
   }
 
-  /** The laser has said something intact. */
+  /** The laser has sent an intact message. */
   void markResponsive() {
     responsive = true;
   }
 
-  /** The laser could not read it. */
+  /** The laser could not read the request. */
   void markUnreadable() {
     responsive = true;
     unread = true;
   }
 
-  /** Whether no answer will come any more. */
+  /** Whether the timeout for the answer has expired. */
   boolean isOverdue(long now) {
     LmsRequest sent = request;
     return sent != null && (unread || now - sentNanos >= sent.kind().timeout().toNanos());
   }
 
   /**
-   * Sends it again, if that is sensible: at a speed at which the laser may not be only if it was
-   * heard at it, and what wears the laser out only if it did not read it.
+   * Resends the request, if sensible: at an unconfirmed baud rate only if the laser has sent data
+   * at it, and a flash write only if the laser could not read it.
    *
-   * @param isFound whether the laser is known to be at this speed
+   * @param isFound whether the laser is known to use this baud rate
    * @return whether it was sent again
    */
   boolean repeat(SerialLink link, boolean isFound, long now) throws IOException {

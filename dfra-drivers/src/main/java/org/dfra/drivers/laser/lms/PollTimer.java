@@ -1,20 +1,17 @@
 package org.dfra.drivers.laser.lms;
 
-/**
- * When something is due again that is done every so many seconds, which may change. Confined to one
- * thread.
- */
+/** A timer with a variable period. Confined to one thread. */
 final class PollTimer {
 
   private long lastNanos;
   private boolean begun;
 
-  /** It is due at once. */
+  /** Starts the timer; it is due immediately. */
   void begin() {
     begun = false;
   }
 
-  /** Whether it is due; if so, it counts as done. What was missed is left out. */
+  /** Whether it is due; if so, the next period begins. Missed periods are skipped. */
   boolean isDue(long now, double seconds) {
     long period = Math.round(1e9 * seconds);
     long late = now - lastNanos - period;

@@ -1,33 +1,33 @@
 package org.dfra.drivers.laser.lms;
 
 /**
- * The last byte of every reply: how the laser is.
+ * The last byte of every reply: the laser's status.
  *
  * @param bits 7 the front window is dirty, 6 the measured values are not plausible, 5 it has been
- *     restarted, 4 and 3 its family, 2 to 0 the severity; 10 hex is a sound LMS 200
+ *     restarted, 4 and 3 its family, 2 to 0 the severity; 10 hex is a healthy LMS 200
  */
 public record StatusByte(int bits) {
 
-  /** A sound LMS 200. */
+  /** A healthy LMS 200. */
   public static final StatusByte OK = new StatusByte(0x10);
 
-  /** How bad it is. */
+  /** Severity of an error. */
   public enum Severity {
-    /** All is well. */
+    /** No error. */
     NONE,
-    /** There is something to be known. */
+    /** Information. */
     INFO,
-    /** It measures on. */
+    /** It still measures. */
     WARNING,
     /** It may not measure. */
     ERROR,
-    /** It does not measure any more. */
+    /** It no longer measures. */
     FATAL,
-    /** A value that the telegram listing does not have. */
+    /** A value that is not in the telegram listing. */
     UNKNOWN
   }
 
-  /** How bad the worst error is. */
+  /** Severity of the worst error. */
   public Severity severity() {
     return Severity.values()[Math.min(bits & 7, Severity.UNKNOWN.ordinal())];
   }
@@ -42,7 +42,7 @@ public record StatusByte(int bits) {
     return (bits & 0x40) != 0;
   }
 
-  /** Whether it can be used without a thought. */
+  /** Whether it is healthy: no warning or error, window clean, values plausible. */
   public boolean isSound() {
     return severity().compareTo(Severity.WARNING) < 0 && !isPolluted() && !isImplausible();
   }

@@ -2,16 +2,16 @@ package org.dfra.drivers.pantilt.ptu;
 
 import org.dfra.geometry.Transform;
 
-/** Where a head stands that is panned and tilted. */
+/** Computes the pose of a pan-tilt head. */
 final class HeadPose {
 
   private HeadPose() {}
 
   /**
-   * The mount, then pan about the z axis of that, then tilt about the y axis of that: takes
-   * coordinates in the head's frame to coordinates in the frame that the unit is mounted in.
+   * The mount, then pan about its z axis, then tilt about the resulting y axis: transforms
+   * coordinates from the head's frame to the frame in which the unit is mounted.
    *
-   * @param mount where the axes meet, and how the head is turned at 0, 0
+   * @param mount the intersection of the axes, and the head's orientation at 0, 0
    * @param pan radians, to the left is +
    * @param tilt radians, up is +
    */

@@ -13,7 +13,7 @@ public enum PtuAxis {
     this.letter = letter;
   }
 
-  /** What the names of its commands begin with. */
+  /** The first letter of its commands. */
   public char letter() {
     return letter;
   }

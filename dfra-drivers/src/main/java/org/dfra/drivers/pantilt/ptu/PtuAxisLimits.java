@@ -3,20 +3,20 @@ package org.dfra.drivers.pantilt.ptu;
 import java.util.Locale;
 
 /**
- * What one axis can do, in the unit's own numbers, and how these are converted.
+ * The limits of an axis in the unit's own numbers, and their conversion.
  *
- * @param axis which one
+ * @param axis the axis
  * @param resolution seconds of arc from one position to the next
- * @param minPosition position farthest to the right, or down; below {@code most}
+ * @param minPosition position farthest to the right, or down; below {@code maxPosition}
  * @param maxPosition position farthest to the left, or up
  * @param minSpeed positions per second
- * @param maxSpeed positions per second, not below {@code slowest}
+ * @param maxSpeed positions per second, not below {@code minSpeed}
  */
 public record PtuAxisLimits(
     PtuAxis axis, double resolution, int minPosition, int maxPosition, int minSpeed, int maxSpeed) {
 
   private static final double SECONDS_OF_ARC = Math.toRadians(1.0 / 3600);
-  private static final double COARSEST = 3600; // a degree: no such unit was made
+  private static final double COARSEST = 3600; // a degree: no unit has this resolution
 
   public PtuAxisLimits {
     if (!(resolution > 0 && resolution <= COARSEST)) {
@@ -38,17 +38,17 @@ public record PtuAxisLimits(
     return position * resolution * SECONDS_OF_ARC;
   }
 
-  /** Least angle, radians. */
+  /** Minimum angle, radians. */
   public double minAngle() {
     return radians(minPosition);
   }
 
-  /** Greatest angle, radians. */
+  /** Maximum angle, radians. */
   public double maxAngle() {
     return radians(maxPosition);
   }
 
-  /** Greatest speed, radians per second. */
+  /** Maximum speed, radians per second. */
   public double fastestSpeed() {
     return radians(maxSpeed);
   }
@@ -57,11 +57,12 @@ public record PtuAxisLimits(
    * The position nearest to an angle.
    *
    * @param angle radians
-   * @throws IllegalArgumentException if the axis cannot go there; names both sides and what it can
+   * @throws IllegalArgumentException if the angle is outside the limits; the message states the
+   *     angle and the limits
    */
   public int position(double angle) {
     double position = angle / (resolution * SECONDS_OF_ARC);
-    // Half a position more is the limit, rounded by whoever asked for it.
+    // Half a position more is the limit itself, rounded by the caller.
     if (position > maxPosition + 0.5 || position < minPosition - 0.5) {
       boolean over = position > maxPosition;
       throw new IllegalArgumentException(
@@ -78,7 +79,7 @@ public record PtuAxisLimits(
     return (int) Math.max(minPosition, Math.min(maxPosition, Math.rint(position)));
   }
 
-  /** The speed nearest to so many radians per second that the axis can, positions per second. */
+  /** The possible speed nearest to a number of radians per second, positions per second. */
   public int speed(double radiansPerSecond) {
     double requested = radiansPerSecond / (resolution * SECONDS_OF_ARC);
     return (int) Math.max(Math.max(1, minSpeed), Math.min(maxSpeed, Math.rint(requested)));

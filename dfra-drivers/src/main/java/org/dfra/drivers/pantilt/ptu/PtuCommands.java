@@ -3,37 +3,37 @@ package org.dfra.drivers.pantilt.ptu;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 
-/** Commands as the unit reads them: upper case letters, a number, a blank to end them. */
+/** Commands in the unit's format: upper-case letters, a number, a blank as the end. */
 public final class PtuCommands {
 
-  /** No echo of commands. */
+  /** Disables the echo of commands. */
   public static final String NO_ECHO = "ED";
 
-  /** Numbers alone in the answers. */
+  /** Sets terse answers: only numbers. */
   public static final String TERSE = "FT";
 
-  /** Positions are gone to at once, not when they are awaited. */
+  /** Executes position commands immediately, not with an await command. */
   public static final String IMMEDIATELY = "I";
 
-  /** Both axes stop where they are. */
+  /** Stops both axes. */
   public static final String HALT = "H";
 
-  /** Both axes go to their ends and to 0; the reply comes when that is done. */
+  /** Moves both axes to their end stops and to 0; the reply follows when that is done. */
   public static final String RESET = "R";
 
-  /** What the firmware is. */
+  /** Queries the firmware's version. */
   public static final String VERSION = "V";
 
   private static final String DELIMITER = " ";
 
   private PtuCommands() {}
 
-  /** Where an axis is, as a question. */
+  /** Queries the position of an axis. */
   public static String position(PtuAxis axis) {
     return axis.letter() + "P";
   }
 
-  /** Both axes go to these positions, each at so many positions per second. */
+  /** Moves both axes to these positions, at these speeds in positions per second. */
   public static List<String> point(int pan, int tilt, int panSpeed, int tiltSpeed) {
     return List.of("PS" + panSpeed, "TS" + tiltSpeed, "PP" + pan, "TP" + tilt);
   }

@@ -6,7 +6,7 @@ import org.dfra.drivers.pantilt.ptu.PtuReply.LimitHit;
 import org.dfra.drivers.pantilt.ptu.PtuReply.Refused;
 import org.dfra.drivers.pantilt.ptu.PtuReply.Value;
 
-/** Reads what a {@link PtuFramer} has found. Never throws, whatever the bytes. */
+/** Decodes the replies that a {@link PtuFramer} has found. Never throws, whatever the bytes. */
 public final class PtuDecoder {
 
   private PtuDecoder() {}

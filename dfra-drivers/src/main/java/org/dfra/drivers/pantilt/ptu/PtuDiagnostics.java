@@ -11,7 +11,7 @@ import org.dfra.drivers.pantilt.ptu.PtuReply.Refused;
 import org.dfra.drivers.pantilt.ptu.PtuReply.Value;
 import org.jspecify.annotations.Nullable;
 
-/** Tests and recoveries of the unit, besides those of its line. */
+/** Tests and recoveries of the unit, besides those of its link. */
 final class PtuDiagnostics {
 
   private static final Duration ANSWER = Duration.ofSeconds(3);
@@ -21,10 +21,10 @@ final class PtuDiagnostics {
   private final PtuProtocol protocol;
   private final Supplier<@Nullable String> commander;
   private final BooleanSupplier stopped;
-  private volatile PtuReply last = new PtuReply.Done(); // before its question was ever answered
+  private volatile PtuReply last = new PtuReply.Done(); // before its query was ever answered
 
   /**
-   * @param commander who commands the unit, null while nobody does
+   * @param commander the commander of the unit, null if there is none
    * @param stopped whether it is stopped for an emergency
    */
   PtuDiagnostics(
@@ -73,7 +73,7 @@ final class PtuDiagnostics {
         : unanswered(reply, "R", RESET);
   }
 
-  /** Has it asked, and waits for the answer; null when none came. */
+  /** Sends a query and waits for the answer; null after the timeout. */
   private @Nullable PtuReply request(String question, Duration patience)
       throws InterruptedException {
     if (!deviceLink.isOpen()) {

@@ -14,18 +14,18 @@ import org.dfra.drivers.pantilt.ptu.PtuReply.Refused;
 import org.dfra.drivers.pantilt.ptu.PtuReply.Value;
 
 /**
- * Whose reply is whose. Replies do not say what they answer, but come in the order of the commands;
- * so commands and what is to become of their replies are put into one queue. One question at the
- * most waits in it, so that one number is never taken for another when a reply is lost: a number
- * where {@code *} was expected, or the other way round, shows that.
+ * Matches replies to commands. Replies do not name their command, but arrive in the order of the
+ * commands; so commands and the handlers of their replies are kept in one queue. At most one query
+ * is in the queue, so that a number is never assigned to the wrong query when a reply is lost: a
+ * number instead of an expected {@code *}, or the reverse, reveals the loss.
  *
- * <p>Commands come from any thread, replies from the reader's. The reader never waits for a write
- * of another thread that is held up; so it notices that the unit is silent, and closes the link,
- * which sets the write free.
+ * <p>Any thread sends commands; the reader thread delivers replies. The reader never waits for a
+ * blocked write of another thread; so it detects that the unit is silent and closes the link, which
+ * unblocks the write.
  */
 final class PtuDialogue {
 
-  /** What was sent and has no reply yet. */
+  /** A command that was sent and has no reply yet. */
   private record Pending(
       String command, boolean isQuestion, Consumer<PtuReply> handler, long sentNanos) {}
 
@@ -40,16 +40,22 @@ final class PtuDialogue {
   private final BiConsumer<String, String> refusals;
   private final ArrayDeque<Pending> queue = new ArrayDeque<>(); // guarded by this
 
-  /** Held during a write, so that commands are queued as they are written; taken before this. */
+  /**
+   * Held during a write, so that commands are queued in the order of writing; acquired before
+   * {@code this}.
+   */
   private final ReentrantLock writing = new ReentrantLock();
 
-  /** A halt was sent past a write; it is repeated after that. Cleared under writing. */
+  /**
+   * A halt bypassed a blocked write; it is repeated after that write. Cleared under {@code
+   * writing}.
+   */
   private volatile boolean isHaltPending;
 
   /**
-   * @param sender hands bytes to the line at once; false when there is none
-   * @param ticker the time to measure replies by
-   * @param refusals is told command and reason of each that the unit refuses
+   * @param sender writes bytes to the link immediately; false when there is no link
+   * @param ticker the clock for reply timeouts
+   * @param refusals receives the command and the reason of each rejection
    */
   PtuDialogue(Predicate<byte[]> sender, Ticker ticker, BiConsumer<String, String> refusals) {
     this.sender = sender;
@@ -57,7 +63,7 @@ final class PtuDialogue {
     this.refusals = refusals;
   }
 
-  /** Tells the unit to do something; false when there is no link. */
+  /** Sends commands to the unit; false when there is no link. */
   boolean send(List<String> commands) {
     writing.lock();
     try {
@@ -69,15 +75,15 @@ final class PtuDialogue {
   }
 
   /**
-   * Has the unit stop, also where a write of whichever thread, the reader's too, is held up: after
-   * 0.1 s it is sent past that, and once more after it, since the two may have been mixed.
+   * Stops the unit, even if a write of any thread is blocked: after 0.1 s the halt bypasses that
+   * write, and is repeated after it, because the two may have been interleaved.
    */
   boolean halt() {
     List<String> halt = List.of(PtuCommands.HALT);
     if (!lockWithin(HALT_PATIENCE_MILLIS)) {
       isHaltPending = true;
       boolean isSent = sendImmediately(halt);
-      repeatHalt(); // where the write has ended meanwhile
+      repeatHalt(); // if the write has ended meanwhile
       return isSent;
     }
     try {
@@ -88,7 +94,10 @@ final class PtuDialogue {
     }
   }
 
-  /** The thread that has written does it, or the one that owes it, if none writes. */
+  /**
+   * Sends a pending halt again: the thread that has just written sends it, or, if none writes, the
+   * caller.
+   */
   private void repeatHalt() {
     while (isHaltPending && writing.tryLock()) {
       try {
@@ -99,7 +108,7 @@ final class PtuDialogue {
     }
   }
 
-  /** Under writing. */
+  /** Sends a pending halt; the caller holds {@code writing}. */
   private void sendPendingHalt() {
     if (isHaltPending) {
       isHaltPending = false;
@@ -112,7 +121,7 @@ final class PtuDialogue {
     repeatHalt();
   }
 
-  /** Also for a thread that is interrupted, where nobody writes. */
+  /** Locks {@code writing}; an interrupted thread gets it too if it is free. */
   private boolean lockWithin(long millis) {
     try {
       return writing.tryLock() || writing.tryLock(millis, TimeUnit.MILLISECONDS);
@@ -123,9 +132,9 @@ final class PtuDialogue {
   }
 
   /**
-   * The same as {@link #send(List)}, past a write that is held up. Whichever of the two reaches the
-   * unit first, commands are answered alike. Where a question is held up, its number may come where
-   * {@code *} was expected; then the unit is set up anew.
+   * The same as {@link #send(List)}, but bypasses a blocked write. All commands have the same
+   * reply, so the order in which the two reach the unit does not matter. If a query is blocked, its
+   * number may arrive instead of an expected {@code *}; then the unit is configured again.
    */
   boolean sendImmediately(List<String> commands) {
     long now = ticker.nanos();
@@ -137,17 +146,17 @@ final class PtuDialogue {
     return sender.test(PtuCommands.bytes(commands));
   }
 
-  /** Tells it to do one thing, and hears when it has; by the reader. */
+  /** Sends one command with a reply handler; called by the reader. */
   boolean send(String command, Consumer<PtuReply> handler) {
     return write(new Pending(command, false, handler, ticker.nanos()));
   }
 
-  /** Asks it something; only when {@link #mayAsk}; by the reader. */
+  /** Sends a query; only if {@link #mayAsk}; called by the reader. */
   boolean ask(String question, Consumer<PtuReply> handler) {
     return write(new Pending(question, true, handler, ticker.nanos()));
   }
 
-  /** False also where a write of another thread is held up. */
+  /** Writes and queues a command; false also if a write of another thread is blocked. */
   private boolean write(Pending next) {
     if (!lockWithin(PATIENCE_MILLIS)) {
       return false;
@@ -163,12 +172,12 @@ final class PtuDialogue {
     }
   }
 
-  /** Whether no question waits for its answer. */
+  /** Whether no query is pending. */
   synchronized boolean mayAsk() {
     return queue.stream().noneMatch(Pending::isQuestion);
   }
 
-  /** The unit has replied; false when this cannot be the reply to what is next in the queue. */
+  /** The unit has replied; false if the reply does not fit the next command in the queue. */
   boolean replyReceived(PtuReply reply) {
     Pending next;
     synchronized (this) {
@@ -186,7 +195,7 @@ final class PtuDialogue {
     return true;
   }
 
-  /** What has waited for its reply for longer than that, for people; empty when nothing has. */
+  /** Human-readable name of a command whose reply is overdue; empty if there is none. */
   synchronized String overdue(Duration patience) {
     Pending first = queue.peek();
     return first != null && ticker.nanos() - first.sentNanos() > patience.toNanos()
@@ -194,7 +203,7 @@ final class PtuDialogue {
         : "";
   }
 
-  /** Nothing is expected any more. */
+  /** Discards all expected replies. */
   synchronized void forget() {
     queue.clear();
   }

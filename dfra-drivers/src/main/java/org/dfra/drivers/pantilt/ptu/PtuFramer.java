@@ -3,16 +3,16 @@ package org.dfra.drivers.pantilt.ptu;
 import org.dfra.drivers.frame.FrameScanner;
 
 /**
- * Finds replies: {@code *}, {@code * text} and {@code ! text}, each with a carriage return, before
- * it the line feed that the line before may have ended with; and {@code !P} and {@code !T}, which
- * have no end of their own and count only where a line ends or another reply begins right after.
+ * Finds replies: {@code *}, {@code * text} and {@code ! text}, each with a carriage return, and
+ * preceded by the line feed that may end the previous line; and {@code !P} and {@code !T}, which
+ * have no end mark and count only if a line end or another reply follows directly.
  *
- * <p>What the unit echoes, and what it prints when it is switched on, is no reply and is dropped.
- * There is no checksum: damage inside of a reply is not seen here.
+ * <p>Echoes, and the text that the unit prints when it is switched on, are not replies and are
+ * dropped. There is no checksum: a corrupted reply is not detected here.
  */
 public final class PtuFramer extends FrameScanner {
 
-  /** Longest reply: the copyright notice in the version of the firmware, and some. */
+  /** Longest reply: the copyright notice in the firmware's version, and a margin. */
   public static final int LONGEST = 200;
 
   /** A framer at the beginning of a stream. */

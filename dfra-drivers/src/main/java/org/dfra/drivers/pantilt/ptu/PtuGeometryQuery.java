@@ -7,7 +7,10 @@ import org.dfra.drivers.pantilt.ptu.PtuReply.Refused;
 import org.dfra.drivers.pantilt.ptu.PtuReply.Value;
 import org.jspecify.annotations.Nullable;
 
-/** What the unit is asked before it can be used, and what it said. Confined to one thread. */
+/**
+ * The queries that must be answered before the unit can be used, and the answers. Confined to one
+ * thread.
+ */
 final class PtuGeometryQuery {
 
   private static final List<String> ASKED =
@@ -16,12 +19,12 @@ final class PtuGeometryQuery {
   private final Map<String, Double> answers = new LinkedHashMap<>();
   private @Nullable PtuGeometry geometry;
 
-  /** The next question; only while there is no {@link #geometry}. */
+  /** The next query; only while there is no {@link #geometry}. */
   String nextQuestion() {
     return ASKED.get(answers.size());
   }
 
-  /** Takes the answer to the {@link #nextQuestion} question; what is wrong with it, or empty. */
+  /** Accepts the answer to the {@link #nextQuestion}; returns what is wrong with it, or empty. */
   String accept(String question, PtuReply reply) {
     if (reply instanceof Refused refused) {
       return "it refuses to tell " + question + ": " + refused.message();
@@ -41,7 +44,7 @@ final class PtuGeometryQuery {
     }
   }
 
-  /** What it said; null until it has said all. */
+  /** The reported limits; null until they are complete. */
   @Nullable PtuGeometry geometry() {
     return geometry;
   }

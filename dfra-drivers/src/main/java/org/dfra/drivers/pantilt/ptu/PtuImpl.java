@@ -24,39 +24,39 @@ import org.dfra.persona.EffectorAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A pan-tilt unit of Directed Perception, PTU-46 or D46, on its serial line: 9600 8N1.
+ * A pan-tilt unit of Directed Perception, PTU-46 or D46, on a serial link: 9600 8N1.
  *
  * <p>Parameters:
  *
  * <ul>
  *   <li>{@code link}, {@code reopen_first}, {@code reopen_longest}: see {@link
  *       org.dfra.drivers.link.LinkSettings}; the link is required
- *   <li>{@code rate}: how often it is asked where the head points, {@value #SLOWEST} to {@value
- *       #FASTEST} Hz; default {@value #USUAL}; can be set while it runs
- *   <li>{@code mount_frame}, {@code mount_x} and so on: where the two axes meet, and how the head
- *       is turned when it points to 0, 0; see {@link org.dfra.core.module.DeviceImpl}
- *   <li>to be read only: {@code refusals}, commands that the unit refused; {@code frames}, {@code
- *       dropped_bytes}, {@code malformed_frames}
+ *   <li>{@code rate}: how often the position is queried, {@value #SLOWEST} to {@value #FASTEST} Hz;
+ *       default {@value #USUAL}; can be set while it runs
+ *   <li>{@code mount_frame}, {@code mount_x} and so on: the intersection of the two axes, and the
+ *       head's orientation at 0, 0; see {@link org.dfra.core.module.DeviceImpl}
+ *   <li>read-only: {@code refusals}, number of commands that the unit rejected; {@code frames},
+ *       {@code dropped_bytes}, {@code malformed_frames}
  * </ul>
  *
  * <p>The head's frame moves with it: {@link #localTransform} is the mount, then pan about z, to the
  * left +, then tilt about y, up + (which is a negative pitch, since nose down is + there).
  *
- * <p>INITIALIZING until the unit has told what its axes can and where they are; again when the link
- * is lost, when it tells no position for 3 s, or while it is reset. FAILED when an axis runs
- * against its end ({@code !P}, {@code !T}): the unit has lost count of its steps, and everything it
- * tells is wrong, until the recovery {@code reset_by_moving}.
+ * <p>The module is INITIALIZING until the unit has reported the limits and positions of its axes,
+ * and again when the link is lost, when it reports no position for 3 s, or while it is reset. It is
+ * FAILED when an axis runs into its end stop ({@code !P}, {@code !T}): the unit has lost steps, and
+ * its positions are wrong, until the recovery {@code reset_by_moving}.
  *
- * <p>A direction outside of the unit's limits is refused; a speed outside of them is made the
- * nearest it can. Without a commander the head halts where it is.
+ * <p>A direction outside the unit's limits is rejected; a speed outside them is limited. Without a
+ * commander the head halts.
  *
- * <p>Tests: {@code link}, {@code readings} (positions come), {@code identification} (it tells its
- * version). Recoveries: {@code reopen_link}; {@code reset_by_moving}, which turns the head to all
- * its ends and then to 0, 0, and is refused while somebody commands it or it is stopped for an
- * emergency.
+ * <p>Tests: {@code link}, {@code readings} (positions arrive), {@code identification} (it reports
+ * its version). Recoveries: {@code reopen_link}; {@code reset_by_moving}, which moves the head to
+ * all its end stops and then to 0, 0, and is rejected while a client commands the unit or during an
+ * emergency stop.
  *
  * <p>Threads: one reader ({@code name reader}), owned from {@code start} to {@code close}. Commands
- * go out on their caller's thread.
+ * are sent on the caller's thread.
  */
 public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTiltEffector {
 
@@ -64,13 +64,13 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
   static final double FASTEST = 20;
   static final double USUAL = 10;
 
-  /** What it can carry and where it works, by the maker's data sheet. */
+  /** Its payload and environment, from the manufacturer's data sheet. */
   private static final List<Precondition> PRECONDITIONS =
       List.of(
           new Precondition("load on the head", 0, 1.81, "kg"),
           new Precondition("temperature", -20, 60, "°C"));
 
-  /** Positions that the head was told to go to. */
+  /** Commanded positions of the head. */
   private record Target(int pan, int tilt) {}
 
   private static final Duration OLDEST = Duration.ofSeconds(3);
@@ -81,8 +81,8 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
   private final PtuDiagnostics examination;
 
   private volatile double rate;
-  private volatile @Nullable PtuGeometry geometry; // null: not told yet
-  private volatile @Nullable Target target; // null: it was halted, or never told where to point
+  private volatile @Nullable PtuGeometry geometry; // null: not reported yet
+  private volatile @Nullable Target target; // null: it was halted, or never commanded
   private volatile long refusals;
 
   // confined to the reader
@@ -96,7 +96,7 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
     this(context, Ticker.of(context.clock()), null);
   }
 
-  /** For tests: by another time, and over links made in another way. */
+  /** For tests: uses the given clock and source of links. */
   PtuImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
     super(
         context,
@@ -165,7 +165,7 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
     } catch (IllegalArgumentException e) {
       throw new IllegalArgumentException(path() + " cannot point there: " + e.getMessage(), e);
     }
-    haltExecutor().prepare(); // what could not be halted later is not begun
+    haltExecutor().prepare(); // a motion that could not be halted later is not started
     target = request;
     sendToUnit(
         PtuCommands.point(
@@ -183,8 +183,8 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
   }
 
   /**
-   * Halts where it is, past a write of the reader where that is held up. Without a link it cannot
-   * be told, and stops where it was told to point.
+   * Halts the head; bypasses a blocked write of the reader. Without a link the halt cannot be sent,
+   * and the head stops at its commanded direction.
    */
   @Override
   protected void stopSafely() {
@@ -192,7 +192,7 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
     boolean unused = protocol.halt();
   }
 
-  /** {@inheritDoc} Halts it on another way through the link, if the link has one. */
+  /** {@inheritDoc} Halts it by another path through the link, if there is one. */
   @Override
   protected void stopDuringCommand() {
     target = null;
@@ -207,7 +207,7 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
   /**
    * {@inheritDoc}
    *
-   * @throws NotReadyException as {@link #panTiltState}: where the head points is not known then
+   * @throws NotReadyException as {@link #panTiltState}: then the head's direction is unknown
    */
   @Override
   public Transform localTransform() {
@@ -228,7 +228,7 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
     return all;
   }
 
-  /** What the unit says; on the reader's thread. */
+  /** Handles the unit's replies; on the reader thread. */
   private final class Unit implements PtuProtocol.Listener {
 
     @Override
@@ -283,7 +283,7 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
 
     @Override
     public void refused(String command, String reason) {
-      refusals = refusals + 1; // the reader alone counts
+      refusals = refusals + 1; // only the reader counts
       log.warn("{}: the unit refused {}: {}", path(), command, reason);
     }
 

@@ -4,12 +4,12 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.dfra.drivers.frame.FrameParser;
 
-/** Bytes in, replies out: {@link PtuFramer} and {@link PtuDecoder} in one. */
+/** Parses bytes into replies: combines {@link PtuFramer} and {@link PtuDecoder}. */
 public final class PtuParser extends FrameParser<PtuReply> {
 
-  /** Gives {@code replies} every reply in the stream. */
+  /** Passes every reply in the stream to {@code replies}. */
   public PtuParser(Consumer<? super PtuReply> replies) {
-    // Any text is one: whether it answers the question, only who asked can tell.
+    // Any text is a reply; only the sender of the query can check it.
     super(new PtuFramer(), PtuDecoder::decode, reply -> false, replies);
   }
 

@@ -14,57 +14,57 @@ import org.dfra.drivers.pantilt.ptu.PtuReply.LimitHit;
 import org.dfra.drivers.pantilt.ptu.PtuReply.Refused;
 
 /**
- * What is said to the unit, and when.
+ * The exchange with the unit: what to send, and when.
  *
  * <pre>
  *              opened
  *                v
- *   +------&gt; LISTENING   ignores what still comes, until it is quiet
+ *   +------&gt; AWAITING_QUIET  ignores received bytes until the link is quiet
  *   |            v quiet for 0.3 s: ED FT I
- *   |        SETTLING    awaits * for each
+ *   |        CONFIGURING     awaits * for each
  *   |            v
- *   |        ASKING      resolution, limits and speeds of both axes, one after the other
- *   |            v all told
- *   |        POLLING     the position of one axis, then of the other, at the rate
- *   |            v somebody wants it to be reset: R
- *   |        RESETTING   its * comes when the head points to 0, 0
+ *   |        QUERYING        resolution, limits and speeds of both axes, one by one
+ *   |            v all reported
+ *   |        POLLING         the position of one axis, then of the other, at the rate
+ *   |            v a reset is requested: R
+ *   |        RESETTING       its * arrives when the head points to 0, 0
  *   |            v
- *   +--- out of step, no reply in time, or reset
+ *   +--- replies out of order, reply timeout, or reset
  * </pre>
  *
- * <p>Confined to the reader, but for {@link #request}, {@link #send}, {@link #halt} and {@link
+ * <p>Confined to the reader, except {@link #request}, {@link #send}, {@link #halt} and {@link
  * #sendImmediately}.
  */
 final class PtuProtocol implements DeviceProtocol {
 
-  /** What the driver is told; by the reader. */
+  /** Receives the events; called by the reader. */
   interface Listener {
 
-    /** The unit has told what its axes can. */
+    /** The unit has reported the limits of its axes. */
     void geometryReceived(PtuGeometry geometry);
 
-    /** The head points there, positions of the unit. */
+    /** The head's direction, in the unit's positions. */
     void positionReceived(int pan, int tilt);
 
-    /** An axis ran against its end. */
+    /** An axis ran into its end stop. */
     void limitHit(PtuAxis axis);
 
-    /** The unit goes through its reset. */
+    /** The unit is being reset. */
     void resetting();
 
-    /** A command was refused, for the reason. */
+    /** The unit rejected a command. */
     void refused(String command, String reason);
 
-    /** It answered a question that was {@linkplain #request wanted}, or its reset is done. */
+    /** The unit answered a {@linkplain #request requested} query, or its reset is complete. */
     void answered(String question, PtuReply reply);
 
-    /** What it said cannot be; it is asked again. */
+    /** A reply is inconsistent; the query is repeated. */
     void inconsistentReply(String how);
 
-    /** There is no unit now. */
+    /** The unit is lost. */
     void lost(String reason);
 
-    /** It gave a sign of life. */
+    /** The unit gave a sign of life. */
     void alive();
   }
 
@@ -97,10 +97,10 @@ final class PtuProtocol implements DeviceProtocol {
   private int pan;
 
   /**
-   * @param listener is told what the unit says
-   * @param ticker the time to wait by
+   * @param listener receives the unit's reports
+   * @param ticker the clock for waits
    * @param rate polls per second
-   * @param sender hands bytes to the line at once; false when there is none
+   * @param sender writes bytes to the link immediately; false when there is no link
    */
   PtuProtocol(Listener listener, Ticker ticker, DoubleSupplier rate, Predicate<byte[]> sender) {
     this.listener = listener;
@@ -109,22 +109,22 @@ final class PtuProtocol implements DeviceProtocol {
     this.dialogue = new PtuDialogue(sender, ticker, listener::refused);
   }
 
-  /** Tells the unit to do something now; from any thread. False when there is no link. */
+  /** Sends commands to the unit; from any thread. False when there is no link. */
   boolean send(List<String> commands) {
     return dialogue.send(commands);
   }
 
-  /** Has the unit stop, past a write of another thread where that is held up; from any thread. */
+  /** Stops the unit; bypasses a blocked write of another thread; from any thread. */
   boolean halt() {
     return dialogue.halt();
   }
 
-  /** The same as {@link #send}, past a command that another thread is held up with. */
+  /** The same as {@link #send}, but bypasses a blocked write of another thread. */
   boolean sendImmediately(List<String> commands) {
     return dialogue.sendImmediately(commands);
   }
 
-  /** Has a question asked soon, or the unit reset; from any thread. */
+  /** Queues a query or a reset; from any thread. */
   void request(String question) {
     requests.add(question);
   }
@@ -193,7 +193,7 @@ final class PtuProtocol implements DeviceProtocol {
     pendingConfigurationReplies = settings.size();
     for (String setting : settings) {
       if (!dialogue.send(setting, this::configurationReplied)) {
-        listen(); // another thread's write is held up; all of them once more, after it
+        listen(); // another thread's write is blocked; all are repeated after it
         return;
       }
     }
@@ -239,12 +239,12 @@ final class PtuProtocol implements DeviceProtocol {
     long period = Math.round(1e9 / rate.getAsDouble());
     long late = ticker.nanos() - polled - period;
     if (late >= 0) {
-      polled += period + Math.max(0, late - period); // in step, but never catching up
+      polled += period + Math.max(0, late - period); // periodic, without catching up
       ask(PtuAxis.PAN, position -> pan = position);
     }
   }
 
-  /** False where another thread's write is held up, and it is to be tried again. */
+  /** False if another thread's write is blocked, and the request must be retried. */
   private boolean handleRequest(String request) {
     if (!request.equals(PtuCommands.RESET)) {
       return dialogue.ask(request, reply -> listener.answered(request, reply));
@@ -252,7 +252,7 @@ final class PtuProtocol implements DeviceProtocol {
     if (dialogue.send(request, this::reset)) {
       phase = Phase.RESETTING;
       listener.resetting();
-    } else { // later it might move the head under a commander, or while it is stopped
+    } else { // later it might move the head under a commander, or during an emergency stop
       listener.answered(request, new Refused("the line is held up by a command; try again later"));
     }
     return true;
@@ -287,7 +287,7 @@ final class PtuProtocol implements DeviceProtocol {
   private void replyReceived(PtuReply reply) {
     quietSince = ticker.nanos();
     if (reply instanceof LimitHit hit) {
-      if (phase != Phase.RESETTING) { // whose way leads to the ends
+      if (phase != Phase.RESETTING) { // a reset moves to the end stops
         listener.limitHit(hit.axis());
       }
     } else if (phase != Phase.AWAITING_QUIET && !dialogue.replyReceived(reply)) {

@@ -4,24 +4,26 @@ import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** What the unit says. Replies come in the order of the commands; a {@link LimitHit} any time. */
+/**
+ * A reply of the unit. Replies arrive in the order of the commands; a {@link LimitHit} at any time.
+ */
 public sealed interface PtuReply {
 
-  /** {@code *}: the command was executed, or is being. */
+  /** {@code *}: the command was executed, or is being executed. */
   record Done() implements PtuReply {}
 
   /**
    * {@code * text}: the answer to a question.
    *
-   * @param text the number alone where the unit is terse, else a sentence
+   * @param text only the number in terse mode, else a sentence
    */
   record Value(String text) implements PtuReply {
 
-    /** Not the 46 of {@code D46}, nor the 2.14 of {@code v2.14.0}. */
+    /** Does not match the 46 of {@code D46}, nor the 2.14 of {@code v2.14.0}. */
     private static final Pattern NUMBER =
         Pattern.compile("(?<![\\w.])-?[0-9]{1,9}(\\.[0-9]{1,9})?(?![\\w.])");
 
-    /** The number in the text, where there is one and no more. */
+    /** The number in the text, if there is exactly one. */
     public OptionalDouble number() {
       Matcher matcher = NUMBER.matcher(text);
       if (!matcher.find()) {
@@ -40,10 +42,10 @@ public sealed interface PtuReply {
   record Refused(String message) implements PtuReply {}
 
   /**
-   * {@code !P} or {@code !T}, unasked: the axis ran against its end. The unit has lost count of its
-   * steps, and of where it points, until it is reset.
+   * {@code !P} or {@code !T}, unsolicited: the axis ran into its end stop. The unit has lost steps,
+   * so its direction is unknown until it is reset.
    *
-   * @param axis which one
+   * @param axis the axis
    */
   record LimitHit(PtuAxis axis) implements PtuReply {}
 }

@@ -1,9 +1,9 @@
 /**
- * The pan-tilt units of Directed Perception, PTU-46 and D46, by their commands in ASCII.
+ * The pan-tilt units of Directed Perception, PTU-46 and D46, with their ASCII commands.
  *
  * <pre>
- *   bytes --&gt; PtuFramer --lines--&gt; PtuDecoder --PtuReply--&gt; PtuDialogue --whose reply it is--&gt;
- *   PtuProtocol --where the head points--&gt; PtuImpl
+ *   bytes --&gt; PtuFramer --lines--&gt; PtuDecoder --PtuReply--&gt; PtuDialogue --matched replies--&gt;
+ *   PtuProtocol --positions--&gt; PtuImpl
  *   PtuImpl, PtuProtocol --commands--&gt; PtuDialogue --bytes--&gt; the unit
  * </pre>
  *

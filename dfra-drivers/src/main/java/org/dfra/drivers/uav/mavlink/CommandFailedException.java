@@ -1,9 +1,9 @@
 package org.dfra.drivers.uav.mavlink;
 
 /**
- * The vehicle has not accepted a command that it was given; the message says which, which step of
- * it, and why. It comes after the call that gave the command has returned, so it is thrown to
- * nobody; it stands in the module's history, and who listens to the module is told.
+ * The vehicle has not accepted a command; the message states the command, its step, and the reason.
+ * The failure occurs after the call that sent the command has returned, so it is not thrown; it is
+ * recorded in the module's history and reported to the module's listeners.
  */
 final class CommandFailedException extends Exception {
 
@@ -13,7 +13,7 @@ final class CommandFailedException extends Exception {
     super(message);
   }
 
-  /** The message alone. */
+  /** Only the message. */
   @Override
   public String toString() {
     return String.valueOf(getMessage());

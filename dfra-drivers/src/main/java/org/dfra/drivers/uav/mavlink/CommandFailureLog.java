@@ -4,14 +4,16 @@ import org.dfra.drivers.link.Ticker;
 import org.dfra.drivers.uav.mavlink.MavlinkMessage.Text;
 
 /**
- * What the vehicle has not obeyed, and what its autopilot has said about it. Safe for use by
- * several threads.
+ * Commands that the vehicle has not executed, and the autopilot's status texts about them. Safe for
+ * use by several threads.
  */
 final class CommandFailureLog {
 
   private static final int WARNING = 4;
 
-  /** A text that came this long before a refusal is taken for its reason, nanoseconds. */
+  /**
+   * A status text received within this time before a rejection counts as its reason, nanoseconds.
+   */
   private static final long TOGETHER = 2_000_000_000L;
 
   private final String module;
@@ -26,7 +28,7 @@ final class CommandFailureLog {
     this.textNanos = ticker.nanos() - 2 * TOGETHER;
   }
 
-  /** The autopilot has said something. */
+  /** The autopilot has sent a status text. */
   synchronized void addStatusText(Text statusText) {
     if (statusText.severity() <= WARNING) {
       text = statusText.text();
@@ -34,7 +36,7 @@ final class CommandFailureLog {
     }
   }
 
-  /** An order was not obeyed. */
+  /** A command was not executed. */
   synchronized CommandFailedException add(
       String commandName, MavlinkCommand step, CommandResult result) {
     boolean hasReason =
@@ -61,7 +63,7 @@ final class CommandFailureLog {
     };
   }
 
-  /** The last that was not obeyed. */
+  /** The last command that was not executed. */
   synchronized String last() {
     return last;
   }

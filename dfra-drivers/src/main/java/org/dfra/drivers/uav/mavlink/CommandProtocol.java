@@ -15,28 +15,29 @@ import org.dfra.drivers.uav.mavlink.MavlinkMessage.CommandAck;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Sends commands until they are answered: the command protocol of MAVLink.
+ * Resends commands until they are acknowledged: the command protocol of MAVLink.
  *
  * <pre>
- *   begin --&gt; QUEUED --none of its sort before it--&gt; SENT --accepted, refused--&gt; ended
+ *   submit -&gt; QUEUED --first of its kind---------&gt; SENT --accepted, rejected-&gt; ended
  *                                                   |  ^
- *                             no answer for 0.7 s --+--+ again, confirmation + 1, 4 times in all
- *                                                   |     then ended: unanswered
- *                                                   +-- in progress --&gt; 10 s more, not sent again
+ *                             no answer for 0.7 s --+--+ resent, confirmation + 1, 4 times in all
+ *                                                   |     then ended: timed out
+ *                                                   +-- in progress --&gt; 10 s more, not resent
  * </pre>
  *
- * <p>An answer names the sort of command and not which one, so one of a sort is under way at a
- * time. A command that was sent twice may be answered twice, and one that was called off is
- * answered all the same: such strays are expected for a while and not taken for the answer to the
- * next. If one was lost itself, the next is sent once more, which does no harm.
+ * <p>An acknowledgement names only the kind of command, so one command of a kind is pending at a
+ * time. A command that was sent twice may be acknowledged twice, and a cancelled command is
+ * acknowledged too: such late acknowledgements are expected for a while and not assigned to the
+ * next command. If a late acknowledgement is lost, the next command is resent once, which does no
+ * harm.
  *
- * <p>Safe for use by several threads. Outcomes are told by the thread that calls {@link
- * #acknowledge}, {@link #resendDue} or {@link #lost}, outside of all locks. Source: mavlink.io,
+ * <p>Safe for use by several threads. The thread that calls {@link #acknowledge}, {@link
+ * #resendDue} or {@link #lost} reports the outcomes, outside all locks. Source: mavlink.io,
  * "Command Protocol".
  */
 final class CommandProtocol {
 
-  /** How often a command is sent, at the most. */
+  /** How many times a command is sent, at most. */
   static final int MOST = 4;
 
   static final Duration ANSWER = Duration.ofMillis(700);
@@ -47,12 +48,12 @@ final class CommandProtocol {
   interface CommandSender {
 
     /**
-     * @param times it was sent before
+     * @param times how many times it was sent before
      */
     void send(MavlinkCommand command, int times);
   }
 
-  /** A command on its way; all of it is guarded by the protocol. */
+  /** A pending command; guarded by the protocol's lock. */
   static final class Exchange {
     private final MavlinkCommand command;
     private final Consumer<CommandResult> outcome;
@@ -66,14 +67,14 @@ final class CommandProtocol {
     }
   }
 
-  /** Commands of one sort. */
+  /** Commands of one kind. */
   private static final class CommandQueue {
-    final ArrayDeque<Exchange> waiting = new ArrayDeque<>(); // the first is under way
+    final ArrayDeque<Exchange> waiting = new ArrayDeque<>(); // the first is pending
     int expectedStrays;
     long straysExpectedUntil;
   }
 
-  /** An end that is yet to be told. */
+  /** An outcome that is yet to be reported. */
   private record Ended(Exchange exchange, CommandResult result) {}
 
   private final Ticker ticker;
@@ -87,7 +88,7 @@ final class CommandProtocol {
     this.wire = wire;
   }
 
-  /** There is a vehicle to be commanded. */
+  /** A vehicle has been found that can be commanded. */
   void open() {
     lock.lock();
     try {
@@ -98,10 +99,10 @@ final class CommandProtocol {
   }
 
   /**
-   * Sends a command, at once where no other of its sort is under way.
+   * Sends a command, immediately if no other of its kind is pending.
    *
-   * @param outcome is told once how it ended, unless it is called off
-   * @return null where there is no vehicle: nothing is sent then, and nothing told
+   * @param outcome receives the outcome once, unless the command is cancelled
+   * @return null if there is no vehicle: then nothing is sent and no outcome is reported
    */
   @Nullable Exchange submit(MavlinkCommand command, Consumer<CommandResult> outcome) {
     lock.lock();
@@ -122,10 +123,10 @@ final class CommandProtocol {
   }
 
   /**
-   * Does something where no other thread sends, or stops to within so many milliseconds of real
-   * time; no other thread does meanwhile.
+   * Runs a task while no other thread sends; waits up to a number of milliseconds of real time for
+   * threads that send.
    *
-   * @return false, and nothing is done, where another thread's write seems to be held up
+   * @return false, without running the task, if another thread's write seems to be blocked
    */
   boolean tryRunExclusively(long millis, Runnable task) {
     if (!tryLock(lock, millis)) {
@@ -139,7 +140,7 @@ final class CommandProtocol {
     }
   }
 
-  /** Locks it, also for a thread that is interrupted, where it is free. */
+  /** Locks it; an interrupted thread gets it too if it is free. */
   static boolean tryLock(ReentrantLock lock, long millis) {
     try {
       return lock.tryLock() || lock.tryLock(millis, TimeUnit.MILLISECONDS);
@@ -149,7 +150,7 @@ final class CommandProtocol {
     }
   }
 
-  /** It is not sent again, and its end not told. */
+  /** Cancels a command: it is not resent, and its outcome is not reported. */
   void cancel(Exchange exchange) {
     lock.lock();
     try {
@@ -162,7 +163,7 @@ final class CommandProtocol {
     }
   }
 
-  /** The vehicle has answered. */
+  /** The vehicle has sent an acknowledgement. */
   void acknowledge(CommandAck ack) {
     @Nullable Ended ended;
     lock.lock();
@@ -199,9 +200,9 @@ final class CommandProtocol {
   }
 
   /**
-   * Sends again what is due.
+   * Resends what is due.
    *
-   * @return false, and nothing is sent, where another thread sends: its write may be held up
+   * @return false, without sending, if another thread sends: its write may be blocked
    */
   boolean resendDue() {
     if (!lock.tryLock()) {
@@ -228,7 +229,7 @@ final class CommandProtocol {
     return true;
   }
 
-  /** There is no link any more; what was not answered yet never will be. */
+  /** The link is lost: pending commands will not be acknowledged. */
   void lost() {
     List<Exchange> all = new ArrayList<>();
     lock.lock();
@@ -248,7 +249,7 @@ final class CommandProtocol {
     exchange.sent++;
   }
 
-  /** Lets the next of its sort go. */
+  /** Removes a command and sends the next of its kind. */
   private void remove(CommandQueue line, Exchange exchange, int strays) {
     boolean wasFirst = line.waiting.peek() == exchange;
     line.waiting.remove(exchange);

@@ -1,29 +1,29 @@
 package org.dfra.drivers.uav.mavlink;
 
 /**
- * What became of a command.
+ * The result of a command.
  *
  * @param outcome how it ended
- * @param code {@code MAV_RESULT} where it was answered, else 0
+ * @param code {@code MAV_RESULT} if it was acknowledged, else 0
  */
 record CommandResult(CommandOutcome outcome, int code) {
 
-  /** How a command may end. */
+  /** How a command can end. */
   enum CommandOutcome {
-    /** It is, or will be, done. */
+    /** It is, or will be, executed. */
     ACCEPTED,
-    /** The vehicle will not do it. */
+    /** The vehicle rejected it. */
     REJECTED,
-    /** Nothing came back, though it was sent several times; it may be done or not. */
+    /** No acknowledgement after several transmissions; it may have been executed or not. */
     TIMED_OUT,
-    /** The link was lost before an answer came; it may be done or not. */
+    /** The link was lost before an acknowledgement; it may have been executed or not. */
     LINK_LOST
   }
 
   static final CommandResult UNANSWERED = new CommandResult(CommandOutcome.TIMED_OUT, 0);
   static final CommandResult LOST = new CommandResult(CommandOutcome.LINK_LOST, 0);
 
-  /** {@code MAV_RESULT_IN_PROGRESS}: no end yet. */
+  /** {@code MAV_RESULT_IN_PROGRESS}: not ended yet. */
   static final int IN_PROGRESS = 5;
 
   static CommandResult answered(int code) {
@@ -34,12 +34,12 @@ record CommandResult(CommandOutcome outcome, int code) {
     return outcome == CommandOutcome.ACCEPTED;
   }
 
-  /** Whether it is refused only as things are now. */
+  /** Whether the rejection is temporary. */
   boolean isTemporary() {
     return outcome == CommandOutcome.REJECTED && code == 1;
   }
 
-  /** As the rest of a sentence that begins with the command's name. */
+  /** Completes a sentence that begins with the command's name. */
   @Override
   public String toString() {
     return switch (outcome) {

@@ -6,21 +6,20 @@ import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The order that the vehicle is being given, step by step. A new order takes the place of the old
- * one at once: of that nothing is sent any more, so that a repetition of it never comes after the
- * new one.
+ * Sends flight commands to the vehicle step by step. A new command immediately replaces the old
+ * one, which is not sent or resent any more, so that the old one never follows the new one.
  *
  * <p>Safe for use by several threads.
  */
 final class FlightCommandSequencer {
 
-  /** Is told how an order ended; by the reader thread, outside of all locks. */
+  /** Receives the outcome of a command; called by the reader thread, outside all locks. */
   interface Listener {
 
     /**
-     * @param commandName its name
-     * @param step the step that was its last
-     * @param result what became of that step; the order was done where it is accepted
+     * @param commandName the command's name
+     * @param step its last step
+     * @param result result of that step; if it is accepted, the command was executed
      */
     void ended(String commandName, MavlinkCommand step, CommandResult result);
   }
@@ -33,10 +32,13 @@ final class FlightCommandSequencer {
   private volatile @Nullable CommandSequence current; // written under lock
   private volatile String status = "none"; // written under lock
 
-  /** It goes no further, whatever the answer to its last step is; not so the orders after it. */
+  /**
+   * A cancelled sequence: it sends no further steps, whatever the answer to its last step. Later
+   * sequences are unaffected.
+   */
   private volatile @Nullable CommandSequence calledOff;
 
-  /** An order under way; all of it is guarded by the orders. */
+  /** A pending command; guarded by the sequencer's lock. */
   private static final class CommandSequence {
     final String name;
     final List<MavlinkCommand> steps;
@@ -60,9 +62,9 @@ final class FlightCommandSequencer {
   }
 
   /**
-   * Gives an order; its first step is sent before the call returns.
+   * Starts a command; its first step is sent before the call returns.
    *
-   * @return false where there is no vehicle to give it to
+   * @return false if there is no vehicle
    */
   boolean start(String name, List<MavlinkCommand> steps, CommandProtocol protocol) {
     lock.lock();
@@ -78,10 +80,10 @@ final class FlightCommandSequencer {
   }
 
   /**
-   * Does something where no other thread holds the orders or the protocol, or lets go of them soon;
-   * no other thread does meanwhile, so orders that it begins wait for none.
+   * Runs a task that holds the locks of the sequencer and the protocol, if they are free or
+   * released soon; commands that it starts do not wait for other threads.
    *
-   * @return false, and nothing is done, where another thread's write seems to be held up
+   * @return false, without running the task, if another thread's write seems to be blocked
    */
   boolean tryRunExclusively(CommandProtocol protocol, Runnable task) {
     if (!CommandProtocol.tryLock(lock, PATIENCE_MILLIS)) {
@@ -94,7 +96,7 @@ final class FlightCommandSequencer {
     }
   }
 
-  /** Calls the order off that is under way, if any. */
+  /** Cancels the pending command, if any. */
   void forget() {
     lock.lock();
     try {
@@ -109,10 +111,12 @@ final class FlightCommandSequencer {
   }
 
   /**
-   * The order that is just being written gets no further step; without waiting for that write.
+   * Cancels the command that is being written, without waiting for that write; it sends no further
+   * steps.
    *
-   * @param isDue whether that order is not the next commander's; asked when it has been looked at
-   * @return what {@code isDue} says; nothing is called off where that is false
+   * @param isDue whether that command is not the next commander's; evaluated after the command has
+   *     been read
+   * @return the result of {@code isDue}; if false, nothing is cancelled
    */
   boolean tryCancelWithoutLock(BooleanSupplier isDue) {
     @Nullable CommandSequence sequence = current;
@@ -139,7 +143,7 @@ final class FlightCommandSequencer {
     lock.lock();
     try {
       if (current != sequence || calledOff == sequence) {
-        return; // another has taken its place meanwhile, or is about to
+        return; // another has replaced it meanwhile, or is about to
       }
       step = sequence.step();
       if (result.isAccepted() && sequence.at + 1 < sequence.steps.size()) {
@@ -159,8 +163,8 @@ final class FlightCommandSequencer {
   }
 
   /**
-   * The order under way, or what became of the last one. Without the lock, which is held while an
-   * order is written to the link.
+   * The pending command, or the result of the last one. Does not use the lock, which is held while
+   * a command is written to the link.
    */
   String status() {
     return status;

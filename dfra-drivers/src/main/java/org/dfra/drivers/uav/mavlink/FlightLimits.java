@@ -13,8 +13,8 @@ import org.dfra.flow.effector.FlightState.Phase;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The parameters of a {@link MavlinkFlightImpl}, all of which can be set while it runs, and what
- * they forbid. Safe for use by several threads.
+ * The parameters of a {@link MavlinkFlightImpl}, all of which can be set while it runs, and the
+ * checks of commands against them. Safe for use by several threads.
  */
 final class FlightLimits {
 
@@ -30,9 +30,9 @@ final class FlightLimits {
 
   /**
    * @param module its path, for messages
-   * @param settings what is written for it
+   * @param settings its configured parameters
    * @param table where they are declared
-   * @param picture goes by the separation of geoid and ellipsoid that is set
+   * @param picture uses the configured separation of geoid and ellipsoid
    * @throws org.dfra.core.config.ConfigurationException if one of them is wrong
    */
   FlightLimits(String module, Parameters settings, ParameterTable table, VehicleState picture) {
@@ -102,26 +102,26 @@ final class FlightLimits {
     return now == null ? "not known" : String.format(Locale.ROOT, "%.2f m", now);
   }
 
-  /** The fastest that it is told to fly over ground, metres per second. */
+  /** Maximum commanded speed over ground, metres per second. */
   double maxSpeed() {
     return maxSpeed;
   }
 
-  /** The highest that it is told to fly above the place of take-off, metres. */
+  /** Maximum commanded height above the take-off position, metres. */
   double maxHeight() {
     return maxHeight;
   }
 
-  /** States wanted in a second. */
+  /** Required states per second. */
   double rate() {
     return rate;
   }
 
   /**
-   * Refuses what cannot be done as things are.
+   * Checks a command against the limits and the current state.
    *
-   * @param here where the vehicle is; null where that is not known
-   * @throws IllegalArgumentException if it cannot; the message says what can
+   * @param here the vehicle's position; null if unknown
+   * @throws IllegalArgumentException if it is not allowed; the message explains what is
    */
   void check(FlightCommand command, @Nullable GlobalPosition here) {
     boolean stands = picture.phase() == Phase.ON_GROUND;

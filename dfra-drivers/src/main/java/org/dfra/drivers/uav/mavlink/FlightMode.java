@@ -3,20 +3,20 @@ package org.dfra.drivers.uav.mavlink;
 import io.dronefleet.mavlink.common.MavCmd;
 
 /**
- * What an autopilot may be set to do, in its own numbers. Source: the flight modes of ArduCopter
+ * Flight modes of an autopilot, with its own numbers. Source: the flight modes of ArduCopter
  * ({@code COPTER_MODE}) and the main and sub modes of PX4.
  */
 enum FlightMode {
-  /** Stays where it is, without a pilot: BRAKE, AUTO.LOITER. */
+  /** Holds its position, without a pilot: BRAKE, AUTO.LOITER. */
   HOLD(17, 4, 3),
-  /** Flies where it is told: GUIDED; PX4 does so while it holds. */
+  /** Flies to commanded positions: GUIDED; PX4 does so in its hold mode. */
   GUIDED(4, 4, 3),
   /** Flies back and lands: RTL, AUTO.RTL. */
   RETURN(6, 4, 5),
-  /** Goes down: LAND, AUTO.LAND. */
+  /** Lands: LAND, AUTO.LAND. */
   LAND(9, 4, 6);
 
-  /** Base mode: what follows is the autopilot's own. */
+  /** Base mode: the custom mode is the autopilot's own. */
   private static final int CUSTOM = 1;
 
   private final int arduPilot;
@@ -36,7 +36,7 @@ enum FlightMode {
         : new MavlinkCommand.CommandLong(MavCmd.MAV_CMD_DO_SET_MODE, CUSTOM, main, sub, 0, 0, 0, 0);
   }
 
-  /** Whether a heartbeat with this mode says so. */
+  /** Whether a heartbeat with this mode reports it. */
   boolean isReportedBy(Vehicle vehicle, long mode) {
     return mode
         == (vehicle.autopilot() == Vehicle.ARDUPILOT

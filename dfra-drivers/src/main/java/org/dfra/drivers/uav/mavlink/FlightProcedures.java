@@ -15,8 +15,8 @@ import org.dfra.flow.effector.FlightCommand.TakeOff;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What an autopilot is told for a command, step by step; each step awaits the answer to the last.
- * Pure.
+ * The steps of each flight command for each autopilot; each step waits for the acknowledgement of
+ * the previous one. Pure.
  *
  * <pre>
  *               PX4                            ArduPilot
@@ -24,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  *   TakeOff     take off to a height MSL       guided, take off to a height above here
  *   GoTo        reposition at a speed          guided, reposition, change speed
  *   Hold        hold (AUTO.LOITER)             hold (BRAKE; its LOITER follows a pilot's stick,
- *                                              and goes down where there is none)
+ *                                              and descends where there is none)
  *   Land        land                           land
  *   ReturnHome  return to launch               return to launch
  *   Disarm      disarm, never by force         the same
@@ -34,15 +34,15 @@ final class FlightProcedures {
 
   private static final float AS_IT_IS = Float.NaN;
 
-  /** Of {@code DO_REPOSITION}: fly there, whatever it did before. */
+  /** For {@code DO_REPOSITION}: fly there, whatever the current mode. */
   private static final float CHANGE_MODE = 1;
 
-  /** Of {@code DO_CHANGE_SPEED}: over ground. */
+  /** For {@code DO_CHANGE_SPEED}: over ground. */
   private static final float GROUND_SPEED = 1;
 
   private FlightProcedures() {}
 
-  /** Whether it is known how to command such a vehicle. */
+  /** Whether commands to such a vehicle are supported. */
   static boolean supports(Vehicle vehicle) {
     return vehicle.autopilot() == Vehicle.PX4 || vehicle.autopilot() == Vehicle.ARDUPILOT;
   }
@@ -50,10 +50,10 @@ final class FlightProcedures {
   /**
    * The steps of a command.
    *
-   * @param position where the vehicle is; null where that is not known
-   * @param separation height of the geoid above the ellipsoid, metres; null where it is not known
-   * @param maxSpeed the fastest it is flown, metres per second
-   * @throws IllegalArgumentException if what is not known is needed; the message says what
+   * @param position the vehicle's position; null if unknown
+   * @param separation height of the geoid above the ellipsoid, metres; null if unknown
+   * @param maxSpeed maximum speed, metres per second
+   * @throws IllegalArgumentException if an unknown value is needed; the message names it
    */
   static List<MavlinkCommand> steps(
       FlightCommand command,
@@ -99,8 +99,8 @@ final class FlightProcedures {
   }
 
   /**
-   * At the place where it is: PX4 takes numbers that are none for that, as the protocol has it;
-   * ArduPilot passes the place over, and turns such numbers into whole ones first.
+   * A command at the current position: PX4 accepts NaN for it, as the protocol defines; ArduPilot
+   * ignores the position but converts its numbers to integers first.
    */
   private static MavlinkCommand here(MavCmd id, boolean arduPilot, float height) {
     float place = arduPilot ? 0 : AS_IT_IS;

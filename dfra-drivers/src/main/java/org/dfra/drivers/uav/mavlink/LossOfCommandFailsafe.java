@@ -16,52 +16,56 @@ import org.dfra.flow.effector.FlightState.Phase;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How a vehicle comes to rest when its commander is lost.
+ * Stops a vehicle safely when its commander is lost.
  *
  * <pre>
- *   NOT COMMANDED --a command--&gt; COMMANDED --commander lost--&gt; OWED --accepted--&gt; NOT COMMANDED
- *                                    ^                          |  ^
- *                                    +--------a command---------+  +-- every 2 s, until accepted
+ *   NOT COMMANDED --a command--&gt; COMMANDED -commander lost-&gt; PENDING -accepted-&gt; NOT COMMANDED
+ *                                    ^                         |  ^
+ *                                    +--------a command--------+  +-- every 2 s, until accepted
  * </pre>
  *
  * <ul>
- *   <li>in the air it holds its place
- *   <li>but a landing or a return that the commander has ordered goes on, since it ends at rest: a
- *       caller that lets go after {@code Land} must not find the craft hovering until its battery
- *       is empty
- *   <li>on the ground it is disarmed, by no force: an autopilot that flies after all refuses
- *   <li>what the vehicle does not accept, or what could not be sent since it was lost, is sent
- *       again every 2 s
- *   <li>a vehicle that was not commanded is left alone: it may be a pilot's
+ *   <li>in the air it holds its position
+ *   <li>but a commanded landing or return continues, because it ends on the ground: if the caller
+ *       releases its lease after {@code Land}, the craft must not hover until its battery is empty
+ *   <li>on the ground it is disarmed, without force: an autopilot that is in fact flying rejects
+ *       this
+ *   <li>a stop command that the vehicle does not accept, or that could not be sent because the link
+ *       was lost, is resent every 2 s
+ *   <li>a vehicle that was not commanded is not affected: a pilot may control it
  * </ul>
  *
- * <p>Safe for use by several threads: commands and the coming to rest exclude each other. Past a
- * command that is held up in the link, {@link #triggerWithoutLocks} sends the rest without awaiting
- * an answer; {@link #trigger} follows when the command is over. An answer does not say which of the
- * two it answers, so the rest is done only when two were accepted.
+ * <p>Safe for use by several threads: commands and stops exclude each other. If a command is
+ * blocked in the link, {@link #triggerWithoutLocks} bypasses it and sends the stop command without
+ * waiting for an answer; {@link #trigger} follows when the blocked command has ended. An
+ * acknowledgement does not tell the two apart, so the stop is complete only when two have been
+ * accepted.
  */
 final class LossOfCommandFailsafe {
 
   private static final Duration AGAIN = Duration.ofSeconds(2);
   private static final String STOP_NAME = "coming to rest";
 
-  /** How long a rest waits for each lock, real time. */
+  /** How long a stop waits for each lock, real time. */
   private static final long PATIENCE_MILLIS = 50;
 
   private final VehicleState vehicleState;
   private final FlightCommandSequencer sequencer;
   private final Ticker ticker;
 
-  /** Held while an order is begun, also while its write is held up; taken before the orders'. */
+  /**
+   * Held while a command is started, even if its write is blocked; acquired before the sequencer's
+   * lock.
+   */
   private final ReentrantLock lock = new ReentrantLock();
 
   // written under lock
-  private volatile @Nullable FlightCommand lastCommand; // the last command, unless refused
+  private volatile @Nullable FlightCommand lastCommand; // the last command, unless rejected
   private volatile boolean commanded;
 
   private volatile boolean isPending; // cleared under lock
 
-  /** A rest was sent past a write, and its answer may be yet to come. */
+  /** A stop command bypassed a blocked write, and its acknowledgement may still arrive. */
   private volatile boolean isSentPast;
 
   private long triedNanos; // guarded by lock
@@ -73,9 +77,9 @@ final class LossOfCommandFailsafe {
   }
 
   /**
-   * There is a command: no rest.
+   * Sends a command; cancels a pending stop.
    *
-   * @return false where there is no vehicle to give it to
+   * @return false if there is no vehicle
    */
   boolean sendCommand(
       FlightCommand command, List<MavlinkCommand> steps, MavlinkConnection connection) {
@@ -91,8 +95,8 @@ final class LossOfCommandFailsafe {
   }
 
   /**
-   * There is no commander any more. Where a write of the reader is held up, the rest is sent past
-   * that, and once more as soon as the reader goes on.
+   * The commander is lost. If a write of the reader is blocked, the stop command bypasses it, and
+   * is repeated when the reader continues.
    */
   void trigger(@Nullable MavlinkConnection connection) {
     if (!commanded) {
@@ -104,7 +108,7 @@ final class LossOfCommandFailsafe {
     }
   }
 
-  /** False where a write seems to be held up. */
+  /** False if a write seems to be blocked. */
   private boolean tryTrigger(@Nullable MavlinkConnection connection) {
     if (!CommandProtocol.tryLock(lock, PATIENCE_MILLIS)) {
       return false;
@@ -121,9 +125,9 @@ final class LossOfCommandFailsafe {
   }
 
   /**
-   * Sends the same, without the locks that a command holds which is held up in the link.
+   * Sends the stop command without the locks, which a command that is blocked in the link may hold.
    *
-   * @param isDue whether the next commander does not command yet
+   * @param isDue whether the next commander has not sent a command yet
    */
   void triggerWithoutLocks(@Nullable MavlinkConnection connection, BooleanSupplier isDue) {
     @Nullable Vehicle vehicle = connection == null ? null : connection.vehicle();
@@ -140,13 +144,13 @@ final class LossOfCommandFailsafe {
   private void sendNow(
       FlightCommand step, Vehicle vehicle, MavlinkConnection connection, BooleanSupplier isDue) {
     if (sequencer.tryCancelWithoutLock(
-        isDue)) { // the answer to this is not to be taken for one to that
+        isDue)) { // the acknowledgement of this must not count for the later one
       isSentPast = true;
       FlightProcedures.steps(step, vehicle, null, null, 0).forEach(connection::sendNow);
     }
   }
 
-  /** It lands, or flies home to land there. */
+  /** Whether it is landing, or returning home to land. */
   private boolean isEndingByItself(Vehicle vehicle) {
     @Nullable FlightCommand last = lastCommand;
     return last instanceof Land
@@ -156,9 +160,8 @@ final class LossOfCommandFailsafe {
   }
 
   /**
-   * Tries again what was not accepted; called again and again, by the reader. Does not wait where a
-   * command is being given: whoever closes the link, which may set a command free that is held up,
-   * waits for the reader.
+   * Resends what was not accepted; called periodically by the reader. Does not wait for a command
+   * that is being sent: closing the link, which may unblock that command, waits for the reader.
    */
   void retry(@Nullable MavlinkConnection connection) {
     if (!lock.tryLock()) {
@@ -173,19 +176,19 @@ final class LossOfCommandFailsafe {
     }
   }
 
-  /** An order has ended. */
+  /** A command has ended. */
   void ended(String commandName, CommandResult result, boolean isAlone) {
     lock.lock();
     try {
       if (commandName.equals(STOP_NAME)) {
         if (result.isAccepted() && isSentPast) {
-          isSentPast = false; // this may be its answer; what follows it is to be accepted, too
+          isSentPast = false; // this may be its acknowledgement; the next one must be accepted too
         } else if (result.isAccepted() && isPending) {
           atRest();
         }
       } else if (!result.isAccepted()) {
         lastCommand = null;
-        isPending |= isAlone && commanded; // its landing was refused after the commander had gone
+        isPending |= isAlone && commanded; // its landing was rejected after the commander was lost
       }
     } finally {
       lock.unlock();
@@ -196,7 +199,7 @@ final class LossOfCommandFailsafe {
     triedNanos = ticker.nanos();
     @Nullable Vehicle vehicle = connection == null ? null : connection.vehicle();
     if (connection == null || vehicle == null || !vehicleState.isComplete()) {
-      return; // it stays owed until there is a vehicle
+      return; // it stays pending until there is a vehicle
     }
     FlightCommand step = new Hold();
     if (vehicleState.phase() == Phase.ON_GROUND) {

@@ -16,15 +16,17 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A battery of an unmanned aerial vehicle, as its autopilot measures it: {@code BATTERY_STATUS},
- * and {@code SYS_STATUS} for the first battery of an autopilot that does not send the other.
+ * and {@code SYS_STATUS} for the first battery of an autopilot that does not send {@code
+ * BATTERY_STATUS}.
  *
- * <p>Parameters, besides those of {@link MavlinkSensorImpl}: {@code battery}, which one, 0 to 255;
+ * <p>Parameters, besides those of {@link MavlinkSensorImpl}: {@code battery}, its number, 0 to 255;
  * default 0, the first.
  *
- * <p>The voltage is the sum of the cells that are told. What remains is the autopilot's: counted
- * from the current where that is measured, else guessed from the voltage, which is said with it.
+ * <p>The voltage is the sum of the reported cells. The autopilot determines the remaining charge:
+ * from the current where that is measured, else estimated from the voltage, which the reading
+ * indicates.
  *
- * <p>Precondition: the voltage that MAVLink can tell, 0 to 65 V in one number.
+ * <p>Precondition: the voltage that MAVLink can represent in one number, 0 to 65 V.
  */
 public final class MavlinkBatteryImpl extends MavlinkSensorImpl<BatteryState>
     implements BatterySensor {
@@ -35,7 +37,7 @@ public final class MavlinkBatteryImpl extends MavlinkSensorImpl<BatteryState>
   private final int battery;
   private final SensorAttributes sensor =
       new SensorAttributes("BatteryState", List.of("continuous"), 1.0 / 60, 20, null, List.of());
-  private volatile boolean hasBatteryStatus; // whether BATTERY_STATUS has come
+  private volatile boolean hasBatteryStatus; // whether BATTERY_STATUS has been received
 
   /**
    * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
@@ -44,7 +46,7 @@ public final class MavlinkBatteryImpl extends MavlinkSensorImpl<BatteryState>
     this(context, Ticker.of(context.clock()), null);
   }
 
-  /** For tests: by another time, and over links made in another way. */
+  /** For tests: uses the given clock and source of links. */
   MavlinkBatteryImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
     super(
         context,
@@ -97,8 +99,8 @@ public final class MavlinkBatteryImpl extends MavlinkSensorImpl<BatteryState>
   /**
    * {@inheritDoc}
    *
-   * @throws org.dfra.module.NotReadyException if it was not told yet, or not for so long that the
-   *     last reading does not count any more
+   * @throws org.dfra.module.NotReadyException if no reading has been received yet, or the last one
+   *     has expired
    */
   @Override
   public BatteryState battery() {

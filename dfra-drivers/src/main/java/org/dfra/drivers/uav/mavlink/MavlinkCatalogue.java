@@ -6,24 +6,24 @@ import io.dronefleet.mavlink.ardupilotmega.ArdupilotmegaDialect;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The messages that are known: those of the common dialect and of ArduPilot's. Safe for use by
+ * The known messages: those of the common dialect and of ArduPilot's dialect. Safe for use by
  * several threads.
  */
 final class MavlinkCatalogue {
 
-  /** Answer of {@link #crcExtra} for a message that is not known. */
+  /** Result of {@link #crcExtra} for an unknown message. */
   static final int UNKNOWN = -1;
 
   private static final MavlinkDialect DIALECT = new ArdupilotmegaDialect();
 
-  /** The answers given so far, plus 2; 0 is not asked yet. Every thread would find the same. */
+  /** Cached results plus 2; 0 is not cached. Every thread computes the same values. */
   private static final short[] EXTRAS = new short[1 << 16];
 
   private MavlinkCatalogue() {}
 
   /**
-   * The byte that stands for the message's definition in its checksum, 0 to 255; {@link #UNKNOWN}
-   * where the message is not known, so that no frame of it can be told from noise.
+   * The byte that represents the message's definition in its checksum, 0 to 255; {@link #UNKNOWN}
+   * for an unknown message, whose frames cannot be distinguished from noise.
    */
   static int crcExtra(int message) {
     if (message < 0 || message >= EXTRAS.length) {

@@ -6,23 +6,23 @@ import org.dfra.drivers.device.SharedLinkClient;
 /** A module that shares a {@link MavlinkConnection}. */
 interface MavlinkClient extends SharedLinkClient {
 
-  /** Whether it commands the vehicle, so that the vehicle must hear that it is there. */
+  /** Whether it commands the vehicle, which then requires heartbeats. */
   default boolean commands() {
     return false;
   }
 
   /**
-   * The messages it wants, with their rates in hertz; asked again and again, so that a rate can
+   * The required messages, with their rates in hertz; queried repeatedly, so that a rate can
    * change.
    */
   Map<Integer, Double> messageRates();
 
-  /** The link is open, and this vehicle is on it; from now on it is heard. */
+  /** The link is open, and this vehicle is on it; from now on its messages are received. */
   void vehicleFound(Vehicle vehicle);
 
-  /** The vehicle's autopilot said this. */
+  /** The vehicle's autopilot has sent this message. */
   void messageReceived(MavlinkMessage message);
 
-  /** Time has passed, some tenths of a second at the most. */
+  /** Called periodically, at intervals of at most some tenths of a second. */
   void periodic();
 }

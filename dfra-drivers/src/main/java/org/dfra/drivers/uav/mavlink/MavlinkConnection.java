@@ -21,17 +21,18 @@ import org.jspecify.annotations.Nullable;
  * A link to a vehicle, shared by the modules of a virtual machine that name the same one, as a
  * {@link SharedDeviceLink}.
  *
- * <p>The vehicle is the first autopilot heard, or the one of the parameter {@code vehicle}; all
- * others on the link, its cameras and its gimbals are passed over. It is lost when its {@code
- * HEARTBEAT} has not come for 3 s; then the link is opened anew. Ours is sent once a second while
- * one of the modules commands the vehicle: an autopilot acts when it misses the ground station that
- * commands it, and none that only listens must keep it from that.
+ * <p>The vehicle is the first autopilot received, or the one of the parameter {@code vehicle};
+ * other vehicles on the link, cameras and gimbals are ignored. The vehicle is lost when no {@code
+ * HEARTBEAT} has been received for 3 s; then the link is reopened. The driver sends its own
+ * heartbeat once a second while one of the modules commands the vehicle: an autopilot's failsafe
+ * acts when heartbeats of its ground station are missing, and modules that only receive must not
+ * prevent that.
  *
  * <p>Threads: one reader ({@code mavlink reader}), owned from the first module to the last.
  */
 final class MavlinkConnection extends SharedDeviceLink<MavlinkClient> {
 
-  /** After so long without a heartbeat a vehicle is lost. */
+  /** Time without a heartbeat after which a vehicle counts as lost. */
   static final Duration LOST_AFTER = Duration.ofSeconds(3);
 
   private static final Duration HEARTBEAT_EVERY = Duration.ofSeconds(1);
@@ -70,8 +71,8 @@ final class MavlinkConnection extends SharedDeviceLink<MavlinkClient> {
   /**
    * Joins the modules of a link; opens it for the first.
    *
-   * @param source opens the link; null to go by the parameter {@code link}
-   * @throws IllegalStateException if the others have other settings
+   * @param source opens the link; null to use the parameter {@code link}
+   * @throws IllegalStateException if the other modules have other settings
    */
   static MavlinkConnection join(
       MavlinkClient client,
@@ -106,7 +107,7 @@ final class MavlinkConnection extends SharedDeviceLink<MavlinkClient> {
     return deviceLink;
   }
 
-  /** Where commands are sent. */
+  /** The command protocol of the vehicle. */
   CommandProtocol commands() {
     return commands;
   }
@@ -116,12 +117,12 @@ final class MavlinkConnection extends SharedDeviceLink<MavlinkClient> {
     return vehicle;
   }
 
-  /** The version of its software; null while it has not told. */
+  /** The version of its software; null until reported. */
   @Nullable String software() {
     return software;
   }
 
-  /** Frames of the vehicle that did not arrive, or were not known, by their numbers. */
+  /** Number of the vehicle's frames that were lost or unknown, from the sequence numbers. */
   long lostFrames() {
     return lostFrames;
   }
@@ -131,7 +132,7 @@ final class MavlinkConnection extends SharedDeviceLink<MavlinkClient> {
     return parser.checksumErrors();
   }
 
-  /** Has the autopilot tell what it is. */
+  /** Requests the autopilot's version. */
   void askForVersion() {
     CommandProtocol.@Nullable Exchange unused =
         commands.submit(
@@ -140,7 +141,10 @@ final class MavlinkConnection extends SharedDeviceLink<MavlinkClient> {
             result -> {});
   }
 
-  /** Sends a command once, past whatever is under way, and awaits no answer; from any thread. */
+  /**
+   * Sends a command once, bypassing pending commands, without waiting for an answer; from any
+   * thread.
+   */
   void sendNow(MavlinkCommand command) {
     send(command, 0);
   }
@@ -149,7 +153,7 @@ final class MavlinkConnection extends SharedDeviceLink<MavlinkClient> {
     @Nullable Vehicle to = vehicle;
     if (to != null) {
       boolean unused =
-          deviceLink.sendNow(encoder.command(to, command, times)); // sent again if it is lost
+          deviceLink.sendNow(encoder.command(to, command, times)); // resent if it is lost
     }
   }
 
@@ -205,7 +209,7 @@ final class MavlinkConnection extends SharedDeviceLink<MavlinkClient> {
     deviceLink.eventCounter().increment(message.name());
   }
 
-  /** Tells those who have joined since that there is a vehicle. */
+  /** Notifies the clients that have joined since that there is a vehicle. */
   private void notifyConnected(Vehicle found) {
     clients().notifyConnected(client -> client.vehicleFound(found));
   }
@@ -215,7 +219,7 @@ final class MavlinkConnection extends SharedDeviceLink<MavlinkClient> {
     return clients().query(all -> all.stream().anyMatch(MavlinkClient::commands));
   }
 
-  /** The messages that any of them wants, as often as the one that wants them most often. */
+  /** All messages required by clients, each at the highest required rate. */
   private Map<Integer, Double> requestedRates() {
     Map<Integer, Double> wanted = new HashMap<>();
     clients()
@@ -224,7 +228,7 @@ final class MavlinkConnection extends SharedDeviceLink<MavlinkClient> {
     return wanted;
   }
 
-  /** What happens on the link; on the reader thread. */
+  /** Handles the link; on the reader thread. */
   private final class Protocol implements DeviceProtocol {
 
     @Override

@@ -22,15 +22,15 @@ import org.dfra.drivers.uav.mavlink.MavlinkMessage.Malformed;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Decodes intact frames, one at a time: the library takes the fields out of the payload, which may
- * be shorter or longer than it knows them; here they get their units, and what cannot be makes a
- * {@link Malformed}. Pure; never throws on what a frame says.
+ * Decodes intact frames, one at a time: the library extracts the fields from the payload, which may
+ * be shorter or longer than its definition; this class converts their units, and an invalid value
+ * makes a {@link Malformed}. Pure; never throws, whatever the content of a frame.
  */
 public final class MavlinkDecoder {
 
   private static final MavlinkPayloadDeserializer FIELDS = new ReflectionPayloadDeserializer();
 
-  /** What a field of 16 bits is when its value is not known. */
+  /** Value of a 16-bit field that is unknown. */
   private static final int UNKNOWN_16 = 65_535;
 
   private static final int UNKNOWN_8 = 255;
@@ -125,7 +125,7 @@ public final class MavlinkDecoder {
         reported.lat() / 1e7,
         reported.lon() / 1e7,
         reported.alt() / 1e3,
-        height == 0 ? null : height / 1e3, // left out at the payload's end
+        height == 0 ? null : height / 1e3, // omitted at the payload's end
         known(reported.eph(), UNKNOWN_16, 1e-2),
         known(reported.epv(), UNKNOWN_16, 1e-2),
         known(reported.vel(), UNKNOWN_16, 1e-2),
@@ -203,7 +203,7 @@ public final class MavlinkDecoder {
         known(remaining, -1, 1e-2));
   }
 
-  /** The version stands in the upper three bytes, the sort of release in the lowest. */
+  /** The upper three bytes are the version, the lowest is the release type. */
   private static MavlinkMessage of(AutopilotVersion reported) {
     long version = reported.flightSwVersion();
     return new MavlinkMessage.Version(
@@ -223,7 +223,7 @@ public final class MavlinkDecoder {
         : null;
   }
 
-  /** Boot times are shorter than this by decades. */
+  /** Whether a time counts from 1970; times since boot are shorter by decades. */
   static boolean isSince1970(Duration time) {
     return time.toDays() > 10_000;
   }

@@ -17,12 +17,12 @@ import java.nio.ByteOrder;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
- * Makes the frames of one sender, in MAVLink 2, unsigned; it counts them. Safe for use by several
- * threads.
+ * Encodes the frames of one sender, in MAVLink 2, unsigned, with sequence numbers. Safe for use by
+ * several threads.
  */
 final class MavlinkEncoder {
 
-  /** The part of a ground station that is a mission planner. */
+  /** Component ID of a mission planner in a ground station. */
   static final int COMPONENT = 190;
 
   private static final MavlinkPayloadSerializer FIELDS = new ReflectionPayloadSerializer();
@@ -32,7 +32,7 @@ final class MavlinkEncoder {
   private final AtomicInteger sent = new AtomicInteger();
 
   /**
-   * @param system who sends: the ground station, 1 to 255
+   * @param system ID of the sender, the ground station, 1 to 255
    */
   MavlinkEncoder(int system) {
     this.system = system;
@@ -52,9 +52,10 @@ final class MavlinkEncoder {
   }
 
   /**
-   * A command.
+   * Encodes a command.
    *
-   * @param times it was sent before, 0 to 255; only {@code COMMAND_LONG} has room for it
+   * @param times how many times it was sent before, 0 to 255; only {@code COMMAND_LONG} has a field
+   *     for it
    */
   byte[] command(Vehicle to, MavlinkCommand command, int times) {
     if (command instanceof MavlinkCommand.CommandInt placed) {
@@ -99,7 +100,7 @@ final class MavlinkEncoder {
     MavlinkMessageInfo info = message.getClass().getAnnotation(MavlinkMessageInfo.class);
     byte[] payload = FIELDS.serialize(message);
     int length = payload.length;
-    while (length > 1 && payload[length - 1] == 0) { // as the protocol has it
+    while (length > 1 && payload[length - 1] == 0) { // as the protocol defines
       length--;
     }
     ByteBuffer out =

@@ -24,56 +24,57 @@ import org.dfra.persona.FlightAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The flight controller of a multicopter, by MAVLink 2: PX4 or ArduPilot.
+ * The flight controller of a multicopter, over MAVLink 2: PX4 or ArduPilot.
  *
- * <p><b>What a caller must know.</b> {@link #execute} returns when the command has been handed to
- * the link. The vehicle answers later, and may refuse:
+ * <p><b>What a caller must know.</b> {@link #execute} returns when the command has been written to
+ * the link. The vehicle answers later, and may reject it:
  *
  * <ul>
- *   <li>a command is done when {@link #flightState} shows it; wait for that, with a time-out
- *   <li>one that is refused, or not answered within 2.8 s, is told to listeners as an incident of
- *       the history, logged, and stands in the parameter {@code last_refusal}, with what the
- *       autopilot said of it where it said something; {@code last_order} shows what became of the
- *       last command either way. Only what was not answered is sent again; what was refused for now
- *       is not, since a command that comes late is worse than one that does not come
- *   <li>one that cannot be done at all is refused at once, as an {@link IllegalArgumentException}:
- *       to rise above {@code max_height}, to disarm in the air, to go somewhere from the ground
- *   <li>a new command takes the place of the last one, answered or not
+ *   <li>a command is complete when {@link #flightState} shows it; wait for that, with a timeout
+ *   <li>a command that is rejected, or not acknowledged within 2.8 s, is reported to listeners as
+ *       an incident of the history, logged, and shown in the parameter {@code last_refusal}, with
+ *       the autopilot's status text if there is one; {@code last_order} shows the result of the
+ *       last command in any case. Only commands without an acknowledgement are resent; temporarily
+ *       rejected ones are not, because a late command is worse than a missing one
+ *   <li>an impossible command is rejected immediately, with an {@link IllegalArgumentException}:
+ *       climbing above {@code max_height}, disarming in the air, a GoTo from the ground
+ *   <li>a new command replaces the last one, acknowledged or not
  * </ul>
  *
  * <p><b>Heights.</b> A {@link FlightCommand.GoTo} has its height above the ellipsoid, and so has
- * {@link FlightState#position}. MAVLink flies by heights above mean sea level; the difference is
- * taken from {@code GPS_RAW_INT}, or from the parameter {@code geoid_separation} where the
- * autopilot does not tell it. Where neither is known there is no position, and a GoTo is refused.
- * {@link FlightState#height} and {@code max_height} are above the place where it took off.
+ * {@link FlightState#position}. MAVLink uses heights above mean sea level; the difference is taken
+ * from {@code GPS_RAW_INT}, or from the parameter {@code geoid_separation} where the autopilot does
+ * not report it. If neither is known there is no position, and a GoTo is rejected. {@link
+ * FlightState#height} and {@code max_height} are above the take-off position.
  *
- * <p><b>Without a commander</b> it comes to rest as {@link LossOfCommandFailsafe} has it: it holds
- * its place in the air. While this module runs the vehicle hears our heartbeat; when that ends, by
- * a crash or a lost link, the vehicle's own failsafe acts, which must be set up (PX4: {@code
- * NAV_DLL_ACT}, ArduPilot: {@code FS_GCS_ENABLE}).
+ * <p><b>Without a commander</b> the vehicle is stopped by {@link LossOfCommandFailsafe}: in the air
+ * it holds its position. While this module runs it sends heartbeats to the vehicle; when these end,
+ * after a crash or a lost link, the vehicle's own failsafe acts, which must be configured (PX4:
+ * {@code NAV_DLL_ACT}, ArduPilot: {@code FS_GCS_ENABLE}).
  *
  * <p>Parameters, besides those of {@link MavlinkLinkHandle}:
  *
  * <ul>
- *   <li>{@code max_speed}: metres per second over ground, a faster GoTo is flown at this; 0.1 to
- *       100, default 10; can be set while it runs
- *   <li>{@code max_height}: metres above the place of take-off; 1 to 10 000, default 120; can be
+ *   <li>{@code max_speed}: metres per second over ground, the speed of a GoTo is limited to this;
+ *       0.1 to 100, default 10; can be set while it runs
+ *   <li>{@code max_height}: metres above the take-off position; 1 to 10 000, default 120; can be
  *       set while it runs
- *   <li>{@code rate}: states in a second, 0.2 to 50, default 5; can be set while it runs
- *   <li>{@code geoid_separation}: height of the geoid above the ellipsoid here, metres, −120 to
- *       100; {@code told}, the default, is what the autopilot tells; can be set while it runs
- *   <li>to be read only: {@code separation}, {@code last_order}, {@code last_refusal}, {@code
- *       last_text}
+ *   <li>{@code rate}: states per second, 0.2 to 50, default 5; can be set while it runs
+ *   <li>{@code geoid_separation}: local height of the geoid above the ellipsoid, metres, −120 to
+ *       100; {@code told}, the default, uses the autopilot's reported value; can be set while it
+ *       runs
+ *   <li>read-only: {@code separation}, {@code last_order}, {@code last_refusal}, {@code last_text}
  * </ul>
  *
- * <p>INITIALIZING until the vehicle's heartbeat and position have come, and again when it was not
- * heard for 3 s. A vehicle that has lost its position still obeys: it can be landed.
+ * <p>The module is INITIALIZING until the vehicle's heartbeat and position have been received, and
+ * again when no heartbeat has been received for 3 s. A vehicle that has lost its position still
+ * executes commands: it can be landed.
  *
- * <p>Tests: {@code link}, {@code identification}, {@code readings} (its position comes), {@code
- * position} (it knows where it is, and how high above the ellipsoid). Recovery: {@code
+ * <p>Tests: {@code link}, {@code identification}, {@code readings} (its position arrives), {@code
+ * position} (its position and its height above the ellipsoid are known). Recovery: {@code
  * reopen_link}.
  *
- * <p>Preconditions: the limits of usual small multicopters; the makers' manuals tell more.
+ * <p>Preconditions: the limits of typical small multicopters; see also the manufacturers' manuals.
  */
 public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> implements FlightEffector {
 
@@ -105,7 +106,7 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
     this(context, Ticker.of(context.clock()), null);
   }
 
-  /** For tests: by another time, and over links made in another way. */
+  /** For tests: uses the given clock and source of links. */
   MavlinkFlightImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
     super(
         context,
@@ -161,7 +162,7 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
         FlightProcedures.steps(
             command, vehicle, here, vehicleState.separation(), limits.maxSpeed());
     if (command instanceof Arm || command instanceof TakeOff || command instanceof GoTo) {
-      haltExecutor().prepare(); // what could not be held later is not begun
+      haltExecutor().prepare(); // a motion that could not be stopped later is not started
     }
     if (!failsafe.sendCommand(command, steps, connection)) {
       throw new NotReadyException(path(), readiness(), "its vehicle was lost just now");
@@ -174,7 +175,7 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
   }
 
   /**
-   * {@inheritDoc} It is held in the air, or disarmed on the ground, as by {@link
+   * {@inheritDoc} In the air it holds its position, on the ground it is disarmed, as by {@link
    * LossOfCommandFailsafe}.
    */
   @Override
@@ -182,12 +183,12 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
     failsafe.triggerWithoutLocks(port.sharedLink(), this::isStopDue);
   }
 
-  /** An order has ended; on the reader thread. */
+  /** A command has ended; on the reader thread. */
   private void ended(String commandName, MavlinkCommand step, CommandResult result) {
     log.info("{}: {}: {} {}", path(), commandName, step.name(), result);
     failsafe.ended(commandName, result, commander() == null);
     if (readiness() == Readiness.STOPPED) {
-      return; // the last order was to come to rest, and the link outlives this module
+      return; // the last command was the stop, and the link outlives this module
     }
     if (!result.isAccepted()) {
       CommandFailedException refusal = refusals.add(commandName, step, result);
@@ -197,7 +198,7 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
     publishState(true);
   }
 
-  /** Tells how it flies, where that is known; on the reader thread. */
+  /** Publishes the flight state, if it is known; on the reader thread. */
   private void publishState(boolean always) {
     FlightState now = readiness().serves() ? vehicleState.state(ticker.nanos()) : null;
     FlightState last = publishedState;
@@ -225,7 +226,7 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
         : new DiagnosticFinding(true, "it is at " + now.position());
   }
 
-  /** {@inheritDoc} Its time is when something of it was last heard. */
+  /** {@inheritDoc} Its time is that of the last message that updated it. */
   @Override
   public FlightState flightState() {
     Readiness readiness = readiness();
@@ -253,7 +254,7 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
             limits.maxHeight()));
   }
 
-  /** What the shared link tells; on its reader thread. */
+  /** Receives the shared link's notifications; on its reader thread. */
   private final class Member implements MavlinkClient {
 
     @Override

@@ -4,12 +4,12 @@ import org.dfra.drivers.frame.FrameScanner;
 
 /**
  * Finds the frames of MAVLink 2, and those of MAVLink 1, which some autopilots send until they have
- * heard a frame of MAVLink 2.
+ * received a frame of MAVLink 2.
  *
- * <p>Three sorts of frames are refused, and their bytes counted as dropped: those of messages that
- * are in no known dialect, since their checksum cannot be checked; those with an incompatible flag
- * other than "signed", as the protocol has it; and those with a wrong checksum, which are counted
- * by themselves as well. A signed frame is taken, and its signature not looked at: there is no key.
+ * <p>Three kinds of frames are rejected, and their bytes counted as dropped: messages of unknown
+ * dialects, because their checksum cannot be checked; frames with an incompatible flag other than
+ * "signed", as the protocol defines; and frames with a wrong checksum, which are also counted
+ * separately. A signed frame is accepted without checking its signature: there is no key.
  */
 public final class MavlinkFramer extends FrameScanner {
 
@@ -35,7 +35,7 @@ public final class MavlinkFramer extends FrameScanner {
     super(LONGEST);
   }
 
-  /** What looked like a frame of a known message, but for its checksum. */
+  /** Number of frames of known messages with a wrong checksum. */
   public long checksumErrors() {
     return checksumErrors;
   }
@@ -82,7 +82,7 @@ public final class MavlinkFramer extends FrameScanner {
     return NONE;
   }
 
-  /** CRC-16/MCRF4XX: polynomial 0x1021 reflected, begun with 0xFFFF, ended with {@code extra}. */
+  /** CRC-16/MCRF4XX: polynomial 0x1021 reflected, initial value 0xFFFF, {@code extra} appended. */
   static int checksum(byte[] bytes, int from, int to, int extra) {
     int sum = 0xFFFF;
     for (int i = from; i < to; i++) {
@@ -91,7 +91,7 @@ public final class MavlinkFramer extends FrameScanner {
     return with(sum, extra);
   }
 
-  /** The sum with one byte more, four bits at a time. */
+  /** The checksum with one more byte, four bits at a time. */
   private static int with(int sum, int value) {
     int low = (sum ^ value) & 0xFF;
     int mixed = (low ^ low << 4) & 0xFF;

@@ -29,25 +29,25 @@ import org.dfra.persona.SensorAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The satellite receiver of an unmanned aerial vehicle, as its autopilot passes it on: {@code
+ * The satellite receiver of an unmanned aerial vehicle, as forwarded by its autopilot: {@code
  * GPS_RAW_INT}, with {@code SYSTEM_TIME} for the date. It is the receiver's own solution and not
- * the autopilot's estimate, so that it means what a {@link GPSSensor} on the ground means; the
- * estimate is in {@link MavlinkFlightImpl#flightState}.
+ * the autopilot's estimate, so that it has the same meaning as a {@link GPSSensor} on the ground;
+ * the estimate is in {@link MavlinkFlightImpl#flightState}.
  *
- * <p>Parameters, besides those of {@link MavlinkSensorImpl}; to be read only: {@code satellites},
- * {@code accuracy}.
+ * <p>Parameters, besides those of {@link MavlinkSensorImpl}; read-only: {@code satellites}, {@code
+ * accuracy}.
  *
- * <p>The height is that above the ellipsoid. MAVLink 1 and old autopilots tell the height above
- * mean sea level only: then the fix is 2-D and its height 0. The dilution of a 3-D fix is worked
- * out from HDOP and VDOP. MAVLink tells one number of satellites, which counts as visible and as
+ * <p>The height is that above the ellipsoid. MAVLink 1 and old autopilots report only the height
+ * above mean sea level: then the fix is 2-D and its height 0. The dilution of a 3-D fix is computed
+ * from HDOP and VDOP. MAVLink has one number of satellites, which is used for both visible and
  * tracked.
  *
  * <p>The time of a fix is the autopilot's: since 1970 or, by way of {@code SYSTEM_TIME}, since it
- * was switched on. While it knows no date, {@link #time} is refused, and a fix bears the time of
- * its arrival. MAVLink does not tell whether leap seconds are known; autopilots wait for them.
+ * was switched on. While the date is unknown, {@link #time} throws, and a fix has the time of its
+ * arrival. MAVLink does not report whether leap seconds are known; autopilots wait for them.
  *
- * <p>Test, besides: {@code satellites}, at least four are used. Preconditions: those that hold for
- * every receiver of satellites.
+ * <p>Test, besides: {@code satellites}, at least four are used. Preconditions: those of every
+ * satellite receiver.
  */
 public final class MavlinkGpsImpl extends MavlinkSensorImpl<MavlinkGpsImpl.Snapshot>
     implements GPSSensor {
@@ -67,15 +67,15 @@ public final class MavlinkGpsImpl extends MavlinkSensorImpl<MavlinkGpsImpl.Snaps
       new GpsReceiverAttributes(null, null, null, null, null, List.of("2D", "3D"));
 
   /**
-   * What the receiver last told; immutable.
+   * The receiver's last reports; immutable.
    *
-   * @param time null while the date is not known
+   * @param time null while the date is unknown
    */
   record Snapshot(GpsFix fix, LocationReading location, @Nullable TimeReading time, GpsRaw raw) {}
 
   private final GpsReceiverPersona attributes = new GpsReceiverPersona(SENSOR);
   private final WeekRollover rollover = WeekRollover.of(clock(), LinkSettings.address(settings()));
-  private @Nullable Instant switchedOn; // confined to the reader; by SYSTEM_TIME
+  private @Nullable Instant switchedOn; // confined to the reader; from SYSTEM_TIME
 
   /**
    * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
@@ -84,7 +84,7 @@ public final class MavlinkGpsImpl extends MavlinkSensorImpl<MavlinkGpsImpl.Snaps
     this(context, Ticker.of(context.clock()), null);
   }
 
-  /** For tests: by another time, and over links made in another way. */
+  /** For tests: uses the given clock and source of links. */
   MavlinkGpsImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
     super(
         context,
@@ -198,8 +198,7 @@ public final class MavlinkGpsImpl extends MavlinkSensorImpl<MavlinkGpsImpl.Snaps
   /**
    * {@inheritDoc} It may have the mode NONE while the receiver has just lost its satellites.
    *
-   * @throws NotReadyException if there has been none yet, or none for so long that the last one
-   *     does not count any more
+   * @throws NotReadyException if none has been received yet, or the last one has expired
    */
   @Override
   public GpsFix fix() {
@@ -219,7 +218,7 @@ public final class MavlinkGpsImpl extends MavlinkSensorImpl<MavlinkGpsImpl.Snaps
   /**
    * {@inheritDoc}
    *
-   * @throws NotReadyException as {@link #fix}, and while the autopilot does not know the date
+   * @throws NotReadyException as {@link #fix}, and while the date is unknown
    */
   @Override
   public TimeReading time() {

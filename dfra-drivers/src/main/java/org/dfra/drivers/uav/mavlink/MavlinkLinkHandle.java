@@ -14,17 +14,17 @@ import org.dfra.drivers.link.Ticker;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A module's end of the {@link MavlinkConnection} that it shares with others.
+ * A module's handle on the {@link MavlinkConnection} that it shares with others.
  *
  * <p>Parameters that it reads: {@code link}, {@code vehicle}, {@code ground_station}, {@code
- * reopen_first}, {@code reopen_longest}. Parameters that it shows, besides those of {@link
- * SharedLinkHandle}, of all that shares the link: {@code autopilot}, {@code checksum_errors},
- * {@code lost_frames}. Tests: {@code link}, {@code identification}; recovery: {@code reopen_link}.
+ * reopen_first}, {@code reopen_longest}. Parameters that it publishes, besides those of {@link
+ * SharedLinkHandle}, for the whole link: {@code autopilot}, {@code checksum_errors}, {@code
+ * lost_frames}. Tests: {@code link}, {@code identification}; recovery: {@code reopen_link}.
  */
 final class MavlinkLinkHandle extends SharedLinkHandle<MavlinkClient, MavlinkConnection> {
 
   /**
-   * @param source opens the link; null to go by the parameter {@code link}
+   * @param source opens the link; null to use the parameter {@code link}
    * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
    */
   MavlinkLinkHandle(
@@ -61,7 +61,7 @@ final class MavlinkLinkHandle extends SharedLinkHandle<MavlinkClient, MavlinkCon
         MavlinkConnection::lostFrames);
   }
 
-  /** What flies, in words. */
+  /** Human-readable description of the autopilot. */
   private String autopilot() {
     @Nullable MavlinkConnection now = sharedLink();
     @Nullable Vehicle vehicle = now == null ? null : now.vehicle();
@@ -72,7 +72,7 @@ final class MavlinkLinkHandle extends SharedLinkHandle<MavlinkClient, MavlinkCon
     return version == null ? vehicle.toString() : vehicle + ", software " + version;
   }
 
-  /** One more has come, for {@link #arrivalCheck}. */
+  /** Counts an event, for {@link #arrivalCheck}. */
   void count(String event) {
     @Nullable MavlinkConnection now = sharedLink();
     if (now != null) {
@@ -81,10 +81,10 @@ final class MavlinkLinkHandle extends SharedLinkHandle<MavlinkClient, MavlinkCon
   }
 
   /**
-   * The check whether another one comes.
+   * A test that passes when the next event arrives.
    *
-   * @param event is counted: a message's name, or by {@link #count}
-   * @param name what it is, for people
+   * @param event a message's name, or an event of {@link #count}
+   * @param name human-readable name of the event
    */
   DiagnosticProcedure arrivalCheck(String event, String name, Supplier<Duration> timeout) {
     return arrivalCheck(

@@ -5,7 +5,7 @@ import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a vehicle said, in SI units. Null is what it does not know, or did not tell. Source:
+ * A message from a vehicle, in SI units. Unknown and unreported values are null. Source:
  * mavlink.io, message definitions of the common dialect.
  */
 public sealed interface MavlinkMessage {
@@ -14,13 +14,13 @@ public sealed interface MavlinkMessage {
   String name();
 
   /**
-   * {@code HEARTBEAT}: it lives.
+   * {@code HEARTBEAT}: it is alive.
    *
-   * @param type sort of craft, {@code MAV_TYPE}
-   * @param autopilot sort of autopilot, {@code MAV_AUTOPILOT}; 8 is none, but a camera or so
+   * @param type type of craft, {@code MAV_TYPE}
+   * @param autopilot type of autopilot, {@code MAV_AUTOPILOT}; 8 is none, for example a camera
    * @param isArmed whether the motors may turn
-   * @param mode what it does, in the autopilot's own numbers
-   * @param status {@code MAV_STATE}: 3 stands by, 4 flies, 5 and 6 are in trouble
+   * @param mode its flight mode, in the autopilot's own numbers
+   * @param status {@code MAV_STATE}: 3 standby, 4 active, 5 critical, 6 emergency
    */
   record Heartbeat(int type, int autopilot, boolean isArmed, long mode, int status)
       implements MavlinkMessage {
@@ -32,7 +32,7 @@ public sealed interface MavlinkMessage {
   }
 
   /**
-   * {@code SYS_STATUS}: what feeds it.
+   * {@code SYS_STATUS}: its power supply.
    *
    * @param voltage volts
    * @param current drawn, amperes
@@ -52,7 +52,7 @@ public sealed interface MavlinkMessage {
    * {@code SYSTEM_TIME}: its clock.
    *
    * @param utc the time, UTC
-   * @param boot since it was switched on
+   * @param boot time since it was switched on
    */
   record SystemTime(@Nullable Instant utc, Duration boot) implements MavlinkMessage {
 
@@ -63,20 +63,20 @@ public sealed interface MavlinkMessage {
   }
 
   /**
-   * {@code GPS_RAW_INT}: what its satellite receiver says.
+   * {@code GPS_RAW_INT}: the data of its satellite receiver.
    *
    * @param time since the autopilot was switched on, or since 1970: autopilots differ
-   * @param fixType {@code GPS_FIX_TYPE}: 0 none there, 1 no fix, 2 2-D, 3 3-D, 4 differential, 5
+   * @param fixType {@code GPS_FIX_TYPE}: 0 no receiver, 1 no fix, 2 2-D, 3 3-D, 4 differential, 5
    *     and 6 real time kinematic, 7 static, 8 precise point positioning
    * @param latitude degrees, north is +
    * @param longitude degrees, east is +
    * @param heightMsl above mean sea level, metres
-   * @param height above the WGS84 ellipsoid, metres; MAVLink 1 and old autopilots do not tell it
+   * @param height above the WGS84 ellipsoid, metres; MAVLink 1 and old autopilots do not report it
    * @param horizontalDilution HDOP
    * @param verticalDilution VDOP
    * @param speed over ground, metres per second
    * @param course direction of travel, degrees, 0 to less than 360, 0 is true north, clockwise is +
-   * @param satellites that it works with
+   * @param satellites number of satellites used
    * @param horizontalAccuracy estimate, metres, one sigma
    * @param verticalAccuracy estimate, metres, one sigma
    */
@@ -103,13 +103,13 @@ public sealed interface MavlinkMessage {
   }
 
   /**
-   * {@code GLOBAL_POSITION_INT}: where the autopilot takes itself to be, by all its sensors.
+   * {@code GLOBAL_POSITION_INT}: the autopilot's position estimate from all its sensors.
    *
-   * @param boot since it was switched on
+   * @param boot time since it was switched on
    * @param latitude degrees, north is +
    * @param longitude degrees, east is +
    * @param heightMsl above mean sea level, metres
-   * @param heightAboveHome above where it took off, metres
+   * @param heightAboveHome above the take-off position, metres
    * @param north velocity, metres per second
    * @param east velocity, metres per second
    * @param down velocity, metres per second, down is +
@@ -134,7 +134,7 @@ public sealed interface MavlinkMessage {
   }
 
   /**
-   * {@code VFR_HUD}: how it moves.
+   * {@code VFR_HUD}: its motion.
    *
    * @param speed over ground, metres per second, not negative
    * @param heading of its nose, degrees, 0 to less than 360, 0 is true north, clockwise is +
@@ -151,7 +151,7 @@ public sealed interface MavlinkMessage {
   }
 
   /**
-   * {@code EXTENDED_SYS_STATE}: whether it flies.
+   * {@code EXTENDED_SYS_STATE}: whether it is flying.
    *
    * @param landed {@code MAV_LANDED_STATE}: 0 not known, 1 on the ground, 2 in the air, 3 taking
    *     off, 4 landing
@@ -165,12 +165,12 @@ public sealed interface MavlinkMessage {
   }
 
   /**
-   * {@code COMMAND_ACK}: what became of a command.
+   * {@code COMMAND_ACK}: the result of a command.
    *
    * @param command {@code MAV_CMD}
    * @param result {@code MAV_RESULT}
-   * @param targetSystem whose command it was; 0 where it does not tell
-   * @param targetComponent which part of it; 0 where it does not tell
+   * @param targetSystem system that sent the command; 0 if not reported
+   * @param targetComponent component that sent it; 0 if not reported
    */
   record CommandAck(int command, int result, int targetSystem, int targetComponent)
       implements MavlinkMessage {
@@ -182,9 +182,9 @@ public sealed interface MavlinkMessage {
   }
 
   /**
-   * {@code BATTERY_STATUS}: one of its batteries.
+   * {@code BATTERY_STATUS}: the state of a battery.
    *
-   * @param id which one, 0 is the first
+   * @param id its number, 0 is the first
    * @param voltage volts
    * @param current drawn, amperes; negative while it is charged
    * @param remaining charge left, 0 to 1
@@ -200,7 +200,7 @@ public sealed interface MavlinkMessage {
   }
 
   /**
-   * {@code AUTOPILOT_VERSION}: what it is.
+   * {@code AUTOPILOT_VERSION}: its version.
    *
    * @param software version of its software: {@code 1.14.3}
    */
@@ -213,10 +213,10 @@ public sealed interface MavlinkMessage {
   }
 
   /**
-   * {@code STATUSTEXT}: something for people.
+   * {@code STATUSTEXT}: a text for the operator.
    *
    * @param severity 0 emergency to 7 debugging; 4 is a warning
-   * @param text what it says
+   * @param text the text
    */
   record Text(int severity, String text) implements MavlinkMessage {
 
@@ -229,15 +229,15 @@ public sealed interface MavlinkMessage {
   /**
    * An intact message of another kind.
    *
-   * @param name of its class
+   * @param name name of its class
    */
   record Other(String name) implements MavlinkMessage {}
 
   /**
-   * An intact message whose content cannot be.
+   * An intact message with invalid content.
    *
    * @param name the message's name
-   * @param reason which value, what it is and what it may be
+   * @param reason which value, what it is, and which values are valid
    */
   record Malformed(String name, String reason) implements MavlinkMessage {}
 }

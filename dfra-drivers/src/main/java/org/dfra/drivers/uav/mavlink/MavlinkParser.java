@@ -4,13 +4,13 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.dfra.drivers.frame.FrameParser;
 
-/** Bytes of MAVLink in, frames out. */
+/** Parses the bytes of MAVLink into frames. */
 public final class MavlinkParser extends FrameParser<MavlinkFrame> {
 
   private final MavlinkFramer framer;
 
   /**
-   * @param frames is given every frame, in order, during {@link #feed} and {@link #finish}
+   * @param frames receives every frame, in order, during {@link #feed} and {@link #finish}
    */
   public MavlinkParser(Consumer<? super MavlinkFrame> frames) {
     this(new MavlinkFramer(), frames);
@@ -30,7 +30,7 @@ public final class MavlinkParser extends FrameParser<MavlinkFrame> {
     return parse(bytes, MavlinkParser::new);
   }
 
-  /** See {@link MavlinkFramer#checksumErrors}; any thread may ask. */
+  /** See {@link MavlinkFramer#checksumErrors}; from any thread. */
   public long checksumErrors() {
     return framer.checksumErrors();
   }

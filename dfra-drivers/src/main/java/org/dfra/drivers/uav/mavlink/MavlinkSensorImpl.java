@@ -13,19 +13,20 @@ import org.dfra.module.Precondition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A sensor behind an autopilot: what the drivers of all of them have in common.
+ * Common base of the drivers of sensors behind an autopilot.
  *
  * <p>Parameters, besides those of {@link MavlinkLinkHandle}: {@code period}, seconds from one
  * reading to the next, 0.05 to 60; default 1; can be set while it runs.
  *
- * <p>INITIALIZING until the first reading, and again when the link or the vehicle is lost or when
- * no reading came for three periods and 2 s. A reading is served no longer than that either.
+ * <p>The module is INITIALIZING until the first reading, and again when the link or the vehicle is
+ * lost, or when no reading has been received for three periods and 2 s. A reading is served for the
+ * same time.
  *
  * <p>Tests: {@code link}, {@code identification}, {@code readings}; recovery: {@code reopen_link}.
  *
  * <p>Threads: it owns none; the shared {@link MavlinkConnection}'s reader does all the work.
  *
- * @param <T> what it reads; immutable
+ * @param <T> type of its readings; immutable
  */
 abstract class MavlinkSensorImpl<T> extends SensorImpl {
 
@@ -35,12 +36,12 @@ abstract class MavlinkSensorImpl<T> extends SensorImpl {
   private final String expected;
 
   private volatile double period;
-  private long uselessNanos; // confined to the reader; when something came that is no reading
+  private long uselessNanos; // confined to the reader; when a message without a reading arrived
 
   /**
    * See {@link SensorImpl}.
    *
-   * @param expected name of the message that its readings come from
+   * @param expected name of the message with its readings
    * @throws org.dfra.core.config.ConfigurationException if a parameter is missing or wrong
    */
   MavlinkSensorImpl(
@@ -70,16 +71,16 @@ abstract class MavlinkSensorImpl<T> extends SensorImpl {
             value -> period = value);
   }
 
-  /** The messages it reads, at a rate in hertz; asked again and again. */
+  /** The required messages, for a rate in hertz; queried repeatedly. */
   abstract Map<Integer, Double> messageRates(double rate);
 
-  /** The vehicle's autopilot said this; on the reader thread. */
+  /** The vehicle's autopilot has sent this message; on the reader thread. */
   abstract void messageReceived(MavlinkMessage message);
 
-  /** There is no reading any more, and whatever else is known of its source may not hold. */
+  /** The source is lost: discards what is known of it. */
   void forget() {}
 
-  /** What was last read. */
+  /** The last reading. */
   final LatestReading<T> latest() {
     return latest;
   }
@@ -91,7 +92,7 @@ abstract class MavlinkSensorImpl<T> extends SensorImpl {
   }
 
   /**
-   * The message has come, but there is no reading in it; on the reader thread.
+   * The message has been received, but contains no reading; on the reader thread.
    *
    * @param reason why, as a clause
    */
@@ -117,7 +118,7 @@ abstract class MavlinkSensorImpl<T> extends SensorImpl {
     forget();
   }
 
-  /** {@inheritDoc} As wanted of the autopilot now. */
+  /** {@inheritDoc} The currently configured rate. */
   @Override
   public final double updateRate() {
     return 1 / period;

@@ -5,12 +5,12 @@ import org.dfra.drivers.link.BackOff;
 import org.dfra.drivers.link.LinkSettings;
 
 /**
- * What the modules that share a link have to agree on.
+ * The settings that must be the same in all modules that share a link.
  *
- * @param link its URL as written
- * @param vehicle the number of the vehicle, 1 to 255; 0 is the first one heard
- * @param groundStation the number that we go by, 1 to 255
- * @param backOff how long to wait before a lost link is opened again
+ * @param link its URL as configured
+ * @param vehicle the number of the vehicle, 1 to 255; 0 is the first one received
+ * @param groundStation system ID of this ground station, 1 to 255
+ * @param backOff how long to wait before a lost link is reopened
  */
 record MavlinkSettings(String link, int vehicle, int groundStation, BackOff backOff) {
 

@@ -8,9 +8,9 @@ import org.dfra.drivers.link.Ticker;
 import org.slf4j.Logger;
 
 /**
- * Has the autopilot send what the modules want, as often as they want it ({@code
- * SET_MESSAGE_INTERVAL}), and asks again where it does not come: an autopilot that was restarted
- * has forgotten. Confined to the reader thread.
+ * Requests the messages that the modules require, at the required rates ({@code
+ * SET_MESSAGE_INTERVAL}), and repeats the request if they do not arrive: an autopilot loses the
+ * intervals when it restarts. Confined to the reader thread.
  */
 final class MessageIntervalRequester {
 
@@ -18,7 +18,7 @@ final class MessageIntervalRequester {
   private static final Duration SILENCE = Duration.ofSeconds(3);
   private static final Duration AGAIN = Duration.ofSeconds(5);
 
-  /** What was asked for. */
+  /** A requested message. */
   private static final class Stream {
     double rate;
     long askedNanos;
@@ -40,13 +40,13 @@ final class MessageIntervalRequester {
     this.checkedNanos = ticker.nanos() - CHECK_INTERVAL.toNanos();
   }
 
-  /** Another vehicle, or the same after a while: it knows nothing yet. */
+  /** Discards the requests: another vehicle, or the same after an interruption. */
   void forget() {
     streams.clear();
     checkedNanos = ticker.nanos() - CHECK_INTERVAL.toNanos();
   }
 
-  /** A message has come. */
+  /** A message has been received. */
   void messageReceived(MavlinkMessage message) {
     streams.forEach(
         (id, stream) -> {
@@ -56,7 +56,7 @@ final class MessageIntervalRequester {
         });
   }
 
-  /** Asks for what is due to be asked for. */
+  /** Sends the requests that are due. */
   void requestDue(Map<Integer, Double> requested) {
     long now = ticker.nanos();
     if (now - checkedNanos < CHECK_INTERVAL.toNanos()) {

@@ -1,12 +1,12 @@
 package org.dfra.drivers.uav.mavlink;
 
 /**
- * A vehicle that was heard.
+ * A vehicle from which heartbeats have been received.
  *
  * @param system its number, 1 to 255
  * @param component the number of its autopilot, usually 1
- * @param type sort of craft, {@code MAV_TYPE}
- * @param autopilot sort of autopilot, {@code MAV_AUTOPILOT}
+ * @param type type of craft, {@code MAV_TYPE}
+ * @param autopilot type of autopilot, {@code MAV_AUTOPILOT}
  */
 record Vehicle(int system, int component, int type, int autopilot) {
 
@@ -16,7 +16,7 @@ record Vehicle(int system, int component, int type, int autopilot) {
   /** {@code MAV_AUTOPILOT_INVALID}: a ground station, a camera, a gimbal. */
   static final int NO_AUTOPILOT = 8;
 
-  /** The software that flies it. */
+  /** The name of its autopilot software. */
   String software() {
     return switch (autopilot) {
       case ARDUPILOT -> "ArduPilot";
@@ -25,7 +25,7 @@ record Vehicle(int system, int component, int type, int autopilot) {
     };
   }
 
-  /** What it is, for people. */
+  /** Human-readable type of craft. */
   String craft() {
     return switch (type) {
       case 1 -> "fixed wing";

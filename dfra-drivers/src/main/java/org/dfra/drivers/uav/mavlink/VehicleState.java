@@ -12,51 +12,51 @@ import org.dfra.geometry.GeoPosition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the vehicle has told of its flight, put together. Heights above mean sea level become
- * heights above the ellipsoid by the geoid's height at this place:
+ * Combines the vehicle's messages into its flight state. Heights above mean sea level are converted
+ * to heights above the ellipsoid with the local height of the geoid:
  *
  * <pre>
  *   height above the ellipsoid = height above mean sea level + separation
  *   separation                 = GPS_RAW_INT.alt_ellipsoid − GPS_RAW_INT.alt, of a 3-D fix
  * </pre>
  *
- * <p>The separation changes by centimetres in a kilometre, so the last one counts while the vehicle
- * is there. Safe for use by several threads.
+ * <p>The separation changes by centimetres per kilometre, so the last value stays valid while the
+ * vehicle is connected. Safe for use by several threads.
  */
 final class VehicleState {
 
-  /** How old a position may be, nanoseconds. */
+  /** Maximum age of a position, nanoseconds. */
   private static final long LONGEST_AGE = 3_000_000_000L;
 
   private static final int MAV_STATE_STANDBY = 3;
 
-  private @Nullable Heartbeat heartbeat; // this and all that follows: guarded by this
+  private @Nullable Heartbeat heartbeat; // this and all following fields: guarded by this
   private @Nullable GlobalPosition position;
   private long positionNanos;
   private @Nullable VfrHud motion;
   private long motionNanos;
   private int landed;
-  private int vehicle; // the last one found
+  private int vehicle; // ID of the last vehicle found
   private @Nullable Double reportedSeparation;
   private @Nullable Double fixed;
   private Instant lastUpdate = Instant.EPOCH;
 
   /**
-   * Goes by this separation and not by what the vehicle tells.
+   * Uses this separation instead of the reported one.
    *
-   * @param separation of geoid and ellipsoid, metres, + where the geoid is above; null for what the
-   *     vehicle tells
+   * @param separation of geoid and ellipsoid, metres, + where the geoid is above; null for the
+   *     reported one
    */
   synchronized void overrideSeparation(@Nullable Double separation) {
     fixed = separation;
   }
 
-  /** The separation that counts now; null where it is not known. */
+  /** The current separation; null if unknown. */
   synchronized @Nullable Double separation() {
     return fixed == null ? reportedSeparation : fixed;
   }
 
-  /** The vehicle is lost; where the geoid is there is still known when it comes back. */
+  /** The vehicle is lost; the separation is kept for when it returns. */
   synchronized void forget() {
     heartbeat = null;
     position = null;
@@ -64,7 +64,7 @@ final class VehicleState {
     landed = 0;
   }
 
-  /** This vehicle is found; another one may be anywhere. */
+  /** A vehicle is found; the separation of another vehicle is discarded. */
   synchronized void vehicleFound(Vehicle now) {
     if (vehicle != now.system()) {
       reportedSeparation = null;
@@ -73,9 +73,9 @@ final class VehicleState {
   }
 
   /**
-   * Takes what the vehicle says.
+   * Updates the state from a message.
    *
-   * @param time when it came, UTC
+   * @param time time of arrival, UTC
    * @param nanos the same by the ticker
    */
   synchronized void update(MavlinkMessage message, Instant time, long nanos) {
@@ -95,12 +95,12 @@ final class VehicleState {
     }
   }
 
-  /** Whether there is enough to tell how it flies. */
+  /** Whether enough is known for a flight state. */
   synchronized boolean isComplete() {
     return heartbeat != null && position != null;
   }
 
-  /** What it is in the middle of, by its own mode. */
+  /** Whether the vehicle reports this flight mode. */
   synchronized boolean isInMode(FlightMode mode, Vehicle vehicle) {
     return heartbeat != null && mode.isReportedBy(vehicle, heartbeat.mode());
   }
@@ -110,21 +110,21 @@ final class VehicleState {
     return heartbeat != null && heartbeat.isArmed();
   }
 
-  /** What it does. */
+  /** The phase of flight. */
   synchronized Phase phase() {
     return switch (landed) {
       case 1 -> Phase.ON_GROUND;
       case 2 -> Phase.IN_AIR;
       case 3 -> Phase.TAKING_OFF;
       case 4 -> Phase.LANDING;
-      default -> // some autopilots do not tell
+      default -> // some autopilots do not report it
           heartbeat == null || !heartbeat.isArmed() || heartbeat.status() == MAV_STATE_STANDBY
               ? Phase.ON_GROUND
               : Phase.IN_AIR;
     };
   }
 
-  /** Where it is, by its own estimate; null where that is too old, or it has none. */
+  /** Its own position estimate; null if it is too old or missing. */
   synchronized @Nullable GlobalPosition position(long nanos) {
     boolean counts =
         position != null
@@ -134,7 +134,7 @@ final class VehicleState {
   }
 
   /**
-   * How it flies, at the time when something of it was last heard; null while too little is known.
+   * The flight state at the time of the last message; null while too little is known.
    *
    * @param nanos the time by the ticker
    */
