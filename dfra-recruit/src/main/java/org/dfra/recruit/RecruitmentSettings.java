@@ -4,23 +4,21 @@ import java.time.Duration;
 import org.jspecify.annotations.Nullable;
 
 /**
- * For how long each side of a recruitment waits. All of a team must have the same {@link
- * #replaceAfter} and {@link #margin}: that no call ever has two helpers rests on them.
+ * Timeouts of both sides of a recruitment. All robots of a team must have the same {@link
+ * #replaceAfter} and {@link #margin}: these ensure that no call ever has two helpers.
  *
  * @param helpEvery a call without an offer is repeated after this
- * @param roundsPerConversation so many calls without an offer, then a new conversation begins, in
- *     which those may offer again that had given up
- * @param replaceAfter a chosen robot that is late by this is replaced
- * @param margin so much earlier than that it turns back by itself; covers what the robots' clocks
- *     differ in rate
+ * @param roundsPerConversation number of calls without an offer before a new conversation begins,
+ *     in which robots that had given up may offer again
+ * @param replaceAfter a chosen robot that is later than this is replaced
+ * @param margin the chosen robot withdraws this much earlier; covers different clock rates
  * @param repeatEvery an ACCEPT or ARRIVAL without an answer is repeated after this
- * @param acceptSends so many ACCEPTs without an answer, then the robot is free again
+ * @param acceptSends number of ACCEPTs without an answer after which the robot is free again
  * @param arrivalSends likewise of ARRIVAL
  * @param agreeEvery an AGREE without an ACK_ACK is repeated after this
- * @param releaseEvery the RELEASE of a helper that is let go before its time is repeated after this
- *     until it says that it knows
- * @param offerWindow for how long other offers are awaited after the first; null for as long as the
- *     requester's strategy says
+ * @param releaseEvery the RELEASE of a helper before its lease's end is repeated after this until
+ *     it is acknowledged
+ * @param offerWindow wait for other offers after the first; null for the strategy's own
  */
 public record RecruitmentSettings(
     Duration helpEvery,
@@ -34,7 +32,7 @@ public record RecruitmentSettings(
     Duration releaseEvery,
     @Nullable Duration offerWindow) {
 
-  /** The project's own. */
+  /** DFRA's defaults. */
   public static final RecruitmentSettings DEFAULT =
       new RecruitmentSettings(
           Duration.ofSeconds(5),
@@ -72,9 +70,9 @@ public record RecruitmentSettings(
   }
 
   /**
-   * For how long other offers are awaited after the first.
+   * The wait for other offers after the first.
    *
-   * @param own what the strategy says
+   * @param own the strategy's own window
    */
   public Duration offerWindowOr(Duration own) {
     return offerWindow == null ? own : offerWindow;

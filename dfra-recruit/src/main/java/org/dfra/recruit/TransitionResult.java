@@ -3,10 +3,10 @@ package org.dfra.recruit;
 import java.util.List;
 
 /**
- * What follows from something that happened to a state machine.
+ * The result of an event in a state machine.
  *
  * @param state the state from then on
- * @param actions what is to be done, in order
+ * @param actions to execute, in order
  */
 public record TransitionResult<S, A>(S state, List<A> actions) {
 
@@ -14,7 +14,7 @@ public record TransitionResult<S, A>(S state, List<A> actions) {
     actions = List.copyOf(actions);
   }
 
-  /** Nothing happened. */
+  /** No change. */
   public static <S, A> TransitionResult<S, A> none(S state) {
     return new TransitionResult<>(state, List.of());
   }

@@ -1,17 +1,17 @@
 /**
- * Affective recruitment: robots that ask others for help and decide by an affect, shame, whether to
- * give it. Nothing here knows a network.
+ * Affective recruitment: robots call other robots for help, and an affect, shame, determines
+ * whether they offer it. This package is independent of the network.
  *
  * <pre>
- *   agent.Recruiter ---- requester.RequesterMachine   who needs help    \  pure: a state and what
- *        |  |  |    '--- responder.ResponderMachine   who may help      /  happens give the next
- *        |  |  '-------- strategy, affect             who answers, who is chosen
- *        |  '----------- agent.Body                   where the robot is, and how it comes there
- *        '-------------- transport.Transport          how messages travel: simulated, or events
+ *   agent.Recruiter ---- requester.RequesterMachine   needs help      \  pure: a state and an
+ *        |  |  |    '--- responder.ResponderMachine   may help        /  event give the next one
+ *        |  |  '-------- strategy, affect             selects responders and the helper
+ *        |  '----------- agent.RobotPort              the robot's position and motion
+ *        '-------------- transport.Transport          messages: simulated, or remote events
  * </pre>
  *
- * <p>The protocol is that of the thesis, section 5.4; its time-outs, the equations of shame and the
- * rules that keep it correct where messages are lost are this project's own. Enter at {@link
+ * <p>The protocol is that of the thesis, section 5.4; its timeouts, the equations of shame and the
+ * rules that keep it correct despite lost messages are DFRA's own. Enter at {@link
  * org.dfra.recruit.agent.Recruiter}.
  */
 @NullMarked

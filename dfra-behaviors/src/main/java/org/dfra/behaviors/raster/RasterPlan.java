@@ -174,7 +174,7 @@ public final class RasterPlan {
    *
    * @param driven positions of the robot, in the region's frame, ENU, metres, connected by straight
    *     lines
-   * @param seen how wide a strip it saw, metres, above 0
+   * @param seen width of the strip that it saw, metres, above 0
    */
   public Coverage coverage(List<LocalPosition> driven, double seen) {
     return new CoverageGrid(region.polygon(), seen, CoverageGrid.FINENESS).of(driven);
@@ -184,7 +184,7 @@ public final class RasterPlan {
    * Coverage map of a driven path, for display; {@link #coverage} counts more exactly.
    *
    * @param driven positions of the robot, as for {@link #coverage}
-   * @param seen how wide a strip it saw, metres, above 0
+   * @param seen width of the strip that it saw, metres, above 0
    */
   public CoverageMap coverageMap(List<LocalPosition> driven, double seen) {
     return new CoverageGrid(region.polygon(), seen, CoverageGrid.COARSENESS).map(driven);

@@ -1,31 +1,31 @@
 package org.dfra.recruit.affect;
 
 /**
- * A scalar that rises while others ask for help, and at 1 moves the robot to give it. Confined to
- * its agent.
+ * A scalar that rises with others' calls for help; at its threshold, 1, the robot offers help.
+ * Confined to its agent.
  */
 public interface Affect {
 
-  /** How strong it is, 0 to 1. */
+  /** Its level, 0 to 1. */
   double level();
 
-  /** It was asked, capable and free. */
+  /** A call for help was received while the robot was capable and free. */
   void stimulate(Stimulus stimulus);
 
-  /** It was chosen to help. */
+  /** The robot was chosen to help. */
   void atone();
 
-  /** Another was chosen, or nobody is needed any more. */
+  /** Another robot was chosen, or no help is needed any more. */
   void relieve();
 
   /**
-   * As strong as it was when its process died.
+   * Restores its level after a restart of its process.
    *
    * @param level 0 to 1
    */
   void restore(double level);
 
-  /** Whether it moves the robot to help. */
+  /** Whether it has reached its threshold. */
   default boolean isTriggered() {
     return level() >= 1;
   }

@@ -8,15 +8,14 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Motivation as in ALLIANCE: it grows with the time for which a call stays unanswered, at a rate
- * that is slower the farther and the busier the robot is, and falls to 0 when somebody takes the
+ * that is slower the farther and the busier the robot is, and falls to 0 when a robot takes the
  * task. Source of the idea: L. E. Parker, "ALLIANCE: an architecture for fault tolerant multirobot
  * cooperation", IEEE Transactions on Robotics and Automation 14 (1998). Robots do not pre-empt each
  * other here.
  *
- * <p>The first call that it hears in a conversation counts as if it had gone unanswered for as long
- * as the usual interval of calls, and each further one for as long as it has been since the one
- * before. What lies between two conversations is no waiting: somebody may have helped meanwhile,
- * and the news of it may have been lost.
+ * <p>The first call received in a conversation counts as unanswered for the default call interval,
+ * and each further one for the time since the previous call. The time between two conversations
+ * does not count: another robot may have helped meanwhile, and its message may have been lost.
  */
 public final class Impatience implements Affect {
 
@@ -29,10 +28,10 @@ public final class Impatience implements Affect {
   private Instant received = Instant.MIN;
 
   /**
-   * @param minWaitSeconds seconds until an idle robot that is there already is moved, above 0
-   * @param maxWaitSeconds seconds until one at {@code etaReference} or beyond is, not less
+   * @param minWaitSeconds seconds until an idle robot at the place reaches the threshold, above 0
+   * @param maxWaitSeconds seconds until one at {@code etaReference} or beyond does, not less
    * @param etaReference seconds, above 0
-   * @param callInterval for how long the first call of a conversation counts
+   * @param callInterval waiting time for which the first call of a conversation counts
    */
   public Impatience(
       double minWaitSeconds, double maxWaitSeconds, double etaReference, Duration callInterval) {

@@ -1,17 +1,18 @@
 package org.dfra.recruit.affect;
 
 /**
- * The growing shame of ignoring a call for help. With each call that it hears while it could help,
+ * Models the growing shame of ignoring a call for help. With each call received while the robot
+ * could help,
  *
  * <pre>
  *   s &lt;- min(1, s + g b f max(ε, (1 - min(1, ETA / ETA_ref))^p))
  * </pre>
  *
- * <p>and it offers to help once s is 1. b is 1 for an idle robot and less for a busy one. f is
- * twice the usable charge, which is what the battery has above the reserve as a part of what a full
- * one has above it: at most 1, and at least 0.2, so the liveness floor ε holds for all. It is back
- * at 0 when it was chosen (atonement) or another was (relief). The idea is the thesis'; the
- * equation and its constants are the project's own.
+ * <p>and the robot offers help once s is 1. b is 1 for an idle robot and less for a busy one. f is
+ * twice the usable charge, the battery's charge above the reserve as a fraction of a full
+ * battery's: at most 1, and at least 0.2, so the liveness floor ε holds for all. s returns to 0
+ * when the robot was chosen (atonement) or another was (relief). The idea is from the thesis; the
+ * equation and its constants are DFRA's own.
  */
 public final class Shame implements Affect {
 

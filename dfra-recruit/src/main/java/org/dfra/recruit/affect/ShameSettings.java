@@ -3,17 +3,16 @@ package org.dfra.recruit.affect;
 import org.dfra.core.config.ConfigurationException;
 
 /**
- * The constants of {@link Shame}. The published equations are not available: these are the
- * project's own.
+ * The constants of {@link Shame}. The published equations are not available: these are DFRA's own.
  *
  * @param gain g, above 0
- * @param exponent p, above 0: how much more the near ones are ashamed
- * @param floor ε, above 0 and at most 1: also the farthest helps in the end
+ * @param exponent p, above 0: how strongly nearness increases shame
+ * @param floor ε, above 0 and at most 1: even the farthest robot helps eventually
  * @param idleFactor b of a robot without work of its own, above 0
- * @param busyFactor b of one that has
- * @param etaReference beyond it a place is as far as can be, seconds, above 0
- * @param batteryReserve charge from which down a robot counts least, 0 to 1; not that below which
- *     it helps nobody
+ * @param busyFactor b of a busy one
+ * @param etaReference ETA from which on a place counts as farthest, seconds, above 0
+ * @param batteryReserve charge below which the battery factor is minimal, 0 to 1; not the charge
+ *     below which it does not help
  */
 public record ShameSettings(
     double gain,
@@ -25,7 +24,7 @@ public record ShameSettings(
     double batteryReserve) {
 
   /**
-   * The usual, for a field.
+   * Defaults for a field.
    *
    * @param diagonal of the field, metres
    * @param speed of the robot, metres per second

@@ -5,13 +5,13 @@ import java.time.Instant;
 import org.dfra.recruit.message.Conversation;
 
 /**
- * That a robot was asked.
+ * A received call for help.
  *
- * @param conversation in which
- * @param eta how long it would take to be there
+ * @param conversation of the call
+ * @param eta time to reach the place
  * @param battery charge left, 0 to 1
  * @param busy whether it has work of its own
- * @param time when it was asked
+ * @param time of the call
  */
 public record Stimulus(
     Conversation conversation, Duration eta, double battery, boolean busy, Instant time) {

@@ -17,42 +17,42 @@ import org.dfra.core.time.BootId;
 import org.dfra.core.time.ScaledTime;
 
 /**
- * Keeps what of an agent outlives its process.
+ * Stores the state of an agent that survives a restart of its process.
  *
- * <p>It is written, and brought to the disk, within the turn in which it changed, before anything
- * that follows from it is sent: whoever gets a letter can rely on that its sender still knows what
- * it said. So a slow disk holds up the agent's next turn, and with it others' letters to it, by as
- * long as a write takes, milliseconds; a state changes some ten times for a call. Written outside
- * of the turn, the letters of several turns would have to wait for their writes in order, and what
- * waits would be lost where the module ends. {@link Recruiter#status} does not wait.
+ * <p>It is written and flushed to disk while the event that changed it is processed, before any
+ * resulting message is sent: so a sender never loses the state that a message announced. A slow
+ * disk thus delays the agent's next event, and others' messages to it, by the duration of a write,
+ * milliseconds; a state changes about ten times per call. With asynchronous writes, the messages of
+ * several events would have to wait for their writes in order, and pending ones would be lost when
+ * the module ends. {@link Recruiter#status} does not wait.
  *
- * <p>The times of a snapshot go by the agent's {@link #clock}, which nobody sets. With it are kept
- * the boot ID and the time since boot, so the clock goes on in the next process from where it was,
- * whatever the computer's clock says by then. What was kept in another boot, or by another
- * simulated time, is recalled {@linkplain AgentSnapshot#afterAnotherBoot without its spans}. So it
- * is where the operating system names no boots.
+ * <p>The times of a snapshot use the agent's {@link #clock}, which is monotonic. The boot ID and
+ * the time since boot are stored with it, so the clock continues in the next process, independently
+ * of the computer's clock. A snapshot of another boot, or of another simulated time, is loaded
+ * {@linkplain AgentSnapshot#afterAnotherBoot without its time spans}; likewise where the operating
+ * system has no boot ID.
  */
 final class AgentMemory {
 
   private static final String DOCUMENT = "recruitment";
 
-  /** What a snapshot is made of, and no more: the file may have been tampered with. */
+  /** The only classes permitted in a snapshot: the file may have been tampered with. */
   private static final ObjectInputFilter SNAPSHOTS =
       ObjectInputFilter.Config.createFilter(
           "org.dfra.agent.*;org.dfra.geometry.*;org.dfra.recruit.**;java.lang.*;java.time.*;"
               + "java.util.*;maxdepth=20;maxarray=100000;!*");
 
   /**
-   * As it is written down.
+   * The stored record.
    *
-   * @param origin names the boot and the time that both others go by; empty where nobody knows
+   * @param origin identifies the boot and the time base of both others; empty where unknown
    * @param sinceBoot nanoseconds of the robot's time
-   * @param time by the agent's clock, then
+   * @param time by the agent's clock, at that moment
    */
   private record Kept(String origin, long sinceBoot, Instant time, AgentSnapshot snapshot)
       implements Serializable {}
 
-  /** What was kept is there, and nothing can be made of it. */
+  /** The stored state exists but cannot be read. */
   static final class DamagedException extends IOException {
 
     private static final long serialVersionUID = 1;
@@ -65,7 +65,7 @@ final class AgentMemory {
   private final ModuleContext context;
   private final StateStore state;
   private final BootId boot;
-  private SteadyClock clock; // another one only by recall, before anybody else goes by it
+  private SteadyClock clock; // replaced only by load, before its first use
 
   AgentMemory(ModuleContext context, BootId boot) {
     this.context = context;
@@ -74,12 +74,14 @@ final class AgentMemory {
     this.clock = new SteadyClock(context.clock().instant(), context.robotTime());
   }
 
-  /** What every span of the agent goes by: after {@link #load}, as its last process had it. */
+  /**
+   * The clock of all the agent's timeouts: after {@link #load}, continued from its last process.
+   */
   InstantSource clock() {
     return clock;
   }
 
-  /** Which time it is that {@link #sinceBoot} counts; empty where nobody can tell it again. */
+  /** The time base of {@link #sinceBoot}; empty where it cannot be identified again. */
   private String origin() throws IOException {
     String scaled = context.clock() instanceof ScaledTime time ? ", " + time : "";
     return boot.read().map(id -> id + scaled).orElse("");
@@ -96,7 +98,7 @@ final class AgentMemory {
   }
 
   /**
-   * @throws IOException if it cannot be written; then what was kept before is kept
+   * @throws IOException if it cannot be written; the previous state stays stored
    */
   void save(AgentSnapshot snapshot) throws IOException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
@@ -107,10 +109,10 @@ final class AgentMemory {
   }
 
   /**
-   * What was kept. The agent's clock goes on from there.
+   * Loads the stored state. The agent's clock continues from there.
    *
-   * @throws IOException if it cannot be read, or is something else, or if it is not known in which
-   *     boot this is; then {@link #loadWithoutTimers} may know some of it
+   * @throws IOException if it cannot be read, is invalid, or the current boot is unknown; then
+   *     {@link #loadWithoutTimers} may load a part
    */
   Optional<AgentSnapshot> load() throws IOException {
     Optional<Kept> kept = read();
@@ -118,10 +120,11 @@ final class AgentMemory {
   }
 
   /**
-   * What must not be repeated of what was kept, as {@linkplain AgentSnapshot#afterAnotherBoot after
-   * another boot}: where nobody knows whether this is another.
+   * Loads the part of the stored state that must not be repeated, as {@linkplain
+   * AgentSnapshot#afterAnotherBoot after another boot}: where it is unknown whether the boot is the
+   * same.
    *
-   * @throws DamagedException if it is something else; the message names the file
+   * @throws DamagedException if it is invalid; the message names the file
    * @throws IOException if it cannot be read; likewise
    */
   Optional<AgentSnapshot> loadWithoutTimers() throws IOException {
@@ -133,7 +136,7 @@ final class AgentMemory {
     Optional<byte[]> kept;
     try {
       kept = state.read(DOCUMENT);
-    } catch (IOException e) { // of the disk, or for want of descriptors
+    } catch (IOException e) { // a disk error, or no file descriptors
       throw new IOException(what + " cannot be read: " + e, e);
     }
     try {
@@ -169,7 +172,7 @@ final class AgentMemory {
 
   private AgentSnapshot withoutSpans(Kept last) {
     Instant wall = context.clock().instant();
-    Instant now = wall.isAfter(last.time()) ? wall : last.time(); // letters' numbers go by it
+    Instant now = wall.isAfter(last.time()) ? wall : last.time(); // message numbers use it
     clock = new SteadyClock(now, context.robotTime());
     return last.snapshot().afterAnotherBoot();
   }

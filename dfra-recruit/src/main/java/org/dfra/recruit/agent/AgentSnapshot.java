@@ -5,17 +5,17 @@ import org.dfra.recruit.requester.RequesterState;
 import org.dfra.recruit.responder.ResponderState;
 
 /**
- * What of an agent outlives its process.
+ * The state of an agent that survives a restart of its process.
  *
- * @param urge how much it was moved to help, 0 to 1
+ * @param urge level of its affect, 0 to 1
  */
 public record AgentSnapshot(RequesterState requester, ResponderState responder, double urge)
     implements Serializable {
 
   /**
-   * The same after another boot: nobody knows how much time has passed, so every span of it is
-   * over. What must not be repeated is known: the numbers of its conversations, and in which of
-   * others' it has no part any more.
+   * The same after another boot: the elapsed time is unknown, so every timeout has expired. It
+   * keeps what must not be repeated: the numbers of its conversations, and which conversations of
+   * others it has left.
    */
   public AgentSnapshot afterAnotherBoot() {
     return new AgentSnapshot(

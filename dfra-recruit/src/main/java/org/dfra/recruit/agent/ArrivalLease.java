@@ -5,8 +5,8 @@ import java.time.InstantSource;
 import org.dfra.lease.ModuleLease;
 
 /**
- * The lease that a requester holds on its helper. It does not renew itself: it is the time that the
- * helper can spend. To give it back is a RELEASE, which may be lost; then it lasts to its end.
+ * The lease that a requester holds on its helper. It is not renewed: it is the time for which the
+ * helper stays. Cancelling it sends a RELEASE, which may be lost; then it lasts to its end.
  */
 final class ArrivalLease implements ModuleLease {
 
@@ -31,7 +31,7 @@ final class ArrivalLease implements ModuleLease {
     return !isOver && clock.instant().isBefore(expiration);
   }
 
-  /** The helper has left, or is told to by somebody else. */
+  /** The helper has left, or another operation releases it. */
   void invalidate() {
     isOver = true;
   }

@@ -24,19 +24,19 @@ import org.dfra.recruit.transport.Transport;
 import org.slf4j.Logger;
 
 /**
- * Brings letters to the agents that the directory knows, by one to each. A robot has a thread of
- * its own here while letters wait for it, so one that does not answer holds up its own letters
- * only. At most {@value #WAITING} letters wait for a robot; further ones are lost. So is a letter
- * that cannot be brought.
+ * Delivers messages to the agents in the directory, one transmission to each. Each robot has its
+ * own thread while messages wait for it, so an unresponsive robot delays only its own messages. At
+ * most {@value #WAITING} messages wait for a robot; further ones are lost. So is a message that
+ * cannot be delivered.
  *
- * <p>A letter names its receiver by the robot's name alone. Where several robots have that name,
- * also where one of them is out of reach, nothing is sent to it: a log line says so once.
+ * <p>A message identifies its receiver only by the robot's name. If several robots have that name,
+ * even if one of them is out of reach, nothing is sent to it: the log reports this once.
  */
 public final class DirectoryTransport implements Transport, AutoCloseable {
 
   private static final int WAITING = 32;
 
-  /** What goes to one robot, while there is anything. */
+  /** The outbox of one robot, while it is not empty. */
   private static final class Outbox {
     final DelayedTaskExecutor errands;
     int waiting; // changed within routes.compute only
@@ -53,7 +53,7 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
   private volatile boolean isClosed;
 
   /**
-   * @param context of the agent's module, which does not write to its own robot
+   * @param context of the agent's module, which does not send to its own robot
    */
   public DirectoryTransport(ModuleContext context, Logger log) {
     this.context = context;
@@ -87,7 +87,7 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
         .collect(Collectors.groupingBy(ModuleListing::robot));
   }
 
-  /** Names of the other robots that say that they can observe it. */
+  /** Names of the other robots that declare the percept. */
   private List<String> observing(String percept) {
     return others(
             ModuleQuery.of(RecruitmentAgent.class)
@@ -99,11 +99,11 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
   }
 
   /**
-   * The hosts of the robots that agents belong to, one for each robot: two of one host and module
-   * name are those of two robots too.
+   * The hosts of the agents' robots, one entry per robot: two agents with the same host and module
+   * name belong to two robots, too.
    */
   private static List<String> hosts(List<ModuleListing<RecruitmentAgent>> agents) {
-    Map<String, Integer> robots = new TreeMap<>(); // how many on a host
+    Map<String, Integer> robots = new TreeMap<>(); // number per host
     Map<String, Integer> modules = new HashMap<>();
     for (ModuleListing<RecruitmentAgent> each : agents) {
       int sameModule = modules.merge(each.host() + "/" + each.name(), 1, Integer::sum);
@@ -114,7 +114,7 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
     return hosts;
   }
 
-  /** That several robots have the name, in a clause; empty where only one has. */
+  /** A clause that reports several robots of this name; empty where there is only one. */
   private static Optional<String> ambiguity(
       String robot, List<ModuleListing<RecruitmentAgent>> agents) {
     List<String> hosts = hosts(agents);
@@ -156,7 +156,7 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
     }
     try {
       route.errands.execute(() -> deliverAndCount(robot, letter));
-    } catch (OutOfMemoryError e) { // no room for one more thread; the next letter may find one
+    } catch (OutOfMemoryError e) { // no thread could be created; the next message retries
       brought(robot);
       log.warn("{}: a letter to {} is lost: {}", context.path(), robot, e.toString());
     }
@@ -168,7 +168,7 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
             "dfra-letters " + context.path() + " to " + robot, context.robotTime()));
   }
 
-  /** One letter waits no more. With the last one, the robot's thread ends. */
+  /** Removes one message. With the last one, the robot's thread ends. */
   private void brought(String robot) {
     routes.computeIfPresent(
         robot,
@@ -213,7 +213,7 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
       found.get(0).module().receive(letter);
     } catch (RemoteException | NotReadyException e) {
       log.debug("{}: a letter to {} is lost: {}", context.path(), robot, e.toString());
-    } catch (IllegalArgumentException e) { // one of another version; a lost letter like any other
+    } catch (IllegalArgumentException e) { // another version; a lost message like any other
       log.warn("{}: {} does not understand a letter: {}", context.path(), robot, e.toString());
     }
   }

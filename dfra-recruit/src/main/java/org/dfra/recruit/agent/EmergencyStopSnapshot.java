@@ -15,10 +15,10 @@ import org.dfra.flow.effector.EmergencyStopState;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The last emergency stop of each of a robot's wheels at one moment. Two moments are told apart by
- * whether the stops are the same, never by which was earlier: a clock may be set between them.
+ * The last emergency stop of each of a robot's drives at one time. Snapshots are compared by
+ * equality of the stops, never by time order: the clock may be set between them.
  *
- * @param last when each was stopped or released last, as text, by the path of the module
+ * @param last time of each last stop or release, as text, by the path of the module
  */
 record EmergencyStopSnapshot(Map<String, String> last) {
 
@@ -29,10 +29,10 @@ record EmergencyStopSnapshot(Map<String, String> last) {
   }
 
   /**
-   * Asks all wheels that are found.
+   * Queries all drives found.
    *
-   * @return nothing where some are stopped now
-   * @throws RemoteException if one does not answer
+   * @return empty where some are stopped now
+   * @throws RemoteException if one does not respond
    */
   static Optional<EmergencyStopSnapshot> query(ModuleContext context) throws RemoteException {
     Map<String, String> found = new TreeMap<>();
@@ -47,10 +47,10 @@ record EmergencyStopSnapshot(Map<String, String> last) {
   }
 
   /**
-   * Whether one of the wheels was stopped, or released, between these and those of a later moment.
+   * Whether one of the drives was stopped, or released, between this snapshot and a later one.
    *
-   * @param known gives the last stop that is known of wheels that were not found then; null where
-   *     none is, so that there is nothing to compare with
+   * @param known gives the last known stop of drives that were not found then; null where unknown,
+   *     so that no comparison is possible
    */
   boolean differsFrom(EmergencyStopSnapshot later, Function<String, @Nullable String> known) {
     return later.last().entrySet().stream()
@@ -59,12 +59,12 @@ record EmergencyStopSnapshot(Map<String, String> last) {
               @Nullable String before = last.get(now.getKey());
               @Nullable String compared = before == null ? known.apply(now.getKey()) : before;
               return compared != null
-                  && !now.getValue().equals(NEVER) // it was stopped, or forgot that it was
+                  && !now.getValue().equals(NEVER) // it was stopped, or lost the record of its stop
                   && !now.getValue().equals(compared);
             });
   }
 
-  /** As {@link #parse} reads it. */
+  /** The text for {@link #parse}. */
   String text() {
     return last.entrySet().stream()
         .map(each -> each.getKey() + " " + each.getValue())

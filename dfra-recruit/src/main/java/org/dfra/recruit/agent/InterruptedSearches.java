@@ -16,8 +16,8 @@ import org.dfra.module.NotReadyException;
 import org.slf4j.Logger;
 
 /**
- * The searches that a robot has left to help, and goes on with afterwards, also where its process
- * has died meanwhile. Confined to one thread.
+ * The searches that a robot has interrupted to help, and resumes afterwards, even after a crash of
+ * its process. Confined to one thread.
  */
 final class InterruptedSearches {
 
@@ -32,7 +32,7 @@ final class InterruptedSearches {
     this.log = log;
   }
 
-  /** Knows again what it has left in an earlier process. */
+  /** Loads the searches interrupted by an earlier process. */
   void load() {
     try {
       Optional<byte[]> kept = context.state().read(DOCUMENT);
@@ -42,7 +42,7 @@ final class InterruptedSearches {
     }
   }
 
-  /** Whether there are some, which it does not leave to people. */
+  /** Whether there are any that it resumes itself. */
   boolean hasLeft() {
     return !left.isEmpty();
   }
@@ -55,13 +55,13 @@ final class InterruptedSearches {
     }
   }
 
-  /** Pauses those that run. */
+  /** Pauses the running ones. */
   void pauseSearches() {
     for (ModuleListing<RasterSearch> search : searches()) {
       try {
         if (search.module().status().phase() == Phase.RUNNING) {
           if (left.add(search.path())) {
-            keep(); // before it pauses: one that is only listed as left goes on as it did
+            keep(); // before it pauses: one only listed as interrupted continues unchanged
           }
           search.module().pauseUnattended();
         }
@@ -72,13 +72,14 @@ final class InterruptedSearches {
   }
 
   /**
-   * Has those go on that it paused, unless a person has paused them since; tells whether all do.
+   * Resumes those that it paused, unless an operator has paused them since; returns whether all
+   * run.
    */
   boolean resumeSearches() {
     for (ModuleListing<RasterSearch> search : searches()) {
       if (left.contains(search.path())) {
         try {
-          search.module().resumeUnattended(); // a brake that was set since stays set
+          search.module().resumeUnattended(); // a brake set since then stays set
           left.remove(search.path());
           keep();
         } catch (RemoteException | NotReadyException e) {
@@ -89,7 +90,7 @@ final class InterruptedSearches {
     return left.isEmpty();
   }
 
-  /** Has none of them go on by itself: somebody has stopped the robot, and has them go on. */
+  /** Resumes none of them automatically: an operator has stopped the robot, and resumes them. */
   void handOverToOperator() {
     if (!left.isEmpty()) {
       log.info("{}: these wait until somebody resumes them: {}", context.path(), left);

@@ -4,7 +4,10 @@ import org.dfra.recruit.message.MessageEnvelope;
 import org.dfra.recruit.message.RecruitmentMessage;
 import org.dfra.recruit.transport.MessageMode;
 
-/** What an agent sends: it numbers and dates each message. Everything happens in its turns. */
+/**
+ * Sends an agent's messages, with a number and a timestamp each. It runs only inside the agent's
+ * event queue.
+ */
 final class MessageSender {
 
   private final String robot;
@@ -19,7 +22,7 @@ final class MessageSender {
     this.ports = ports;
     this.listener = listener;
     this.letters =
-        ports.monotonicClock().millis(); // more than it sent in earlier lives: one a millisecond
+        ports.monotonicClock().millis(); // above earlier processes' numbers: one a millisecond
   }
 
   void send(String to, RecruitmentMessage message) {
@@ -28,7 +31,7 @@ final class MessageSender {
     ports.transport().send(to, letter);
   }
 
-  /** To all that can observe that. */
+  /** Sends to all robots that can observe the percept. */
   void sendToTeam(String percept, RecruitmentMessage message) {
     MessageEnvelope letter = letter(message);
     listener.sent("", letter);

@@ -17,29 +17,28 @@ import org.dfra.geometry.GeoPosition;
 import org.slf4j.Logger;
 
 /**
- * A robot by its own modules: its {@link RobotStateMonitor} tell where it is and how much charge it
- * has, a {@link Trip} takes it to the place, and its {@link InterruptedSearches} is what it leaves
- * and resumes. What its modules are told is told on a thread of its own, {@code dfra-body
- * robot/name}.
+ * Implements the port with the robot's own modules: {@link RobotStateMonitor} gives position and
+ * charge, a {@link Trip} drives to the place, and {@link InterruptedSearches} are paused and
+ * resumed. Calls to its modules run on their own thread, {@code dfra-body robot/name}.
  */
 final class ModuleRobotPort implements RobotPort, AutoCloseable {
 
-  /** How long its end waits until the robot has been told to stand. */
+  /** Timeout of the stop command on shutdown. */
   private static final long PATIENCE_MILLIS = 2000;
 
   private final RobotTraits traits;
   private final RobotStateMonitor senses;
   private final DelayedTaskExecutor errands;
   private final OperatorHold hold;
-  private final Trip trip; // by errands only, but for what it began last
+  private final Trip trip; // task thread only, except for its last goal
   private final InterruptedSearches work; // by errands only
-  private volatile boolean isAway; // to help, or on its way; written by errands only
-  private volatile boolean isStarted; // its modules can be found
-  private volatile boolean isEnding; // it may not be known yet how its last trip ended
+  private volatile boolean isAway; // helping, or on its way; written by the task thread only
+  private volatile boolean isStarted; // whether its modules can be found
+  private volatile boolean isEnding; // the end of its last trip may be unknown yet
   private volatile Runnable onHold = () -> {};
   private Optional<String> reportedHold = Optional.empty(); // by errands only
   private final AtomicBoolean isClosed = new AtomicBoolean();
-  private boolean isRetrying; // by errands only; to go on with its work
+  private boolean isRetrying; // task thread only; to resume its work
 
   ModuleRobotPort(ModuleContext context, RobotTraits traits, Logger log) {
     this.traits = traits;
@@ -50,12 +49,12 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
     this.trip = new Trip(context, errands, work, hold, log);
   }
 
-  /** Ends the trip of an earlier process; what that left to help stays as it is. */
+  /** Ends the trip of an earlier process; the searches it interrupted stay as they are. */
   void stop() {
     errands.execute(trip::end);
   }
 
-  /** Has this run, on the thread of the errands, whenever it is held or not any more. */
+  /** Registers a callback, run on the task thread, for each start and end of a hold. */
   void onHoldChange(Runnable listener) {
     onHold = listener;
   }
@@ -84,7 +83,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
     errands.schedule(Trip.POLL_INTERVAL_NANOS, this::watchHold);
   }
 
-  /** Nothing of the agent's own begins while it is held, so a person began this. */
+  /** The agent starts nothing while it is held, so an operator started this. */
   private void begunByOthers(ModuleListing<?> behavior, BehaviorStatus status) {
     if (!isAway && !Objects.equals(status.goal(), trip.lastGoal())) {
       hold.endedByGoal(behavior.path(), status.measured());
@@ -97,13 +96,13 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
   }
 
   /**
-   * {@inheritDoc} That moves nothing: also neither a leg nor a search that waits until it is known
-   * whether somebody stopped the robot.
+   * {@inheritDoc} This moves nothing: neither a leg nor a search that waits until it is known
+   * whether the robot was stopped.
    */
   @Override
   public void endHold() {
     hold.end();
-    errands.execute(this::giveUpWhatWaits); // nothing begins before that
+    errands.execute(this::giveUpWhatWaits); // nothing starts before that
   }
 
   private void giveUpWhatWaits() {
@@ -115,8 +114,8 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
   }
 
   /**
-   * {@inheritDoc} The robot stands then. Where its modules hold that up for too long, the next
-   * process of the agent has it stand, or goes on.
+   * {@inheritDoc} The robot is then stopped. If its modules delay that for too long, the next
+   * process of the agent stops it, or continues.
    */
   @Override
   public void close() {
@@ -145,10 +144,10 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
   }
 
   /**
-   * One that knows where it is, has charge left, is not held since somebody stopped it, and is not
-   * sent anywhere by others may be asked. What drives it while it helps, or for its search, is its
-   * own. As long as it is not known how its last trip ended, or a new process has not asked all of
-   * its behaviours, somebody may have stopped it.
+   * A robot is available if it knows its position, has charge left, is not held after a stop, and
+   * no other client drives it. The drive goals of its help and of its searches are its own. As long
+   * as the end of its last trip is unknown, or a new process has not queried all of its behaviours,
+   * it may have been stopped.
    */
   @Override
   public boolean isAvailable() {
@@ -170,7 +169,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
     return traits.isInField(place);
   }
 
-  /** {@inheritDoc} By the robot's description alone; what drives it is not asked. */
+  /** {@inheritDoc} From the robot's description alone; its drive is not queried. */
   @Override
   public Optional<Duration> eta(GeoPosition place) {
     PoseEstimate here = senses.pose();
@@ -202,7 +201,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
     errands.execute(() -> trip.extendLease(leaseEnd));
   }
 
-  /** It stands where it is: its sensors see what is there. */
+  /** It stays at its position: its sensors observe from there. */
   @Override
   public void observe(HelpCall call) {
     errands.execute(
@@ -225,8 +224,8 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
   }
 
   /**
-   * Tries again where a search does not answer, until it is called away. As long as it is not known
-   * whether somebody has stopped the robot, or the trip of an earlier process, nothing goes on.
+   * Retries if a search does not respond, until the next trip. Nothing is resumed as long as it is
+   * unknown whether the robot, or the trip of an earlier process, was stopped.
    */
   private void goOn() {
     boolean isDone = isAway || (trip.isSettled() && isKnownWhetherHeld() && goOnUnlessHeld());
@@ -241,7 +240,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
     }
   }
 
-  /** A hold that is known is enough; that nothing holds it is known when all were asked. */
+  /** One known hold is sufficient; the absence of a hold is known when all were queried. */
   private boolean isKnownWhetherHeld() {
     hold.settle();
     return hold.isSettled() || hold.stopReason().isPresent();

@@ -20,45 +20,45 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
 /**
- * Whether the robot is held: somebody stopped it, and nobody has let it go on since. A robot that
- * is held answers no call for help, and does not set out.
+ * Determines whether the robot is held: it was stopped, and no operator has ended the hold since. A
+ * held robot answers no call for help and does not start a trip.
  *
  * <p>It is held by each of its behaviours whose goal is {@linkplain BehaviorStatus#heldSince held},
- * by each effector that moves it and was stopped for an emergency, released or not, and where it is
- * not known whether somebody stopped its last trip. The behaviours and effectors remember their
- * stops themselves, over the death of their processes. What is written down here are the stops that
- * a person has dealt with: by a goal that began later, or by {@link #end}. So a stop is found also
- * where it happened while the agent's process was dead.
+ * by each effector that moves it and was stopped for an emergency, released or not, and while it is
+ * unknown whether its last trip was stopped. The behaviours and effectors store their stops
+ * persistently. This class stores the stops that an operator has handled: by a goal that started
+ * later, or by {@link #end}. So it also finds a stop that occurred while the agent's process was
+ * down.
  *
- * <p>A new process finds the robot's modules one after the other. As long as it has not asked all
- * of the behaviours that the robot is known to have, and seen all of its effectors, nobody knows
- * whether somebody stopped one of them: nothing moves for it until it is {@linkplain #isSettled
- * settled}. Where an earlier version wrote down none of them, it looks for {@link #SETTLING}.
+ * <p>A new process discovers the robot's modules one after the other. Until it has queried all
+ * known behaviours and found all effectors of the robot, it is unknown whether one of them was
+ * stopped: the agent moves nothing until the hold is {@linkplain #isSettled settled}. If an earlier
+ * version stored no modules, it searches for {@link #SETTLING}.
  *
- * <p>Thread-safe. Asking needs no network, but for {@link #queryBehaviors}.
+ * <p>Thread-safe. Queries need no network, except {@link #queryBehaviors}.
  */
 final class OperatorHold {
 
   private static final String NEVER = "never";
 
-  /** No stop of it was dealt with yet. */
+  /** No stop of it was handled yet. */
   private static final String STOPPED = "stopped";
 
-  /** For how long a new process looks for the modules before it says that one is missing. */
+  /** Time for which a new process searches for the modules before it reports a missing one. */
   static final Duration SETTLING = Duration.ofSeconds(10);
 
   private final ModuleContext context;
   private final RobotStateMonitor senses;
   private final Logger log;
-  private final OperatorHoldStore memory; // guarded by this, with all that is in it
+  private final OperatorHoldStore memory; // guarded by this, with its content
 
-  /** Guarded by this; something is to go on, and nobody knows which modules the robot has. */
+  /** Guarded by this; work is to be resumed, and the robot's modules are unknown. */
   private boolean isUnlisted;
 
-  private @Nullable String silent; // guarded by this; a behaviour that did not answer, by path
+  private @Nullable String silent; // guarded by this; a behaviour that did not respond, by path
   private boolean isSettled; // guarded by this
   private boolean isLetGo; // guarded by this; before it was settled, see #end
-  private long startNanos; // guarded by this; when this process began to look for them
+  private long startNanos; // guarded by this; when this process started to search for them
 
   OperatorHold(ModuleContext context, RobotStateMonitor senses, Logger log) {
     this.context = context;
@@ -68,9 +68,9 @@ final class OperatorHold {
   }
 
   /**
-   * Knows again what an earlier process has written down; it is settled when it has asked.
+   * Loads the state of an earlier process; it is settled after the queries.
    *
-   * @param isHeir whether there is something that an earlier process began or left
+   * @param isHeir whether an earlier process started or interrupted work
    */
   synchronized void recall(boolean isHeir) {
     startNanos = context.robotTime().nanos();
@@ -79,9 +79,8 @@ final class OperatorHold {
   }
 
   /**
-   * Sees which behaviours and effectors there are. An effector that it sees for the first time may
-   * have been stopped and released years ago: that does not count, but a stop that is not released
-   * does.
+   * Updates the known behaviours and effectors. A new effector may have been stopped and released
+   * long ago: that does not count, but an unreleased stop does.
    */
   synchronized void refresh() {
     boolean isNews = memory.add(listed());
@@ -104,7 +103,7 @@ final class OperatorHold {
     }
   }
 
-  /** Holds the lock. In a new process nothing is found at first. */
+  /** The caller holds the lock. In a new process nothing is found at first. */
   private boolean isFound(String path) {
     return listed().contains(path);
   }
@@ -125,12 +124,12 @@ final class OperatorHold {
         .collect(Collectors.toCollection(TreeSet::new));
   }
 
-  /** Why it is held, as a clause; nothing where it is not. */
+  /** The reason of the hold, as a clause; empty where it is not held. */
   synchronized Optional<String> reason() {
     return stopReason().or(this::notSettled);
   }
 
-  /** Which stop holds it, as a clause; nothing where none does, as far as is known. */
+  /** The stop that holds it, as a clause; empty where none is known. */
   synchronized Optional<String> stopReason() {
     return Optional.ofNullable(memory.unknown())
         .or(() -> live().map(HoldReason::why))
@@ -138,14 +137,14 @@ final class OperatorHold {
   }
 
   /**
-   * Whether this process has asked all the behaviours that the robot is known to have, and found
-   * all of its effectors, or a person has let it go on without that.
+   * Whether this process has queried all known behaviours of the robot and found all of its
+   * effectors, or an operator has ended the hold without that.
    */
   synchronized boolean isSettled() {
     return isSettled;
   }
 
-  /** Asks the behaviours where this process has not done that yet. */
+  /** Queries the behaviours that this process has not queried yet. */
   void settle() {
     if (isSettled()) {
       return;
@@ -157,7 +156,7 @@ final class OperatorHold {
     }
   }
 
-  /** Holds the lock. It looks no longer without saying so. */
+  /** The caller holds the lock. After the timeout it reports what is missing. */
   private Optional<String> notSettled() {
     if (isSettled || isLetGo || !isOverdue()) {
       return Optional.empty();
@@ -171,7 +170,7 @@ final class OperatorHold {
               + " on by ./dfra recruit resume "
               + context.robot());
     }
-    return Optional.ofNullable(silent) // otherwise it is settled as soon as it asks again
+    return Optional.ofNullable(silent) // otherwise it is settled at the next query
         .map(
             path ->
                 path
@@ -193,7 +192,10 @@ final class OperatorHold {
     return missing;
   }
 
-  /** Holds the lock. What held it is not found now, as at first in a new process. */
+  /**
+   * The caller holds the lock. The module that held it is not found now, as at first in a new
+   * process.
+   */
   private Optional<String> notFoundAgain() {
     @Nullable HoldReason before = memory.last();
     return before == null || isFound(before.path()) ? Optional.empty() : Optional.of(before.why());
@@ -237,11 +239,11 @@ final class OperatorHold {
   }
 
   /**
-   * The same, by asking each behaviour of the robot now: before anything moves for a call.
+   * The same, from a query of each behaviour of the robot now: before a call moves anything.
    *
-   * @throws RemoteException if one does not answer, so that it is not known
-   * @throws NotReadyException if one has ended, or this is a new process that has not found all of
-   *     them yet, so that it is not known either
+   * @throws RemoteException if one does not respond, so that the result is unknown
+   * @throws NotReadyException if one has ended, or this new process has not found all of them yet,
+   *     so that the result is unknown, too
    */
   Optional<String> queryBehaviors() throws RemoteException {
     try {
@@ -267,7 +269,7 @@ final class OperatorHold {
 
   private Optional<String> askEach() throws RemoteException {
     Set<String> asked = new TreeSet<>();
-    senses.effectors().forEach(each -> asked.add(each.path())); // their personas say how they are
+    senses.effectors().forEach(each -> asked.add(each.path())); // their personas give their state
     for (ModuleListing<? extends Behavior<?>> each : senses.behaviors()) {
       @Nullable Instant since = answer(each).heldSince();
       asked.add(each.path());
@@ -302,7 +304,7 @@ final class OperatorHold {
     }
   }
 
-  /** Holds the lock. Why it is not settled now, as a clause. */
+  /** The caller holds the lock. The reason why it is not settled now, as a clause. */
   private String unsettled() {
     Set<String> missing = missing();
     return missing.isEmpty()
@@ -310,21 +312,24 @@ final class OperatorHold {
         : "it does not find " + String.join(", ", missing) + " yet";
   }
 
-  /** The last stop of an effector that a person has dealt with, or it first saw; null for none. */
+  /**
+   * The last stop of an effector that an operator has handled, or the first one seen; null for
+   * none.
+   */
   synchronized @Nullable String lastStop(String path) {
     return memory.endedStop(path);
   }
 
-  /** Nobody knows whether somebody stopped its trip; it is held until a person lets it go on. */
+  /** It is unknown whether its trip was stopped; it is held until an operator ends the hold. */
   synchronized void setUnknown(String why) {
     memory.unknown(why);
     memory.save();
   }
 
   /**
-   * A person had a goal begin, or go on, at that time: that ends each hold that was before.
+   * An operator started, or resumed, a goal at that time: this ends each earlier hold.
    *
-   * @param by what pursues it
+   * @param by behaviour that executes it
    */
   synchronized void endedByGoal(String by, Instant time) {
     if (reason().isPresent() && end(time)) {
@@ -333,8 +338,8 @@ final class OperatorHold {
   }
 
   /**
-   * A person lets it go on. An emergency stop that is not released holds it nevertheless. Where it
-   * was not settled, something may wait for that, and it stays so until {@link #settleByPerson}.
+   * An operator ends the hold. An unreleased emergency stop still holds it. If it was not settled,
+   * work may wait for that, and it stays unsettled until {@link #settleByPerson}.
    */
   synchronized void end() {
     isLetGo |= !isSettled;
@@ -344,7 +349,7 @@ final class OperatorHold {
     log.info("{}: a person lets it go on; now: {}", context.path(), reason().orElse("not held"));
   }
 
-  /** What waited for it has been given up: the person who let it go on moves nothing by that. */
+  /** The waiting work was cancelled: ending the hold moves nothing. */
   synchronized void settleByPerson() {
     isSettled = true;
   }

@@ -12,35 +12,35 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
 /**
- * What of a {@link OperatorHold} outlives its agent's process: the stops that a person has dealt
- * with, what held the robot last, and which modules it has. Guarded by the lock of its hold, which
- * also decides when it is written.
+ * Persistent state of an {@link OperatorHold}: the stops that an operator has handled, the last
+ * reason of a hold, and the robot's modules. Guarded by the lock of its hold, which also decides
+ * when to write it.
  */
 final class OperatorHoldStore {
 
   private static final String DOCUMENT = "hold";
 
-  /** Before what held it last, in the document. */
+  /** Prefix of the last reason in the document. */
   private static final String LAST = "=";
 
-  /** In the document it stands where others have a module's path. */
+  /** Used in the document in place of a module's path. */
   private static final String TRIP = "-";
 
-  /** Before a behaviour or an effector that the robot has, in the document. */
+  /** Prefix of a behaviour or an effector of the robot in the document. */
   private static final String HAS = "+";
 
   /**
-   * What holds the robot.
+   * The reason of a hold.
    *
    * @param path of the module
-   * @param why as a clause
+   * @param why reason, as a clause
    */
   record HoldReason(String path, String why) {}
 
   private final ModuleContext context;
   private final Logger log;
 
-  /** Since when the last stop was that a person has dealt with, by the path of the module. */
+  /** Start of the last stop that an operator has handled, by the path of the module. */
   private final Map<String, String> ended = new TreeMap<>();
 
   private @Nullable HoldReason last;
@@ -52,7 +52,7 @@ final class OperatorHoldStore {
     this.log = log;
   }
 
-  /** Reads what an earlier process has written. Where it cannot, that is {@link #unknown()}. */
+  /** Reads the document of an earlier process. A failure sets {@link #unknown()}. */
   void load() {
     try {
       String text =
@@ -90,7 +90,7 @@ final class OperatorHoldStore {
     }
   }
 
-  /** The document, as {@link #save} writes it now. */
+  /** The document that {@link #save} writes now. */
   String text() {
     StringBuilder text = new StringBuilder();
     ended.forEach((path, since) -> text.append(path).append(' ').append(since).append('\n'));
@@ -105,22 +105,22 @@ final class OperatorHoldStore {
     return text.toString();
   }
 
-  /** Since when the last stop of a module was that a person has dealt with; null for none. */
+  /** Start of the last stop of a module that an operator has handled; null for none. */
   @Nullable String endedStop(String path) {
     return ended.get(path);
   }
 
-  /** A person has dealt with a module's stop. */
+  /** Records that an operator has handled a module's stop. */
   void setEndedStop(String path, String since) {
     ended.put(path, since);
   }
 
-  /** Notes the stop that a module had when it was first seen; false if one is noted already. */
+  /** Records the stop of a module when it was first seen; false if one is recorded already. */
   boolean noteFirst(String path, String since) {
     return ended.putIfAbsent(path, since) == null;
   }
 
-  /** What held it last, until that is found and says that it does not any more. */
+  /** The last reason of a hold, until its module is found and reports otherwise. */
   @Nullable HoldReason last() {
     return last;
   }
@@ -129,7 +129,7 @@ final class OperatorHoldStore {
     last = reason;
   }
 
-  /** What nobody knows of the last trip, as a clause; null where all is known. */
+  /** The unknown end of the last trip, as a clause; null where it is known. */
   @Nullable String unknown() {
     return unknown;
   }
@@ -138,17 +138,17 @@ final class OperatorHoldStore {
     unknown = why;
   }
 
-  /** The behaviours and effectors that the robot is known to have, by path. */
+  /** The known behaviours and effectors of the robot, by path. */
   Set<String> modules() {
     return Collections.unmodifiableSet(modules);
   }
 
-  /** The robot has these modules; whether one of them was not known. */
+  /** Adds these modules; returns whether one of them was new. */
   boolean add(Set<String> paths) {
     return modules.addAll(paths);
   }
 
-  /** The robot has no modules but these. */
+  /** Sets the robot's modules to exactly these. */
   void retain(Set<String> paths) {
     modules.retainAll(paths);
   }

@@ -20,15 +20,15 @@ import org.dfra.recruit.strategy.RecruitmentStrategy;
 import org.dfra.recruit.transport.MessageMode;
 
 /**
- * The agent of one robot: asks others for help, and helps. It wakes by itself when one of its two
- * machines wants to do something though nothing happens.
+ * The agent of one robot: it calls other robots for help, and helps. A timer wakes it when a
+ * timeout of one of its two state machines is due.
  *
- * <p>Safe for use by any threads: one thing happens after the other. Its ports are called
- * meanwhile, and neither block nor call back before they return.
+ * <p>Thread-safe: it processes one event after the other. It calls its ports while processing;
+ * these neither block nor call back before they return.
  */
 public final class Recruiter implements AutoCloseable {
 
-  /** After something that failed it wakes no sooner: what fails once may fail at once again. */
+  /** Minimum delay of a wake-up after a failure: the same failure may recur at once. */
   private static final Duration RECOVERY = Duration.ofSeconds(1);
 
   private final String robot;
@@ -40,16 +40,16 @@ public final class Recruiter implements AutoCloseable {
   private final WakeTimer alarm;
 
   private final RunToCompletionQueue turns = new RunToCompletionQueue();
-  private boolean isOver; // changed in turns only
-  private String doing; // likewise; what was news last
+  private boolean isOver; // changed only inside the event queue
+  private String doing; // likewise; the last published status
   private String callersNews; // likewise
   private String helpersNews; // likewise
   private volatile RecruitmentStatus status;
 
   /**
-   * @param robot its name, by which others write to it
-   * @param strategy its own, shared with nobody
-   * @param kept what it was at when its process died; nothing for a fresh start
+   * @param robot its name, to which others send
+   * @param strategy its own, not shared
+   * @param kept state of its last process; empty for a fresh start
    */
   public Recruiter(
       String robot,
@@ -72,7 +72,7 @@ public final class Recruiter implements AutoCloseable {
             new RequesterMachine(settings, strategy),
             kept.map(AgentSnapshot::requester)
                 .orElseGet(
-                    () -> // greater than any number of an earlier life that nobody remembers
+                    () -> // greater than any number of an earlier process without a stored state
                     RequesterState.idle(new Conversation(robot, ports.monotonicClock().millis()))),
             ports,
             listener,
@@ -101,7 +101,7 @@ public final class Recruiter implements AutoCloseable {
     this.status = saying();
   }
 
-  /** Goes on with what it was at when its process died. */
+  /** Resumes from the stored state of its last process. */
   public void start() {
     turns.run(
         () -> {
@@ -111,7 +111,7 @@ public final class Recruiter implements AutoCloseable {
         });
   }
 
-  /** Says nothing any more. Who helps, or is helped, learns by leases and time-outs. */
+  /** Stops sending. Its helper or requester detects this by leases and timeouts. */
   @Override
   public void close() {
     turns.run(
@@ -124,7 +124,7 @@ public final class Recruiter implements AutoCloseable {
   /**
    * Calls for help.
    *
-   * @throws HelpCallRejectedException as told there
+   * @throws HelpCallRejectedException as specified there
    */
   public void help(HelpCall call) {
     turns.run(
@@ -136,12 +136,12 @@ public final class Recruiter implements AutoCloseable {
         });
   }
 
-  /** Gives the call up, and lets the helper go. */
+  /** Cancels the call and releases the helper. */
   public void release() {
     post(caller::release);
   }
 
-  /** Takes what another agent has sent. */
+  /** Handles a message from another agent. */
   public void receive(MessageEnvelope letter) {
     post(
         () -> {
@@ -151,26 +151,26 @@ public final class Recruiter implements AutoCloseable {
             caller.receive(letter.sender(), message);
           } else if (message.conversation().requester().equals(letter.sender())) {
             helper.receive(message);
-          } // else somebody speaks in another's name
+          } // otherwise the sender's name is forged
         });
   }
 
-  /** Looks at its robot, and tells where that is held, or not any more. */
+  /** Checks its robot, and publishes the start or end of a hold. */
   public void refresh() {
     post(() -> {});
   }
 
-  /** The lease on the helper; nothing where there is none. */
+  /** The lease on the helper; empty where there is none. */
   public Optional<ModuleLease> lease() {
     return turns.query(caller::lease);
   }
 
-  /** What it is at. */
+  /** Its status. */
   public RecruitmentStatus status() {
     return status;
   }
 
-  /** What of it is to outlive its process. */
+  /** Its state to store for the next process. */
   public AgentSnapshot snapshot() {
     return turns.query(this::kept);
   }
@@ -193,15 +193,15 @@ public final class Recruiter implements AutoCloseable {
     try {
       event.run();
       notBefore = Instant.MIN;
-    } catch (HelpCallRejectedException e) { // nothing has happened
+    } catch (HelpCallRejectedException e) { // no change
       notBefore = Instant.MIN;
       throw e;
-    } finally { // also where a strategy of somebody's own has failed
+    } finally { // even if a custom strategy has failed
       afterwards(notBefore);
     }
   }
 
-  /** After each turn: wakes when it must, and says what it is at. */
+  /** After each event: sets the timer and publishes the status. */
   private void afterwards(Instant notBefore) {
     Instant wanted = caller.state().nextWake();
     Instant helping = helper.state().nextWake();
@@ -219,7 +219,7 @@ public final class Recruiter implements AutoCloseable {
     RecruitmentStatus last = status;
     status = fresh;
     if (fresh.urge() != last.urge()) {
-      listener.snapshotChanged(kept()); // it may have changed after the state was kept
+      listener.snapshotChanged(kept()); // it may have changed after the state was stored
     }
     if (fresh.requesterPhase() != last.requesterPhase()
         || fresh.responderPhase() != last.responderPhase()
@@ -235,7 +235,7 @@ public final class Recruiter implements AutoCloseable {
           alarm.fired();
           try {
             caller.tick();
-          } finally { // whoever helps is freed by time, whatever becomes of its own call
+          } finally { // a timeout frees a helper, independently of its own call
             helper.tick();
           }
         });

@@ -5,24 +5,27 @@ import org.dfra.recruit.message.MessageEnvelope;
 import org.dfra.recruit.requester.RequesterAction;
 import org.dfra.recruit.responder.ResponderAction;
 
-/** Watches an agent. Must not block, and must not call it. */
+/** Observes an agent. It must not block or call the agent. */
 public interface RecruiterListener {
 
-  /** It sent something, to one robot or, where {@code to} is empty, to all that can. */
+  /**
+   * The agent sent a message, to one robot or, where {@code to} is empty, to all that can observe
+   * the percept.
+   */
   default void sent(String to, MessageEnvelope letter) {}
 
-  /** Something has come. */
+  /** The agent received a message. */
   default void received(MessageEnvelope letter) {}
 
-  /** It does this as one that needs help. */
+  /** The agent executes an action as requester. */
   default void performed(RequesterAction action) {}
 
-  /** It does this as one that helps. */
+  /** The agent executes an action as responder. */
   default void performed(ResponderAction action) {}
 
-  /** This is to be kept; whatever follows from it is done afterwards. */
+  /** The state to store; its actions follow afterwards. */
   default void snapshotChanged(AgentSnapshot snapshot) {}
 
-  /** It is at something else. */
+  /** The status has changed. */
   default void statusChanged(RecruitmentStatus status) {}
 }

@@ -6,14 +6,14 @@ import org.dfra.recruit.transport.Transport;
 import org.dfra.time.Scheduler;
 
 /**
- * What an agent reaches the world by.
+ * The interfaces of an agent to its environment.
  *
  * @param transport the other agents
  * @param robot its robot
- * @param leases the module's own, in which requesters hold the lease on it while it helps them
- * @param clock what time it is, by the robot's time, for people: somebody may set it
- * @param monotonicClock what every span goes by: nobody sets it, and it goes on over the agent's
- *     deaths
+ * @param leases the module's own, which grant the lease to a requester while the agent helps it
+ * @param clock the robot's wall-clock time, for people: it may be set
+ * @param monotonicClock for all timeouts: it is never set, and continues across restarts of the
+ *     agent
  * @param scheduler wakes it, by the robot's time
  */
 public record RecruiterPorts(
@@ -24,7 +24,7 @@ public record RecruiterPorts(
     InstantSource monotonicClock,
     Scheduler scheduler) {
 
-  /** By a clock that nobody sets, as a simulation's. */
+  /** With a clock that is never set, such as a simulation's. */
   public RecruiterPorts(
       Transport transport,
       RobotPort body,

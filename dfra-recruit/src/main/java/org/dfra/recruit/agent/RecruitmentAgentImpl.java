@@ -33,44 +33,43 @@ import org.dfra.recruit.transport.MessageMode;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The recruitment agent of a robot: a {@link Recruiter} on the robot's own modules. It keeps what
- * it is at, and goes on with it when its process has died.
+ * The recruitment agent of a robot: a {@link Recruiter} on the robot's own modules. It stores its
+ * state, and resumes from it after a crash of its process.
  *
  * <p>Parameters, read at the start:
  *
  * <ul>
- *   <li>{@code percepts}: what its robot can observe, separated by commas; none where it is not set
+ *   <li>{@code percepts}: the percepts that its robot can observe, separated by commas; default
+ *       none
  *   <li>{@code strategy}: {@code affective}, {@code greedy}, {@code random}, {@code contract-net},
  *       or the name of a class ({@link StrategyRegistry}); default {@code affective}. {@code
  *       affect}: {@code shame} or {@code impatience}; default {@code shame}
  *   <li>{@code shame_gain}, {@code shame_exponent}, {@code shame_floor}, {@code shame_idle}, {@code
  *       shame_busy}: the constants of {@link ShameSettings}, 0.01 to 100, 0.01 to 10, 0.001 to 1,
- *       and 0.01 to 10 twice. {@code eta_reference}: beyond it a place is as far as can be,
+ *       and 0.01 to 10 twice. {@code eta_reference}: ETA from which on a place counts as farthest,
  *       seconds, 0.1 to 86400; default the field's diagonal divided by {@code speed}
- *   <li>{@code impatience_fastest}, {@code impatience_slowest}: after how long an unanswered call
- *       moves an idle robot that is there already, and one at {@code eta_reference}, seconds, 0.1
- *       to 3600; default 5 and 30
- *   <li>{@code random_chance}: that a free robot offers, where it does by lot, 0.01 to 1; default
- *       0.5
- *   <li>{@code window}: for how long it awaits other offers after the first, seconds, 0.1 to 10 and
- *       below {@code replace_after} less {@code margin}; default what its strategy says
+ *   <li>{@code impatience_fastest}, {@code impatience_slowest}: time after which an unanswered call
+ *       motivates an idle robot at the place, and one at {@code eta_reference}, seconds, 0.1 to
+ *       3600; default 5 and 30
+ *   <li>{@code random_chance}: probability that a free robot offers with the random strategy, 0.01
+ *       to 1; default 0.5
+ *   <li>{@code window}: wait for other offers after the first, seconds, 0.1 to 10 and below {@code
+ *       replace_after} less {@code margin}; default the strategy's own
  *   <li>{@code messages}: {@code broadcast} or {@code unicast}; default {@code broadcast}
- *   <li>{@code speed}: how fast it gets anywhere, metres per second, 0.01 to 50; default 0.5.
- *       {@code detour}: how much longer its ways are than straight ones, 1 to 10; default 1.2. ETA
- *       is the straight distance times {@code detour}, divided by {@code speed}: write what it
- *       truly drives, or it turns back as a late one
- *   <li>{@code field}: two corners, south-west and north-east, latitude,longitude each; it goes
- *       nowhere else, and calls nobody there. Everywhere where it is not set
- *   <li>{@code tolerance}: how near a place is near enough, metres, 0.05 to 20; default 1
- *   <li>{@code reserve}: charge below which it helps nobody, 0 to 0.99; default 0.1
- *   <li>{@code longest_stay}: for how long it helps one call at most, seconds, 1 to 86400; default
- *       600
- *   <li>{@code go_to_waypoint}: name of the module that drives it; any of its robot where not set
+ *   <li>{@code speed}: travel speed, metres per second, 0.01 to 50; default 0.5. {@code detour}:
+ *       ratio of path length to straight distance, 1 to 10; default 1.2. ETA is the straight
+ *       distance times {@code detour}, divided by {@code speed}: give realistic values, otherwise
+ *       it withdraws as late
+ *   <li>{@code field}: two corners, south-west and north-east, latitude,longitude each; it neither
+ *       travels nor calls outside of it. Default unlimited
+ *   <li>{@code tolerance}: tolerance of arrival, metres, 0.05 to 20; default 1
+ *   <li>{@code reserve}: charge below which it does not help, 0 to 0.99; default 0.1
+ *   <li>{@code longest_stay}: maximum time of help for one call, seconds, 1 to 86400; default 600
+ *   <li>{@code go_to_waypoint}: name of the module that drives it; default any of its robot
  *   <li>{@code help_every}, {@code help_rounds}, {@code replace_after}, {@code margin}, {@code
  *       repeat_every}, {@code accept_sends}, {@code arrival_sends}, {@code agree_every}, {@code
  *       release_every}: those of {@link RecruitmentSettings}, spans in seconds, 0.1 to 3600, and
- *       counts, 1 to 100. Robots of a team that differ in {@code replace_after} or {@code margin}
- *       warn of each other
+ *       counts, 1 to 100. Robots of a team warn if {@code replace_after} or {@code margin} differ
  * </ul>
  */
 public final class RecruitmentAgentImpl extends ModuleImpl
@@ -96,9 +95,9 @@ public final class RecruitmentAgentImpl extends ModuleImpl
   }
 
   /**
-   * The same, watched: for reports and tests.
+   * The same with an observer: for reports and tests.
    *
-   * @param extra hears of everything that it does
+   * @param extra observes all its actions
    */
   public RecruitmentAgentImpl(ModuleContext context, RecruiterListener extra) {
     this(context, extra, BootId.system());
@@ -133,7 +132,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl
             () -> String.join("; ", new TreeMap<>(agreement.disagreements()).values()));
   }
 
-  /** Who is helped holds a lease for as long as the stay, which is longer than others are. */
+  /** The requester holds a lease for the whole stay, which is longer than other leases. */
   private static ModuleContext lasting(ModuleContext context) {
     Duration stay =
         context
@@ -172,9 +171,9 @@ public final class RecruitmentAgentImpl extends ModuleImpl
   }
 
   /**
-   * What it was at, or as much of that as is known.
+   * The stored state, as far as it can be loaded.
    *
-   * @throws IOException if there is something of which nothing can be read
+   * @throws IOException if a stored state exists and cannot be read at all
    */
   private Optional<AgentSnapshot> recalled() throws IOException {
     try {
@@ -187,8 +186,9 @@ public final class RecruitmentAgentImpl extends ModuleImpl
   }
 
   /**
-   * It may have promised to help, or have a helper on its way, and would not know: so it takes part
-   * in nothing before a person has looked. Its robot stops where the last process sent it.
+   * The agent may have promised help, or have a helper on its way, without a record of it: so it
+   * takes no part in recruitment until an operator has checked. Its robot stops at the last
+   * process' target.
    */
   private void fail(IOException why) {
     body.stop();
@@ -283,7 +283,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl
         held);
   }
 
-  /** Tells listeners, and keeps what is to be kept. */
+  /** Notifies listeners, and stores the state. */
   private final class StatusPublisher implements RecruiterListener {
 
     @Override

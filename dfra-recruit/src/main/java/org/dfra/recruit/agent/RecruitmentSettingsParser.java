@@ -6,7 +6,7 @@ import org.dfra.core.config.Parameters;
 import org.dfra.recruit.RecruitmentSettings;
 import org.jspecify.annotations.Nullable;
 
-/** Reads for how long an agent waits from its parameters. */
+/** Reads an agent's timeouts from its parameters. */
 final class RecruitmentSettingsParser {
 
   private static final Duration SHORTEST = Duration.ofMillis(100);
@@ -21,10 +21,9 @@ final class RecruitmentSettingsParser {
   }
 
   /**
-   * What is set, and for what is not the project's own.
+   * The parameters set, with DFRA's defaults for the others.
    *
-   * @throws org.dfra.core.config.ConfigurationException naming the parameter that cannot be, and
-   *     where it was written
+   * @throws org.dfra.core.config.ConfigurationException naming the invalid parameter and its place
    */
   static RecruitmentSettings of(Parameters settings) {
     RecruitmentSettingsParser read = new RecruitmentSettingsParser(settings);
@@ -51,9 +50,9 @@ final class RecruitmentSettingsParser {
   }
 
   /**
-   * What is set; null where nothing is.
+   * The value set; null where none is.
    *
-   * @param tooLong after which who offered could not be there in time any more
+   * @param tooLong limit from which on a robot that offered could not arrive in time
    */
   private @Nullable Duration window(Duration tooLong) {
     if (settings.find("window").isEmpty()) {
@@ -74,7 +73,7 @@ final class RecruitmentSettingsParser {
     return (int) number;
   }
 
-  /** One of the two is written, since the usual ones agree. */
+  /** At least one of the two is set, since the defaults are consistent. */
   private RuntimeException turnsBackTooEarly(Duration replaceAfter, Duration margin) {
     Optional<String> written = settings.find("margin");
     return written.isPresent()

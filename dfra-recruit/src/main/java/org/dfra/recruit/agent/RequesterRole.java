@@ -15,7 +15,7 @@ import org.dfra.recruit.requester.RequesterMachine;
 import org.dfra.recruit.requester.RequesterState;
 import org.jspecify.annotations.Nullable;
 
-/** The half of an agent that asks others for help. Everything happens in the agent's turns. */
+/** The requester role of an agent. It runs only inside the agent's event queue. */
 final class RequesterRole {
 
   private final String robot;
@@ -27,12 +27,12 @@ final class RequesterRole {
   private final Runnable keep;
   private RequesterState state;
   private @Nullable ArrivalLease lease;
-  private String replacementReason = ""; // who does not come after all, and why
+  private String replacementReason = ""; // robot that does not come after all, and why
   private String ended = "it has asked for nothing yet";
 
   /**
-   * @param giveBack is run, in no turn, where whoever has the lease gives it back
-   * @param keep is run where the state is another
+   * @param giveBack runs, outside of the event queue, when the lease's holder cancels it
+   * @param keep runs when the state has changed
    */
   RequesterRole(
       String robot,
@@ -61,7 +61,7 @@ final class RequesterRole {
     return state.phase().isUnderWay();
   }
 
-  /** The robot that was chosen; null where none is. */
+  /** The chosen robot; null where none is. */
   @Nullable String helper() {
     return state.phase() == RequesterPhase.IDLE || state.winner() == null
         ? null
@@ -72,7 +72,7 @@ final class RequesterRole {
     return Optional.ofNullable(lease);
   }
 
-  /** What it is at, in words. */
+  /** Its state, as text. */
   String doing() {
     return switch (state.phase()) {
       case IDLE -> ended;
@@ -93,7 +93,7 @@ final class RequesterRole {
         : replacementReason + "; it asks again";
   }
 
-  /** Goes on with what it was at when its process died. */
+  /** Resumes from the stored state of its last process. */
   void start() {
     if (state.phase() == RequesterPhase.BEING_HELPED || state.phase() == RequesterPhase.ON_SITE) {
       lease = new ArrivalLease(state.until(), ports.monotonicClock(), giveBack);
@@ -103,7 +103,7 @@ final class RequesterRole {
   /**
    * Calls for help.
    *
-   * @throws HelpCallRejectedException where that cannot be
+   * @throws HelpCallRejectedException if that is impossible
    */
   void call(HelpCall call) {
     refuse(call);

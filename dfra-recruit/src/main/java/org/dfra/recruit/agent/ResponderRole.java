@@ -25,7 +25,7 @@ import org.dfra.recruit.responder.ResponderState;
 import org.dfra.recruit.strategy.RecruitmentStrategy;
 import org.jspecify.annotations.Nullable;
 
-/** The half of an agent that helps others. Everything happens in the agent's turns. */
+/** The responder role of an agent. It runs only inside the agent's event queue. */
 final class ResponderRole implements ResponderPolicy {
 
   private static final Duration FOREVER = Duration.ofDays(10_000);
@@ -67,7 +67,7 @@ final class ResponderRole implements ResponderPolicy {
     return state;
   }
 
-  /** What it is at, in words. */
+  /** Its state, as text. */
   String doing() {
     return switch (state.phase()) {
       case FREE -> freed;
@@ -78,7 +78,7 @@ final class ResponderRole implements ResponderPolicy {
     };
   }
 
-  /** The robot that it helps, or has offered to. */
+  /** The robot that it helps, or has offered help. */
   @Nullable String requester() {
     Conversation in = state.conversation();
     return in == null ? null : in.requester();
@@ -89,8 +89,8 @@ final class ResponderRole implements ResponderPolicy {
   }
 
   /**
-   * Goes on with what it was at when its process died. One that helps nobody may have died after it
-   * was freed and before its robot went on with its work: the robot is told once more.
+   * Resumes from the stored state of its last process. An idle agent may have crashed after its
+   * release and before its robot resumed its work: so it repeats that command.
    */
   void start() {
     if (!state.phase().isCommitted()) {
@@ -210,8 +210,8 @@ final class ResponderRole implements ResponderPolicy {
   }
 
   /**
-   * The same time by the scheduler. That is read before the clock: a process that is suspended
-   * between the two makes the lease shorter, never longer.
+   * Converts a time to the scheduler's time. It reads the scheduler before the clock: a suspension
+   * of the process in between shortens the lease, never lengthens it.
    */
   private long nanos(Instant until) {
     long now = ports.scheduler().nanos();
@@ -254,13 +254,13 @@ final class ResponderRole implements ResponderPolicy {
     return grant.id();
   }
 
-  /** The end of a lease that its holder did not give back. */
+  /** The end of a lease that its holder did not cancel. */
   private final class LeaseEndListener {
-    @Nullable UUID id; // set in the turn in which it is granted
+    @Nullable UUID id; // set while the event that grants it is processed
 
     /**
-     * What ends before its time and was not revoked ended with the module, or by a time that goes
-     * faster than the robot's: what was promised holds on, for the next process or until its end.
+     * A lease that ends early without a revocation ended with the module, or by a clock faster than
+     * the robot's: the promise stays valid, for the next process or until its end.
      */
     void run() {
       UUID ended = id;

@@ -6,52 +6,52 @@ import org.dfra.agent.HelpCall;
 import org.dfra.geometry.GeoPosition;
 
 /**
- * What an agent asks of its robot. Its methods do not block and do not call the agent back before
- * they return; what takes its time is told to a {@link TravelListener}.
+ * An agent's interface to its robot. Its methods do not block and do not call the agent back before
+ * they return; a {@link TravelListener} receives the results of longer operations.
  */
 public interface RobotPort {
 
-  /** Is told how a journey went, once. */
+  /** Receives the result of a trip, once. */
   interface TravelListener {
 
-    /** It is at the place. */
+    /** The robot has arrived. */
     void arrived();
 
-    /** It will not get there; why, as a clause. */
+    /** The robot will not arrive; the reason is a clause. */
     void failed(String why);
   }
 
-  /** Whether it can observe that. */
+  /** Whether it can observe the percept. */
   boolean canObserve(String percept);
 
   /**
-   * Whether it may be asked at all: it can move, and nobody else has it stopped or sent anywhere.
-   * Work of its own that it would leave does not count.
+   * Whether it is available: it can move, and no other client has stopped or sent it. Its own work,
+   * which it would interrupt, does not count.
    */
   boolean isAvailable();
 
-  /** Why it is held, since somebody stopped it, as a clause; nothing where it is not held. */
+  /** The reason of its hold after a stop, as a clause; empty where it is not held. */
   default Optional<String> holdReason() {
     return Optional.empty();
   }
 
-  /** A person lets it go on. */
+  /** An operator ends the hold. */
   default void endHold() {}
 
-  /** Whether it has work of its own, which it would leave. */
+  /** Whether it has work of its own, which it would interrupt. */
   boolean hasOwnWork();
 
-  /** Whether that place is in the field in which its team works. */
+  /** Whether that place is in its team's field. */
   boolean isInField(GeoPosition place);
 
-  /** How long it would take to be there; nothing where it does not know, or cannot get there. */
+  /** The time to reach the place; empty where it is unknown or unreachable. */
   Optional<Duration> eta(GeoPosition place);
 
-  /** Charge left, 0 is empty, 1 is full; 1 where it does not know. */
+  /** Charge left, 0 is empty, 1 is full; 1 where it is unknown. */
   double battery();
 
   /**
-   * Leaves what it does, for later, and goes there.
+   * Interrupts its work, to be resumed later, and travels to the place.
    *
    * @param leaseEnd when the robot's lease of the task ends, nanoseconds of its agent's scheduler.
    *     From then on the robot does not move for this call. It stops by itself, since its agent may
@@ -60,19 +60,19 @@ public interface RobotPort {
   void travelTo(HelpCall call, long leaseEnd, TravelListener listener);
 
   /**
-   * Its lease of the task ends at another time than was said to {@link #travelTo}. It goes on
-   * without a stop. Does nothing where it is not on its way.
+   * Changes the end of its task lease, given to {@link #travelTo}, without a stop. Does nothing
+   * where it is not on its way.
    *
-   * @param leaseEnd when it ends now, as there
+   * @param leaseEnd the new end, as there
    */
   void extendLease(long leaseEnd);
 
-  /** Observes what it was called for; it is there. */
+  /** Starts to observe the percept at the place. */
   void observe(HelpCall call);
 
   /**
-   * Ends the journey or the observing, and goes on with what it left; also what an earlier process
-   * began or left. Does nothing where there is nothing of that.
+   * Ends the trip or the observation, and resumes the interrupted work; also that of an earlier
+   * process. Does nothing where there is none.
    */
   void resumeOwnWork();
 }

@@ -33,52 +33,52 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
 /**
- * What a robot's own modules have told of it last: where it is, its charge, whether it searches or
- * is driven, and whether it is stopped. Safe for use by any threads; asking needs no network.
+ * The last reports of a robot's own modules: its position, its charge, whether it searches or is
+ * driven, and whether it is stopped. Thread-safe; queries need no network.
  *
- * <p>A behaviour that is gone counts no more, and one that has not told anything since it was found
- * is at what its persona says. So is an emergency stop, which is seen half a second after it, and
- * as long after its end.
+ * <p>An unregistered behaviour is ignored; for one without a report since its discovery, the
+ * persona gives the status. So it is for an emergency stop, which is visible with a delay of half a
+ * second, at its start and its end.
  */
 final class RobotStateMonitor implements AutoCloseable {
 
   private static final Duration FRESH = Duration.ofSeconds(2);
   private static final Duration BATTERY_FRESH = Duration.ofMinutes(5);
 
-  /** Is told of each goal that a behaviour begins, or goes on with. */
+  /** Receives each start or resume of a behaviour's goal. */
   @FunctionalInterface
   interface GoalListener {
 
-    /** It began, or went on, at that time; on a delivery thread. */
+    /** The goal was started, or resumed, at that time; called on a delivery thread. */
     void goalStarted(ModuleListing<?> behavior, BehaviorStatus status);
   }
 
-  /** What sends a robot somewhere. */
+  /** Behaviours that drive a robot to a place. */
   private static final List<Class<? extends Behavior<?>>> DRIVING =
       List.of(GoToWaypoint.class, FollowWaypoints.class, ReturnHome.class);
 
-  /** What obeys to those. */
+  /** Effectors that execute their commands. */
   private static final List<Class<? extends Module>> MOVING =
       List.of(DriveEffector.class, FlightEffector.class);
 
   /**
-   * What a behaviour told last.
+   * A behaviour's last status.
    *
-   * @param module itself, or its proxy: it is another one after most restarts
+   * @param module the module or its proxy: usually another object after a restart
    */
   private record LastStatus(Module module, BehaviorStatus status) {
 
-    /** Whether the goal has begun since then, or goes on. */
+    /** Whether the goal was started since then, or was resumed. */
     boolean isNewGoal(BehaviorStatus fresh) {
       return status.phase() != Phase.RUNNING || !Objects.equals(status.goal(), fresh.goal());
     }
   }
 
   /**
-   * What came last of its kind. How old it is goes by when it came: who measured it did so by a
-   * clock that somebody may have set since.
+   * The last value of its kind. Its age is computed from its reception time: the sender's clock may
+   * have been set since.
    *
-   * @param nanos when it came, by the robot's monotonic time
+   * @param nanos its reception time, by the robot's monotonic time
    */
   private record Received<R>(R reading, long nanos) {}
 
@@ -145,13 +145,13 @@ final class RobotStateMonitor implements AutoCloseable {
     return new Received<>(reading, context.robotTime().nanos());
   }
 
-  /** Where it is; null where that is older than {@code FRESH}, or it never knew. */
+  /** Its position; null where that is older than {@code FRESH}, or unknown. */
   @Nullable PoseEstimate pose() {
     @Nullable Received<PoseEstimate> last = pose;
     return last != null && isFresh(last, FRESH) ? last.reading() : null;
   }
 
-  /** Charge left, 0 to 1; 1 where it does not know. */
+  /** Charge left, 0 to 1; 1 where it is unknown. */
   double battery() {
     @Nullable Received<BatteryState> last = charge;
     @Nullable Double remaining =
@@ -159,33 +159,33 @@ final class RobotStateMonitor implements AutoCloseable {
     return remaining == null ? 1 : remaining;
   }
 
-  /** Whether one of its raster searches runs. */
+  /** Whether one of its raster searches is running. */
   boolean isSearching() {
     return listed(RasterSearch.class).stream().anyMatch(each -> phase(each) == Phase.RUNNING);
   }
 
-  /** Whether it is sent somewhere, by whomever, also if it pauses on its way. */
+  /** Whether any client has sent it to a place, even if it is paused on its way. */
   boolean isDriving() {
     return DRIVING.stream()
         .flatMap(kind -> listed(kind).stream())
         .anyMatch(each -> phase(each).isUnderWay());
   }
 
-  /** What moves it. */
+  /** The effectors that move it. */
   List<ModuleListing<? extends Module>> effectors() {
     List<ModuleListing<? extends Module>> all = new ArrayList<>();
     MOVING.forEach(kind -> all.addAll(listed(kind)));
     return all;
   }
 
-  /** What sends it somewhere, and its searches. */
+  /** The behaviours that drive it to a place, and its searches. */
   List<ModuleListing<? extends Behavior<?>>> behaviors() {
     List<ModuleListing<? extends Behavior<?>>> all = new ArrayList<>(listed(RasterSearch.class));
     DRIVING.forEach(kind -> all.addAll(listed(kind)));
     return all;
   }
 
-  /** Since when somebody has the goal of a behaviour stand; null where nobody has. */
+  /** Since when a behaviour's goal is held; null where it is not. */
   @Nullable Instant heldSince(ModuleListing<?> behavior) {
     LastStatus last = told(behavior);
     return last != null

@@ -9,14 +9,14 @@ import org.dfra.geometry.LocalPosition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a robot's description says of it as a helper.
+ * Properties of a robot as a helper, from its description.
  *
- * @param percepts what it can observe; empty for one that only asks
+ * @param percepts that it can observe; empty for one that only requests help
  * @param speed metres per second
- * @param detourFactor how much longer its way is than the straight line, at least 1
- * @param tolerance how near a place is near enough, metres
- * @param batteryReserve charge below which it helps nobody, 0 to below 1
- * @param southWest of the field, south-west; null where the field has no edge
+ * @param detourFactor ratio of path length to straight distance, at least 1
+ * @param tolerance tolerance of arrival, metres
+ * @param batteryReserve charge below which it does not help, 0 to below 1
+ * @param southWest of the field, south-west; null for an unlimited field
  * @param northEast corner, north-east; likewise
  */
 record RobotTraits(
@@ -80,7 +80,7 @@ record RobotTraits(
         && at.north() <= far.north();
   }
 
-  /** From corner to corner, metres; 141 m, as a field of 100 m has, where it has no edge. */
+  /** From corner to corner, metres; 141 m, as for a field of 100 m, where it is unlimited. */
   double diagonal() {
     return southWest == null || northEast == null
         ? 100 * Math.sqrt(2)

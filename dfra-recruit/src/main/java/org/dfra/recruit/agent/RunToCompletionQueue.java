@@ -5,15 +5,15 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One thing happens after the other. What is asked for by the thing that happens now, such as by a
- * lease that ends since it is cancelled, happens next.
+ * Runs one event after the other. An event submitted by the running event, such as the end of a
+ * lease that it cancels, runs next.
  */
 final class RunToCompletionQueue {
 
   private final ArrayDeque<Runnable> waiting = new ArrayDeque<>(); // guarded by this
   private boolean isTaken; // guarded by this
 
-  /** Has it happen before this returns, unless called by what happens now. */
+  /** Runs an event before this returns, unless the running event calls it. */
   synchronized void run(Runnable turn) {
     waiting.add(turn);
     if (isTaken) {
@@ -25,7 +25,7 @@ final class RunToCompletionQueue {
       for (Runnable next = waiting.poll(); next != null; next = waiting.poll()) {
         try {
           next.run();
-        } catch (RuntimeException e) { // what was asked for meanwhile must happen nevertheless
+        } catch (RuntimeException e) { // events submitted meanwhile must run nevertheless
           failure = failure == null ? e : failure;
         }
       }
@@ -37,7 +37,7 @@ final class RunToCompletionQueue {
     }
   }
 
-  /** Looks at something between two turns. */
+  /** Reads state between two events. */
   synchronized <T> T query(Supplier<T> look) {
     return look.get();
   }

@@ -5,9 +5,9 @@ import java.time.InstantSource;
 import org.dfra.time.Scheduler;
 
 /**
- * A clock that a timer moves on from where it began. Somebody who sets the computer's clock
- * meanwhile moves no time-out: two robots that count the same span must not come to differ by that.
- * {@link AgentMemory} says where it begins, so that it goes on in the next process.
+ * A clock that a monotonic timer advances from its start. Setting the computer's clock changes no
+ * timeout: two robots that measure the same timeout must not diverge. {@link AgentMemory} sets its
+ * start, so that it continues in the next process.
  */
 final class SteadyClock implements InstantSource {
 
@@ -16,7 +16,7 @@ final class SteadyClock implements InstantSource {
   private final Scheduler timer;
 
   /**
-   * @param began what it says now
+   * @param began its current time
    */
   SteadyClock(Instant began, Scheduler timer) {
     this.began = began;

@@ -14,8 +14,8 @@ import org.dfra.recruit.strategy.RecruitmentStrategy;
 import org.dfra.recruit.strategy.StrategyRegistry;
 
 /**
- * Reads from an agent's parameters by what it decides. It reads those of every strategy, whichever
- * is chosen: a parameter that nobody reads is refused as unknown.
+ * Reads an agent's strategy from its parameters. It reads those of every strategy, whichever is
+ * chosen: an unread parameter is rejected as unknown.
  */
 final class StrategyParser {
 
@@ -32,11 +32,11 @@ final class StrategyParser {
   }
 
   /**
-   * The strategy, with what moves it; for what is not set the project's own.
+   * The strategy with its affect; with DFRA's defaults for parameters not set.
    *
-   * @param first for how long the first call of a conversation makes impatient
-   * @param random of strategies by chance
-   * @throws ConfigurationException naming the parameter that cannot be, and where it was written
+   * @param first waiting time for which the first call of a conversation counts
+   * @param random of random strategies
+   * @throws ConfigurationException naming the invalid parameter and its place
    */
   static RecruitmentStrategy of(
       Parameters settings, RobotTraits traits, Duration first, RandomGenerator random) {
@@ -84,7 +84,7 @@ final class StrategyParser {
     return new Impatience(inSeconds(fastest), inSeconds(slowest), etaReference, first);
   }
 
-  /** One of the two is written, since the usual ones agree. */
+  /** At least one of the two is set, since the defaults are consistent. */
   private ConfigurationException nearOnesAreSlower(Duration fastest, Duration slowest) {
     Optional<String> written = settings.find("impatience_slowest");
     return written.isPresent()

@@ -14,8 +14,8 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
 /**
- * Notices robots of the team that wait for another time than this one before they replace a helper,
- * by what their personas say: a call may have two helpers then for a while. It warns once for each.
+ * Detects robots of the team whose personas give another replacement timeout than this robot's: a
+ * call may then temporarily have two helpers. It warns once for each.
  */
 final class TimeoutConsistencyMonitor
     implements DirectoryListener<RecruitmentAgent>, AutoCloseable {
@@ -24,7 +24,7 @@ final class TimeoutConsistencyMonitor
   private final RecruitmentAttributes mine;
   private final Logger log;
   private final Map<String, String> warned = new ConcurrentHashMap<>(); // by robot
-  private @Nullable DirectoryRegistration watch; // by the agent's own start and end only
+  private @Nullable DirectoryRegistration watch; // only by the agent's own start and end
 
   TimeoutConsistencyMonitor(ModuleContext context, RecruitmentAttributes mine, Logger log) {
     this.context = context;
@@ -50,7 +50,7 @@ final class TimeoutConsistencyMonitor
     matched(now);
   }
 
-  /** Who is gone, or tells nothing of itself any more, does not disagree. */
+  /** Ignores a robot that has left, or that does not publish its timeouts any more. */
   @Override
   public void unmatched(ModuleListing<RecruitmentAgent> last) {
     warned.remove(last.robot());
@@ -76,7 +76,7 @@ final class TimeoutConsistencyMonitor
     }
   }
 
-  /** Those that disagree, in a sentence each, by robot. */
+  /** The inconsistent robots, with a sentence each. */
   Map<String, String> disagreements() {
     return Map.copyOf(warned);
   }

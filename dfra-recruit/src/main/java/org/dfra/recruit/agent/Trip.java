@@ -24,18 +24,18 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
 /**
- * A robot's way to a place by its {@link GoToWaypoint}: begun as soon as that obeys, looked at
- * twice a second, and told of at its end. Confined to the thread of the errands, but for {@link
+ * A robot's trip to a place with its {@link GoToWaypoint}: started as soon as that accepts the
+ * goal, polled twice a second, and reported at its end. Confined to the task thread, except {@link
  * #close}.
  *
- * <p>What drives is another process, which does not end with this one and is not suspended with it.
- * So each goal carries the time that is left of the robot's lease of the task; and the name of what
- * was begun is kept, and the next process either follows it, or ends it. It cannot where this one
- * dies within the milliseconds between the beginning and the writing.
+ * <p>The behaviour that drives runs in another process, which does not end and is not suspended
+ * with this one. So each goal carries the remaining time of the robot's task lease as its time
+ * limit; and the goal's name is stored, so that the next process either continues it or ends it.
+ * This fails if the process crashes within the milliseconds between the start and the write.
  */
 final class Trip {
 
-  /** How long it waits before it looks again. */
+  /** Polling period. */
   static final long POLL_INTERVAL_NANOS = 500_000_000;
 
   private final String path;
@@ -47,22 +47,20 @@ final class Trip {
   private final OperatorHold hold;
   private final Logger log;
   private final Scheduler time;
-  private volatile @Nullable UUID last; // what it began last
+  private volatile @Nullable UUID last; // its last goal
   private @Nullable TravelListener journey;
-  private long leaseEnd; // of the journey, nanoseconds
-  private boolean isExtended; // and what drives does not know that yet
-  private @Nullable LegGoal aim; // of the last journey
-  private @Nullable EmergencyStopSnapshot
-      stops; // when that was asked for; null until wheels answer
-  private @Nullable StartedLeg inherited; // until it is known whether that is still under way
-  private boolean isResting; // as soon as it can
+  private long leaseEnd; // of the trip, nanoseconds
+  private boolean isExtended; // the behaviour does not know it yet
+  private @Nullable LegGoal aim; // of the last trip
+  private @Nullable EmergencyStopSnapshot stops; // at the request; null until the drives respond
+  private @Nullable StartedLeg inherited; // until it is known whether that still runs
+  private boolean isResting; // as soon as possible
   private volatile boolean isOver;
 
   /**
-   * @param work is left where it still holds what drives, and stays so where a person has stopped
-   *     the trip
-   * @param hold says whether anything may begin, and learns of a trip of which nobody knows whether
-   *     somebody stopped it
+   * @param work is interrupted where it still uses the behaviour, and stays so after an operator's
+   *     stop of the trip
+   * @param hold decides whether a leg may start, and records a trip whose end is unknown
    */
   Trip(
       ModuleContext context,
@@ -83,22 +81,22 @@ final class Trip {
             path, ModuleDependency.of(context, GoToWaypoint.class, "go_to_waypoint"), errands, log);
   }
 
-  /** Knows again what was begun in an earlier process. */
+  /** Loads the leg started by an earlier process. */
   void recall() {
     memory
         .load()
         .ifPresent(
             begun -> {
               inherited = begun;
-              last = begun.goal(); // nobody else began that
+              last = begun.goal(); // no other client started that
             });
   }
 
   /**
-   * Takes over what was begun in an earlier process, also where it has ended since, so that a leg
-   * that somebody has stopped is not begun anew. One that led elsewhere is ended.
+   * Adopts the leg of an earlier process, even if it has ended since, so that a stopped leg is not
+   * restarted. A leg to another place is cancelled.
    *
-   * @return why it may not be begun anew, as a clause
+   * @return the reason why it must not be restarted, as a clause
    */
   private Optional<String> inherit(@Nullable GeoPosition place) throws RemoteException {
     StartedLeg last = inherited;
@@ -122,11 +120,11 @@ final class Trip {
   }
 
   /**
-   * Goes there, and nowhere else any more.
+   * Travels to a place; replaces any other target.
    *
    * @param end when the robot's lease of the task ends, nanoseconds of its time; {@link
-   *     Long#MAX_VALUE} for never. What drives it learns that, and stops it then whatever has
-   *     become of this process
+   *     Long#MAX_VALUE} for never. The behaviour gets this time limit, and then stops independently
+   *     of this process
    */
   void begin(LegGoal goal, long end, TravelListener listener) {
     if (!goal.equals(aim)) {
@@ -141,10 +139,10 @@ final class Trip {
     look(goal, listener);
   }
 
-  /** Begins the journey where it has not begun, and looks how far it is, until it has ended. */
+  /** Starts the trip if it has not started, and polls its progress until it has ended. */
   private void look(LegGoal goal, TravelListener of) {
     if (journey != of || isOver) {
-      return; // it was told to do something else
+      return; // it got another command
     }
     try {
       Optional<String> obstacle = inherit(goal.to());
@@ -172,24 +170,24 @@ final class Trip {
   }
 
   /**
-   * A leg that an earlier process began does not go on as long as nobody knows whether somebody
-   * stopped the robot meanwhile; it is begun anew then.
+   * A leg of an earlier process is suspended as long as it is unknown whether the robot was stopped
+   * meanwhile; then it is restarted.
    */
   private void waitUntilSettled() {
     if (!hold.isSettled() && travel.goal().isPresent()) {
       log.info("{}: it stops until it has asked all behaviours of the robot", path);
       travel.cancel();
       if (!travel.isUnresolved()) {
-        memory.forget(); // the next process is not to take this for a stop of somebody else
+        memory.forget(); // the next process must not treat this as an operator's stop
       }
     }
   }
 
   /**
-   * What was begun is not pursued any more, and not by this object's doing. It may be begun anew
-   * only where it is known that nobody stopped it.
+   * The leg has ended, not by this object. It may be restarted only if it is known that it was not
+   * stopped.
    *
-   * @return why it may not, as a clause
+   * @return the reason why it must not, as a clause
    */
   private Optional<String> lost(GoalDelegation.GoalLoss how) throws RemoteException {
     switch (how) {
@@ -206,9 +204,9 @@ final class Trip {
   }
 
   /**
-   * Why it has to stand, as a clause; nothing where it may go on.
+   * The reason to stop, as a clause; empty where it may continue.
    *
-   * @throws RemoteException if one of those that know does not answer
+   * @throws RemoteException if a queried module does not respond
    */
   private Optional<String> standing() throws RemoteException {
     if (isStoppedSince()) {
@@ -217,7 +215,7 @@ final class Trip {
     return hold.queryBehaviors();
   }
 
-  /** It goes no farther, and what it left waits for a person. */
+  /** Ends the trip; the interrupted work waits for an operator. */
   private void stand(TravelListener of, String why) {
     journey = null;
     travel.cancel();
@@ -226,14 +224,14 @@ final class Trip {
     of.failed(why);
   }
 
-  /** What it began last, so that others' goals can be told from its own; by any thread. */
+  /** Its last goal, to distinguish others' goals from its own; any thread may call it. */
   @Nullable UUID lastGoal() {
     return last;
   }
 
   /**
-   * Whether its wheels were stopped for an emergency since it was asked to go there, released or
-   * not. What drives may have died meanwhile, so that its goal does not say so.
+   * Whether its drives had an emergency stop since the trip was requested, released or not. The
+   * behaviour may have crashed meanwhile, so that its goal does not record it.
    */
   private boolean isStoppedSince() throws RemoteException {
     Optional<EmergencyStopSnapshot> now = EmergencyStopSnapshot.query(context);
@@ -251,7 +249,7 @@ final class Trip {
   private void begun(LegGoal goal, TravelListener of) throws RemoteException {
     boolean isLimited = leaseEnd != Long.MAX_VALUE;
     long left = isLimited ? leaseEnd - time.nanos() : Long.MAX_VALUE;
-    if (left <= 0) { // this process was suspended, or waited for what drives
+    if (left <= 0) { // this process was suspended, or waited for the behaviour
       journey = null;
       of.failed("its lease of the task is over");
       return;
@@ -265,7 +263,7 @@ final class Trip {
       stand(of, String.valueOf(e.getMessage()));
     } catch (GoalRefusedException e) {
       if (e.isBusy()) {
-        work.pauseSearches(); // again: it may not have answered, or not been found
+        work.pauseSearches(); // again: it may not have responded, or not been found
       } else {
         journey = null;
         of.failed(String.valueOf(e.getMessage()));
@@ -282,7 +280,7 @@ final class Trip {
     memory.save(new StartedLeg(name, goal.to().toString(), known));
   }
 
-  /** Its lease of the task ends at another time; what drives goes on without a stop. */
+  /** Changes the end of its task lease; the behaviour continues without a stop. */
   void extendLease(long end) {
     if (journey == null) {
       return;
@@ -291,7 +289,7 @@ final class Trip {
     isExtended = true;
     try {
       limit();
-    } catch (RemoteException | NotReadyException e) { // the next look tries again
+    } catch (RemoteException | NotReadyException e) { // the next poll retries
       log.info("{}: what drives it does not know its longer lease yet: {}", path, e.toString());
     }
   }
@@ -303,13 +301,13 @@ final class Trip {
     }
   }
 
-  /** Where it has, the agent is told. */
+  /** Notifies the agent if it has ended. */
   private boolean hasEnded(BehaviorStatus status, TravelListener of) {
     if (status.phase() == Phase.RUNNING) {
       return false;
     }
     heed(status);
-    if (status.phase() == Phase.PAUSED) { // as by a brake: nobody knows when it goes on
+    if (status.phase() == Phase.PAUSED) { // as by a brake: the time of its resume is unknown
       travel.cancel();
     } else {
       travel.forget();
@@ -325,19 +323,19 @@ final class Trip {
   }
 
   /**
-   * A leg that was paused or cancelled by others: somebody may stand before the robot. What it left
-   * to help must not move it either.
+   * A leg was paused or cancelled by others: a person may be in front of the robot. The interrupted
+   * work must not move it either.
    */
   private void heed(BehaviorStatus status) {
     if (status.phase() == Phase.PAUSED || status.phase() == Phase.CANCELLED) {
       work.handOverToOperator();
-      if (status.heldSince() == null) { // a program did it, on whose behalf nobody knows
+      if (status.heldSince() == null) { // a program did it, for an unknown client
         hold.setUnknown("a program stopped its trip: " + status.activity());
       }
     }
   }
 
-  /** A journey that has not begun yet, or not anew, does not begin any more. */
+  /** Cancels a trip that has not started, or not restarted, yet. */
   void giveUp(String why) {
     TravelListener waiting = journey;
     if (waiting != null) {
@@ -346,18 +344,18 @@ final class Trip {
     }
   }
 
-  /** It stands where it is, and nobody is told. */
+  /** Stops the robot without a notification. */
   void end() {
     journey = null;
     try {
-      travel.status().ifPresent(this::heed); // it may have been paused since it was looked at
+      travel.status().ifPresent(this::heed); // it may have been paused since the last poll
     } catch (RemoteException | NotReadyException e) {
       log.debug("{}: it does not know how its leg is: {}", path, e.toString());
     }
     rest();
   }
 
-  /** Tries again where what drives does not answer, until there is another journey. */
+  /** Retries if the behaviour does not respond, until the next trip. */
   private void rest() {
     if (journey != null) {
       return;
@@ -382,12 +380,12 @@ final class Trip {
     }
   }
 
-  /** Whether it is known what became of its trips, those of an earlier process included. */
+  /** Whether the ends of its trips are known, including those of an earlier process. */
   boolean isSettled() {
     return inherited == null && !travel.isUnresolved();
   }
 
-  /** Begins nothing any more; by any thread. */
+  /** Starts nothing any more; any thread may call it. */
   void close() {
     isOver = true;
   }

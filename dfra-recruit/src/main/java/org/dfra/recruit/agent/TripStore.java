@@ -7,17 +7,17 @@ import java.util.UUID;
 import org.dfra.core.module.ModuleContext;
 import org.slf4j.Logger;
 
-/** What of a {@link Trip} outlives its agent's process. Confined to the thread of the errands. */
+/** Persistent state of a {@link Trip}. Confined to the task thread. */
 final class TripStore {
 
   private static final String DOCUMENT = "trip";
 
   /**
-   * A leg that was begun.
+   * A started leg.
    *
    * @param goal its name
-   * @param place where to, as text
-   * @param stops the emergency stops that there had been when the agent was asked to go there
+   * @param place target, as text
+   * @param stops emergency stops at the time of the request
    */
   record StartedLeg(UUID goal, String place, EmergencyStopSnapshot stops) {
 
@@ -36,14 +36,14 @@ final class TripStore {
 
   private final ModuleContext context;
   private final Logger log;
-  private boolean isKept; // that one was begun
+  private boolean isKept; // that one was started
 
   TripStore(ModuleContext context, Logger log) {
     this.context = context;
     this.log = log;
   }
 
-  /** What an earlier process has begun; nothing where it had ended, or nobody knows. */
+  /** The leg started by an earlier process; empty where it had ended or is unknown. */
   Optional<StartedLeg> load() {
     try {
       byte[] kept = context.state().read(DOCUMENT).orElse(new byte[0]);
@@ -62,7 +62,7 @@ final class TripStore {
     write(begun.text());
   }
 
-  /** It has ended. */
+  /** Removes the ended leg. */
   void forget() {
     if (isKept) {
       write("");

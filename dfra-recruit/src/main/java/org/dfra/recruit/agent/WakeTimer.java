@@ -5,7 +5,10 @@ import java.time.Instant;
 import org.dfra.time.Scheduler.ScheduledTask;
 import org.jspecify.annotations.Nullable;
 
-/** Wakes an agent at one time to come. Everything happens in its turns, but the waking. */
+/**
+ * Wakes an agent at one future time. Except for the wake-up, it runs only inside the agent's event
+ * queue.
+ */
 final class WakeTimer {
 
   private final RecruiterPorts ports;
@@ -18,7 +21,7 @@ final class WakeTimer {
     this.wake = wake;
   }
 
-  /** Wakes then instead; never where that is {@link Instant#MAX}. */
+  /** Sets the time; {@link Instant#MAX} means never. */
   void set(Instant then) {
     if (then.equals(at)) {
       return;
@@ -35,7 +38,7 @@ final class WakeTimer {
                 .after(Duration.between(ports.monotonicClock().instant(), then).toNanos(), wake);
   }
 
-  /** It has woken; it may have been early by the clock, and is then set to the same time again. */
+  /** Handles the wake-up; if it was early by the clock, the timer is set to the same time again. */
   void fired() {
     task = null;
     at = Instant.MAX;

@@ -1,9 +1,9 @@
 package org.dfra.recruit.experiment;
 
-/** What happened to the calls of a run. */
+/** Statistics of the calls of a run. */
 final class CallStatistics {
 
-  /** A mean of numbers as they come. */
+  /** A running mean. */
   static final class RunningMean {
     private double sum;
     private int count;
@@ -24,7 +24,7 @@ final class CallStatistics {
   final RunningMean regret = new RunningMean(); // seconds
   int completed;
   int successes;
-  double called; // seconds: when the current call was made
+  double called; // seconds: time of the current call
   FieldPoint place = new FieldPoint(0, 0);
   boolean isAwarded;
   private boolean hasArrived;

@@ -5,7 +5,7 @@ import java.util.function.ToDoubleFunction;
 import java.util.function.ToIntFunction;
 
 /**
- * What came of all runs of a cell.
+ * The results of all runs of a cell.
  *
  * @param runs one for each seed, in the order of the seeds
  */
@@ -30,12 +30,12 @@ public record CellResult(ExperimentCell cell, List<RunResult> runs) {
     return runs.stream().mapToInt(metric).sum();
   }
 
-  /** The share of calls in which help came within the deadline. */
+  /** The share of calls in which help arrived within the deadline. */
   public Estimate success() {
     return Estimate.share(total(RunResult::successes), total(RunResult::calls));
   }
 
-  /** How much more of it there is here than there; the runs of a seed are pairs. */
+  /** The paired difference to another cell, by seed. */
   public Estimate difference(CellResult other, ToDoubleFunction<RunResult> metric) {
     return Estimate.paired(each(metric), other.each(metric));
   }

@@ -7,20 +7,20 @@ import org.apache.commons.statistics.interval.Interval;
 import org.apache.commons.statistics.interval.NormalConfidenceInterval;
 
 /**
- * A number that was measured several times, and how sure it is: 95 %.
+ * The estimate of a repeatedly measured number, with its 95 % confidence interval.
  *
- * @param value measured
+ * @param value estimated
  * @param low lower end of the confidence interval
  * @param high upper end
  */
 public record Estimate(double value, double low, double high) {
 
-  private static final double ERROR = 0.05; // how often the interval misses
+  private static final double ERROR = 0.05; // error probability of the interval
 
   /**
-   * A mean, by Student's distribution. What is no number was not measured, and is left out.
+   * A mean, by Student's distribution. NaN values are dropped as not measured.
    *
-   * @return no numbers where fewer than two were measured
+   * @return NaN where fewer than two were measured
    */
   public static Estimate mean(double[] values) {
     double[] measured = Arrays.stream(values).filter(value -> !Double.isNaN(value)).toArray();
@@ -35,7 +35,7 @@ public record Estimate(double value, double low, double high) {
         NormalConfidenceInterval.MEAN.fromErrorRate(mean, squares / (count - 1), count, ERROR));
   }
 
-  /** The mean of the differences of pairs: the first less the second. */
+  /** The mean of paired differences: the first minus the second. */
   public static Estimate paired(double[] first, double[] second) {
     if (first.length != second.length) {
       throw new IllegalArgumentException(
@@ -46,7 +46,7 @@ public record Estimate(double value, double low, double high) {
     return mean(differences);
   }
 
-  /** A share, by Wilson's score interval. */
+  /** A proportion, by Wilson's score interval. */
   public static Estimate share(int successes, int trials) {
     return of(
         (double) successes / trials,

@@ -10,12 +10,11 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.LongStream;
 
 /**
- * Runs cells over seeds. Over the simulated network what comes out depends on nothing but them and
- * the plan.
+ * Runs cells over seeds. With the simulated network the results depend only on these and the plan.
  */
 public final class Experiment {
 
-  /** Is told how far it is, by several threads. */
+  /** Receives the progress, from several threads. */
   @FunctionalInterface
   public interface Progress {
     void done(int runs, int ofThem);
@@ -26,18 +25,18 @@ public final class Experiment {
   private final ExperimentEnvironment.Factory venues;
 
   /**
-   * Over the simulated network.
+   * With the simulated network.
    *
-   * @param threads how many run at once; at least 1. They end with {@link #run}.
+   * @param threads number of parallel runs; at least 1. They end with {@link #run}.
    */
   public Experiment(ExperimentPlan plan, int threads) {
     this(plan, threads, SimulatedEnvironment::new);
   }
 
   /**
-   * The same elsewhere.
+   * The same in another environment.
    *
-   * @param venues where runs take place; several at once
+   * @param venues creates the environments of runs; several at once
    */
   public Experiment(ExperimentPlan plan, int threads, ExperimentEnvironment.Factory venues) {
     this.plan = plan;
@@ -49,7 +48,8 @@ public final class Experiment {
    * Runs every cell with every seed.
    *
    * @return a result for each cell, in their order
-   * @throws InterruptedException if the calling thread was interrupted; so are the runs then
+   * @throws InterruptedException if the calling thread was interrupted; the runs are then
+   *     interrupted, too
    */
   public List<CellResult> run(List<ExperimentCell> cells, long[] seeds, Progress progress)
       throws InterruptedException {

@@ -4,12 +4,12 @@ import java.util.Locale;
 import org.dfra.recruit.transport.MessageMode;
 
 /**
- * One combination of what is varied.
+ * One combination of the varied parameters.
  *
  * @param strategy its name
- * @param mode how messages to all are sent
- * @param vehicles how many ground vehicles there are, two of which scan; there is one aircraft
- * @param loss share of messages that is lost, 0 to 1
+ * @param mode transmission of messages to all
+ * @param vehicles number of ground vehicles, two of which scan; there is one aircraft
+ * @param loss fraction of messages lost, 0 to 1
  */
 public record ExperimentCell(String strategy, MessageMode mode, int vehicles, double loss) {
 

@@ -11,28 +11,28 @@ import org.dfra.recruit.strategy.RecruitmentStrategy;
 import org.dfra.recruit.transport.MessageMode;
 import org.dfra.time.Scheduler;
 
-/** Where a run takes place: its time, and the network with its agents. */
+/** The environment of a run: its time, and the network with its agents. */
 public interface ExperimentEnvironment extends AutoCloseable {
 
-  /** Opens one for a run. */
+  /** Creates an environment for a run. */
   @FunctionalInterface
   interface Factory {
 
     /**
-     * A venue where nobody is yet.
+     * Creates an environment without agents.
      *
-     * @param seed of the run; what is drawn by chance is drawn by it
-     * @throws Exception if there cannot be one
+     * @param seed of the run; it seeds all random numbers
+     * @throws Exception if it cannot be created
      */
     ExperimentEnvironment create(ExperimentCell cell, ExperimentPlan plan, long seed)
         throws Exception;
   }
 
   /**
-   * A robot that is to have an agent.
+   * The specification of a robot's agent.
    *
    * @param name of the robot
-   * @param percepts that it says it can observe
+   * @param percepts that it declares it can observe
    */
   record AgentSpec(
       String name,
@@ -48,43 +48,43 @@ public interface ExperimentEnvironment extends AutoCloseable {
     }
   }
 
-  /** The agent of a member, for its own robot. */
+  /** The handle of an agent. */
   interface AgentHandle {
 
     /** As {@link org.dfra.agent.RecruitmentAgent#callForHelp}. */
     void callForHelp(HelpCall call);
 
-    /** Gives the call up. */
+    /** Cancels the call. */
     void release();
 
-    /** What it is at. */
+    /** Its status. */
     RecruitmentStatus status();
   }
 
-  /** The time that agents and robots live by. */
+  /** The time of agents and robots. */
   Scheduler time();
 
   /**
-   * Gives a robot its agent.
+   * Adds the agent of a robot.
    *
-   * @throws Exception if it cannot have one
+   * @throws Exception if it cannot be added
    */
   AgentHandle addAgent(AgentSpec member) throws Exception;
 
   /**
-   * Returns when all that have joined know each other.
+   * Returns when all added agents have discovered each other.
    *
-   * @throws Exception if they do not get to
+   * @throws Exception if they do not
    */
   void awaitConnected() throws Exception;
 
-  /** Has a while pass. */
+  /** Advances the time. */
   void advance(Duration span) throws InterruptedException;
 
-  /** How often something was sent, a broadcast counted once. */
+  /** Number of transmissions, a broadcast counted once. */
   long transmissions();
 
-  /** The same, a broadcast counted once for each that it was meant for. */
+  /** The same, a broadcast counted once per receiver. */
   long receptions();
 
   /** Ends all agents. */

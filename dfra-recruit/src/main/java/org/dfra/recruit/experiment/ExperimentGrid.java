@@ -4,22 +4,22 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dfra.recruit.transport.MessageMode;
 
-/** The cells. */
+/** The cells of the experiment. */
 public final class ExperimentGrid {
 
-  /** The strategies that are compared, and one beside them. */
+  /** The strategies compared, and one in addition. */
   public static final List<String> STRATEGIES =
       List.of("affective", "greedy", "random", "contract-net");
 
   /** Ground vehicles. */
   public static final List<Integer> VEHICLES = List.of(3, 6, 12);
 
-  /** Shares of messages that are lost. */
+  /** Fractions of messages lost. */
   public static final List<Double> LOSSES = List.of(0.0, 0.10, 0.25, 0.50);
 
   private ExperimentGrid() {}
 
-  /** The 72 cells, and 24 of the contract net beside them. */
+  /** The 72 cells, and 24 of the contract net in addition. */
   public static List<ExperimentCell> cells() {
     return cells(STRATEGIES);
   }
@@ -39,7 +39,7 @@ public final class ExperimentGrid {
     return cells;
   }
 
-  /** The strategies there are results of, in their order. */
+  /** The strategies with results, in their order. */
   public static List<String> strategies(List<CellResult> results) {
     return results.stream().map(result -> result.cell().strategy()).distinct().toList();
   }

@@ -14,19 +14,19 @@ import org.dfra.recruit.transport.DelayModel;
 import org.dfra.recruit.transport.MeasuredDelays;
 
 /**
- * What is the same in every cell.
+ * The parameters common to every cell.
  *
- * @param calls how many calls the aircraft makes in a run
- * @param period from call to call; one that is still under way is given up
- * @param settlingTime after the last call, for all to come to rest
- * @param patience for how long a helper is looked for
- * @param deadline within which one must have come, for the call to count as a success
- * @param stay for how long it is wanted
- * @param settings the time-outs
+ * @param calls number of calls of the aircraft in a run
+ * @param period between calls; a call still pending is cancelled
+ * @param settlingTime after the last call, for all robots to become idle
+ * @param patience time for which a helper is searched
+ * @param deadline within which a helper must arrive, for the call to count as a success
+ * @param stay requested duration of help
+ * @param settings timeouts of the protocol
  * @param shame the constants of the affective strategy
  * @param messageDelay of each message
- * @param timerDelay by how much agents and robots are late where they wait for a time
- * @param losses makes what decides which are lost
+ * @param timerDelay delay of agents' and robots' timers
+ * @param losses creates the loss model
  */
 public record ExperimentPlan(
     int calls,
@@ -41,13 +41,13 @@ public record ExperimentPlan(
     DelayModel timerDelay,
     Losses losses) {
 
-  /** Makes a loss model that loses a share. */
+  /** Creates a loss model for a fraction lost. */
   @FunctionalInterface
   public interface Losses {
     LossModel losing(double share, RandomGenerator random);
   }
 
-  /** Twelve calls, one in five minutes, for twenty seconds; losses are independent. */
+  /** Defaults: twelve calls, one every five minutes, for twenty seconds; independent losses. */
   public static final ExperimentPlan DEFAULT =
       new ExperimentPlan(
           12,
@@ -126,7 +126,7 @@ public record ExperimentPlan(
         other);
   }
 
-  /** The same with so many calls, one in that while, and that while after the last. */
+  /** The same with another number of calls, period, and settling time. */
   public ExperimentPlan with(int fewer, Duration each, Duration after) {
     return new ExperimentPlan(
         fewer,

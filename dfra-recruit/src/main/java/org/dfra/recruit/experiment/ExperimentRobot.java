@@ -12,18 +12,18 @@ import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A robot in the field. It stands, follows a raster route, or drives in a straight line; on a
- * journey it is a little slower than it expects, since wheels slip. A scanner that was called away
- * drives back to where it left its route and goes on there; others stay where they are.
+ * A robot in the field. It is stationary, follows a raster route, or drives in a straight line; on
+ * a trip it is slightly slower than its ETA, since wheels slip. After helping, a scanner drives
+ * back to the point where it left its route and continues there; others stay at their position.
  *
- * <p>Safe for use by several threads. Whoever is told that it has arrived is told without a lock.
+ * <p>Thread-safe. It reports an arrival without holding a lock.
  */
 final class ExperimentRobot implements RobotPort {
 
   /** Metres per second, of a ground vehicle. */
   static final double SPEED = 1;
 
-  private static final double SLIP = 0.03; // standard deviation of the share a journey takes longer
+  private static final double SLIP = 0.03; // σ of the relative excess of a trip's duration
 
   private final Scheduler time;
   private final Set<String> percepts;
@@ -31,24 +31,24 @@ final class ExperimentRobot implements RobotPort {
   private final RandomGenerator lot;
   private final @Nullable RasterRoute route;
 
-  // All that follows is guarded by this.
-  private double way; // metres along the route, when it was last on it
+  // All following fields are guarded by this.
+  private double way; // metres along the route, where it was last on it
   private boolean isScanning;
-  private FieldPoint from; // where it began to drive, or stands
+  private FieldPoint from; // start of the drive, or its stationary position
   private FieldPoint to;
-  private double since; // seconds: when it began to drive, or to follow the route
-  private double lasts; // seconds that the drive takes
+  private double since; // seconds: start of the drive, or of the route
+  private double lasts; // duration of the drive, seconds
   private Scheduler.@Nullable ScheduledTask journey;
-  private long leaseEnd; // of the task that it drives for, nanoseconds
-  private int drives; // so far; the number of the one under way
+  private long leaseEnd; // of the task of the drive, nanoseconds
+  private int drives; // so far; number of the current one
   private boolean isAlive = true;
   private double travelled;
   private double lost;
   private double leftRouteAt;
 
   /**
-   * @param route that it scans along; null for one that stands
-   * @param begin where it stands, or metres along its route, as {@code east}
+   * @param route that it scans along; null for a stationary one
+   * @param begin its position, or metres along its route, as {@code east}
    */
   ExperimentRobot(
       Scheduler time,
@@ -73,7 +73,7 @@ final class ExperimentRobot implements RobotPort {
     return time.nanos() / 1e9;
   }
 
-  /** Where it is. */
+  /** Its position. */
   synchronized FieldPoint position() {
     RasterRoute along = route;
     if (isScanning && along != null) {
@@ -83,23 +83,23 @@ final class ExperimentRobot implements RobotPort {
     return from.towards(to, share);
   }
 
-  /** What it drove for others and back, metres. */
+  /** Distance driven for others and back, metres. */
   synchronized double travelled() {
     return travelled;
   }
 
-  /** For how long it was away from its route, seconds. */
+  /** Time away from its route, seconds. */
   synchronized double rasterTimeLost() {
     return lost + (route != null && !isScanning ? seconds() - leftRouteAt : 0);
   }
 
-  /** It stands still for good, and nobody is told. */
+  /** Stops it permanently, without a notification. */
   synchronized void die() {
     stand();
     isAlive = false;
   }
 
-  /** Seconds to a place. */
+  /** Travel time to a place, seconds. */
   synchronized double seconds(FieldPoint place) {
     return position().distance(place) / speed;
   }
@@ -152,7 +152,7 @@ final class ExperimentRobot implements RobotPort {
     leaseEnd = end;
   }
 
-  /** The lease of a task that it still drives for is over. */
+  /** The lease of the task that it still drives for has ended. */
   private void overdue(int number, TravelListener reported) {
     synchronized (this) {
       if (!isUnderWay(number) || journey == null) {
@@ -196,7 +196,7 @@ final class ExperimentRobot implements RobotPort {
             });
   }
 
-  /** Whether that drive is not over, and was not given up when its end was about to be told. */
+  /** Whether that drive has neither ended nor been cancelled before its end is reported. */
   private synchronized boolean isUnderWay(int number) {
     return isAlive && number == drives;
   }
@@ -208,7 +208,7 @@ final class ExperimentRobot implements RobotPort {
     }
     FieldPoint here = position();
     double left = isScanning || lasts == 0 ? 0 : here.distance(to);
-    travelled -= left; // counted when it set out
+    travelled -= left; // counted at its start
     if (!isScanning) {
       from = here;
       to = here;
@@ -233,7 +233,7 @@ final class ExperimentRobot implements RobotPort {
 
   private synchronized void scanAgain(int number) {
     if (number != drives) {
-      return; // it was called away just now
+      return; // it was interrupted in between
     }
     lost += seconds() - leftRouteAt;
     isScanning = true;

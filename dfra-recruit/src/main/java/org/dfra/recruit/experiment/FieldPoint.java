@@ -1,7 +1,7 @@
 package org.dfra.recruit.experiment;
 
 /**
- * A place in the field.
+ * A point in the field.
  *
  * @param east of its south-west corner, metres
  * @param north of it, metres
@@ -12,7 +12,7 @@ record FieldPoint(double east, double north) {
     return Math.hypot(east - other.east, north - other.north);
   }
 
-  /** That share of the way to another, 0 to 1. */
+  /** Interpolates towards another point, 0 to 1. */
   FieldPoint towards(FieldPoint other, double share) {
     return new FieldPoint(
         east + share * (other.east - east), north + share * (other.north - north));

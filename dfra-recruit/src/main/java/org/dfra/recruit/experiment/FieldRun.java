@@ -15,8 +15,9 @@ import org.dfra.recruit.responder.ResponderAction;
 
 /**
  * One run: an aircraft that scans the whole field and calls for help at intervals, two vehicles
- * that scan half of it each, and others that stand. Runs of one seed have the same places to be
- * helped at; with as many vehicles also the same beginnings, so they are compared in pairs.
+ * that scan half of it each, and others that are stationary. Runs of one seed have the same call
+ * positions; with equal numbers of vehicles also the same initial positions, so they are compared
+ * in pairs.
  */
 final class FieldRun {
 
@@ -37,9 +38,9 @@ final class FieldRun {
   private final CallStatistics diary = new CallStatistics(); // guarded by itself
 
   /**
-   * Has robots and agents take their places.
+   * Creates robots and agents.
    *
-   * @throws Exception what the venue throws
+   * @throws Exception what the environment throws
    */
   FieldRun(ExperimentCell cell, ExperimentPlan plan, long seed, ExperimentEnvironment venue)
       throws Exception {
@@ -59,7 +60,7 @@ final class FieldRun {
     }
   }
 
-  /** A run over the simulated network. */
+  /** A run with the simulated network. */
   static RunResult simulated(ExperimentCell cell, ExperimentPlan plan, long seed) throws Exception {
     return new FieldRun(cell, plan, seed, new SimulatedEnvironment(cell, plan, seed)).run();
   }
@@ -120,14 +121,14 @@ final class FieldRun {
   /**
    * Runs it.
    *
-   * @throws Exception what the venue throws
+   * @throws Exception what the environment throws
    */
   RunResult run() throws Exception {
     venue.awaitConnected();
     RandomGenerator places = stream(5);
     for (int i = 0; i < plan.calls(); i++) {
       FieldPoint place = somewhere(places);
-      aircraft.release(); // what is still under way has failed
+      aircraft.release(); // a call still pending has failed
       synchronized (diary) {
         diary.call(now(), place);
       }
@@ -148,7 +149,7 @@ final class FieldRun {
       aircraft.callForHelp(
           new HelpCall(PERCEPT, ExperimentField.toEarth(place), plan.stay(), plan.patience()));
     } catch (HelpCallRejectedException e) {
-      // Over a real network it may see nobody just now. That is a call without help, and counts.
+      // On a real network it may see no other robot now. That counts as a call without help.
     }
   }
 
@@ -169,7 +170,7 @@ final class FieldRun {
         vehicles.stream().mapToDouble(ExperimentRobot::travelled).average().orElse(0));
   }
 
-  /** Shows its states to the referee. */
+  /** Passes its states to the invariant checker. */
   private class SnapshotObserver implements RecruiterListener {
     String name = "";
 
@@ -179,7 +180,7 @@ final class FieldRun {
     }
   }
 
-  /** A vehicle's. */
+  /** The agent of a vehicle. */
   private final class ResponderObserver extends SnapshotObserver {
     @Override
     public void performed(ResponderAction action) {
@@ -189,7 +190,7 @@ final class FieldRun {
     }
   }
 
-  /** The aircraft's. */
+  /** The agent of the aircraft. */
   private final class RequesterObserver extends SnapshotObserver {
     @Override
     public void performed(RequesterAction action) {

@@ -13,9 +13,8 @@ import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Sees every agent's state at once, which none of them does, and counts what must not be: a second
- * helper of a requester, and a helper on which its requester does not count. Safe for use by
- * several threads.
+ * Monitors the states of all agents together, and counts violations: a second helper of a
+ * requester, and a helper that its requester does not expect. Thread-safe.
  */
 final class InvariantChecker {
 
@@ -43,7 +42,7 @@ final class InvariantChecker {
     return orphans;
   }
 
-  /** That robot knows this now. */
+  /** Updates the state of a robot. */
   synchronized void update(String robot, AgentSnapshot snapshot) {
     known.put(robot, snapshot);
     ResponderState responder = snapshot.responder();
@@ -58,7 +57,7 @@ final class InvariantChecker {
     }
   }
 
-  /** Counts a robot that was not helping before and is the second to. */
+  /** Counts a robot that starts to help as the second one. */
   synchronized void committed(String requester) {
     if (helpers.getOrDefault(requester, Set.of()).size() > 1) {
       doubles++;
@@ -79,7 +78,7 @@ final class InvariantChecker {
     }
   }
 
-  /** In which conversation nobody counts on it; null where somebody does. */
+  /** The conversation in which no requester expects it; null where one does. */
   private @Nullable SuspectedOrphan orphan(String robot) {
     AgentSnapshot snapshot = known.get(robot);
     Conversation in = snapshot == null ? null : snapshot.responder().conversation();
@@ -99,7 +98,7 @@ final class InvariantChecker {
         && state.winner().robot().equals(robot);
   }
 
-  /** The run has ended, and all had time to come to rest: who is not free is an orphan. */
+  /** The run has ended, and all had time to become idle: a robot that is not free is an orphan. */
   synchronized void end() {
     for (AgentSnapshot snapshot : known.values()) {
       if (snapshot.responder().phase().isCommitted()) {

@@ -23,20 +23,20 @@ import org.dfra.recruit.transport.SimulatedNetwork;
 import org.dfra.recruit.transport.VirtualTime;
 
 /**
- * How many messages agents in one virtual machine exchange in a second of real time, over the
- * simulated network. Every tenth calls for help, again and again; the others answer.
+ * Measures the rate of messages between agents in one virtual machine, per second of real time,
+ * with the simulated network. Every tenth agent calls for help repeatedly; the others answer.
  */
 public final class MessageRate {
 
   /**
-   * What was measured.
+   * The result.
    *
-   * @param delivered messages that were sent, carried and answered
+   * @param delivered number of messages sent, delivered and handled
    * @param seconds of real time
    */
   public record Result(int agents, long delivered, double seconds) {
 
-    /** Messages in a second. */
+    /** Messages per second. */
     public double rate() {
       return delivered / seconds;
     }
@@ -86,7 +86,7 @@ public final class MessageRate {
   }
 
   /**
-   * Measures it.
+   * Measures the rate.
    *
    * @param minutes of virtual time; each has a call of every caller
    */

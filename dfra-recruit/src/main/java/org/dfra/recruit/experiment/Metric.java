@@ -2,7 +2,7 @@ package org.dfra.recruit.experiment;
 
 import java.util.function.ToDoubleFunction;
 
-/** What is measured of a run; of every one less is better. */
+/** A metric of a run; lower is better for all. */
 public enum Metric {
   TRANSMISSIONS("transmissions", "each", RunResult::transmissionsEach),
   RECEPTIONS("transmissions, broadcast as n", "each", RunResult::receptionsEach),
@@ -32,27 +32,29 @@ public enum Metric {
     this.value = value;
   }
 
-  /** Such as {@code time to the choice}. */
+  /** Its name, such as {@code time to the choice}. */
   public String title() {
     return title;
   }
 
-  /** Its unit, or what it is counted by. */
+  /** Its unit, or the counted item. */
   public String unit() {
     return unit;
   }
 
-  /** Of one run; NaN where there is nothing to measure. */
+  /** Its value in one run; NaN where it is undefined. */
   public double of(RunResult run) {
     return value.applyAsDouble(run);
   }
 
-  /** Over all runs of a cell: a share by Wilson's interval, all else by Student's. */
+  /**
+   * Its estimate over all runs of a cell: a proportion by Wilson's interval, others by Student's.
+   */
   public Estimate of(CellResult result) {
     return result.mean(value);
   }
 
-  /** How much more there is here than there; the runs of a seed are pairs. */
+  /** The paired difference between two cells, by seed. */
   public Estimate difference(CellResult here, CellResult there) {
     return here.difference(there, value);
   }

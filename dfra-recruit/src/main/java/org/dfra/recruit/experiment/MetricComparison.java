@@ -7,13 +7,13 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * How the affective strategy compares with another in a cell, by one metric. Only a sign is
- * claimed, and only where the interval of the paired difference has one.
+ * Compares the affective strategy with another in a cell, by one metric. It claims only a sign, and
+ * only where the confidence interval of the paired difference excludes 0.
  *
  * @param cell the affective one
  * @param rival the other strategy
- * @param difference how much more there is with the affective strategy; below 0 it is better
- * @param relativeDifference the same as a share of what the rival has; NaN where that is nothing
+ * @param difference affective minus rival; below 0 the affective strategy is better
+ * @param relativeDifference the same relative to the rival's value; NaN where that is 0
  */
 public record MetricComparison(
     Metric metric,
@@ -22,14 +22,14 @@ public record MetricComparison(
     Estimate difference,
     double relativeDifference) {
 
-  /** What is compared with all others. */
+  /** The strategy compared with all others. */
   public static final String AFFECTIVE = "affective";
 
-  /** What the intervals allow to say. */
+  /** The conclusion that the intervals permit. */
   public enum Outcome {
     WINS,
     LOSES,
-    /** The interval holds 0: no difference was seen. */
+    /** The interval contains 0: no difference was found. */
     INCONCLUSIVE
   }
 
@@ -41,7 +41,7 @@ public record MetricComparison(
     return difference.low() > 0 ? Outcome.LOSES : Outcome.INCONCLUSIVE;
   }
 
-  /** Every comparison there is, in the order of the cells. */
+  /** All comparisons, in the order of the cells. */
   public static List<MetricComparison> all(List<CellResult> results) {
     Map<ExperimentCell, CellResult> byCell = new HashMap<>();
     results.forEach(result -> byCell.put(result.cell(), result));

@@ -1,7 +1,7 @@
 package org.dfra.recruit.experiment;
 
 /**
- * Lanes over a rectangle, driven forth and back for ever. Lanes run north and south; frame east,
+ * Lanes over a rectangle, driven back and forth repeatedly. Lanes run north and south; frame east,
  * north, metres.
  */
 final class RasterRoute {
@@ -15,7 +15,7 @@ final class RasterRoute {
   /**
    * @param width of the rectangle, metres
    * @param height likewise
-   * @param spacing from lane to lane, metres
+   * @param spacing between lanes, metres
    */
   RasterRoute(double west, double south, double width, double height, double spacing) {
     this.west = west;
@@ -25,12 +25,12 @@ final class RasterRoute {
     this.lanes = (int) (width / spacing) + 1;
   }
 
-  /** From one end to the other, metres. */
+  /** Length from one end to the other, metres. */
   double length() {
     return lanes * height + (lanes - 1) * spacing;
   }
 
-  /** Where one is after that way, metres, not negative. */
+  /** The position after a driven distance, metres, not negative. */
   FieldPoint at(double way) {
     double there = way % (2 * length());
     double along = there <= length() ? there : 2 * length() - there;

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.StringJoiner;
 
-/** The results as comma-separated values: one line for each run, nothing averaged. */
+/** The results as comma-separated values: one row for each run, without averages. */
 public final class ResultsCsv {
 
   private static final String HEAD =
@@ -14,7 +14,7 @@ public final class ResultsCsv {
   private ResultsCsv() {}
 
   /**
-   * All lines, the first with the names of the columns. Numbers that were not measured are empty.
+   * All rows, the first with the names of the columns. Numbers that were not measured are empty.
    */
   public static String of(List<CellResult> results) {
     StringJoiner lines = new StringJoiner("\n", HEAD + "\n", "\n");

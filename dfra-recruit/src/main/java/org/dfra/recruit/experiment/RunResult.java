@@ -1,23 +1,24 @@
 package org.dfra.recruit.experiment;
 
 /**
- * What came of one run.
+ * The result of one run.
  *
- * @param seed it was made with
- * @param calls how many calls for help there were
- * @param completed in how many of them a helper came and all knew
- * @param successes in how many of those it came within the deadline
- * @param transmissions how often something was sent, a broadcast counted once
- * @param receptions the same, a broadcast counted once for each that it was meant for
- * @param allocation mean time from a call to the first choice, seconds; NaN where nobody was chosen
- * @param arrival mean time from a call to the helper's arrival, seconds; NaN where nobody came
- * @param regret mean of how much longer the chosen robot needed than the nearest free one, seconds;
- *     NaN where nobody was chosen
- * @param duplicateHelpers how often a second robot was on its way to a call or there
- * @param orphanedHelpers how often a robot was on its way or there for longer than 2 s though its
- *     requester did not count on it; robots that were not free in the end are among them
- * @param rasterTimeLost by scanners that were called away, seconds
- * @param travel of each ground vehicle for others and back, metres, mean
+ * @param seed of the run
+ * @param calls number of calls for help
+ * @param completed number of those with a complete recruitment
+ * @param successes number of those in which the helper arrived within the deadline
+ * @param transmissions number of transmissions, a broadcast counted once
+ * @param receptions the same, a broadcast counted once per receiver
+ * @param allocation mean time from a call to the first choice, seconds; NaN where no robot was
+ *     chosen
+ * @param arrival mean time from a call to the helper's arrival, seconds; NaN where none arrived
+ * @param regret mean excess travel time of the chosen robot over the nearest free one, seconds; NaN
+ *     where none was chosen
+ * @param duplicateHelpers number of times that a second robot was on its way to a call or there
+ * @param orphanedHelpers number of times that a robot was on its way or there for longer than 2 s
+ *     although its requester did not expect it; includes robots that were not free at the end
+ * @param rasterTimeLost time of scanners away from their routes, seconds
+ * @param travel mean distance of each ground vehicle for others and back, metres
  */
 public record RunResult(
     long seed,
@@ -34,12 +35,12 @@ public record RunResult(
     double rasterTimeLost,
     double travel) {
 
-  /** Transmissions for each recruitment that was completed; NaN where none was. */
+  /** Transmissions per completed recruitment; NaN where none was. */
   public double transmissionsEach() {
     return completed == 0 ? Double.NaN : (double) transmissions / completed;
   }
 
-  /** Likewise with a broadcast counted for each robot. */
+  /** The same with a broadcast counted once per receiver. */
   public double receptionsEach() {
     return completed == 0 ? Double.NaN : (double) receptions / completed;
   }

@@ -7,9 +7,8 @@ import org.dfra.recruit.affect.ShameSettings;
 import org.dfra.recruit.transport.MessageMode;
 
 /**
- * Tries constants of shame on seeds that judge nothing: teams of six, by broadcast, at 10 % loss.
- * {@link ShameSettings#forField} was fixed before; the table shows what other choices would have
- * come to.
+ * Evaluates constants of shame on the tuning seeds: teams of six, by broadcast, at 10 % loss.
+ * {@link ShameSettings#forField} was fixed before; the table shows the results of other choices.
  */
 public final class ShameTuning {
 
@@ -17,10 +16,10 @@ public final class ShameTuning {
   private static final List<Double> EXPONENTS = List.of(1.0, 2.0, 3.0);
 
   /**
-   * What came of one choice.
+   * The result of one choice.
    *
-   * @param transmissions for each recruitment
-   * @param allocation seconds
+   * @param transmissions per recruitment
+   * @param allocation time to the choice, seconds
    */
   public record Trial(ShameSettings shame, Estimate transmissions, Estimate allocation) {
 
@@ -38,7 +37,7 @@ public final class ShameTuning {
 
   private ShameTuning() {}
 
-  /** Every choice that is tried. */
+  /** All evaluated choices. */
   public static List<Trial> trials(ExperimentPlan plan, int seeds, int threads)
       throws InterruptedException {
     List<Trial> trials = new ArrayList<>();

@@ -76,7 +76,7 @@ final class SimulatedEnvironment implements ExperimentEnvironment {
 
   @Override
   public void awaitConnected() {
-    // who has joined is known
+    // added agents are known at once
   }
 
   @Override
@@ -96,6 +96,6 @@ final class SimulatedEnvironment implements ExperimentEnvironment {
 
   @Override
   public void close() {
-    // its time stands still
+    // its time no longer advances
   }
 }

@@ -7,14 +7,14 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * How a metric of one strategy changes from a cell to another that differs in one thing. Both have
- * the same seeds, and the places to be helped at are those of the seed: the runs are pairs.
+ * The change of a metric of one strategy between two cells that differ in one parameter. Both have
+ * the same seeds, and the seed determines the call positions: the runs are pairs.
  *
- * @param difference how much more there is in the second
+ * @param difference second minus first
  */
 public record Trend(Metric metric, ExperimentCell from, ExperimentCell to, Estimate difference) {
 
-  /** Whether the interval has a sign: 1 it grows, -1 it falls, 0 no change was seen. */
+  /** The sign of the interval: 1 increase, -1 decrease, 0 no change found. */
   public int sign() {
     if (difference.low() > 0) {
       return 1;

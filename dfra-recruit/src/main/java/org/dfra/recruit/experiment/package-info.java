@@ -1,7 +1,8 @@
 /**
- * The experiment that judges recruitment: agents in a field of 100 m by 100 m, by events in virtual
- * time, on the same agent code as a robot's. Where a run takes place is its {@link
- * org.dfra.recruit.experiment.ExperimentEnvironment}: this package has the simulated one.
+ * The experiment that evaluates recruitment: agents in a field of 100 m by 100 m, as a
+ * discrete-event simulation, with the same agent code as a robot's. The environment of a run is its
+ * {@link org.dfra.recruit.experiment.ExperimentEnvironment}: this package contains the simulated
+ * one.
  *
  * <pre>
  *   ExperimentGrid --cells--&gt; Experiment --a seed and a cell--&gt; FieldRun --RunResult--&gt; CellResult

@@ -45,9 +45,9 @@ public final class GilbertElliottLoss implements LossModel {
   }
 
   /**
-   * One that loses a share of all in bursts, and nothing between them.
+   * A model that loses a fraction of all messages in bursts, and none between them.
    *
-   * @param share of all messages, 0 to below 1
+   * @param share fraction of all messages, 0 to below 1
    * @param burst mean length of a burst, messages, at least 1
    */
   public static GilbertElliottLoss bursts(double share, double burst, RandomGenerator random) {
@@ -58,7 +58,7 @@ public final class GilbertElliottLoss implements LossModel {
     return new GilbertElliottLoss(Math.min(1, toGood * share / (1 - share)), toGood, 0, 1, random);
   }
 
-  /** The share of messages that is lost in the long run. */
+  /** The long-term fraction of messages lost. */
   public double share() {
     double inBad = toBad / (toBad + toGood);
     return inBad * lossInBad + (1 - inBad) * lossInGood;

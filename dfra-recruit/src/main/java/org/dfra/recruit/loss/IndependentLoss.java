@@ -2,7 +2,7 @@ package org.dfra.recruit.loss;
 
 import java.util.random.RandomGenerator;
 
-/** Each message is lost with the same probability, whatever became of others. */
+/** Each message is lost with the same probability, independently of others. */
 public final class IndependentLoss implements LossModel {
 
   private final double probability;
@@ -21,6 +21,6 @@ public final class IndependentLoss implements LossModel {
 
   @Override
   public boolean loses(String from, String to) {
-    return lot.nextDouble() < probability; // draws also where it is 0: paired runs stay in step
+    return lot.nextDouble() < probability; // draws also where it is 0: paired runs stay aligned
   }
 }

@@ -7,7 +7,7 @@ public interface LossModel {
   /** Whether the next message from one robot to another is lost. */
   boolean loses(String from, String to);
 
-  /** None is. */
+  /** No loss. */
   static LossModel none() {
     return (from, to) -> false;
   }

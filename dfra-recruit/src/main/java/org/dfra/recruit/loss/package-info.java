@@ -1,6 +1,6 @@
 /**
- * Which messages are lost: {@link org.dfra.recruit.loss.LossModel}. Seeded, so a run can be
- * repeated.
+ * Models of message loss: {@link org.dfra.recruit.loss.LossModel}. Seeded, so runs are
+ * reproducible.
  */
 @NullMarked
 package org.dfra.recruit.loss;

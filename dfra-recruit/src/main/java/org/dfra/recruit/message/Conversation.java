@@ -3,12 +3,11 @@ package org.dfra.recruit.message;
 import java.io.Serializable;
 
 /**
- * One attempt to find a helper. A robot is chosen once in it at the most; whoever is to be replaced
- * is replaced in the next. That the requester has begun the next one, in whichever message somebody
- * hears it, ends the ones before.
+ * One attempt to find a helper. At most one robot is chosen in it; its replacement is chosen in the
+ * next. Any message of a newer conversation of the same requester ends the earlier ones.
  *
  * @param requester name of the robot that needs help
- * @param number grows with each of its attempts, also over its process' deaths
+ * @param number grows with each of its attempts, also across restarts of its process
  */
 public record Conversation(String requester, long number) implements Serializable {
 
@@ -23,7 +22,7 @@ public record Conversation(String requester, long number) implements Serializabl
     return new Conversation(requester, number + 1);
   }
 
-  /** Whether it makes that one a thing of the past. */
+  /** Whether it ends the other one. */
   public boolean supersedes(Conversation other) {
     return requester.equals(other.requester) && number > other.number;
   }

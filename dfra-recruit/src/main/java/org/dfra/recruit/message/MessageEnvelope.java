@@ -5,12 +5,12 @@ import java.util.Objects;
 import org.dfra.agent.AgentMessage;
 
 /**
- * A message on its way.
+ * A message with its sender, number and time.
  *
  * @param sender name of the robot that sent it
- * @param number grows with each that robot's agent sends, also over its process' deaths
- * @param time when it was sent, by the sender's clock, UTC; for people, never compared
- * @param message what it says
+ * @param number grows with each message of that robot's agent, also across restarts of its process
+ * @param time of sending, by the sender's clock, UTC; for people, never compared
+ * @param message content
  */
 public record MessageEnvelope(String sender, long number, Instant time, RecruitmentMessage message)
     implements AgentMessage {

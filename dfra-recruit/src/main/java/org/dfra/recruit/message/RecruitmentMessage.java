@@ -7,15 +7,15 @@ import java.util.UUID;
 import org.dfra.agent.HelpCall;
 
 /**
- * What is said in a conversation. Time spans cross the network, instants never do: clocks may
- * differ, and a message that took its time then errs on the safe side (see {@link ResponderId}).
+ * A message of a conversation. Messages contain time spans, never instants: clocks may differ, and
+ * a delayed message then errs on the safe side (see {@link ResponderId}).
  */
 public sealed interface RecruitmentMessage extends Serializable {
 
-  /** In which conversation. */
+  /** Its conversation. */
   Conversation conversation();
 
-  /** Requester to all: who can come? */
+  /** Requester to all: a call for help. */
   record Help(Conversation conversation, HelpCall call, int round) implements RecruitmentMessage {
 
     /** {@code round} counts the calls of the conversation from 1. */
@@ -29,11 +29,10 @@ public sealed interface RecruitmentMessage extends Serializable {
   }
 
   /**
-   * Responder to requester: I can.
+   * Responder to requester: an offer.
    *
    * @param bid counts the offers of this robot in the conversation from 0
-   * @param eta how long it would take to be there, not negative, at most {@link
-   *     HelpCall#MAX_DURATION}
+   * @param eta time to reach the place, not negative, at most {@link HelpCall#MAX_DURATION}
    * @param battery charge left, 0 is empty, 1 is full
    */
   record Accept(Conversation conversation, int bid, Duration eta, double battery)
@@ -50,10 +49,10 @@ public sealed interface RecruitmentMessage extends Serializable {
   }
 
   /**
-   * Responder to requester: I cannot, or not any more, or I know that I need not.
+   * Responder to requester: a refusal, a withdrawal, or the acknowledgement of a release.
    *
-   * @param isFinal whether it is out of the conversation from then on; false where it only makes no
-   *     offer in this round. Such a one may come after an offer that it made in a later round
+   * @param isFinal whether the responder has left the conversation; false where it only makes no
+   *     offer in this round. Such a message may arrive after an offer of a later round
    */
   record Refuse(Conversation conversation, String why, boolean isFinal)
       implements RecruitmentMessage {
@@ -65,12 +64,12 @@ public sealed interface RecruitmentMessage extends Serializable {
   }
 
   /**
-   * Requester to all: that one is to come, the others need not.
+   * Requester to all: the chosen robot; the others are not needed.
    *
    * @param winner name of the robot
-   * @param bid the latest offer of it that the requester has heard. It waits for the winner until
-   *     that offer's time has passed since it <em>heard</em> it; the winner turns back when the
-   *     time has passed since it <em>sent</em> it, which was before.
+   * @param bid its latest offer that the requester has received. The requester waits for the winner
+   *     until that offer's time has passed since it <em>received</em> it; the winner withdraws when
+   *     the time has passed since it <em>sent</em> it, which is earlier.
    */
   record ResponderId(Conversation conversation, String winner, int bid)
       implements RecruitmentMessage {
@@ -82,10 +81,10 @@ public sealed interface RecruitmentMessage extends Serializable {
   }
 
   /**
-   * Responder to requester: I am there.
+   * Responder to requester: the responder has arrived.
    *
-   * @param lease names the lease that the responder grants on itself
-   * @param stay for how long yet, at most {@link HelpCall#MAX_DURATION}
+   * @param lease identifies the lease that the responder grants on itself
+   * @param stay remaining time, at most {@link HelpCall#MAX_DURATION}
    */
   record Arrival(Conversation conversation, UUID lease, Duration stay)
       implements RecruitmentMessage {
@@ -100,7 +99,7 @@ public sealed interface RecruitmentMessage extends Serializable {
     }
   }
 
-  /** Requester to responder: I know that you are there; stay. */
+  /** Requester to responder: acknowledges the arrival and accepts the lease. */
   record Agree(Conversation conversation) implements RecruitmentMessage {
 
     public Agree {
@@ -108,7 +107,7 @@ public sealed interface RecruitmentMessage extends Serializable {
     }
   }
 
-  /** Responder to requester: I know that you know. The recruitment is complete. */
+  /** Responder to requester: acknowledges the agreement. The recruitment is complete. */
   record AckAck(Conversation conversation) implements RecruitmentMessage {
 
     public AckAck {
@@ -117,9 +116,9 @@ public sealed interface RecruitmentMessage extends Serializable {
   }
 
   /**
-   * Requester to a responder, or to all: you are not wanted any more, or never were.
+   * Requester to a responder, or to all: releases the receiver, or rejects its offer.
    *
-   * @param wantsAnswer whether who hears it is to say so by a REFUSE
+   * @param wantsAnswer whether the receiver must acknowledge it by a REFUSE
    */
   record Release(Conversation conversation, String why, boolean wantsAnswer)
       implements RecruitmentMessage {

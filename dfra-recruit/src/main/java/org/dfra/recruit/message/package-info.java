@@ -1,5 +1,5 @@
 /**
- * What recruitment agents tell each other: {@link org.dfra.recruit.message.RecruitmentMessage}, in
+ * The messages between recruitment agents: {@link org.dfra.recruit.message.RecruitmentMessage}, in
  * a {@link org.dfra.recruit.message.MessageEnvelope}.
  */
 @NullMarked

@@ -4,11 +4,11 @@ import java.io.Serializable;
 import java.time.Duration;
 
 /**
- * An offer to come.
+ * An offer to help.
  *
- * @param robot who made it
- * @param number which of its offers, from 0
- * @param eta how long it takes to be there
+ * @param robot that made it
+ * @param number of this offer among its offers, from 0
+ * @param eta time to reach the place
  * @param battery charge left, 0 to 1
  */
 public record Bid(String robot, int number, Duration eta, double battery) implements Serializable {}

@@ -3,14 +3,12 @@ package org.dfra.recruit.requester;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Offers, one of each robot. */
+/** Offers, one per robot. */
 final class BidList {
 
   private BidList() {}
 
-  /**
-   * With another, which replaces an earlier one of its robot, and stays out where it is earlier.
-   */
+  /** Adds an offer, which replaces an earlier one of its robot; an outdated one is ignored. */
   static List<Bid> with(List<Bid> bids, Bid fresh) {
     List<Bid> all = new ArrayList<>(bids);
     for (int i = 0; i < all.size(); i++) {

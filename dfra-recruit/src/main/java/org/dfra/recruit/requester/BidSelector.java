@@ -3,18 +3,18 @@ package org.dfra.recruit.requester;
 import java.time.Duration;
 import java.util.List;
 
-/** How a requester chooses among offers; a part of a strategy. */
+/** Selects among offers; a part of a strategy. */
 public interface BidSelector {
 
   /**
-   * For how long it waits for others after the first offer, not negative. {@link
-   * org.dfra.recruit.RecruitmentSettings#offerWindow} may say another.
+   * Wait for further offers after the first, not negative. {@link
+   * org.dfra.recruit.RecruitmentSettings#offerWindow} may override it.
    */
   Duration offerWindow();
 
-  /** One of them. Given one at least, in the order in which they came. */
+  /** Selects one offer. It gets at least one, in the order of reception. */
   Bid choose(List<Bid> bids);
 
-  /** Whether each robot that offered is answered by itself, rather than all at once. */
+  /** Whether each robot that offered gets its own answer, instead of one broadcast. */
   boolean notifiesIndividually();
 }

@@ -7,22 +7,26 @@ import org.dfra.recruit.message.RecruitmentMessage;
 import org.dfra.recruit.message.RecruitmentMessage.Refuse;
 
 /**
- * A helper that was let go before its time, and has not yet said that it knows.
+ * A helper released before its lease's end that has not acknowledged it yet.
  *
- * @param conversation in which it was chosen
+ * @param conversation of its choice
  * @param robot its name
- * @param again when it is told again
- * @param until when it is free by itself: it cannot come in time any more, or its lease is over
+ * @param again time of the next repetition
+ * @param until time from which it is free without an acknowledgement: it cannot arrive in time any
+ *     more, or its lease has ended
  */
 record Farewell(Conversation conversation, String robot, Instant again, Instant until)
     implements Serializable {
 
-  /** The same, told again at another time, or at its end. */
+  /** The same, with another time of repetition, at most its end. */
   Farewell repeatedAt(Instant then) {
     return new Farewell(conversation, robot, then.isBefore(until) ? then : until, until);
   }
 
-  /** Whether that message proves that it is free: it says so, or has a part in a later one. */
+  /**
+   * Whether that message proves that it is free: an acknowledgement, or a message of a later
+   * conversation.
+   */
   boolean isAcknowledgedBy(String from, RecruitmentMessage message) {
     boolean saysSo =
         message instanceof Refuse refuse

@@ -10,21 +10,21 @@ import org.dfra.recruit.message.RecruitmentMessage.Release;
 import org.dfra.recruit.requester.RequesterAction.SendToRobot;
 
 /**
- * Lets a helper go that has promised time: tells it so, and again until it says that it knows, or
- * is free by itself. What else the requester does goes on meanwhile.
+ * Releases a committed helper: sends a RELEASE, and repeats it until the helper acknowledges it or
+ * its commitment expires. The requester's other work continues meanwhile.
  */
 final class ReleaseRepeater {
 
   private final Duration every;
 
   /**
-   * @param every it is told again after this
+   * @param every period of repetition
    */
   ReleaseRepeater(Duration every) {
     this.every = every;
   }
 
-  /** Tells the helper of that state. */
+  /** Releases the helper of a state. */
   TransitionResult<RequesterState, RequesterAction> release(
       RequesterState state, String why, Instant now) {
     String robot = state.requireWinner().robot();
@@ -32,7 +32,7 @@ final class ReleaseRepeater {
     return told(state, new Farewell(in, robot, now, state.until()), why, now);
   }
 
-  /** Time has passed. */
+  /** Advances the time. */
   TransitionResult<RequesterState, RequesterAction> tick(RequesterState state, Instant now) {
     Farewell farewell = state.farewell();
     if (farewell == null || now.isBefore(farewell.again())) {
@@ -40,7 +40,7 @@ final class ReleaseRepeater {
     }
     return now.isBefore(farewell.until())
         ? told(state, farewell, "not wanted any more", now)
-        : TransitionResult.none(state.withPendingRelease(null)); // it is free by itself
+        : TransitionResult.none(state.withPendingRelease(null)); // its commitment has expired
   }
 
   private TransitionResult<RequesterState, RequesterAction> told(
@@ -51,7 +51,7 @@ final class ReleaseRepeater {
             new SendToRobot(farewell.robot(), new Release(farewell.conversation(), why, true))));
   }
 
-  /** Somebody has sent a message: perhaps whoever was let go, and knows it. */
+  /** Handles a message, which may be the acknowledgement of the released helper. */
   static RequesterState receive(RequesterState state, String from, RecruitmentMessage message) {
     Farewell farewell = state.farewell();
     return farewell != null && farewell.isAcknowledgedBy(from, message)

@@ -4,22 +4,22 @@ import java.time.Duration;
 import java.util.UUID;
 import org.dfra.recruit.message.RecruitmentMessage;
 
-/** What a requester does. */
+/** An action of a requester. */
 public sealed interface RequesterAction {
 
-  /** Tells one robot. */
+  /** Sends a message to one robot. */
   record SendToRobot(String robot, RecruitmentMessage message) implements RequesterAction {}
 
-  /** Tells all that can observe the percept. */
+  /** Sends a message to all robots that can observe the percept. */
   record SendToTeam(String percept, RecruitmentMessage message) implements RequesterAction {}
 
-  /** Takes the lease of a robot that is there. */
+  /** Accepts the lease of a robot that has arrived. */
   record AcceptLease(String robot, UUID lease, Duration stay) implements RequesterAction {}
 
   /** The recruitment is complete: the robot observes. */
   record Complete(String robot) implements RequesterAction {}
 
-  /** A chosen robot was given up; another is looked for. */
+  /** Replaces a chosen robot: searches for another. */
   record ReplaceHelper(String robot, String why) implements RequesterAction {}
 
   /** The call has ended; {@code success} where it was complete. */

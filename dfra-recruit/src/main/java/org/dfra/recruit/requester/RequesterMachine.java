@@ -26,21 +26,21 @@ import org.dfra.recruit.requester.RequesterAction.SendToRobot;
 import org.dfra.recruit.requester.RequesterAction.SendToTeam;
 
 /**
- * Moves who needs help along the arrows of {@link RequesterPhase}. Pure: each method gives the next
- * state and what is to be done, and changes nothing. Whatever is lost, comes late, twice or in
- * another order:
+ * State machine of a requester, with the transitions of {@link RequesterPhase}. Pure: each method
+ * returns the next state and the actions, without side effects. Even if messages are lost, late,
+ * duplicated or reordered:
  *
  * <ul>
- *   <li>There is never a second helper. Nobody else is asked before the chosen robot has confirmed
- *       that it is free, or its lease of the task has ended by its own clock. That lease ends
- *       {@link RecruitmentSettings#margin} before the requester gives the robot up, which {@link
- *       ResponderId} explains; in the second half of the margin the robot is sent a RELEASE, so
- *       that it is replaced as soon as it confirms that.
- *   <li>A call for which a helper was let go waits for the same before it asks anybody.
+ *   <li>There is never a second helper. No other robot is called before the chosen robot has
+ *       confirmed that it is free, or its task lease has ended by its own clock. That lease ends
+ *       {@link RecruitmentSettings#margin} before the requester gives the robot up, see {@link
+ *       ResponderId}; in the second half of the margin the requester sends a RELEASE, so that the
+ *       robot is replaced as soon as it acknowledges that.
+ *   <li>A call after the release of a helper waits for the same condition.
  *   <li>An offer after the choice is answered by a RESPONDER_ID to its sender alone; one of an
- *       earlier conversation, and an ARRIVAL that nobody awaits, by a RELEASE.
- *   <li>AGREE is repeated until ACK_ACK comes or the lease ends; so is the RELEASE of a helper that
- *       is let go before its time, until it says that it knows.
+ *       earlier conversation, and an unexpected ARRIVAL, by a RELEASE.
+ *   <li>AGREE is repeated until ACK_ACK is received or the lease ends; so is the RELEASE of a
+ *       helper before its lease's end, until it is acknowledged.
  * </ul>
  */
 public final class RequesterMachine {
@@ -58,9 +58,9 @@ public final class RequesterMachine {
   }
 
   /**
-   * Somebody wants help. A helper of the call before is let go.
+   * Starts a call. A helper of the previous call is released.
    *
-   * @throws IllegalStateException if a call is under way
+   * @throws IllegalStateException if a call is active
    */
   public TransitionResult<RequesterState, RequesterAction> call(
       RequesterState state, HelpCall call, Instant now) {
@@ -94,13 +94,13 @@ public final class RequesterMachine {
     return new TransitionResult<>(state.open(next, call, patience, again(now, patience)), actions);
   }
 
-  /** When it calls again, or has lost its patience. */
+  /** Time of the next call, or of the end of its patience. */
   private Instant again(Instant now, Instant patience) {
     Instant again = now.plus(settings.helpEvery());
     return again.isBefore(patience) ? again : patience;
   }
 
-  /** Nobody wants the help any more. */
+  /** Cancels the call. */
   public TransitionResult<RequesterState, RequesterAction> release(
       RequesterState state, Instant now) {
     return switch (state.phase()) {
@@ -207,7 +207,10 @@ public final class RequesterMachine {
     return state.awarded(winner, until.minus(settings.margin().dividedBy(2)), until);
   }
 
-  /** Its lease of the task has ended by its own clock. It is asked to confirm that for a while. */
+  /**
+   * The helper's task lease has ended by its own clock. It is requested to confirm that for a
+   * limited time.
+   */
   private TransitionResult<RequesterState, RequesterAction> giveUpWinner(
       RequesterState state, Instant now) {
     if (!now.isBefore(state.until())) {
@@ -233,7 +236,7 @@ public final class RequesterMachine {
         List.of(new SendToRobot(state.requireWinner().robot(), new Agree(state.conversation()))));
   }
 
-  /** Whoever was chosen has turned back, or never will be heard of. */
+  /** The chosen robot has withdrawn, or its timeout has expired. */
   private TransitionResult<RequesterState, RequesterAction> replace(
       RequesterState state, String why, Instant now) {
     String robot = state.requireWinner().robot();
@@ -245,7 +248,7 @@ public final class RequesterMachine {
     return open(state, state.requireCall(), state.patience(), now, actions);
   }
 
-  /** A responder has sent a message. One that is not to a requester is left alone. */
+  /** Handles a message of a responder. Messages for responders are ignored. */
   public TransitionResult<RequesterState, RequesterAction> receive(
       RequesterState before, String from, RecruitmentMessage message, Instant now) {
     List<RequesterAction> actions = new ArrayList<>();
@@ -305,7 +308,7 @@ public final class RequesterMachine {
     };
   }
 
-  /** It does not know yet that it was chosen. */
+  /** The robot does not know yet that it was chosen. */
   private TransitionResult<RequesterState, RequesterAction> remind(
       RequesterState state, Bid bid, Instant now) {
     Bid chosen = state.requireWinner();
@@ -328,7 +331,7 @@ public final class RequesterMachine {
   private TransitionResult<RequesterState, RequesterAction> refuse(
       RequesterState state, String from, Refuse refuse, Instant now) {
     if (!refuse.isFinal()) {
-      return TransitionResult.none(state); // of an offer that it made since it says nothing
+      return TransitionResult.none(state); // it does not refer to a newer offer
     }
     return switch (state.phase()) {
       case IDLE, CALLING -> TransitionResult.none(state);

@@ -9,20 +9,19 @@ import org.dfra.recruit.message.Conversation;
 import org.jspecify.annotations.Nullable;
 
 /**
- * All that a requester knows. Immutable; kept over the death of its process.
+ * The state of a requester. Immutable; stored across restarts of its process.
  *
- * @param phase what it is at
- * @param conversation the last that it began, or the one before the first
- * @param call what help it wants or wanted; null before the first
- * @param round how often it called in the conversation; 0 while it waits with that until the helper
- *     before is free
- * @param bids who offered in the conversation; empty before and after {@code COLLECTING}
- * @param winner who was chosen in the conversation; null where nobody was
- * @param due when something is to be done for the call though nothing happens; the far future where
- *     nothing is
- * @param until until when it waits for the winner to come, {@code AWARDED}, or the lease lasts
- * @param patience until when it looks for somebody
- * @param farewell who was let go and does not know yet; null where nobody was
+ * @param phase of the requester
+ * @param conversation the last one started, or the one before the first
+ * @param call current or last call; null before the first
+ * @param round number of calls in the conversation; 0 while it waits until the previous helper is
+ *     free
+ * @param bids offers in the conversation; empty before and after {@code COLLECTING}
+ * @param winner robot chosen in the conversation; null where none was
+ * @param due next timeout of the call; the far future where there is none
+ * @param until end of the wait for the winner, {@code AWARDED}, or of the lease
+ * @param patience end of the search for a helper
+ * @param farewell released helper without an acknowledgement yet; null for none
  */
 public record RequesterState(
     RequesterPhase phase,
@@ -56,7 +55,7 @@ public record RequesterState(
         null);
   }
 
-  /** When something is to be done though nothing happens; the far future where nothing is. */
+  /** The next timeout; the far future where there is none. */
   public Instant nextWake() {
     Instant reported = farewell == null ? Instant.MAX : farewell.again();
     return reported.isBefore(due) ? reported : due;
@@ -94,12 +93,12 @@ public record RequesterState(
         farewell);
   }
 
-  /** The same call, which asks nobody yet: the helper before may not be free. */
+  /** The same call, not sent yet: the previous helper may not be free. */
   RequesterState waiting(Instant free) {
     return calling(0, free);
   }
 
-  /** Whether it asks nobody yet. */
+  /** Whether the call is not sent yet. */
   boolean isWaiting() {
     return phase == RequesterPhase.CALLING && round == 0;
   }
@@ -133,7 +132,7 @@ public record RequesterState(
   }
 
   /**
-   * @param release when the winner, which has not come, is released
+   * @param release time to release the winner, which has not arrived
    */
   RequesterState awarded(Bid chosen, Instant release, Instant end) {
     return helped(RequesterPhase.AWARDED, chosen, release.isBefore(end) ? release : end, end);

@@ -1,6 +1,6 @@
 /**
- * Who needs help: {@link org.dfra.recruit.requester.RequesterMachine} moves a {@link
- * org.dfra.recruit.requester.RequesterState} along the arrows of {@link
+ * The requester: {@link org.dfra.recruit.requester.RequesterMachine} moves a {@link
+ * org.dfra.recruit.requester.RequesterState} through the phases of {@link
  * org.dfra.agent.RequesterPhase}.
  */
 @NullMarked

@@ -3,12 +3,12 @@ package org.dfra.recruit.responder;
 import java.io.Serializable;
 
 /**
- * What a responder remembers of a requester, by the numbers of its conversations; -1 for none.
+ * A responder's record of a requester, by the numbers of its conversations; -1 for none.
  *
- * @param closed it has no part any more in this one and those before
- * @param completed the last in which it was agreed with
- * @param heard the last in which it heard a call
- * @param round the last call that it heard in that
+ * @param closed it has left this one and all earlier ones
+ * @param completed the last one with an agreement
+ * @param heard the last one in which it received a call
+ * @param round the last call received in that
  */
 record Ledger(long closed, long completed, long heard, int round) implements Serializable {
 
@@ -26,7 +26,7 @@ record Ledger(long closed, long completed, long heard, int round) implements Ser
     return new Ledger(closed, completed, number, call);
   }
 
-  /** Whether that call was heard before, or one after it. */
+  /** Whether that call, or a later one, was received before. */
   boolean hasReceived(long number, int call) {
     return heard > number || (heard == number && round >= call);
   }

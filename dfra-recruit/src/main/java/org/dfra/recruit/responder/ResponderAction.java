@@ -5,38 +5,38 @@ import java.util.UUID;
 import org.dfra.agent.HelpCall;
 import org.dfra.recruit.message.RecruitmentMessage;
 
-/** What a responder does. */
+/** An action of a responder. */
 public sealed interface ResponderAction {
 
-  /** Tells one robot. */
+  /** Sends a message to one robot. */
   record SendToRobot(String robot, RecruitmentMessage message) implements ResponderAction {}
 
   /**
-   * Leaves what it does, and goes to the place of the call.
+   * Interrupts its work, and travels to the place of the call.
    *
-   * @param until when its lease of the task ends: it does not move for the call from then on
+   * @param until end of its task lease: it does not move for the call from then on
    */
   record TravelTo(HelpCall call, Instant until) implements ResponderAction {}
 
   /**
-   * Goes on to the place of the call, and has longer to get there.
+   * Continues to the place of the call, with an extended lease.
    *
-   * @param until when its lease of the task ends now
+   * @param until the new end of its task lease
    */
   record ExtendLease(Instant until) implements ResponderAction {}
 
-  /** Is there and observes. */
+  /** Observes at the place. */
   record Observe(HelpCall call) implements ResponderAction {}
 
-  /** Goes on with what it left. */
+  /** Resumes the interrupted work. */
   record ResumeOwnWork(String why) implements ResponderAction {}
 
-  /** Ends the lease on itself, where that has not ended yet. */
+  /** Ends the lease on itself, if that has not ended yet. */
   record EndLease(UUID lease) implements ResponderAction {}
 
-  /** It was chosen: nothing to be ashamed of. */
+  /** It was chosen: resets the affect (atonement). */
   record Atone() implements ResponderAction {}
 
-  /** Another was chosen, or nobody is needed: nothing to be ashamed of any more. */
+  /** Another was chosen, or no help is needed: resets the affect (relief). */
   record Relieve() implements ResponderAction {}
 }

@@ -31,14 +31,14 @@ import org.dfra.recruit.responder.ResponderAction.TravelTo;
 import org.dfra.recruit.responder.ResponderPolicy.Offer;
 
 /**
- * Moves who may help along the arrows of {@link ResponderPhase}. Pure but for what it asks its
- * {@link ResponderPolicy}: each method gives the next state and what is to be done, and changes
- * nothing. Whatever is lost, comes late, twice or in another order:
+ * State machine of a responder, with the transitions of {@link ResponderPhase}. Pure except for the
+ * queries of its {@link ResponderPolicy}: each method returns the next state and the actions,
+ * without side effects. Even if messages are lost, late, duplicated or reordered:
  *
  * <ul>
- *   <li>It is free again in the end: every state but {@code FREE} has a time at which it is left.
- *   <li>Once it has left a conversation it has no part in it any more; who chooses it there is
- *       refused, and who agrees with it once more hears ACK_ACK once more.
+ *   <li>It becomes free again: every state except {@code FREE} has a timeout.
+ *   <li>After leaving a conversation it takes no part in it any more; it refuses a choice there,
+ *       and answers a repeated AGREE with a repeated ACK_ACK.
  *   <li>A message of a newer conversation of the same requester frees it from the older one.
  * </ul>
  */
@@ -57,7 +57,7 @@ public final class ResponderMachine {
     this.judge = judge;
   }
 
-  /** A requester has sent a message. One that is not to a responder is left alone. */
+  /** Handles a message of a requester. Messages for requesters are ignored. */
   public TransitionResult<ResponderState, ResponderAction> receive(
       ResponderState before, RecruitmentMessage message, Instant now) {
     List<ResponderAction> actions = new ArrayList<>();
@@ -108,7 +108,7 @@ public final class ResponderMachine {
     }
     ResponderState state =
         before.remember(asked.requester(), ledger.recordCall(asked.number(), help.round()));
-    if (state.isIn(asked)) { // the offer was lost, or is still on its way
+    if (state.isIn(asked)) { // the offer was lost, or is still in transit
       return state.phase() == ResponderPhase.OFFERED
           ? offerAgain(state, 1, now)
           : TransitionResult.none(state);
@@ -149,7 +149,7 @@ public final class ResponderMachine {
             new SendToRobot(in.requester(), new Accept(in, bid, offer.eta(), offer.battery()))));
   }
 
-  /** When it turns back, which is before the requester gives it up. */
+  /** Time of its withdrawal, which is before the requester gives it up. */
   private Instant promise(Offer offer, Instant now) {
     return now.plus(offer.eta()).plus(settings.replaceAfter()).minus(settings.margin());
   }
@@ -162,7 +162,7 @@ public final class ResponderMachine {
   }
 
   /**
-   * @param sends that count since the requester was last heard
+   * @param sends transmissions since the last message of the requester
    */
   private TransitionResult<ResponderState, ResponderAction> offerAgain(
       ResponderState state, int sends, Instant now) {
@@ -183,7 +183,7 @@ public final class ResponderMachine {
           : refused(state.close(in), in, "it is out of this");
     }
     if (id.bid() < 0 || id.bid() >= state.offers().size()) {
-      return TransitionResult.none(state); // no offer that it has made
+      return TransitionResult.none(state); // not an offer of this robot
     }
     Instant promise = state.offers().get(id.bid());
     return switch (state.phase()) {
@@ -253,7 +253,7 @@ public final class ResponderMachine {
         : refused(state.close(which), which, "it has left");
   }
 
-  /** It is there. Nothing where it does not travel any more. */
+  /** The robot has arrived. No effect where it does not travel any more. */
   public TransitionResult<ResponderState, ResponderAction> arrived(
       ResponderState before, UUID lease, Duration stay, Instant now) {
     List<ResponderAction> actions = new ArrayList<>();
@@ -268,14 +268,14 @@ public final class ResponderMachine {
         state.arrived(lease, now.plus(stay), now.plus(settings.repeatEvery())), actions);
   }
 
-  /** It cannot go on with it. Nothing where it has no part in anything. */
+  /** The robot cannot continue. No effect where it is free. */
   public TransitionResult<ResponderState, ResponderAction> abort(ResponderState state, String why) {
     return state.phase() == ResponderPhase.FREE
         ? TransitionResult.none(state)
         : turnBack(state, why);
   }
 
-  /** The lease has ended, or somebody has ended it. Nothing where it is another. */
+  /** The lease has expired or was cancelled. No effect for another lease. */
   public TransitionResult<ResponderState, ResponderAction> leaseEnded(
       ResponderState state, UUID lease, Instant now) {
     if (!lease.equals(state.lease())) {
@@ -289,7 +289,7 @@ public final class ResponderMachine {
         : turnBack(state, "its lease was ended early");
   }
 
-  /** Time has passed. */
+  /** Advances the time. */
   public TransitionResult<ResponderState, ResponderAction> tick(ResponderState state, Instant now) {
     if (now.isBefore(state.nextWake())) {
       return TransitionResult.none(state);
@@ -316,7 +316,7 @@ public final class ResponderMachine {
         List.of(new SendToRobot(in.requester(), new Arrival(in, lease, state.remainingStay(now)))));
   }
 
-  /** Is free, and says so to whom it had offered to help. */
+  /** Becomes free, and notifies the requester that it had offered help. */
   private static TransitionResult<ResponderState, ResponderAction> turnBack(
       ResponderState state, String why) {
     Conversation left = state.requireConversation();

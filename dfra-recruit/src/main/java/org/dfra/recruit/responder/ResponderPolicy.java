@@ -5,23 +5,25 @@ import java.util.Optional;
 import org.dfra.agent.HelpCall;
 import org.dfra.recruit.message.RecruitmentMessage.Help;
 
-/** What a responder asks its robot and its strategy. */
+/** A responder's queries of its robot and its strategy. */
 public interface ResponderPolicy {
 
   /**
-   * What it could offer.
+   * A possible offer.
    *
-   * @param eta how long it takes to be there
+   * @param eta time to reach the place
    * @param battery charge left, 0 to 1
    */
   record Offer(Duration eta, double battery) {}
 
-  /** What it could offer now; nothing where it cannot observe the percept, come, or is not free. */
+  /**
+   * Its possible offer now; empty where it cannot observe the percept, cannot come, or is not free.
+   */
   Optional<Offer> offer(HelpCall call);
 
-  /** Whether it offers. Asked once for each call of a conversation, and only while it is free. */
+  /** Whether it offers. Called once per call of a conversation, and only while it is free. */
   boolean shouldOffer(Help help, Offer offer);
 
-  /** Whether it says so when it does not. */
+  /** Whether it sends a refusal when it does not offer. */
   boolean sendsRefusal();
 }

@@ -14,19 +14,19 @@ import org.dfra.recruit.message.Conversation;
 import org.jspecify.annotations.Nullable;
 
 /**
- * All that a responder knows. Immutable; kept over the death of its process.
+ * The state of a responder. Immutable; stored across restarts of its process.
  *
- * @param phase what it is at
- * @param conversation the one that it has a part in; null while it is {@code FREE}
- * @param call what is wanted there; null while it is {@code FREE}
- * @param sends how often it has said what it says in this phase, since it was last asked
- * @param offers until when each of its offers binds it, in the order in which they were sent
- * @param again when it says so again; the far future where it does not
- * @param until when it turns back by itself: the offer that it was chosen for, or its lease, is
- *     over; the far future where neither binds it
+ * @param phase of the responder
+ * @param conversation that it takes part in; null while it is {@code FREE}
+ * @param call of that conversation; null while it is {@code FREE}
+ * @param sends number of transmissions of this phase's message since the last request
+ * @param offers expiry of each of its offers, in the order of sending
+ * @param again time of the next repetition; the far future where there is none
+ * @param until time of its own withdrawal: the end of the offer that it was chosen for, or of its
+ *     lease; the far future where neither binds it
  * @param lease the lease on itself; null before it has arrived
- * @param leaseEnd when that ends; the far future where there is none
- * @param ledgers what it remembers of each requester
+ * @param leaseEnd its end; the far future where there is none
+ * @param ledgers record of each requester
  */
 public record ResponderState(
     ResponderPhase phase,
@@ -63,12 +63,12 @@ public record ResponderState(
         ledgers);
   }
 
-  /** When something is to be done though nothing happens; the far future where nothing is. */
+  /** The next timeout; the far future where there is none. */
   public Instant nextWake() {
     return again.isBefore(until) ? again : until;
   }
 
-  /** For how long yet it can stay, by its lease; not negative. */
+  /** Remaining time of its stay, by its lease; not negative. */
   public Duration remainingStay(Instant now) {
     return now.isBefore(leaseEnd) ? Duration.between(now, leaseEnd) : Duration.ZERO;
   }
@@ -113,7 +113,7 @@ public record ResponderState(
     return remember(over.requester(), ledger(over).close(over.number()));
   }
 
-  /** Without anything that a span binds it to; what it remembers of each requester stays. */
+  /** The state without timed commitments; the records of requesters stay. */
   public ResponderState afterAnotherBoot() {
     return conversation == null ? this : freed();
   }
@@ -153,7 +153,7 @@ public record ResponderState(
         ledgers);
   }
 
-  /** The requester waits longer than it did. */
+  /** The requester has extended its wait. */
   ResponderState extended(Instant end) {
     return new ResponderState(
         phase, conversation, call, sends, offers, again, end, lease, leaseEnd, ledgers);
@@ -192,7 +192,7 @@ public record ResponderState(
         ledgers);
   }
 
-  /** The same lease under another name, as it is granted anew after its process died. */
+  /** The same lease with a new ID, as granted again after a restart of its process. */
   public ResponderState withLease(UUID granted) {
     return new ResponderState(
         phase, conversation, call, sends, offers, again, until, granted, leaseEnd, ledgers);

@@ -1,6 +1,6 @@
 /**
- * Who may help: {@link org.dfra.recruit.responder.ResponderMachine} moves a {@link
- * org.dfra.recruit.responder.ResponderState} along the arrows of {@link
+ * The responder: {@link org.dfra.recruit.responder.ResponderMachine} moves a {@link
+ * org.dfra.recruit.responder.ResponderState} through the phases of {@link
  * org.dfra.agent.ResponderPhase}.
  */
 @NullMarked

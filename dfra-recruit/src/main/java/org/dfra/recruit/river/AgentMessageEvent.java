@@ -7,26 +7,26 @@ import net.jini.core.event.RemoteEvent;
 import org.dfra.agent.AgentMessage;
 
 /**
- * A letter as it crosses the network. Its source is the name of the robot that wrote it, its
- * sequence number the letter's: so it grows strictly with each that the robot sends, and whoever
- * gets them sees which came twice or were overtaken. It has no handback, since nobody registered.
+ * A message as a remote event. Its source is the name of the sending robot, its sequence number the
+ * message's: it is strictly increasing per sender, so a receiver detects duplicates and reordering.
+ * It has no handback, since there is no registration.
  */
 public final class AgentMessageEvent extends RemoteEvent {
 
-  /** The one kind of event that agents send each other. */
+  /** The event ID of all messages between agents. */
   public static final long EVENT_ID = 1;
 
   private static final long serialVersionUID = 1L;
 
   private final AgentMessage letter;
 
-  /** The event that carries it. */
+  /** Creates the event of a message. */
   public AgentMessageEvent(AgentMessage letter) {
     super(letter.sender(), EVENT_ID, letter.number(), null);
     this.letter = letter;
   }
 
-  /** What it carries. */
+  /** The message. */
   public AgentMessage message() {
     return letter;
   }

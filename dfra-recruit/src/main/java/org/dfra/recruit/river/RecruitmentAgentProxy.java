@@ -12,7 +12,7 @@ import org.dfra.module.Identification;
 import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.remote.RemoteModule;
 
-/** Smart proxy of a recruitment agent. It sends letters as remote events. */
+/** Smart proxy of a recruitment agent. It sends messages as remote events. */
 public final class RecruitmentAgentProxy extends ModuleProxy<RecruitmentControl>
     implements RecruitmentAgent {
 

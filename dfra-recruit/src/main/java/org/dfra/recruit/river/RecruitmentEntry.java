@@ -8,35 +8,35 @@ import org.dfra.river.entry.Mirrors;
 import org.jspecify.annotations.Nullable;
 
 /**
- * As what a robot may be asked for help, see {@link RecruitmentAttributes}. Null is unknown, or any
- * value in a template.
+ * A robot's properties for recruitment, see {@link RecruitmentAttributes}. Null means unknown, or
+ * any value in a template.
  *
- * <p>It stands for itself instead of extending {@link org.dfra.river.entry.ModuleEntry}: a client
- * that lacks this class can read all else that the agent says of itself.
+ * <p>It is independent instead of extending {@link org.dfra.river.entry.ModuleEntry}: a client that
+ * lacks this class can read all other entries of the agent.
  */
 @Mirrors(RecruitmentAttributes.class)
 public class RecruitmentEntry extends AbstractEntry implements ServiceControlled {
 
   private static final long serialVersionUID = 1L;
 
-  /** What it can observe, sorted. */
+  /** The percepts that it can observe, sorted. */
   public @Nullable List<String> percepts;
 
-  /** How fast it comes, metres per second. */
+  /** Its travel speed, metres per second. */
   public @Nullable Double speed;
 
-  /** How it decides. */
+  /** Its strategy. */
   public @Nullable String strategy;
 
   /** A helper that is late by this is replaced by another, seconds. */
   public @Nullable Double replaceAfter;
 
-  /** So much earlier it turns back by itself where it is the helper, seconds. */
+  /** As helper it withdraws this much earlier, seconds. */
   public @Nullable Double margin;
 
-  /** Why it answers no call, since somebody stopped it. */
+  /** The reason of its hold after a stop; it then answers no call. */
   public @Nullable String holdReason;
 
-  /** With every field null. */
+  /** Creates an entry with all fields null. */
   public RecruitmentEntry() {}
 }

@@ -4,7 +4,7 @@ import java.util.List;
 import net.jini.core.entry.Entry;
 import org.dfra.river.entry.EntryClassProvider;
 
-/** Makes the entry of this package known where modules are described. */
+/** Registers the entry of this package for module descriptions. */
 public final class RecruitmentEntryKinds implements EntryClassProvider {
 
   /** Called by the service loader. */

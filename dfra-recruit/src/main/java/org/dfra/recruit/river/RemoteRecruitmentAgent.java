@@ -9,18 +9,17 @@ import org.dfra.module.Idempotent;
 import org.dfra.river.remote.RemoteModule;
 
 /**
- * What other robots may call on a recruitment agent's server. Letters come as remote events, and in
- * no other way.
+ * The remote interface of a recruitment agent's server for other robots. Messages arrive only as
+ * remote events.
  */
 public interface RemoteRecruitmentAgent
     extends RemoteModule, RecruitmentControl, RemoteEventListener {
 
   /**
-   * Takes a {@link AgentMessageEvent}. One that comes twice does no harm, so the call may be
-   * repeated.
+   * Receives an {@link AgentMessageEvent}. Duplicates have no effect, so the call is idempotent.
    *
    * @throws UnknownEventException if it is another event
-   * @throws IllegalArgumentException if it carries no letter of recruitment
+   * @throws IllegalArgumentException if it contains no recruitment message
    */
   @Override
   @Idempotent

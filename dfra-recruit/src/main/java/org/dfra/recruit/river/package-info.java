@@ -1,17 +1,17 @@
 /**
- * Recruitment agents over River: what serves an agent to other robots and what they call it by.
+ * Recruitment agents over River: the server of an agent and the proxy that other robots call.
  *
  * <pre>
  *   requester's robot                                     helper's robot
- *   RecruitmentAgentImpl --letter--&gt; RecruitmentAgentProxy --AgentMessageEvent--&gt; RecruitmentAgentServer
- *                                     a RemoteRecruitmentAgent                 |
- *                                     found by its RecruitmentEntry            letter
- *                                                                              v
- *                                                                     RecruitmentAgentImpl
+ *   RecruitmentAgentImpl --message--&gt; RecruitmentAgentProxy --AgentMessageEvent--.
+ *                                     a RemoteRecruitmentAgent                   v
+ *                                     found by its RecruitmentEntry     RecruitmentAgentServer
+ *                                                                                |
+ *                                     RecruitmentAgentImpl &lt;------message--------'
  * </pre>
  *
- * <p>Enter at {@link org.dfra.recruit.river.RecruitmentAgentServer}. The rest of dfra-recruit knows
- * no network.
+ * <p>Enter at {@link org.dfra.recruit.river.RecruitmentAgentServer}. The rest of dfra-recruit is
+ * independent of the network.
  */
 @NullMarked
 package org.dfra.recruit.river;

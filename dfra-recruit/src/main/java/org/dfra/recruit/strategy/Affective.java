@@ -7,8 +7,8 @@ import org.dfra.recruit.affect.Stimulus;
 import org.dfra.recruit.requester.Bid;
 
 /**
- * A robot offers to help when its affect moves it; the nearest that offers within the window is
- * chosen, 1 s unless the time-outs say another.
+ * A robot offers help when its affect reaches its threshold; the nearest that offers within the
+ * window is chosen. The window is 1 s unless the settings override it.
  */
 public final class Affective implements RecruitmentStrategy {
 

@@ -6,8 +6,8 @@ import org.dfra.recruit.requester.Bid;
 
 /**
  * The Contract Net interaction protocol: every robot proposes or refuses, the nearest is accepted
- * and every other proposal rejected, each by a message of its own. Source: FIPA SC00029. HELP is
- * its cfp, ACCEPT its propose, REFUSE its refuse, RESPONDER_ID its accept-proposal, RELEASE its
+ * and every other proposal rejected, each by a separate message. Source: FIPA SC00029. HELP is its
+ * cfp, ACCEPT its propose, REFUSE its refuse, RESPONDER_ID its accept-proposal, RELEASE its
  * reject-proposal, ARRIVAL its inform.
  *
  * <p>It differs from that specification in two things, since its messages are those of every
@@ -16,9 +16,9 @@ import org.dfra.recruit.requester.Bid;
  * <ul>
  *   <li>HELP carries no reply-by deadline. The window begins with the first proposal, and only the
  *       requester knows when it ends.
- *   <li>A proposal that comes after the choice is answered by a RESPONDER_ID that names the chosen
- *       robot, not by a RELEASE. Only one of an earlier conversation, or of a call that is over, is
- *       answered by a RELEASE.
+ *   <li>A proposal received after the choice is answered by a RESPONDER_ID that names the chosen
+ *       robot, not by a RELEASE. Only one of an earlier conversation, or of a call that has ended,
+ *       is answered by a RELEASE.
  * </ul>
  */
 public final class ContractNet implements RecruitmentStrategy {

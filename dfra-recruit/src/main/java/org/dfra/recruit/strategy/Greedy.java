@@ -4,7 +4,7 @@ import java.util.List;
 import org.dfra.recruit.affect.Stimulus;
 import org.dfra.recruit.requester.Bid;
 
-/** Every free robot that can offers to help; the nearest is chosen. */
+/** Every free, capable robot offers help; the nearest is chosen. */
 public final class Greedy implements RecruitmentStrategy {
 
   static final String NAME = "greedy";

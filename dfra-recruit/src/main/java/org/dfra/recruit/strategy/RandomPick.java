@@ -6,20 +6,23 @@ import org.dfra.core.config.ConfigurationException;
 import org.dfra.recruit.affect.Stimulus;
 import org.dfra.recruit.requester.Bid;
 
-/** Each free robot that can offers to help by lot, usually every second; so is who is chosen. */
+/**
+ * Each free, capable robot offers help at random, by default with probability one half; the helper
+ * is chosen at random.
+ */
 public final class RandomPick implements RecruitmentStrategy {
 
   static final String NAME = "random";
 
-  /** That a robot offers, usually. */
+  /** Default probability that a robot offers. */
   public static final double DEFAULT_OFFER_PROBABILITY = 0.5;
 
   private final RandomGenerator lot;
   private final double chance;
 
   /**
-   * @param random seeded where runs are to be repeated
-   * @param offerProbability that a robot offers, above 0 and at most 1
+   * @param random seeded for reproducible runs
+   * @param offerProbability probability that a robot offers, above 0 and at most 1
    */
   public RandomPick(RandomGenerator random, double offerProbability) {
     if (!(offerProbability > 0 && offerProbability <= 1)) {

@@ -7,42 +7,44 @@ import org.dfra.recruit.requester.Bid;
 import org.dfra.recruit.requester.BidSelector;
 
 /**
- * Who answers a call and who is chosen. Confined to its agent, which has one of its own.
+ * Determines which robots answer a call and which one is chosen. Confined to its agent, which has
+ * its own instance.
  *
- * <p>One of your own says its name, who answers and who is chosen; what it does not say is as in a
- * strategy that nothing moves. {@link StrategyRegistry} tells how it is named in configuration.
+ * <p>A custom strategy defines its name, which robots answer and which one is chosen; the defaults
+ * are those of a strategy without an affect. {@link StrategyRegistry} describes its name in the
+ * configuration.
  */
 public interface RecruitmentStrategy extends BidSelector {
 
-  /** As reports and logs call it. */
+  /** Its name in reports and logs. */
   String name();
 
-  /** Whether the robot offers to help; asked once for each call, while it is capable and free. */
+  /** Whether the robot offers help; called once per call, while it is capable and free. */
   boolean shouldOffer(Stimulus stimulus);
 
-  /** Whether a robot that does not offer says so. */
+  /** Whether a robot that does not offer sends a refusal. */
   default boolean sendsRefusal() {
     return false;
   }
 
-  /** How much it is moved to help, 0 to 1; 0 where nothing moves it. */
+  /** The level of its affect, 0 to 1; 0 without an affect. */
   default double urge() {
     return 0;
   }
 
-  /** It was chosen. */
+  /** The robot was chosen. */
   default void onChosen() {
-    // nothing moves it
+    // no affect
   }
 
-  /** Another was chosen, or nobody is needed any more. */
+  /** Another robot was chosen, or no help is needed any more. */
   default void onNotChosen() {
-    // nothing moves it
+    // no affect
   }
 
-  /** What it was moved by when its process died. */
+  /** Restores the level of its affect after a restart of its process. */
   default void restore(double urge) {
-    // nothing moves it
+    // no affect
   }
 
   /** 2 s. */
@@ -51,13 +53,13 @@ public interface RecruitmentStrategy extends BidSelector {
     return Duration.ofSeconds(2);
   }
 
-  /** All at once. */
+  /** One broadcast for all. */
   @Override
   default boolean notifiesIndividually() {
     return false;
   }
 
-  /** The one that is there first; one with an empty battery counts as twice as far. */
+  /** The robot with the shortest ETA; one with an empty battery counts as twice as far. */
   static Bid nearest(List<Bid> bids) {
     Bid best = bids.get(0);
     for (Bid bid : bids) {
@@ -68,7 +70,7 @@ public interface RecruitmentStrategy extends BidSelector {
     return best;
   }
 
-  /** Seconds to the place, weighed by the battery. */
+  /** Seconds to the place, weighted by the battery. */
   private static double cost(Bid bid) {
     return bid.eta().toNanos() / 1e9 * (2 - Math.min(1, 2 * bid.battery()));
   }

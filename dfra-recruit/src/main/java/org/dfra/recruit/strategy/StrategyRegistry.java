@@ -11,39 +11,41 @@ import org.dfra.recruit.affect.Affect;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The strategies by name: those of the project by a word, any other by its class, {@code
+ * The strategies by name: built-in ones by a keyword, any other by its class, {@code
  * org.example.Courteous}. Such a class is public, and has a public constructor with no parameters,
- * or with a {@link RandomGenerator} where chance plays a part in it.
+ * or with a {@link RandomGenerator} if it uses random numbers.
  */
 public final class StrategyRegistry {
 
-  /** Those of the project. */
+  /** The built-in ones. */
   public static final List<String> NAMES =
       List.of(Affective.NAME, Greedy.NAME, RandomPick.NAME, ContractNet.NAME);
 
   private StrategyRegistry() {}
 
   /**
-   * One of them, for one agent.
+   * Creates a strategy for one agent.
    *
-   * @param name a word, or the name of a class
-   * @param affect of the affective one
-   * @param random of those by chance
-   * @throws ConfigurationException if there is none of that name; the message names those there are
+   * @param name a keyword, or the name of a class
+   * @param affect of the affective strategy
+   * @param random of random strategies
+   * @throws ConfigurationException if there is none of that name; the message lists the available
+   *     ones
    */
   public static RecruitmentStrategy named(String name, Affect affect, RandomGenerator random) {
     return named(name, affect, random, RandomPick.DEFAULT_OFFER_PROBABILITY);
   }
 
   /**
-   * One of them, for one agent.
+   * Creates a strategy for one agent.
    *
-   * @param name a word, or the name of a class
-   * @param affect of the affective one
-   * @param random of those by chance
-   * @param offerProbability that a free robot offers where it does by lot, above 0 and at most 1; a
-   *     class from elsewhere has its own
-   * @throws ConfigurationException if there is none of that name; the message names those there are
+   * @param name a keyword, or the name of a class
+   * @param affect of the affective strategy
+   * @param random of random strategies
+   * @param offerProbability probability that a free robot offers with the random strategy, above 0
+   *     and at most 1; a custom class has its own
+   * @throws ConfigurationException if there is none of that name; the message lists the available
+   *     ones
    */
   public static RecruitmentStrategy named(
       String name, Affect affect, RandomGenerator random, double offerProbability) {

@@ -1,7 +1,7 @@
 /**
- * Who answers a call and who is chosen: {@link org.dfra.recruit.strategy.RecruitmentStrategy}. A
- * new one is one class; {@link org.dfra.recruit.strategy.StrategyRegistry} knows those that are
- * named in configuration.
+ * Strategies, which determine the robots that answer a call and the one chosen: {@link
+ * org.dfra.recruit.strategy.RecruitmentStrategy}. A new one is one class; {@link
+ * org.dfra.recruit.strategy.StrategyRegistry} resolves the names in the configuration.
  */
 @NullMarked
 package org.dfra.recruit.strategy;

@@ -2,18 +2,18 @@ package org.dfra.recruit.transport;
 
 import java.util.random.RandomGenerator;
 
-/** For how long letters are on their way. */
+/** Models the delay of messages. */
 @FunctionalInterface
 public interface DelayModel {
 
   /**
-   * That of the next one, seconds, not negative.
+   * The delay of the next message, seconds, not negative.
    *
-   * @param random what it is drawn by
+   * @param random source of random numbers
    */
   double next(RandomGenerator random);
 
-  /** Always the same. */
+  /** A constant delay. */
   static DelayModel constant(double seconds) {
     return lot -> seconds;
   }

@@ -4,19 +4,19 @@ import java.util.random.RandomGenerator;
 import org.dfra.recruit.loss.LossModel;
 import org.dfra.recruit.message.MessageEnvelope;
 
-/** What becomes of a letter to one robot. */
+/** Models the delivery of a message to one robot. */
 @FunctionalInterface
 public interface DeliveryModel {
 
   double[] LOST = {};
 
-  /** After how many seconds each copy of it comes; none where it is lost. */
+  /** The delay of each copy, seconds; none where it is lost. */
   double[] copyDelays(String to, MessageEnvelope letter);
 
-  /** It is lost, or comes once. */
+  /** A message is lost, or delivered once. */
   static DeliveryModel of(LossModel loss, DelayModel delay, RandomGenerator random) {
     return (to, letter) -> {
-      double after = delay.next(random); // drawn for lost ones too: paired runs stay in step
+      double after = delay.next(random); // drawn for lost ones too: paired runs stay aligned
       return loss.loses(letter.sender(), to) ? LOST : new double[] {after};
     };
   }

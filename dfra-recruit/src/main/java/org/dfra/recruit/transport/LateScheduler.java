@@ -5,7 +5,7 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.random.RandomGenerator;
 import org.dfra.time.Scheduler;
 
-/** Another scheduler whose tasks run a little late, as a busy computer's do. */
+/** Wraps a scheduler; its tasks run slightly late, as on a busy computer. */
 public final class LateScheduler implements Scheduler {
 
   private final Scheduler exact;
@@ -13,8 +13,8 @@ public final class LateScheduler implements Scheduler {
   private final RandomGenerator lot;
 
   /**
-   * @param delay by how much each task is
-   * @param random what that is drawn by
+   * @param delay of each task
+   * @param random source of random numbers
    */
   public LateScheduler(Scheduler exact, DelayModel delay, RandomGenerator random) {
     this.exact = exact;

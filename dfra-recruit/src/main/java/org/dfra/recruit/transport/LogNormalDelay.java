@@ -4,10 +4,10 @@ import java.util.Arrays;
 import java.util.random.RandomGenerator;
 
 /**
- * A delay that is never below a shortest one, and above it log-normally distributed.
+ * A shifted log-normal delay: a minimum plus a log-normally distributed excess.
  *
- * @param shortest seconds, not negative
- * @param median of what comes on top, seconds, above 0
+ * @param shortest minimum, seconds, not negative
+ * @param median of the excess, seconds, above 0
  * @param sigma standard deviation of its natural logarithm, not negative
  */
 public record LogNormalDelay(double shortest, double median, double sigma) implements DelayModel {
@@ -25,12 +25,13 @@ public record LogNormalDelay(double shortest, double median, double sigma) imple
   }
 
   /**
-   * The one that fits: its shortest is where the logarithms of what comes on top have no skewness;
-   * 0 where they lean to the left even then, and the least measured where they always lean to the
-   * right. Its other two are their mean and standard deviation.
+   * Fits the distribution: its minimum is the value at which the logarithms of the excess have zero
+   * skewness; 0 where they are negatively skewed even then, and the smallest measured delay where
+   * they are always positively skewed. The other two parameters are their mean and standard
+   * deviation.
    *
    * @param delays measured, seconds; two different ones at least
-   * @throws IllegalArgumentException if they are not
+   * @throws IllegalArgumentException if there are not
    */
   public static LogNormalDelay fit(double[] delays) {
     double least = Arrays.stream(delays).min().orElse(Double.NaN);
@@ -65,14 +66,14 @@ public record LogNormalDelay(double shortest, double median, double sigma) imple
     return Arrays.stream(values).map(each -> Math.pow(each - mean, power)).average().orElseThrow();
   }
 
-  /** One that is 0, since there is nothing shorter, counts as a nanosecond. */
+  /** An excess of 0, that of the minimum, counts as a nanosecond. */
   private static double[] logs(double[] delays, double shortest) {
     return Arrays.stream(delays).map(each -> Math.log(Math.max(1e-9, each - shortest))).toArray();
   }
 
   /**
-   * What a delay is that lies so many standard deviations of the logarithm above the median one,
-   * seconds; 0 gives the median, 1.2816 nine tenths, 2.3263 ninety-nine hundredths.
+   * The delay at a number of standard deviations of the logarithm above the median, seconds; 0
+   * gives the median, 1.2816 the 90th percentile, 2.3263 the 99th.
    */
   public double atDeviations(double deviations) {
     return shortest + median * Math.exp(sigma * deviations);

@@ -5,10 +5,10 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.dfra.recruit.loss.LossModel;
 import org.dfra.recruit.message.MessageEnvelope;
 
-/** Another transport that loses letters at their sender, and counts what is sent. */
+/** Wraps a transport; it drops messages at their sender, and counts transmissions. */
 public final class LossyTransport implements Transport {
 
-  /** What was sent, by all transports that share it. */
+  /** Transmissions of all transports that share it. */
   public static final class MessageCounter {
 
     private final AtomicLong transmissions = new AtomicLong();
@@ -19,7 +19,7 @@ public final class LossyTransport implements Transport {
       return transmissions.get();
     }
 
-    /** A broadcast counted once for each that it was meant for. */
+    /** A broadcast counted once per receiver. */
     public long receptions() {
       return receptions.get();
     }
@@ -30,8 +30,8 @@ public final class LossyTransport implements Transport {
   private final MessageCounter count;
 
   /**
-   * @param delegate brings what is not lost
-   * @param loss is asked by one thread at a time among all transports that share it
+   * @param delegate delivers messages that are not lost
+   * @param loss called by one thread at a time among all transports that share it
    */
   public LossyTransport(Transport delegate, LossModel loss, MessageCounter count) {
     this.real = delegate;

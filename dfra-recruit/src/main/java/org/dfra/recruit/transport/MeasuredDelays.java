@@ -10,10 +10,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.random.RandomGenerator;
 
-/**
- * Delays that were measured, drawn again as they are: between two neighbours as likely as any other
- * two.
- */
+/** Resamples measured delays: the empirical distribution, interpolated between neighbours. */
 public final class MeasuredDelays implements DelayModel {
 
   /** The column of the file. */
@@ -24,7 +21,7 @@ public final class MeasuredDelays implements DelayModel {
   private final double[] sorted;
 
   /**
-   * @param delays seconds, not negative; one at least
+   * @param delays seconds, not negative; at least one
    */
   public MeasuredDelays(double[] delays) {
     this.sorted = delays.clone();
@@ -37,15 +34,15 @@ public final class MeasuredDelays implements DelayModel {
   /**
    * Reads a file with a column {@value #COLUMN}, milliseconds.
    *
-   * @throws IOException if it cannot be read, or has no such column; the message says where
+   * @throws IOException if it cannot be read, or has no such column; the message gives the place
    */
   public static MeasuredDelays read(Path csv) throws IOException {
     return of(csv.toString(), Files.readAllLines(csv));
   }
 
   /**
-   * Those of letters, from the thread of one process that sends to the thread of another that gets:
-   * what {@code ./dfra bench recruit --report benchmarks} measured before this was built.
+   * Delays of messages, from the sending thread of one process to the receiving thread of another:
+   * measured by {@code ./dfra bench recruit --report benchmarks} before this build.
    */
   public static MeasuredDelays ofMessages() {
     try (InputStream in = MeasuredDelays.class.getResourceAsStream(LETTERS)) {
@@ -81,7 +78,7 @@ public final class MeasuredDelays implements DelayModel {
     }
   }
 
-  /** Below which that share of them lies, seconds. */
+  /** The quantile at a fraction, seconds. */
   public double quantile(double share) {
     double place = share * (sorted.length - 1);
     int below = (int) place;

@@ -1,9 +1,9 @@
 package org.dfra.recruit.transport;
 
-/** How a message to all is sent. */
+/** Transmission of a message to all. */
 public enum MessageMode {
-  /** One transmission that all hear. */
+  /** One transmission that all receive. */
   BROADCAST,
-  /** One transmission to each. */
+  /** One transmission to each receiver. */
   UNICAST
 }

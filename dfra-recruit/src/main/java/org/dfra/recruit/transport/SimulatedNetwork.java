@@ -11,10 +11,10 @@ import java.util.function.Consumer;
 import org.dfra.recruit.message.MessageEnvelope;
 import org.dfra.time.Scheduler;
 
-/** A network of agents in one virtual machine. Confined to the thread that moves its time on. */
+/** A network of agents in one virtual machine. Confined to the thread that advances its time. */
 public final class SimulatedNetwork {
 
-  /** An agent that is there. */
+  /** A connected agent. */
   private record Node(Set<String> percepts, Consumer<MessageEnvelope> inbox) {}
 
   private final Scheduler time;
@@ -26,8 +26,8 @@ public final class SimulatedNetwork {
   private long delivered;
 
   /**
-   * @param time letters arrive by it
-   * @param passage what becomes of each
+   * @param time for the arrival of messages
+   * @param passage delivery model of each
    */
   public SimulatedNetwork(Scheduler time, DeliveryModel passage) {
     this.time = time;
@@ -35,38 +35,38 @@ public final class SimulatedNetwork {
   }
 
   /**
-   * An agent is there.
+   * Connects an agent.
    *
-   * @param percepts what it can observe
-   * @param inbox is given what comes for it
+   * @param percepts that it can observe
+   * @param inbox receives its messages
    */
   public void join(String robot, Set<String> percepts, Consumer<MessageEnvelope> inbox) {
     members.put(robot, new Node(Set.copyOf(percepts), inbox));
     capable.clear();
   }
 
-  /** It is gone: what is on its way to it gets lost. */
+  /** Disconnects an agent: messages in transit to it are lost. */
   public void leave(String robot) {
     Node unused = members.remove(robot);
     capable.clear();
   }
 
-  /** What that robot sees of it; also before it is there. */
+  /** The transport of a robot; available before it is connected. */
   public Transport transport(String robot) {
     return new Port(robot);
   }
 
-  /** How often something was sent, a broadcast counted once. */
+  /** Number of transmissions, a broadcast counted once. */
   public long transmissions() {
     return transmissions;
   }
 
-  /** How often something was sent, a broadcast counted once for each that it was meant for. */
+  /** Number of transmissions, a broadcast counted once per receiver. */
   public long receptions() {
     return receptions;
   }
 
-  /** How many letters have come, duplicates counted. */
+  /** Number of messages delivered, including duplicates. */
   public long delivered() {
     return delivered;
   }

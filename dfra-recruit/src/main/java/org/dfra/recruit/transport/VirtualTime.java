@@ -8,8 +8,8 @@ import java.util.PriorityQueue;
 import org.dfra.time.Scheduler;
 
 /**
- * Time that stands until it is moved on: clock and scheduler in one. What is due at the same
- * instant happens in the order in which it was asked for. Confined to one thread.
+ * Virtual time that advances only on request: clock and scheduler in one. Tasks due at the same
+ * instant run in the order of their submission. Confined to one thread.
  */
 public final class VirtualTime implements InstantSource, Scheduler {
 
@@ -76,7 +76,7 @@ public final class VirtualTime implements InstantSource, Scheduler {
     return true;
   }
 
-  /** Has everything happen that is due in the next while, or at its end. */
+  /** Runs all tasks due within the given time, end included. */
   public void advance(Duration span) {
     long end = now + span.toNanos();
     while (next(end)) {
@@ -85,7 +85,7 @@ public final class VirtualTime implements InstantSource, Scheduler {
     now = end;
   }
 
-  /** Has the next thing happen that is due by then; false where there is none. */
+  /** Runs the next task due by a time; false where there is none. */
   private boolean next(long end) {
     QueuedTask due = agenda.peek();
     while (due != null && due.isCancelled) {

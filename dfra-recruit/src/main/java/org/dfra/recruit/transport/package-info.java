@@ -1,7 +1,7 @@
 /**
- * How letters travel: {@link org.dfra.recruit.transport.Transport} is what an agent sees of it.
- * {@link org.dfra.recruit.transport.SimulatedNetwork} loses and delays them, counts them, and lives
- * by {@link org.dfra.recruit.transport.VirtualTime}.
+ * Message transport: {@link org.dfra.recruit.transport.Transport} is an agent's interface to it.
+ * {@link org.dfra.recruit.transport.SimulatedNetwork} loses, delays and counts messages, and uses
+ * {@link org.dfra.recruit.transport.VirtualTime}.
  */
 @NullMarked
 package org.dfra.recruit.transport;

@@ -17,8 +17,7 @@ import org.dfra.geometry.Transform;
 final class ObstacleMemory {
 
   private static final double CELL = 0.05; // metres; of the points in one cell, the last is stored
-  private static final double NEAR =
-      2; // maximum distance of stored points from the robot's centre, metres
+  private static final double NEAR = 2; // metres from the robot's centre, of stored points
   private static final int MOST = 2000;
 
   private record Cell(long x, long y) {}

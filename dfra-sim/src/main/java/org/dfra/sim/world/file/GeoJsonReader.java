@@ -8,8 +8,8 @@ import org.dfra.geometry.LocalFrame;
 
 /**
  * One reading of one GeoJSON file: a FeatureCollection whose polygons are obstacles or the region,
- * whose points are posts or mines, as the property {@code kind} says. Errors are recorded with the
- * line in which the feature begins.
+ * whose points are posts or mines, by the property {@code kind}. Errors are recorded with the line
+ * in which the feature begins.
  */
 final class GeoJsonReader {
 
