@@ -66,16 +66,16 @@ public final class SparseField {
    * Writes a robot's description and returns its file, {@code NAME.xml}.
    *
    * @param into the group that the registrar and the modules of all other groups move to
-   * @param apart groups that stay as they are
+   * @param separation groups that stay as they are
    */
-  public static Path robot(Path folder, String name, String into, Set<String> apart)
+  public static Path robot(Path folder, String name, String into, Set<String> separation)
       throws Exception {
-    return robot("raster", folder, name, into, apart);
+    return robot("raster", folder, name, into, separation);
   }
 
   /** The same for a robot of another team. */
-  public static Path robot(String team, Path folder, String name, String into, Set<String> apart)
-      throws Exception {
+  public static Path robot(
+      String team, Path folder, String name, String into, Set<String> separation) throws Exception {
     Document robot = read(ROOT.resolve("config/teams/" + team + "/" + name + ".xml"));
     Element together =
         elements(robot, "group").stream()
@@ -86,7 +86,7 @@ public final class SparseField {
       Path properties = Path.of(module.getAttribute("properties")).getFileName();
       module.setAttribute("properties", MODULES.resolve(properties).toString());
       Element group = (Element) module.getParentNode();
-      if (group != together && !apart.contains(group.getAttribute("name"))) {
+      if (group != together && !separation.contains(group.getAttribute("name"))) {
         together.appendChild(module);
         if (group.getElementsByTagName("module").getLength() == 0) {
           remove(group);
@@ -95,7 +95,7 @@ public final class SparseField {
     }
     for (Element registrar : elements(robot, "registrar")) {
       Element group = (Element) registrar.getParentNode();
-      if (group != together && !apart.contains(group.getAttribute("name"))) {
+      if (group != together && !separation.contains(group.getAttribute("name"))) {
         together.insertBefore(registrar, together.getElementsByTagName("module").item(0));
         remove(group);
       }

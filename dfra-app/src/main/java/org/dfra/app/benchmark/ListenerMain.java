@@ -56,14 +56,14 @@ final class ListenerMain {
                 }
               },
               DeliveryPolicy.keepLast(DEPTH))) {
-        long letters = 0;
+        long envelopes = 0;
         out.println("ready");
         BufferedReader in = new BufferedReader(new InputStreamReader(System.in));
         for (String line; (line = in.readLine()) != null; ) {
           if (line.equals("clock")) {
             out.println(System.nanoTime());
           } else if (line.equals("letter")) {
-            long sent = write(agent(directory), ++letters);
+            long sent = write(agent(directory), ++envelopes);
             out.println(sent + " " + System.nanoTime());
           } else {
             reported.forEach(each -> out.println(each.number() + " " + each.nanos()));
@@ -84,14 +84,14 @@ final class ListenerMain {
 
   /** Returns the send time, by {@link System#nanoTime}. */
   private static long write(RecruitmentAgent agent, long number) throws RemoteException {
-    MessageEnvelope letter =
+    MessageEnvelope envelope =
         new MessageEnvelope(
             "listener",
             number,
             Instant.now(),
             new Accept(new Conversation("bench", number), 0, Duration.ofSeconds(30), 1));
     long sent = System.nanoTime();
-    agent.receive(letter);
+    agent.receive(envelope);
     return sent;
   }
 }

@@ -65,10 +65,10 @@ public final class SequencePanel implements Panel {
 
   @Override
   public void paint(Graphics2D g, int width, int height) {
-    double apart = (width - 2.0 * MARGIN - TIME_WIDTH) / lines.size();
+    double separation = (width - 2.0 * MARGIN - TIME_WIDTH) / lines.size();
     double[] x = new double[lines.size()];
     for (int i = 0; i < x.length; i++) {
-      x[i] = MARGIN + TIME_WIDTH + apart * (i + 0.5);
+      x[i] = MARGIN + TIME_WIDTH + separation * (i + 0.5);
       PanelText.paint(
           g, lines.get(i), PanelText.STRONG, Palette.INK, x[i], HEAD - 8.0, PanelText.Side.MIDDLE);
       g.setColor(Palette.GREY);

@@ -34,9 +34,9 @@ public record LaneSettings(double swath, double spacing) {
   public static LaneSettings of(@Nullable Double swath, @Nullable Double spacing) {
     double seen = swath == null ? Double.parseDouble(SWATH) : swath;
     requireBetween("--swath", seen, NARROWEST, WIDEST, "");
-    double apart = spacing == null ? Double.parseDouble(SPACING_FRACTION) * seen : spacing;
-    requireBetween("--spacing", apart, NARROWEST, seen, ", the swath");
-    return new LaneSettings(seen, apart);
+    double separation = spacing == null ? Double.parseDouble(SPACING_FRACTION) * seen : spacing;
+    requireBetween("--spacing", separation, NARROWEST, seen, ", the swath");
+    return new LaneSettings(seen, separation);
   }
 
   /**

@@ -99,11 +99,11 @@ public final class ScenarioVariations {
     while (places.size() < count) {
       double east = bounds.east() + bounds.radius() * (2 * random.nextDouble() - 1);
       double north = bounds.north() + bounds.radius() * (2 * random.nextDouble() - 1);
-      boolean apart =
+      boolean separation =
           places.stream().allMatch(p -> Math.hypot(p[0] - east, p[1] - north) > POST_DISTANCE)
               && robots.stream()
                   .allMatch(r -> Math.hypot(r.east() - east, r.north() - north) > START_DISTANCE);
-      if (apart && world.region().get().contains(east, north)) {
+      if (separation && world.region().get().contains(east, north)) {
         places.add(new double[] {east, north});
       }
     }

@@ -33,19 +33,19 @@ final class EmbeddedExperiment {
   private final int seeds;
   private final int jobs;
   private final double speed;
-  private final ProgressReporter tell;
+  private final ProgressReporter progress;
 
   /**
    * @param jobs number of parallel real runs
    * @param speed seconds of the agents' time per real second
    */
   EmbeddedExperiment(
-      ExperimentPlan plan, int seeds, int jobs, double speed, ProgressReporter tell) {
+      ExperimentPlan plan, int seeds, int jobs, double speed, ProgressReporter progress) {
     this.plan = EmbeddedRuns.shorter(plan);
     this.seeds = seeds;
     this.jobs = jobs;
     this.speed = speed;
-    this.tell = tell;
+    this.progress = progress;
   }
 
   /**
@@ -59,15 +59,15 @@ final class EmbeddedExperiment {
     levels.set("com.sun.jini", LogLevel.ERROR);
     levels.set("org.dfra.river", LogLevel.ERROR); // delays show that the machine was slow
     List<ExperimentCell> cells = EmbeddedRuns.cells();
-    tell.chapter("running", "Who comes when a robot calls, over remote events");
-    tell.say(
+    this.progress.chapter("running", "Who comes when a robot calls, over remote events");
+    this.progress.say(
         "%d cells with %d seeds each are %d runs of %d calls over JERI; %d at once, %.0f times as"
             + " fast as real time.",
         cells.size(), seeds, cells.size() * seeds, plan.calls(), jobs, speed);
-    ProgressReporter.Stopwatch watch = tell.stopwatch();
+    ProgressReporter.Stopwatch watch = this.progress.stopwatch();
     try (EmbeddedRuns runs = new EmbeddedRuns(plan, jobs, speed)) {
-      tell.say("Some runs that judge nothing come first, in which the machine compiles.");
-      RunProgress progress = new RunProgress(tell, System::nanoTime);
+      this.progress.say("Some runs that judge nothing come first, in which the machine compiles.");
+      RunProgress progress = new RunProgress(this.progress, System::nanoTime);
       List<CellResult> real =
           runs.run(
               cells,
@@ -79,17 +79,17 @@ final class EmbeddedExperiment {
               });
       double load = ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage();
       double took = watch.elapsed().toNanos() / 1e9;
-      tell.say("All real runs are done, after %.1f s; the load is %.1f.", took, load);
-      double[] letters =
+      this.progress.say("All real runs are done, after %.1f s; the load is %.1f.", took, load);
+      double[] envelopes =
           keep(folder.resolve(DELAYS), cells, cell -> runs.delays(cell).messageDelays());
       double[] timers =
           keep(folder.resolve(TIMERS), cells, cell -> runs.delays(cell).timerDelays());
       TransportComparisonReport report =
-          new TransportComparisonReport(compare(cells, real, runs), how(letters, timers, load));
+          new TransportComparisonReport(compare(cells, real, runs), how(envelopes, timers, load));
       Path file = report.write(folder);
-      tell.say("%s", report.summary());
+      this.progress.say("%s", report.summary());
       for (MeasuredValue each : report.figures().all()) {
-        tell.figure(each.name(), each.value(), each.target(), each.unit());
+        this.progress.figure(each.name(), each.value(), each.target(), each.unit());
       }
       return file;
     }
@@ -146,8 +146,8 @@ final class EmbeddedExperiment {
     return all.stream().flatMapToDouble(Arrays::stream).toArray();
   }
 
-  private String how(double[] letters, double[] timers, double load) {
-    MeasuredDelays way = new MeasuredDelays(letters);
+  private String how(double[] envelopes, double[] timers, double load) {
+    MeasuredDelays way = new MeasuredDelays(envelopes);
     MeasuredDelays late = new MeasuredDelays(timers);
     return String.format(
         Locale.ROOT,
@@ -165,7 +165,7 @@ final class EmbeddedExperiment {
         seeds,
         jobs,
         load,
-        letters.length,
+        envelopes.length,
         1e3 * way.quantile(0.5),
         1e3 * way.quantile(0.9),
         1e3 * way.quantile(0.99),

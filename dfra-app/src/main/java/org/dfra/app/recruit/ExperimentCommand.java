@@ -141,29 +141,29 @@ final class ExperimentCommand implements Callable<Integer> {
     List<ExperimentCell> cells = ExperimentGrid.cells(strategies(plan.shame()));
     writable(folder);
     Page.setHeadless();
-    ProgressReporter tell = narration();
-    tell.chapter("running", "Who comes when a robot calls");
-    tell.say(
+    ProgressReporter progress = narration();
+    progress.chapter("running", "Who comes when a robot calls");
+    progress.say(
         "%d cells with %d seeds each are %d runs, in each of which a robot calls %d times; %d at"
             + " once.",
         cells.size(), seeds, cells.size() * seeds, plan.calls(), jobs);
-    ProgressReporter.Stopwatch watch = tell.stopwatch();
+    ProgressReporter.Stopwatch watch = progress.stopwatch();
     List<CellResult> results =
         new Experiment(plan, jobs)
-            .run(cells, Seeds.evaluation(seeds), new RunProgress(tell, System::nanoTime));
+            .run(cells, Seeds.evaluation(seeds), new RunProgress(progress, System::nanoTime));
     Duration took = watch.elapsed();
-    tell.say("All runs are done, after %.1f s.", took.toNanos() / 1e9);
+    progress.say("All runs are done, after %.1f s.", took.toNanos() / 1e9);
     StrategyComparison comparison = new StrategyComparison(results);
-    comparison.sentences().forEach(sentence -> tell.say("%s", sentence));
+    comparison.sentences().forEach(sentence -> progress.say("%s", sentence));
     comparison
         .figures()
         .all()
-        .forEach(each -> tell.figure(each.name(), each.value(), each.target(), each.unit()));
+        .forEach(each -> progress.figure(each.name(), each.value(), each.target(), each.unit()));
     Path file = new ExperimentReport(plan, how(plan), comparison, took, jobs).write(folder);
-    tell.say("The report is %s; every run is a line of runs.csv beside it.", file);
-    tell.table();
-    record.append(tell.figures(), "experiment", "recruit");
-    return tell.figures().missed().isEmpty() ? ExitCode.SUCCESS : ExitCode.FAILED;
+    progress.say("The report is %s; every run is a line of runs.csv beside it.", file);
+    progress.table();
+    record.append(progress.figures(), "experiment", "recruit");
+    return progress.figures().missed().isEmpty() ? ExitCode.SUCCESS : ExitCode.FAILED;
   }
 
   private int jobs() {
@@ -191,12 +191,12 @@ final class ExperimentCommand implements Callable<Integer> {
     }
     writable(folder);
     Page.setHeadless();
-    ProgressReporter tell = narration();
-    Path file = new EmbeddedExperiment(plan, seeds, atOnce, times, tell).run(folder);
-    tell.say("The report is %s; every run is a line of runs-real.csv beside it.", file);
-    tell.table();
-    record.append(tell.figures(), "experiment", "recruit-embedded");
-    return tell.figures().missed().isEmpty() ? ExitCode.SUCCESS : ExitCode.FAILED;
+    ProgressReporter progress = narration();
+    Path file = new EmbeddedExperiment(plan, seeds, atOnce, times, progress).run(folder);
+    progress.say("The report is %s; every run is a line of runs-real.csv beside it.", file);
+    progress.table();
+    record.append(progress.figures(), "experiment", "recruit-embedded");
+    return progress.figures().missed().isEmpty() ? ExitCode.SUCCESS : ExitCode.FAILED;
   }
 
   private void within(String option, int number, int least, int most) {

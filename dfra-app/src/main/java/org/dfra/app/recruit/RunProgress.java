@@ -17,7 +17,7 @@ final class RunProgress implements Experiment.Progress {
   private static final long SENTENCE = TimeUnit.SECONDS.toNanos(10);
   private static final int WIDE = 40;
 
-  private final ProgressReporter tell;
+  private final ProgressReporter progress;
   private final LongSupplier nanos;
   private final long began;
   private long reported; // guarded by this
@@ -25,8 +25,8 @@ final class RunProgress implements Experiment.Progress {
   /**
    * @param nanos a monotonic real-time clock with any origin
    */
-  RunProgress(ProgressReporter tell, LongSupplier nanos) {
-    this.tell = tell;
+  RunProgress(ProgressReporter progress, LongSupplier nanos) {
+    this.progress = progress;
     this.nanos = nanos;
     this.began = nanos.getAsLong();
     this.reported = began;
@@ -35,15 +35,15 @@ final class RunProgress implements Experiment.Progress {
   @Override
   public synchronized void done(int runs, int ofThem) {
     long now = nanos.getAsLong();
-    boolean isLast = runs == ofThem && tell.isTerminal();
-    if (now - reported < (tell.isTerminal() ? REDRAW : SENTENCE) && !isLast) {
+    boolean isLast = runs == ofThem && progress.isTerminal();
+    if (now - reported < (progress.isTerminal() ? REDRAW : SENTENCE) && !isLast) {
       return;
     }
     reported = now;
     double left = (now - began) / 1e9 / runs * (ofThem - runs);
-    if (tell.isTerminal()) {
+    if (progress.isTerminal()) {
       int full = (int) ((long) WIDE * runs / ofThem);
-      tell.redraw(
+      progress.redraw(
           List.of(
               String.format(
                   Locale.ROOT,
@@ -55,10 +55,10 @@ final class RunProgress implements Experiment.Progress {
                   ofThem,
                   left)));
       if (isLast) {
-        tell.freezeLive();
+        progress.freezeLive();
       }
     } else {
-      tell.say("%d of %d runs are done; it takes %.0f s more.", runs, ofThem, left);
+      progress.say("%d of %d runs are done; it takes %.0f s more.", runs, ofThem, left);
     }
   }
 }

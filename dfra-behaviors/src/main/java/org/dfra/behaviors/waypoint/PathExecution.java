@@ -35,13 +35,13 @@ final class PathExecution implements GoalExecution {
       ModuleDependency<GoToWaypoint> goTo,
       PathGoal goal,
       DriveInterlock interlock,
-      DelayedTaskExecutor errands,
+      DelayedTaskExecutor taskExecutor,
       Logger log) {
     this.path = path;
     this.goal = goal;
     this.interlock = interlock;
     this.log = log;
-    this.leg = new GoalDelegation<>(path, goTo, errands, log);
+    this.leg = new GoalDelegation<>(path, goTo, taskExecutor, log);
   }
 
   @Override

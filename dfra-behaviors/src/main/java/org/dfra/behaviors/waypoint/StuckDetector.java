@@ -21,7 +21,7 @@ final class StuckDetector {
 
   private final long standing; // nanoseconds
   private final long nowhere; // nanoseconds
-  private final Deque<ProgressSample> been = new ArrayDeque<>(); // the oldest first
+  private final Deque<ProgressSample> sample = new ArrayDeque<>(); // the oldest first
   private double nearest = Double.POSITIVE_INFINITY;
   private long nearestNanos;
 
@@ -36,28 +36,28 @@ final class StuckDetector {
 
   /** Restarts. */
   void reset() {
-    been.clear();
+    sample.clear();
     nearest = Double.POSITIVE_INFINITY;
   }
 
   /** Adds the robot's current pose; returns whether it is stuck. */
   boolean isStuck(long nanos, HeadingPercept now) {
-    if (!been.isEmpty() && nanos - been.getLast().nanos() > standing / 2) {
+    if (!sample.isEmpty() && nanos - sample.getLast().nanos() > standing / 2) {
       reset(); // the interval was not monitored
     }
     ProgressSample here =
         new ProgressSample(nanos, now.alongTrack(), now.crossTrack(), now.headingError());
-    been.addLast(here);
-    if (now.distance() < nearest - NEARER || been.size() == 1) {
+    sample.addLast(here);
+    if (now.distance() < nearest - NEARER || sample.size() == 1) {
       nearest = now.distance();
       nearestNanos = nanos;
     }
     boolean covered = false; // whether the samples span the timeout
-    while (nanos - been.getFirst().nanos() > standing) {
-      been.removeFirst();
+    while (nanos - sample.getFirst().nanos() > standing) {
+      sample.removeFirst();
       covered = true;
     }
-    return (covered && been.stream().allMatch(there -> isNear(there, here)))
+    return (covered && sample.stream().allMatch(there -> isNear(there, here)))
         || nanos - nearestNanos > nowhere;
   }
 

@@ -62,7 +62,7 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
 
   private final String path;
   private final ModuleDependency<B> needed;
-  private final DelayedTaskExecutor errands;
+  private final DelayedTaskExecutor taskExecutor;
   private final Logger log;
   private @Nullable B worker; // guarded by this
   private @Nullable UUID goal; // guarded by this
@@ -77,13 +77,13 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
   /**
    * @param path path of the delegating behaviour, for messages
    * @param needed finds the worker
-   * @param errands the task executor of the delegating behaviour
+   * @param taskExecutor the task executor of the delegating behaviour
    */
   public GoalDelegation(
-      String path, ModuleDependency<B> needed, DelayedTaskExecutor errands, Logger log) {
+      String path, ModuleDependency<B> needed, DelayedTaskExecutor taskExecutor, Logger log) {
     this.path = path;
     this.needed = needed;
-    this.errands = errands;
+    this.taskExecutor = taskExecutor;
     this.log = log;
   }
 
@@ -169,13 +169,13 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
    * worker answers; asynchronously.
    */
   public void abandon(UUID begun) {
-    errands.execute(
+    taskExecutor.execute(
         () -> {
           try {
             needed.resolve().cancelUnattended(begun);
           } catch (RemoteException | NotReadyException e) {
             log.debug("{}: {} cannot be given up yet: {}", path, begun, e.toString());
-            errands.schedule(RETRY_NANOS, () -> abandon(begun));
+            taskExecutor.schedule(RETRY_NANOS, () -> abandon(begun));
           }
         });
   }
@@ -321,7 +321,7 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
       if (!isRetryScheduled) {
         isRetryScheduled = true;
         log.warn("{}: {} cannot be told to stop yet: {}", path, left.worker(), e.toString());
-        errands.schedule(RETRY_NANOS, this::again);
+        taskExecutor.schedule(RETRY_NANOS, this::again);
       }
     }
   }

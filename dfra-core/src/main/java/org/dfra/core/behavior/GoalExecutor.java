@@ -47,7 +47,7 @@ final class GoalExecutor implements AutoCloseable {
   /** Held during every cycle and while a goal is started; other modules are called under it. */
   private final ReentrantLock cycling = new ReentrantLock();
 
-  private @Nullable GoalExecution pursuit; // guarded by cycling; the last that was started
+  private @Nullable GoalExecution execution; // guarded by cycling; the last that was started
   private boolean isSuspended; // guarded by cycling
 
   /** Its lock is taken after {@link #cycling}. */
@@ -130,7 +130,7 @@ final class GoalExecutor implements AutoCloseable {
   private UUID begin(GoalExecution begun, Phase phase, String doing, Completion extent) {
     UUID id = UUID.randomUUID();
     status.begin(id, phase, doing, extent);
-    pursuit = begun;
+    execution = begun;
     isSuspended = true;
     if (phase == Phase.RUNNING) {
       loop.start();
@@ -216,7 +216,7 @@ final class GoalExecutor implements AutoCloseable {
     if (await(cycling)) {
       try {
         suspend();
-        pursuit = null;
+        execution = null;
       } finally {
         cycling.unlock();
       }
@@ -246,7 +246,7 @@ final class GoalExecutor implements AutoCloseable {
   private void cycle() {
     cycling.lock();
     try {
-      @Nullable GoalExecution now = pursuit;
+      @Nullable GoalExecution now = execution;
       if (now == null || isOver || status.phase() != Phase.RUNNING) {
         return;
       }
@@ -304,7 +304,7 @@ final class GoalExecutor implements AutoCloseable {
 
   /** Called with the lock of cycles held. */
   private void suspend() {
-    @Nullable GoalExecution now = pursuit;
+    @Nullable GoalExecution now = execution;
     if (now == null || isSuspended) {
       return;
     }

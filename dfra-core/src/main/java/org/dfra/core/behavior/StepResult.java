@@ -38,9 +38,9 @@ sealed interface StepResult {
   record Faulty(Throwable fault) implements StepResult {}
 
   /** Executes the next step of a goal. */
-  static StepResult ofNextStep(GoalExecution pursuit) {
+  static StepResult ofNextStep(GoalExecution execution) {
     try {
-      return new Advanced(pursuit.step());
+      return new Advanced(execution.step());
     } catch (NotReadyException
         | CommandRefusedException
         | LeaseRefusedException

@@ -79,7 +79,7 @@ public final class ChainInputs implements AutoCloseable {
 
   private final String module;
   private final Supplier<ModuleDirectory> directory;
-  private final DelayedTaskExecutor errands;
+  private final DelayedTaskExecutor taskExecutor;
   private final Logger log;
   private final List<InputDeclaration<?, ?>> inputs = new ArrayList<>();
   private volatile List<Feed<?, ?>> feeds = List.of(); // written with the lock of this held
@@ -94,7 +94,7 @@ public final class ChainInputs implements AutoCloseable {
       String module, Supplier<ModuleDirectory> directory, DelayedTaskExecutor retries, Logger log) {
     this.module = module;
     this.directory = directory;
-    this.errands = retries;
+    this.taskExecutor = retries;
     this.log = log;
   }
 
@@ -188,7 +188,7 @@ public final class ChainInputs implements AutoCloseable {
     closed = true;
     feeds.forEach(Feed::close);
     feeds = List.of();
-    errands.close();
+    taskExecutor.close();
   }
 
   /** An active input: a subscription to each module that it has found. */
@@ -328,7 +328,7 @@ public final class ChainInputs implements AutoCloseable {
                 source.path(),
                 e.toString());
           }
-          errands.schedule(RETRY_NANOS, this::again);
+          taskExecutor.schedule(RETRY_NANOS, this::again);
         }
       }
 

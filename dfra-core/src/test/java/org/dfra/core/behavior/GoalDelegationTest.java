@@ -43,7 +43,7 @@ class GoalDelegationTest {
   private interface Worker extends Behavior<Wish> {}
 
   private final InMemoryModuleDirectory directory = new InMemoryModuleDirectory();
-  private final DelayedTaskExecutor errands =
+  private final DelayedTaskExecutor taskExecutor =
       new DelayedTaskExecutor("test-errands", Scheduler.system());
   private final Worker worker =
       (Worker)
@@ -128,13 +128,13 @@ class GoalDelegationTest {
         new GoalDelegation<>(
             "atrv1/master",
             ModuleDependency.of(context, Worker.class, "worker"),
-            errands,
+            taskExecutor,
             LoggerFactory.getLogger("test"));
   }
 
   @AfterEach
   void end() {
-    errands.close();
+    taskExecutor.close();
     directory.close();
   }
 

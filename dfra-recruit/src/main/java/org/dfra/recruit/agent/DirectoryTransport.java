@@ -41,8 +41,8 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
     final DelayedTaskExecutor errands;
     int waiting; // changed within routes.compute only
 
-    Outbox(DelayedTaskExecutor errands) {
-      this.errands = errands;
+    Outbox(DelayedTaskExecutor taskExecutor) {
+      this.errands = taskExecutor;
     }
   }
 
@@ -135,7 +135,7 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
   }
 
   @Override
-  public void send(String robot, MessageEnvelope letter) {
+  public void send(String robot, MessageEnvelope envelope) {
     if (isClosed) {
       return;
     }
@@ -151,11 +151,12 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
             });
     if (place.get() > WAITING) {
       brought(robot);
-      log.warn("{}: {} does not take letters; {} is lost", context.path(), robot, letter.message());
+      log.warn(
+          "{}: {} does not take letters; {} is lost", context.path(), robot, envelope.message());
       return;
     }
     try {
-      route.errands.execute(() -> deliverAndCount(robot, letter));
+      route.errands.execute(() -> deliverAndCount(robot, envelope));
     } catch (OutOfMemoryError e) { // no thread could be created; the next message retries
       brought(robot);
       log.warn("{}: a letter to {} is lost: {}", context.path(), robot, e.toString());
@@ -182,15 +183,15 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
         });
   }
 
-  private void deliverAndCount(String robot, MessageEnvelope letter) {
+  private void deliverAndCount(String robot, MessageEnvelope envelope) {
     try {
-      deliver(robot, letter);
+      deliver(robot, envelope);
     } finally {
       brought(robot);
     }
   }
 
-  private void deliver(String robot, MessageEnvelope letter) {
+  private void deliver(String robot, MessageEnvelope envelope) {
     List<ModuleListing<RecruitmentAgent>> found =
         context.directory().find(ModuleQuery.of(RecruitmentAgent.class).robot(robot));
     Optional<String> ambiguity = ambiguity(robot, found);
@@ -210,7 +211,7 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
       return;
     }
     try {
-      found.get(0).module().receive(letter);
+      found.get(0).module().receive(envelope);
     } catch (RemoteException | NotReadyException e) {
       log.debug("{}: a letter to {} is lost: {}", context.path(), robot, e.toString());
     } catch (IllegalArgumentException e) { // another version; a lost message like any other
@@ -219,8 +220,8 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
   }
 
   @Override
-  public void broadcast(String percept, MessageEnvelope letter) {
-    capableRobots(percept).forEach(robot -> send(robot, letter));
+  public void broadcast(String percept, MessageEnvelope envelope) {
+    capableRobots(percept).forEach(robot -> send(robot, envelope));
   }
 
   @Override

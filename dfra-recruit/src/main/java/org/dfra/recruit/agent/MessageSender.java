@@ -14,38 +14,38 @@ final class MessageSender {
   private final MessageMode mode;
   private final RecruiterPorts ports;
   private final RecruiterListener listener;
-  private long letters;
+  private long envelopes;
 
   MessageSender(String robot, MessageMode mode, RecruiterPorts ports, RecruiterListener listener) {
     this.robot = robot;
     this.mode = mode;
     this.ports = ports;
     this.listener = listener;
-    this.letters =
+    this.envelopes =
         ports.monotonicClock().millis(); // above earlier processes' numbers: one a millisecond
   }
 
   void send(String to, RecruitmentMessage message) {
-    MessageEnvelope letter = letter(message);
-    listener.sent(to, letter);
-    ports.transport().send(to, letter);
+    MessageEnvelope envelope = letter(message);
+    listener.sent(to, envelope);
+    ports.transport().send(to, envelope);
   }
 
   /** Sends to all robots that can observe the percept. */
   void sendToTeam(String percept, RecruitmentMessage message) {
-    MessageEnvelope letter = letter(message);
-    listener.sent("", letter);
+    MessageEnvelope envelope = letter(message);
+    listener.sent("", envelope);
     if (mode == MessageMode.BROADCAST) {
-      ports.transport().broadcast(percept, letter);
+      ports.transport().broadcast(percept, envelope);
     } else {
       ports
           .transport()
           .capableRobots(percept)
-          .forEach(each -> ports.transport().send(each, letter));
+          .forEach(each -> ports.transport().send(each, envelope));
     }
   }
 
   private MessageEnvelope letter(RecruitmentMessage message) {
-    return new MessageEnvelope(robot, ++letters, ports.clock().instant(), message);
+    return new MessageEnvelope(robot, ++envelopes, ports.clock().instant(), message);
   }
 }

@@ -28,7 +28,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
 
   private final RobotTraits traits;
   private final RobotStateMonitor senses;
-  private final DelayedTaskExecutor errands;
+  private final DelayedTaskExecutor taskExecutor;
   private final OperatorHold hold;
   private final Trip trip; // task thread only, except for its last goal
   private final InterruptedSearches work; // by errands only
@@ -43,15 +43,15 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
   ModuleRobotPort(ModuleContext context, RobotTraits traits, Logger log) {
     this.traits = traits;
     this.senses = new RobotStateMonitor(context, this::begunByOthers, log);
-    this.errands = new DelayedTaskExecutor("dfra-body " + context.path(), context.robotTime());
+    this.taskExecutor = new DelayedTaskExecutor("dfra-body " + context.path(), context.robotTime());
     this.work = new InterruptedSearches(context, log);
     this.hold = new OperatorHold(context, senses, log);
-    this.trip = new Trip(context, errands, work, hold, log);
+    this.trip = new Trip(context, taskExecutor, work, hold, log);
   }
 
   /** Ends the trip of an earlier process; the searches it interrupted stay as they are. */
   void stop() {
-    errands.execute(trip::end);
+    taskExecutor.execute(trip::end);
   }
 
   /** Registers a callback, run on the task thread, for each start and end of a hold. */
@@ -65,7 +65,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
     hold.recall(work.hasLeft() || !trip.isSettled());
     isStarted = true;
     isEnding = !trip.isSettled();
-    errands.execute(this::watchHold);
+    taskExecutor.execute(this::watchHold);
     senses.start();
   }
 
@@ -80,7 +80,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
       reportedHold = why;
       onHold.run();
     }
-    errands.schedule(Trip.POLL_INTERVAL_NANOS, this::watchHold);
+    taskExecutor.schedule(Trip.POLL_INTERVAL_NANOS, this::watchHold);
   }
 
   /** The agent starts nothing while it is held, so an operator started this. */
@@ -102,7 +102,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
   @Override
   public void endHold() {
     hold.end();
-    errands.execute(this::giveUpWhatWaits); // nothing starts before that
+    taskExecutor.execute(this::giveUpWhatWaits); // nothing starts before that
   }
 
   private void giveUpWhatWaits() {
@@ -125,7 +125,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
     senses.close();
     trip.close();
     CountDownLatch stands = new CountDownLatch(1);
-    errands.execute(
+    taskExecutor.execute(
         () -> {
           trip.end();
           stands.countDown();
@@ -135,7 +135,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
-    errands.close();
+    taskExecutor.close();
   }
 
   @Override
@@ -187,7 +187,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
 
   @Override
   public void travelTo(HelpCall call, long leaseEnd, TravelListener listener) {
-    errands.execute(
+    taskExecutor.execute(
         () -> {
           isAway = true;
           isEnding = false;
@@ -198,13 +198,13 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
 
   @Override
   public void extendLease(long leaseEnd) {
-    errands.execute(() -> trip.extendLease(leaseEnd));
+    taskExecutor.execute(() -> trip.extendLease(leaseEnd));
   }
 
   /** It stays at its position: its sensors observe from there. */
   @Override
   public void observe(HelpCall call) {
-    errands.execute(
+    taskExecutor.execute(
         () -> {
           isAway = true;
           isEnding = false;
@@ -215,7 +215,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
   @Override
   public void resumeOwnWork() {
     isEnding = true;
-    errands.execute(
+    taskExecutor.execute(
         () -> {
           isAway = false;
           trip.end();
@@ -231,7 +231,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
     boolean isDone = isAway || (trip.isSettled() && isKnownWhetherHeld() && goOnUnlessHeld());
     if (!isDone && !isRetrying) {
       isRetrying = true;
-      errands.schedule(
+      taskExecutor.schedule(
           2 * Trip.POLL_INTERVAL_NANOS,
           () -> {
             isRetrying = false;

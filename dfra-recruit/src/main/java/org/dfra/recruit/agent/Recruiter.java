@@ -142,14 +142,14 @@ public final class Recruiter implements AutoCloseable {
   }
 
   /** Handles a message from another agent. */
-  public void receive(MessageEnvelope letter) {
+  public void receive(MessageEnvelope envelope) {
     post(
         () -> {
-          listener.received(letter);
-          RecruitmentMessage message = letter.message();
+          listener.received(envelope);
+          RecruitmentMessage message = envelope.message();
           if (message.conversation().requester().equals(robot)) {
-            caller.receive(letter.sender(), message);
-          } else if (message.conversation().requester().equals(letter.sender())) {
+            caller.receive(envelope.sender(), message);
+          } else if (message.conversation().requester().equals(envelope.sender())) {
             helper.receive(message);
           } // otherwise the sender's name is forged
         });

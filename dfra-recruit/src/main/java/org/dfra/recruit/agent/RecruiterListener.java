@@ -12,10 +12,10 @@ public interface RecruiterListener {
    * The agent sent a message, to one robot or, where {@code to} is empty, to all that can observe
    * the percept.
    */
-  default void sent(String to, MessageEnvelope letter) {}
+  default void sent(String to, MessageEnvelope envelope) {}
 
   /** The agent received a message. */
-  default void received(MessageEnvelope letter) {}
+  default void received(MessageEnvelope envelope) {}
 
   /** The agent executes an action as requester. */
   default void performed(RequesterAction action) {}

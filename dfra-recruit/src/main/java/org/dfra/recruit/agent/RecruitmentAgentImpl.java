@@ -261,11 +261,11 @@ public final class RecruitmentAgentImpl extends ModuleImpl
 
   @Override
   public void receive(AgentMessage message) {
-    if (!(message instanceof MessageEnvelope letter)) {
+    if (!(message instanceof MessageEnvelope envelope)) {
       throw new IllegalArgumentException(
           path() + " takes letters of recruitment, not " + message.getClass().getName());
     }
-    serving().receive(letter);
+    serving().receive(envelope);
   }
 
   @Override
@@ -310,14 +310,14 @@ public final class RecruitmentAgentImpl extends ModuleImpl
     }
 
     @Override
-    public void sent(String to, MessageEnvelope letter) {
-      publish(new SentMessage(letter.time(), to, letter));
-      observer.sent(to, letter);
+    public void sent(String to, MessageEnvelope envelope) {
+      publish(new SentMessage(envelope.time(), to, envelope));
+      observer.sent(to, envelope);
     }
 
     @Override
-    public void received(MessageEnvelope letter) {
-      observer.received(letter);
+    public void received(MessageEnvelope envelope) {
+      observer.received(envelope);
     }
 
     @Override

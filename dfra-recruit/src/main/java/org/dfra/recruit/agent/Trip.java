@@ -41,7 +41,7 @@ final class Trip {
   private final String path;
   private final ModuleContext context;
   private final TripStore memory;
-  private final DelayedTaskExecutor errands;
+  private final DelayedTaskExecutor taskExecutor;
   private final GoalDelegation<LegGoal, GoToWaypoint> travel;
   private final InterruptedSearches work;
   private final OperatorHold hold;
@@ -64,21 +64,24 @@ final class Trip {
    */
   Trip(
       ModuleContext context,
-      DelayedTaskExecutor errands,
+      DelayedTaskExecutor taskExecutor,
       InterruptedSearches work,
       OperatorHold hold,
       Logger log) {
     this.path = context.path();
     this.context = context;
     this.memory = new TripStore(context, log);
-    this.errands = errands;
+    this.taskExecutor = taskExecutor;
     this.time = context.robotTime();
     this.work = work;
     this.hold = hold;
     this.log = log;
     this.travel =
         new GoalDelegation<>(
-            path, ModuleDependency.of(context, GoToWaypoint.class, "go_to_waypoint"), errands, log);
+            path,
+            ModuleDependency.of(context, GoToWaypoint.class, "go_to_waypoint"),
+            taskExecutor,
+            log);
   }
 
   /** Loads the leg started by an earlier process. */
@@ -166,7 +169,7 @@ final class Trip {
       log.info("{}: it waits: {}", path, e.toString());
       waitUntilSettled();
     }
-    errands.schedule(POLL_INTERVAL_NANOS, () -> look(goal, of));
+    taskExecutor.schedule(POLL_INTERVAL_NANOS, () -> look(goal, of));
   }
 
   /**
@@ -370,7 +373,7 @@ final class Trip {
       log.debug("{}: it does not know yet whether it still drives: {}", path, e.toString());
       if (!isResting) {
         isResting = true;
-        errands.schedule(
+        taskExecutor.schedule(
             POLL_INTERVAL_NANOS,
             () -> {
               isResting = false;

@@ -18,25 +18,25 @@ public final class AgentMessageEvent extends RemoteEvent {
 
   private static final long serialVersionUID = 1L;
 
-  private final AgentMessage letter;
+  private final AgentMessage envelope;
 
   /** Creates the event of a message. */
-  public AgentMessageEvent(AgentMessage letter) {
-    super(letter.sender(), EVENT_ID, letter.number(), null);
-    this.letter = letter;
+  public AgentMessageEvent(AgentMessage envelope) {
+    super(envelope.sender(), EVENT_ID, envelope.number(), null);
+    this.envelope = envelope;
   }
 
   /** The message. */
   public AgentMessage message() {
-    return letter;
+    return envelope;
   }
 
   private void readObject(ObjectInputStream in) throws IOException, ClassNotFoundException {
     in.defaultReadObject();
-    if (letter == null
+    if (envelope == null
         || getID() != EVENT_ID
-        || !letter.sender().equals(getSource())
-        || letter.number() != getSequenceNumber()) {
+        || !envelope.sender().equals(getSource())
+        || envelope.number() != getSequenceNumber()) {
       throw new InvalidObjectException("an event that is not of the letter which it carries");
     }
   }

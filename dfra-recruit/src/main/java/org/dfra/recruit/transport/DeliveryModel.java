@@ -11,13 +11,13 @@ public interface DeliveryModel {
   double[] LOST = {};
 
   /** The delay of each copy, seconds; none where it is lost. */
-  double[] copyDelays(String to, MessageEnvelope letter);
+  double[] copyDelays(String to, MessageEnvelope envelope);
 
   /** A message is lost, or delivered once. */
   static DeliveryModel of(LossModel loss, DelayModel delay, RandomGenerator random) {
-    return (to, letter) -> {
+    return (to, envelope) -> {
       double after = delay.next(random); // drawn for lost ones too: paired runs stay aligned
-      return loss.loses(letter.sender(), to) ? LOST : new double[] {after};
+      return loss.loses(envelope.sender(), to) ? LOST : new double[] {after};
     };
   }
 }

@@ -55,25 +55,25 @@ public final class LossyTransport implements Transport {
   }
 
   @Override
-  public void send(String robot, MessageEnvelope letter) {
+  public void send(String robot, MessageEnvelope envelope) {
     count.transmissions.incrementAndGet();
-    carry(robot, letter);
+    carry(robot, envelope);
   }
 
   @Override
-  public void broadcast(String percept, MessageEnvelope letter) {
+  public void broadcast(String percept, MessageEnvelope envelope) {
     count.transmissions.incrementAndGet();
-    capableRobots(percept).forEach(robot -> carry(robot, letter));
+    capableRobots(percept).forEach(robot -> carry(robot, envelope));
   }
 
-  private void carry(String robot, MessageEnvelope letter) {
+  private void carry(String robot, MessageEnvelope envelope) {
     count.receptions.incrementAndGet();
     boolean isLost;
     synchronized (loss) {
-      isLost = loss.loses(letter.sender(), robot);
+      isLost = loss.loses(envelope.sender(), robot);
     }
     if (!isLost) {
-      real.send(robot, letter);
+      real.send(robot, envelope);
     }
   }
 }

@@ -71,19 +71,19 @@ public final class SimulatedNetwork {
     return delivered;
   }
 
-  private void carry(String to, MessageEnvelope letter) {
+  private void carry(String to, MessageEnvelope envelope) {
     receptions++;
-    for (double after : passage.copyDelays(to, letter)) {
+    for (double after : passage.copyDelays(to, envelope)) {
       Scheduler.ScheduledTask unused =
-          time.after(Math.round(after * 1e9), () -> deliver(to, letter));
+          time.after(Math.round(after * 1e9), () -> deliver(to, envelope));
     }
   }
 
-  private void deliver(String to, MessageEnvelope letter) {
+  private void deliver(String to, MessageEnvelope envelope) {
     Node member = members.get(to);
     if (member != null) {
       delivered++;
-      member.inbox().accept(letter);
+      member.inbox().accept(envelope);
     }
   }
 
@@ -125,16 +125,16 @@ public final class SimulatedNetwork {
     }
 
     @Override
-    public void send(String robot, MessageEnvelope letter) {
+    public void send(String robot, MessageEnvelope envelope) {
       transmissions++;
-      carry(robot, letter);
+      carry(robot, envelope);
     }
 
     @Override
-    public void broadcast(String percept, MessageEnvelope letter) {
+    public void broadcast(String percept, MessageEnvelope envelope) {
       transmissions++;
       for (String robot : capableRobots(percept)) {
-        carry(robot, letter);
+        carry(robot, envelope);
       }
     }
   }

@@ -30,11 +30,11 @@ public interface Transport {
    * Sends to one robot. The message is lost where several robots have that name, so no other robot
    * gets it.
    */
-  void send(String robot, MessageEnvelope letter);
+  void send(String robot, MessageEnvelope envelope);
 
   /**
    * Sends to all robots that can observe the percept, with one transmission where the network
    * supports it.
    */
-  void broadcast(String percept, MessageEnvelope letter);
+  void broadcast(String percept, MessageEnvelope envelope);
 }

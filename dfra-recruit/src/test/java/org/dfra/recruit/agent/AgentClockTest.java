@@ -75,8 +75,8 @@ class AgentClockTest {
             context(robot, state, texts),
             new RecruiterListener() {
               @Override
-              public void received(MessageEnvelope letter) {
-                received.add(letter);
+              public void received(MessageEnvelope envelope) {
+                received.add(envelope);
               }
             },
             boot);

@@ -75,7 +75,7 @@ class DirectoryTransportTest {
   /** What an agent at the other end does with a letter. */
   @FunctionalInterface
   private interface Taking {
-    void take(MessageEnvelope letter) throws RemoteException, InterruptedException;
+    void take(MessageEnvelope envelope) throws RemoteException, InterruptedException;
   }
 
   private static final class Other extends ModuleImpl
@@ -175,17 +175,17 @@ class DirectoryTransportTest {
     List<Long> well = new CopyOnWriteArrayList<>();
     agent(
         "slow",
-        letter -> {
+        envelope -> {
           asked.countDown();
           answers.await();
-          slow.add(letter.number());
+          slow.add(envelope.number());
         });
     agent(
         "dead",
-        letter -> {
+        envelope -> {
           throw new RemoteException("nobody is there any more");
         });
-    agent("well", letter -> well.add(letter.number()));
+    agent("well", envelope -> well.add(envelope.number()));
     assertThat(transport.capableRobots("mine")).containsExactlyInAnyOrder("slow", "dead", "well");
 
     List<Long> sent = new ArrayList<>();
@@ -217,7 +217,7 @@ class DirectoryTransportTest {
   @Test
   void aRobotHasAThreadOnlyWhileLettersWaitForIt() {
     List<Long> taken = new CopyOnWriteArrayList<>();
-    agent("courier-taker", letter -> taken.add(letter.number()));
+    agent("courier-taker", envelope -> taken.add(envelope.number()));
     for (int robot = 0; robot < MANY; robot++) {
       transport.send("courier-" + robot, letter(robot)); // gone, each under a name of its own
     }
@@ -234,9 +234,9 @@ class DirectoryTransportTest {
     List<Long> first = new CopyOnWriteArrayList<>();
     List<Long> second = new CopyOnWriteArrayList<>();
     List<Long> other = new CopyOnWriteArrayList<>();
-    UUID wrong = agentAt("10.0.0.5", "atrv1", letter -> first.add(letter.number()));
-    UUID right = agentAt("10.0.0.6", "atrv1", letter -> second.add(letter.number()));
-    agent("atrv2", letter -> other.add(letter.number()));
+    UUID wrong = agentAt("10.0.0.5", "atrv1", envelope -> first.add(envelope.number()));
+    UUID right = agentAt("10.0.0.6", "atrv1", envelope -> second.add(envelope.number()));
+    agent("atrv2", envelope -> other.add(envelope.number()));
     assertThat(transport.capableRobots("mine")).containsExactly("atrv2");
     assertThat(transport.ambiguousNames("mine"))
         .containsExactly("2 robots are named atrv1, on 10.0.0.5 and 10.0.0.6");

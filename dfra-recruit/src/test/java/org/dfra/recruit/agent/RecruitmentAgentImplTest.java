@@ -69,8 +69,8 @@ class RecruitmentAgentImplTest {
             context,
             new RecruiterListener() {
               @Override
-              public void received(MessageEnvelope letter) {
-                received.add(letter);
+              public void received(MessageEnvelope envelope) {
+                received.add(envelope);
               }
             });
     made.add(agent);

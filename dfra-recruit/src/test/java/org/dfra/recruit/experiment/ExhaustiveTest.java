@@ -76,13 +76,13 @@ class ExhaustiveTest {
   }
 
   private void explore(String strategy, double letGoAfter, List<Fault> faults) {
-    int letters = new Play(strategy, letGoAfter, faults).play();
+    int envelopes = new Play(strategy, letGoAfter, faults).play();
     runs++;
     if (faults.size() == 2) {
       return;
     }
     int next = faults.isEmpty() ? 0 : faults.get(0).letter() + 1;
-    for (int i = next; i < letters; i++) {
+    for (int i = next; i < envelopes; i++) {
       for (Fault fault : faultsOf(i, faults)) {
         List<Fault> more = new ArrayList<>(faults);
         more.add(fault);
@@ -91,17 +91,17 @@ class ExhaustiveTest {
     }
   }
 
-  private static List<Fault> faultsOf(int letter, List<Fault> before) {
+  private static List<Fault> faultsOf(int envelope, List<Fault> before) {
     List<Fault> all = new ArrayList<>();
-    all.add(new Fault(letter, Kind.LOST, 0));
+    all.add(new Fault(envelope, Kind.LOST, 0));
     boolean isSecond = !before.isEmpty();
     if (!FULL && isSecond) {
       return before.get(0).kind() == Kind.LOST ? all : List.of();
     }
-    all.add(new Fault(letter, Kind.LAST, 0));
+    all.add(new Fault(envelope, Kind.LAST, 0));
     for (double span : SPANS) {
-      all.add(new Fault(letter, Kind.LATE, span));
-      all.add(new Fault(letter, Kind.TWICE, span));
+      all.add(new Fault(envelope, Kind.LATE, span));
+      all.add(new Fault(envelope, Kind.TWICE, span));
     }
     return all;
   }
@@ -119,7 +119,7 @@ class ExhaustiveTest {
     private final List<String> dead = new ArrayList<>();
     private final double letGoAfter;
     private final String reported;
-    private int letters;
+    private int envelopes;
     private boolean isComplete;
 
     Play(String strategy, double letGoAfter, List<Fault> faults) {
@@ -161,14 +161,14 @@ class ExhaustiveTest {
       agent.start();
     }
 
-    private double[] passage(String to, MessageEnvelope letter) {
-      int number = letters++;
-      if (dead.contains(letter.sender())) {
+    private double[] passage(String to, MessageEnvelope envelope) {
+      int number = envelopes++;
+      if (dead.contains(envelope.sender())) {
         return new double[0];
       }
       for (Fault fault : faults) {
         if (fault.letter() == number) {
-          return suffer(fault, letter.sender());
+          return suffer(fault, envelope.sender());
         }
       }
       return new double[] {USUAL};
@@ -229,7 +229,7 @@ class ExhaustiveTest {
           assertThat(isComplete).as("%s: help came", reported).isTrue();
         }
       }
-      return letters;
+      return envelopes;
     }
 
     private final class Watch implements RecruiterListener {

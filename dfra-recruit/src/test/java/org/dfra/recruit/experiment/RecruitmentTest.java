@@ -49,8 +49,8 @@ class RecruitmentTest {
   private final SimulatedNetwork network =
       new SimulatedNetwork(
           time,
-          (to, letter) ->
-              cutOff.contains(to) || cutOff.contains(letter.sender())
+          (to, envelope) ->
+              cutOff.contains(to) || cutOff.contains(envelope.sender())
                   ? new double[0]
                   : new double[] {0.01});
   private final Map<String, LeaseRegistry> books = new HashMap<>();
@@ -90,9 +90,9 @@ class RecruitmentTest {
             new RecruiterPorts(network.transport(name), body, book, time, time),
             new RecruiterListener() {
               @Override
-              public void sent(String to, MessageEnvelope letter) {
+              public void sent(String to, MessageEnvelope envelope) {
                 if (!to.isEmpty()) {
-                  toTeamOfOne.add(letter);
+                  toTeamOfOne.add(envelope);
                 }
               }
             },
@@ -302,7 +302,8 @@ class RecruitmentTest {
     seconds(4);
     MessageEnvelope late =
         toTeamOfOne.stream()
-            .filter(letter -> letter.message() instanceof Accept && letter.sender().equals("far"))
+            .filter(
+                envelope -> envelope.message() instanceof Accept && envelope.sender().equals("far"))
             .findFirst()
             .orElseThrow();
     toTeamOfOne.clear();

@@ -73,14 +73,14 @@ class SuspendedAgentTest {
 
     private final VirtualTime time = new VirtualTime(Instant.parse("2026-11-21T00:00:00Z"));
     private final SimulatedNetwork network =
-        new SimulatedNetwork(time, (to, letter) -> new double[] {0.01});
+        new SimulatedNetwork(time, (to, envelope) -> new double[] {0.01});
     private final Map<String, Recruiter> agents = new HashMap<>();
     private final Map<String, ExperimentRobot> bodies = new HashMap<>();
     private final Map<String, FieldPoint> places = new HashMap<>();
     private final String reported;
     private final boolean lettersFirst;
     private final double optimism; // of the nearer robot: its true time of travel by its ETA
-    private final List<Runnable> letters = new ArrayList<>(); // that came meanwhile
+    private final List<Runnable> envelopes = new ArrayList<>(); // that came meanwhile
     private final List<Runnable> timers = new ArrayList<>(); // that were due meanwhile
     private boolean isSuspended;
     private boolean isComplete;
@@ -127,11 +127,11 @@ class SuspendedAgentTest {
       network.join(
           name,
           percepts,
-          letter -> {
+          envelope -> {
             if (isIt) {
-              handle(letters, () -> agent.receive(letter));
+              handle(envelopes, () -> agent.receive(envelope));
             } else {
-              agent.receive(letter);
+              agent.receive(envelope);
             }
           });
       agent.start();
@@ -147,8 +147,8 @@ class SuspendedAgentTest {
 
     private void resume() {
       isSuspended = false;
-      List<Runnable> all = new ArrayList<>(lettersFirst ? letters : timers);
-      all.addAll(lettersFirst ? timers : letters);
+      List<Runnable> all = new ArrayList<>(lettersFirst ? envelopes : timers);
+      all.addAll(lettersFirst ? timers : envelopes);
       all.forEach(Runnable::run);
     }
 

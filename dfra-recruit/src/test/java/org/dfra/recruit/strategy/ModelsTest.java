@@ -112,21 +112,21 @@ class ModelsTest {
 
   @Test
   void lossModelsLoseTheirShare() {
-    int letters = 200_000;
+    int envelopes = 200_000;
     GilbertElliottLoss bursts = GilbertElliottLoss.bursts(0.25, 5, new SplittableRandom(3));
     assertThat(bursts.share()).isCloseTo(0.25, within(1e-9));
     // ten standard deviations: bursts of five make as much as a fifth of the letters
-    assertThat(share(bursts, letters)).isCloseTo(0.25, within(0.02));
-    assertThat(share(new IndependentLoss(0.25, new SplittableRandom(4)), letters))
+    assertThat(share(bursts, envelopes)).isCloseTo(0.25, within(0.02));
+    assertThat(share(new IndependentLoss(0.25, new SplittableRandom(4)), envelopes))
         .isCloseTo(0.25, within(0.01));
   }
 
-  private static double share(LossModel model, int letters) {
+  private static double share(LossModel model, int envelopes) {
     int lost = 0;
-    for (int i = 0; i < letters; i++) {
+    for (int i = 0; i < envelopes; i++) {
       lost += model.loses("a", "b") ? 1 : 0;
     }
-    return (double) lost / letters;
+    return (double) lost / envelopes;
   }
 
   @Test

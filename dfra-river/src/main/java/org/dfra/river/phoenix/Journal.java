@@ -137,11 +137,11 @@ final class Journal implements AutoCloseable {
     if (log != null) {
       return log;
     }
-    ReliableLog anew = new ReliableLog(folder.toString(), new JournalHandler(registrations));
-    anew.snapshot();
+    ReliableLog again = new ReliableLog(folder.toString(), new JournalHandler(registrations));
+    again.snapshot();
     pending = 0;
     LOG.info("The journal in {} can be written again.", folder);
-    return anew;
+    return again;
   }
 
   private void snapshot() {

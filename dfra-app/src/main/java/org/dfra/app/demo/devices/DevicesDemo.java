@@ -47,7 +47,7 @@ public final class DevicesDemo implements Demo {
   /** The side, counted from 0, in whose middle the drive is killed. */
   private static final int KILL_SIDE = 1;
 
-  private final ProgressReporter tell;
+  private final ProgressReporter progress;
   private final Path report;
   private @Nullable Instant killed;
   private @Nullable Instant lastCommand;
@@ -56,28 +56,28 @@ public final class DevicesDemo implements Demo {
    * @param report the folder of its report
    */
   public DevicesDemo(ProgressReporter narration, Path report) {
-    this.tell = narration;
+    this.progress = narration;
     this.report = report;
   }
 
   @Override
   public boolean run() {
-    return DemoRunner.run(tell, this::play);
+    return DemoRunner.run(progress, this::play);
   }
 
   private void play(DemoEnvironment stage) throws Exception {
-    tell.chapter("starting the world", "A world begins, and a robot comes up in it");
+    progress.chapter("starting the world", "A world begins, and a robot comes up in it");
     Instant begin = Instant.now();
     SimulationProcess field = SimulationProcess.start(stage, WORLD);
     Map<String, String> links = field.links(ROBOT);
-    tell.say(
+    progress.say(
         "The simulated world \"%s\" runs in a process of its own. %d lines lead to devices of %s;"
             + " each speaks its device's own bytes, so the real drivers read them.",
         field.startMessage().world(), links.size(), ROBOT);
     DemoRobot robot = DemoRobot.of(stage, "simulated", ROBOT, links);
-    ProgressReporter.Stopwatch coldStart = tell.stopwatch();
+    ProgressReporter.Stopwatch coldStart = progress.stopwatch();
     List<RobotBootstrap.ServiceReference> services = robot.bringUp();
-    tell.say(
+    progress.say(
         "The robot is up after %s: %s, in service groups under phoenix.",
         QuantityText.seconds(coldStart.elapsed()),
         services.stream()
@@ -105,7 +105,7 @@ public final class DevicesDemo implements Demo {
 
   private void meet(RobotDevices devices, ProgressReporter.Stopwatch sinceColdStart)
       throws Exception {
-    tell.chapter("finding the devices", "A client asks for what it needs");
+    progress.chapter("finding the devices", "A client asks for what it needs");
     DemoAssertions.await("that every device works", PATIENCE, devices::areAllAnswered);
     Duration cold = sinceColdStart.elapsed();
     Table table = new Table("NEEDED", "FOUND");
@@ -113,9 +113,9 @@ public final class DevicesDemo implements Demo {
       ModuleListing<?> answer = devices.one(each);
       table.row(each.need(), answer.path());
     }
-    tell.show(table);
-    tell.say("Each was found by what it can do; no name is in the client's code.");
-    tell.figure("cold start to every device working and shown", cold, Duration.ofSeconds(20));
+    progress.show(table);
+    progress.say("Each was found by what it can do; no name is in the client's code.");
+    progress.figure("cold start to every device working and shown", cold, Duration.ofSeconds(20));
   }
 
   private void drive(
@@ -125,12 +125,12 @@ public final class DevicesDemo implements Demo {
       DeviceRecorders streams,
       Heading heading)
       throws Exception {
-    tell.chapter("driving the square", "It drives a square, and loses its drive on the way");
+    progress.chapter("driving the square", "It drives a square, and loses its drive on the way");
     DemoAssertions.await(
         "that the gyro tells its rate",
         PATIENCE,
         () -> heading.stationarySamples() >= STANDING_RATES);
-    tell.say(
+    progress.say(
         "The robot stands, so what its gyro tells is the gyro's bias: %.4f rad/s.",
         heading.calibrate());
     DriveEffector drive = devices.one(devices.drive).module();
@@ -147,9 +147,9 @@ public final class DevicesDemo implements Demo {
                 kill(stage, process, script[0].lastCommand());
               }
             });
-    ProgressReporter.Stopwatch watch = tell.stopwatch();
+    ProgressReporter.Stopwatch watch = progress.stopwatch();
     script[0].run();
-    tell.say(
+    progress.say(
         "Phoenix brought the drive back as process %d. The script's command lease had died with"
             + " the old one; it took a new one, looked where it was, and finished the square. That"
             + " took %s in all.",
@@ -163,7 +163,7 @@ public final class DevicesDemo implements Demo {
     stage.signal("KILL", process);
     killed = Instant.now();
     lastCommand = lastSent;
-    tell.say(
+    progress.say(
         "On the second side, at full speed, process %d was killed: the one that drives. Nobody is"
             + " left who could tell the wheels to stop.",
         process);
@@ -171,7 +171,7 @@ public final class DevicesDemo implements Demo {
 
   private List<CapturedImage> lookAround(RobotDevices devices, DeviceRecorders streams)
       throws Exception {
-    tell.chapter("turning the head", "It turns its head, and its cameras with it");
+    progress.chapter("turning the head", "It turns its head, and its cameras with it");
     PanTiltEffector head = devices.one(devices.panTilt).module();
     List<CapturedImage> photos = new ArrayList<>();
     try (CommandLease lease = head.acquireCommandLease(LEASE)) {
@@ -194,7 +194,7 @@ public final class DevicesDemo implements Demo {
         photos.add(new CapturedImage(next(streams.thermal), "Heat, head turned " + where));
       }
     }
-    tell.say(
+    progress.say(
         "Head and cameras are modules of their own. The cameras' frames are rendered from the world"
             + " through the pose of the head they stand on; %d images are in the report.",
         photos.size());
@@ -216,7 +216,7 @@ public final class DevicesDemo implements Demo {
   }
 
   private void judge(SimulationProcess field, Instant begin) throws Exception {
-    tell.chapter("looking at the truth", "What truly happened");
+    progress.chapter("looking at the truth", "What truly happened");
     GroundTruthTrack truth = GroundTruthTrack.read(field.truth(), ROBOT, begin);
     Instant moment = java.util.Objects.requireNonNull(killed);
     Instant command = java.util.Objects.requireNonNull(lastCommand);
@@ -224,14 +224,14 @@ public final class DevicesDemo implements Demo {
     DemoAssertions.require(stood != null, "the robot never stood still after its drive was killed");
     double speed = truth.speedAt(moment);
     Duration sinceCommand = Duration.between(command, stood);
-    tell.say(
+    progress.say(
         "At %.2f m/s the drive's process died. The wheels stood %s after the last command: their"
             + " controller stops when nobody speaks to it.",
         speed, QuantityText.seconds(sinceCommand));
     DemoAssertions.require(speed > 0.3, "the robot was hardly moving when its drive was killed");
-    tell.requirement(
+    progress.requirement(
         "drive's last command to the robot standing", sinceCommand, Duration.ofMillis(500));
-    tell.say(
+    progress.say(
         "The square ended %.2f m from where it began: what the wheels rolled while their driver was"
             + " dead was counted by nobody, and they slip.",
         truth.closingError());
@@ -240,13 +240,13 @@ public final class DevicesDemo implements Demo {
   private void write(
       SimulationProcess field, DeviceRecorders streams, Instant begin, List<CapturedImage> photos)
       throws Exception {
-    tell.chapter("writing the report", "The report");
+    progress.chapter("writing the report", "The report");
     long silent = streams.all().stream().filter(each -> each.count() == 0).count();
     DemoAssertions.require(silent == 0, silent + " streams told nothing");
     GroundTruthTrack truth = GroundTruthTrack.read(field.truth(), ROBOT, begin);
     Path file =
         new DevicesReport(streams, truth, begin, java.util.Objects.requireNonNull(killed))
-            .write(report, tell.figures().all(), photos, field.truth());
-    tell.say("Plots of every stream are in %s, the numbers beside it as CSV.", file);
+            .write(report, progress.figures().all(), photos, field.truth());
+    progress.say("Plots of every stream are in %s, the numbers beside it as CSV.", file);
   }
 }

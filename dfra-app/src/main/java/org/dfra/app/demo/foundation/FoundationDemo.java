@@ -44,38 +44,39 @@ public final class FoundationDemo implements Demo {
   private static final int MANY = 1000;
   private static final GeoPosition ANTENNA = new GeoPosition(27.9506, -82.4572, 14.5);
 
-  private final ProgressReporter tell;
+  private final ProgressReporter progress;
 
   /** {@code tell} reports the progress. */
   public FoundationDemo(ProgressReporter narration) {
-    this.tell = narration;
+    this.progress = narration;
   }
 
   @Override
   public boolean run() {
-    return DemoRunner.run(tell, this::play);
+    return DemoRunner.run(progress, this::play);
   }
 
   private void play(DemoEnvironment stage) throws Exception {
-    tell.chapter("switching on the receiver", "A robot comes up");
+    progress.chapter("switching on the receiver", "A robot comes up");
     String link = stage.startReceivers(List.of(ANTENNA)).get(0);
-    tell.say("An M12+ receiver is switched on at %s: an emulator, but of its real bytes.", link);
+    progress.say(
+        "An M12+ receiver is switched on at %s: an emulator, but of its real bytes.", link);
 
-    ProgressReporter.Stopwatch coldStart = tell.stopwatch();
+    ProgressReporter.Stopwatch coldStart = progress.stopwatch();
     Host host = stage.host("atrv1");
     String locator = bringUp(host, link);
 
-    tell.chapter("finding the receiver", "A client finds a receiver");
-    ProgressReporter.Stopwatch search = tell.stopwatch();
+    progress.chapter("finding the receiver", "A client finds a receiver");
+    ProgressReporter.Stopwatch search = progress.stopwatch();
     try (PositionClient client = PositionClient.find(locator, PATIENCE)) {
-      tell.say(
+      progress.say(
           "A client that knows only the interface GPSSensor found %s through discovery and lookup"
               + " in %s.",
           client.gps(), QuantityText.seconds(search.elapsed()));
       GpsFix fix = client.position(PATIENCE);
       Duration cold = coldStart.elapsed();
-      tell.say("It read %s, by remote call.", describe(fix));
-      tell.figure("cold start of everything to position read", cold, Duration.ofSeconds(8));
+      progress.say("It read %s, by remote call.", describe(fix));
+      progress.figure("cold start of everything to position read", cold, Duration.ofSeconds(8));
 
       killTheReceiversGroup(stage, host, client.gps());
       silence(stage, host, client.gps());
@@ -86,14 +87,14 @@ public final class FoundationDemo implements Demo {
   }
 
   private String bringUp(Host host, String link) throws Exception {
-    tell.step("starting phoenix");
-    ProgressReporter.Stopwatch watch = tell.stopwatch();
+    progress.step("starting phoenix");
+    ProgressReporter.Stopwatch watch = progress.stopwatch();
     ProcessHandle phoenix = host.startPhoenix();
-    tell.say(
+    progress.say(
         "Phoenix, the activation daemon, is process %d after %s.",
         phoenix.pid(), QuantityText.seconds(watch.elapsed()));
 
-    tell.step("bringing up the robot");
+    progress.step("bringing up the robot");
     int port = FreePorts.allocate();
     Map<String, String> settings =
         Map.of(
@@ -105,9 +106,9 @@ public final class FoundationDemo implements Demo {
             link);
     Path xml = Path.of(System.getProperty("dfra.root", ""), "config", "robots", "atrv1.xml");
     RobotDescription robot = RobotXml.read(xml, settings::get);
-    watch = tell.stopwatch();
+    watch = progress.stopwatch();
     List<RobotBootstrap.ServiceReference> services = new RobotBootstrap(host.phoenix(), robot).up();
-    tell.say(
+    progress.say(
         "Robot %s is up after another %s: %s.",
         robot.name(),
         QuantityText.seconds(watch.elapsed()),
@@ -115,25 +116,25 @@ public final class FoundationDemo implements Demo {
             .map(service -> service.name() + " in group " + service.group())
             .collect(Collectors.joining(", ")));
     for (GroupStatus group : host.groups()) {
-      tell.say("Group %s is process %d.", group.name(), group.pid());
+      progress.say("Group %s is process %d.", group.name(), group.pid());
     }
     return "jini://" + DemoEnvironment.ADDRESS + ":" + port;
   }
 
   private void killTheReceiversGroup(DemoEnvironment stage, Host host, GPSSensor gps)
       throws Exception {
-    tell.chapter("killing the receiver's group", "kill -9 of the receiver's virtual machine");
+    progress.chapter("killing the receiver's group", "kill -9 of the receiver's virtual machine");
     long old = host.group("gps").pid();
-    ProgressReporter.Stopwatch watch = tell.stopwatch();
+    ProgressReporter.Stopwatch watch = progress.stopwatch();
     stage.signal("KILL", old);
     GpsFix fix = fixFrom(gps);
     Duration healed = watch.elapsed();
     long now = host.group("gps").pid();
     DemoAssertions.require(now != old && now > 0, "the group did not come back");
-    tell.say(
+    progress.say(
         "Process %d was killed. The same proxy answered again after %s, from process %d: %s.",
         old, QuantityText.seconds(healed), now, describe(fix));
-    tell.figure("GPS group killed to same proxy answering", healed, Duration.ofSeconds(3));
+    progress.figure("GPS group killed to same proxy answering", healed, Duration.ofSeconds(3));
   }
 
   /** The last fix; a receiver that has just restarted has none for a moment. */
@@ -143,22 +144,22 @@ public final class FoundationDemo implements Demo {
   }
 
   private void silence(DemoEnvironment stage, Host host, GPSSensor gps) throws Exception {
-    tell.chapter(
+    progress.chapter(
         "stopping the receiver's group",
         "kill -STOP: a peer that is silent, as out of radio range");
     long pid = host.group("gps").pid();
     stage.signal("STOP", pid);
-    ProgressReporter.Stopwatch sinceSignal = tell.stopwatch();
+    ProgressReporter.Stopwatch sinceSignal = progress.stopwatch();
     try {
       while (true) {
-        ProgressReporter.Stopwatch watch = tell.stopwatch();
+        ProgressReporter.Stopwatch watch = progress.stopwatch();
         try {
           gps.fix(); // on a loaded machine the signal takes effect a moment later
         } catch (DeadlineExceededException e) {
-          tell.say(
+          progress.say(
               "Process %d was stopped. The call ended after %s: %s.",
               pid, QuantityText.seconds(watch.elapsed()), String.valueOf(e.getMessage()));
-          tell.figure("silent server reported", watch.elapsed(), Duration.ofSeconds(3));
+          progress.figure("silent server reported", watch.elapsed(), Duration.ofSeconds(3));
           break;
         }
         DemoAssertions.require(
@@ -167,28 +168,28 @@ public final class FoundationDemo implements Demo {
     } finally {
       stage.signal("CONT", pid);
     }
-    ProgressReporter.Stopwatch watch = tell.stopwatch();
+    ProgressReporter.Stopwatch watch = progress.stopwatch();
     gps.fix();
-    tell.say(
+    progress.say(
         "It was let go on, and the same proxy answered after %s.",
         QuantityText.seconds(watch.elapsed()));
   }
 
   private void activateInALivingGroup(Host host) throws Exception {
-    tell.chapter("activating an object in a living group", "Activation itself");
+    progress.chapter("activating an object in a living group", "Activation itself");
     ActivationSystem system = host.phoenix().system();
     ActivationGroupID group = gpsGroup(host);
     beacon(system, group).pid(); // loads the classes of the PID service
     ActivationID id = register(system, group);
-    ProgressReporter.Stopwatch watch = tell.stopwatch();
+    ProgressReporter.Stopwatch watch = progress.stopwatch();
     long pid = ((PidService) id.activate(false)).pid();
     Duration took = watch.elapsed();
     DemoAssertions.require(
         pid == host.group("gps").pid(), "the object was made in another process");
-    tell.say(
+    progress.say(
         "An object that needs no device was made in the living group in %s.",
         QuantityText.seconds(took));
-    tell.figure("activation of an object in a live group", took, Duration.ofMillis(100));
+    progress.figure("activation of an object in a live group", took, Duration.ofMillis(100));
   }
 
   private static PidService beacon(ActivationSystem system, ActivationGroupID group)
@@ -216,36 +217,36 @@ public final class FoundationDemo implements Demo {
   }
 
   private void killPhoenix(DemoEnvironment stage, Host host, GPSSensor gps) throws Exception {
-    tell.chapter("registering many objects", "kill -9 of phoenix");
+    progress.chapter("registering many objects", "kill -9 of phoenix");
     ActivationSystem system = host.phoenix().system();
     ActivationGroupID group = gpsGroup(host);
-    ProgressReporter.Stopwatch watch = tell.stopwatch();
+    ProgressReporter.Stopwatch watch = progress.stopwatch();
     for (int i = 0; i < MANY; i++) {
       register(system, group);
     }
-    tell.say(
+    progress.say(
         "%d more objects were registered in %s, each one on disk before phoenix acknowledged it.",
         MANY, QuantityText.seconds(watch.elapsed()));
 
-    tell.step("killing phoenix");
+    progress.step("killing phoenix");
     List<GroupStatus> before = host.groups();
     host.killPhoenix();
-    watch = tell.stopwatch();
+    watch = progress.stopwatch();
     gps.fix();
-    tell.say(
+    progress.say(
         "Phoenix was killed. The receiver answered on, after %s: no call needs phoenix as long as"
             + " its server lives.",
         QuantityText.seconds(watch.elapsed()));
 
-    tell.step("restarting phoenix");
-    watch = tell.stopwatch();
+    progress.step("restarting phoenix");
+    watch = progress.stopwatch();
     ProcessHandle restarted = host.startPhoenix();
     Duration ready = watch.elapsed();
     List<GroupStatus> after = host.groups();
-    tell.say(
+    progress.say(
         "A new phoenix, process %d, answered after %s.",
         restarted.pid(), QuantityText.seconds(ready));
-    tell.figure("phoenix restart to ready, " + MANY + " objects", ready, Duration.ofSeconds(2));
+    progress.figure("phoenix restart to ready, " + MANY + " objects", ready, Duration.ofSeconds(2));
     DemoAssertions.require(
         count(before) == count(after), count(before) + " registrations became " + count(after));
     for (int i = 0; i < before.size(); i++) {
@@ -253,19 +254,19 @@ public final class FoundationDemo implements Demo {
           before.get(i).pid() == after.get(i).pid(), "a living group was started again");
       DemoAssertions.require(after.get(i).adopted(), "a living group was not taken back");
     }
-    tell.say(
+    progress.say(
         "All %d registrations are there, and the living groups were taken back, not doubled: %s.",
         count(after),
         after.stream()
             .map(each -> each.name() + " still is process " + each.pid())
             .collect(Collectors.joining(", ")));
 
-    tell.step("killing the receiver's group under the new phoenix");
+    progress.step("killing the receiver's group under the new phoenix");
     long old = host.group("gps").pid();
-    watch = tell.stopwatch();
+    watch = progress.stopwatch();
     stage.signal("KILL", old);
     fixFrom(gps);
-    tell.say(
+    progress.say(
         "The adopted group was killed too: the same proxy answered after %s, from process %d.",
         QuantityText.seconds(watch.elapsed()), host.group("gps").pid());
   }
@@ -275,15 +276,15 @@ public final class FoundationDemo implements Demo {
   }
 
   private void callLocally(DemoEnvironment stage, PositionClient client) throws Exception {
-    tell.chapter(
+    progress.chapter(
         "calling in the same virtual machine", "The proxy in the module's own virtual machine");
     SameVmCall.Result result =
         SameVmCall.measure(client.gps(), stage.startReceivers(List.of(ANTENNA)).get(0));
-    tell.say(
+    progress.say(
         "There a proxy hands the call straight to the implementation: %.1f ns instead of %.1f ns;"
             + " by network it is %.0f µs.",
         result.proxyNanos(), result.directNanos(), result.remoteNanos() / 1000);
-    tell.figure(
+    progress.figure(
         "same-VM proxy call over the direct call",
         result.proxyNanos() - result.directNanos(),
         100,

@@ -29,23 +29,23 @@ public final class DemoRunner {
    *
    * @return whether every step succeeded; missed targets are not failures here
    */
-  public static boolean run(ProgressReporter tell, EnvironmentDemo play) {
+  public static boolean run(ProgressReporter progress, EnvironmentDemo play) {
     try (DemoEnvironment stage = new DemoEnvironment()) {
       Runtime.getRuntime().addShutdownHook(new Thread(() -> closeQuietly(stage), "demo-end"));
       boolean isWell =
           runStandalone(
-              tell,
+              progress,
               () -> {
                 play.on(stage);
-                end(tell, stage);
+                end(progress, stage);
               });
       if (!isWell) {
         stage.keepFolder();
-        tell.say("The logs are in %s.", stage.folder());
+        progress.say("The logs are in %s.", stage.folder());
       }
       return isWell;
     } catch (IOException e) {
-      tell.say("The stage could not be cleared: %s", e);
+      progress.say("The stage could not be cleared: %s", e);
       return false;
     }
   }
@@ -55,16 +55,16 @@ public final class DemoRunner {
    *
    * @return whether every step succeeded; missed targets are not failures here
    */
-  public static boolean runStandalone(ProgressReporter tell, StandaloneDemo piece) {
+  public static boolean runStandalone(ProgressReporter progress, StandaloneDemo piece) {
     quietenLogs();
     try {
       piece.play();
-      tell.table();
+      progress.table();
       return true;
     } catch (Exception e) { // reports any failure of the demonstration
-      tell.freezeLive();
-      tell.heading("FAILED while " + tell.step());
-      tell.say("%s", e.toString());
+      progress.freezeLive();
+      progress.heading("FAILED while " + progress.step());
+      progress.say("%s", e.toString());
       return false;
     }
   }
@@ -80,12 +80,12 @@ public final class DemoRunner {
     }
   }
 
-  private static void end(ProgressReporter tell, DemoEnvironment stage) throws Exception {
-    tell.chapter("shutting down", "The end");
+  private static void end(ProgressReporter progress, DemoEnvironment stage) throws Exception {
+    progress.chapter("shutting down", "The end");
     stage.shutDown();
     DemoAssertions.require(
         stage.runningProcesses().isEmpty(), "processes " + stage.runningProcesses() + " still run");
-    tell.say(
+    progress.say(
         "All is shut down: none of the %d processes of this demonstration is left.",
         stage.processCount());
   }

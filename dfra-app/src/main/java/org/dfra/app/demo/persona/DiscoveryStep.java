@@ -30,11 +30,11 @@ final class DiscoveryStep {
           .where(SensorAttributes.class, "maxRate", Condition.atLeast(1))
           .where(GpsReceiverAttributes.class, "fixModes", Condition.contains("3D"));
 
-  private final ProgressReporter tell;
+  private final ProgressReporter progress;
   private final ModuleDirectory directory;
 
-  DiscoveryStep(ProgressReporter tell, ModuleDirectory directory) {
-    this.tell = tell;
+  DiscoveryStep(ProgressReporter progress, ModuleDirectory directory) {
+    this.progress = progress;
     this.directory = directory;
   }
 
@@ -46,7 +46,7 @@ final class DiscoveryStep {
    */
   void awaitRobots(int robots, int modules, ProgressReporter.Stopwatch sinceColdStart)
       throws Exception {
-    tell.chapter("finding the robots", "A client meets them");
+    progress.chapter("finding the robots", "A client meets them");
     DemoAssertions.await(
         "that " + robots + " robots show " + modules + " working modules each",
         PATIENCE,
@@ -54,14 +54,16 @@ final class DiscoveryStep {
             directory.personas().size() == robots
                 && directory.personas().stream().allMatch(each -> isComplete(each, modules)));
     Duration cold = sinceColdStart.elapsed();
-    tell.say(
+    progress.say(
         "A client found both through their registrars, without knowing their names. What a robot"
             + " shows of itself is its persona. It is read from the registrar; no module had to be"
             + " called. It is fresh as long as a registrar that answers vouches for it.");
     Instant now = Instant.now();
-    tell.blank();
-    directory.personas().forEach(each -> tell.show(PersonaSheet.of(each, now, tell.columns())));
-    tell.figure(
+    progress.blank();
+    directory
+        .personas()
+        .forEach(each -> progress.show(PersonaSheet.of(each, now, progress.columns())));
+    progress.figure(
         "cold start of both robots to all modules working and shown", cold, Duration.ofSeconds(16));
   }
 
@@ -80,28 +82,28 @@ final class DiscoveryStep {
 
   /** Queries by capability. */
   void ask() throws Exception {
-    tell.chapter("asking by capability", "It asks by what is needed, not by name");
+    progress.chapter("asking by capability", "It asks by what is needed, not by name");
     List<ModuleListing<LocationSensor>> found = directory.find(CAPABLE_SENSORS);
     int rounds = 1000;
-    ProgressReporter.Stopwatch watch = tell.stopwatch();
+    ProgressReporter.Stopwatch watch = progress.stopwatch();
     for (int i = 0; i < rounds; i++) {
       found = directory.find(CAPABLE_SENSORS);
     }
     double micros = watch.elapsed().toNanos() / 1e3 / rounds;
-    tell.say(
+    progress.say(
         "\"Location sensors on any robot, with a 3-D fix, at 1 Hz or more\": %d answers in %.1f µs,"
             + " from what the client already knows. Each can be called at once:",
         found.size(), micros);
     Table table = new Table("ANSWER", "SAYS IT IS AT", "CALL TOOK");
     for (ModuleListing<LocationSensor> each : found) {
-      watch = tell.stopwatch();
+      watch = progress.stopwatch();
       LocationReading location = each.module().location();
       String took = QuantityText.seconds(watch.elapsed());
       table.row(each.path(), QuantityText.place(location.position()), took);
     }
-    tell.show(table);
+    progress.show(table);
     DemoAssertions.require(found.size() == 4, found.size() + " location sensors were found, not 4");
-    tell.figure(
+    progress.figure(
         "a question by capability, answered from the client's cache", micros / 1e3, 5, "ms");
   }
 }

@@ -39,45 +39,45 @@ public final class PersonaDemo implements Demo {
           new GeoPosition(27.950797, -82.457000, 14.5),
           new GeoPosition(27.950800, -82.457000, 15.1));
 
-  private final ProgressReporter tell;
+  private final ProgressReporter progress;
 
   /** {@code tell} reports the progress. */
   public PersonaDemo(ProgressReporter narration) {
-    this.tell = narration;
+    this.progress = narration;
   }
 
   @Override
   public boolean run() {
-    return DemoRunner.run(tell, this::play);
+    return DemoRunner.run(progress, this::play);
   }
 
   private void play(DemoEnvironment stage) throws Exception {
-    tell.chapter("switching on the receivers", "Two robots come up");
+    progress.chapter("switching on the receivers", "Two robots come up");
     List<String> links = stage.startReceivers(ANTENNAS);
-    tell.say(
+    progress.say(
         "%d Motorola M12+ GPS receivers are switched on. They are emulated, byte for byte, so that"
             + " the real driver reads them.",
         links.size());
     DemoRobot atrv1 = robot(stage, "atrv1", links.get(0), links.get(1));
     DemoRobot atrv2 = robot(stage, "atrv2", links.get(2), links.get(3));
     List<DemoRobot> robots = List.of(atrv1, atrv2);
-    ProgressReporter.Stopwatch coldStart = tell.stopwatch();
+    ProgressReporter.Stopwatch coldStart = progress.stopwatch();
     try (ModuleDirectory directory =
         new JiniModuleDirectory(
             DemoEnvironment.ADDRESS, List.of(), robots.stream().map(DemoRobot::locator).toList())) {
       bringUp(robots);
-      DiscoveryStep introduction = new DiscoveryStep(tell, directory);
+      DiscoveryStep introduction = new DiscoveryStep(progress, directory);
       introduction.awaitRobots(robots.size(), RECEIVERS, coldStart);
       introduction.ask();
       List<FixLog> logs = listen(directory);
       try {
-        ReceiverKillStep killed = new ReceiverKillStep(tell, stage, atrv1, directory);
+        ReceiverKillStep killed = new ReceiverKillStep(progress, stage, atrv1, directory);
         killed.underASubscription(logs.get(0));
         killed.underACall();
-        new ReceiverSuspensionStep(tell, stage, atrv2)
+        new ReceiverSuspensionStep(progress, stage, atrv2)
             .play(logs.get(2), List.of(logs.get(0), logs.get(1), logs.get(3)));
-        new RegistrarOutageStep(tell, stage, atrv1, directory).play(logs.get(0));
-        new ReconfigurationStep(tell, atrv2, directory)
+        new RegistrarOutageStep(progress, stage, atrv1, directory).play(logs.get(0));
+        new ReconfigurationStep(progress, atrv2, directory)
             .play(links.get(4), logs.get(3).module(), logs);
       } finally {
         logs.forEach(FixLog::close);
@@ -92,8 +92,8 @@ public final class PersonaDemo implements Demo {
 
   /** Both in parallel, as on two computers. */
   private void bringUp(List<DemoRobot> robots) throws Exception {
-    tell.step("bringing the robots up");
-    ProgressReporter.Stopwatch watch = tell.stopwatch();
+    progress.step("bringing the robots up");
+    ProgressReporter.Stopwatch watch = progress.stopwatch();
     ExecutorService threads = Executors.newFixedThreadPool(robots.size());
     try {
       List<Future<List<RobotBootstrap.ServiceReference>>> begun = new ArrayList<>();
@@ -102,7 +102,7 @@ public final class PersonaDemo implements Demo {
       }
       for (int i = 0; i < robots.size(); i++) {
         List<RobotBootstrap.ServiceReference> services = begun.get(i).get();
-        tell.say(
+        progress.say(
             "Robot %s is up after %s, with a phoenix of its own: %s, a process each.",
             robots.get(i).name(),
             QuantityText.seconds(watch.elapsed()),
@@ -113,20 +113,20 @@ public final class PersonaDemo implements Demo {
     } finally {
       threads.shutdownNow();
     }
-    tell.say(
+    progress.say(
         "Phoenix is the daemon that starts a robot's processes and brings them back. The registrar"
             + " is the robot's own lookup service: its modules say there what they can do.");
   }
 
   private List<FixLog> listen(ModuleDirectory directory) throws Exception {
-    tell.chapter("listening to the receivers", "It listens to all four");
+    progress.chapter("listening to the receivers", "It listens to all four");
     List<FixLog> logs = new ArrayList<>();
     for (var each : directory.find(ModuleQuery.of(GPSSensor.class))) {
       logs.add(FixLog.of(each));
     }
     for (FixLog each : logs) {
       FixLog.Arrival first = each.next(Duration.ofSeconds(20));
-      tell.say("Reading no. %d of %s has come.", first.number(), each.path());
+      progress.say("Reading no. %d of %s has come.", first.number(), each.path());
     }
     return logs;
   }

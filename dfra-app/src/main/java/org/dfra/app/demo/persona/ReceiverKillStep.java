@@ -36,14 +36,17 @@ final class ReceiverKillStep {
   /** A call that lasts this much longer than usual has not been answered by a living server. */
   private static final Duration UNANSWERED = Duration.ofMillis(300);
 
-  private final ProgressReporter tell;
+  private final ProgressReporter progress;
   private final DemoEnvironment stage;
   private final DemoRobot robot;
   private final ModuleDirectory directory;
 
   ReceiverKillStep(
-      ProgressReporter tell, DemoEnvironment stage, DemoRobot robot, ModuleDirectory directory) {
-    this.tell = tell;
+      ProgressReporter progress,
+      DemoEnvironment stage,
+      DemoRobot robot,
+      ModuleDirectory directory) {
+    this.progress = progress;
     this.stage = stage;
     this.robot = robot;
     this.directory = directory;
@@ -51,11 +54,12 @@ final class ReceiverKillStep {
 
   /** Kills the process of a receiver that has a listener and a lease. */
   void underASubscription(FixLog log) throws Exception {
-    tell.chapter("killing a receiver", "kill -9 of a receiver's process, while a client listens");
+    progress.chapter(
+        "killing a receiver", "kill -9 of a receiver's process, while a client listens");
     try (ModuleLease lease = log.gps().acquireLease(LEASE)) {
       DemoAssertions.require(lease.isLive(), "the lease on " + log.path() + " is not live");
       awaitClients(log, Instant.MIN);
-      tell.say(
+      progress.say(
           "The client listens to the readings of %s and holds a lease on it, which says that the"
               + " receiver is needed.",
           log.path());
@@ -64,7 +68,7 @@ final class ReceiverKillStep {
       long process = robot.process(log.module());
 
       Instant killed = Instant.now();
-      ProgressReporter.Stopwatch watch = tell.stopwatch();
+      ProgressReporter.Stopwatch watch = progress.stopwatch();
       stage.signal("KILL", process);
       FixLog.Arrival again = log.firstAfterLife(last.life(), PATIENCE);
       Duration listening = watch.elapsed();
@@ -73,7 +77,7 @@ final class ReceiverKillStep {
 
       long missed = again.number() - last.number() - 1;
       long counted = log.subscription().lost() - lost;
-      tell.say(
+      progress.say(
           "Process %d was killed after reading no. %d. Reading no. %d came %s after the kill, from"
               + " process %d, and the lease counts again after %s. The client did nothing for"
               + " either.",
@@ -83,15 +87,17 @@ final class ReceiverKillStep {
           QuantityText.seconds(listening),
           robot.process(log.module()),
           QuantityText.seconds(leased));
-      tell.say(
+      progress.say(
           "Events are numbered through all of a module's lives, so a gap is seen and counted. In this"
               + " one, %s long, the client missed %s, %s.",
           QuantityText.seconds(Duration.ofNanos(again.nanos() - last.nanos())),
           QuantityText.count(counted, "event"),
           missed == 0 ? "but no reading" : QuantityText.count(missed, "reading") + " among them");
-      tell.figure("receiver killed to its readings coming again", listening, Duration.ofSeconds(5));
-      tell.figure("receiver killed to the client's lease counted", leased, Duration.ofSeconds(5));
-      tell.figure(
+      progress.figure(
+          "receiver killed to its readings coming again", listening, Duration.ofSeconds(5));
+      progress.figure(
+          "receiver killed to the client's lease counted", leased, Duration.ofSeconds(5));
+      progress.figure(
           "readings missed in the gap but not counted", Math.max(0, missed - counted), 0, "");
     }
   }
@@ -115,11 +121,11 @@ final class ReceiverKillStep {
 
   /** Kills the receiver's process during a call that it has not answered. */
   void underACall() throws Exception {
-    tell.chapter("killing a receiver under a call", "kill -9 under a call");
+    progress.chapter("killing a receiver under a call", "kill -9 under a call");
     awaitAllReady();
     LocationSensor any = directory.proxyFor(DiscoveryStep.CAPABLE_SENSORS.robot(robot.name()));
     String asked = any.location().frame();
-    tell.say(
+    progress.say(
         "Any location sensor of %s will do for this client, so it calls one object that stands for"
             + " all of them. %s answered first.",
         robot.name(), asked);
@@ -128,19 +134,19 @@ final class ReceiverKillStep {
     try {
       stage.signal("STOP", process);
       Future<LocationReading> call = inFlight(caller, any);
-      ProgressReporter.Stopwatch watch = tell.stopwatch();
+      ProgressReporter.Stopwatch watch = progress.stopwatch();
       stage.signal("KILL", process);
       String answered = call.get(PATIENCE.toSeconds(), TimeUnit.SECONDS).frame();
       Duration took = watch.elapsed();
-      tell.say(
+      progress.say(
           "The next call had reached it and waited for its answer (the process was stopped for"
               + " that) when process %d was killed. %s after the kill the call was answered by %s;"
               + " the caller saw no failure.",
           process, QuantityText.seconds(took), answered);
       if (answered.equals(asked)) {
-        tell.say("It was back in a new process before the other receiver was asked.");
+        progress.say("It was back in a new process before the other receiver was asked.");
       }
-      tell.figure("call to a killed receiver answered", took, Duration.ofSeconds(3));
+      progress.figure("call to a killed receiver answered", took, Duration.ofSeconds(3));
     } finally {
       caller.shutdownNow();
     }

@@ -23,12 +23,12 @@ final class ReceiverSuspensionStep {
   /** This number of readings shows that the others continue. */
   private static final int ENOUGH = 5;
 
-  private final ProgressReporter tell;
+  private final ProgressReporter progress;
   private final DemoEnvironment stage;
   private final DemoRobot robot;
 
-  ReceiverSuspensionStep(ProgressReporter tell, DemoEnvironment stage, DemoRobot robot) {
-    this.tell = tell;
+  ReceiverSuspensionStep(ProgressReporter progress, DemoEnvironment stage, DemoRobot robot) {
+    this.progress = progress;
     this.stage = stage;
     this.robot = robot;
   }
@@ -40,12 +40,12 @@ final class ReceiverSuspensionStep {
    * @param others subscriptions that should not be affected
    */
   void play(FixLog stopped, List<FixLog> others) throws Exception {
-    tell.chapter("stopping a receiver", "kill -STOP: a process falls silent");
+    progress.chapter("stopping a receiver", "kill -STOP: a process falls silent");
     FixLog.Arrival unused = stopped.next(PATIENCE);
     long process = robot.process(stopped.module());
     List<FixLog.RecordingPeriod> stretches = new ArrayList<>();
     FixLog.RecordingPeriod silence = stopped.begin();
-    ProgressReporter.Stopwatch watch = tell.stopwatch();
+    ProgressReporter.Stopwatch watch = progress.stopwatch();
     stage.signal("STOP", process);
     try {
       others.forEach(each -> stretches.add(each.begin()));
@@ -54,12 +54,12 @@ final class ReceiverSuspensionStep {
           PATIENCE,
           () -> stopped.subscription().interruptedSince().isPresent());
       Duration reported = watch.elapsed();
-      tell.say(
+      progress.say(
           "Process %d, %s, was stopped. It closes no connection and answers nothing, as a robot out"
               + " of radio range. After %s the client's subscription to it reported that it is"
               + " interrupted.",
           process, stopped.path(), QuantityText.seconds(reported));
-      tell.figure("silent receiver reported", reported, Duration.ofSeconds(3));
+      progress.figure("silent receiver reported", reported, Duration.ofSeconds(3));
       for (FixLog.RecordingPeriod each : stretches) {
         each.await(ENOUGH, PATIENCE);
       }
@@ -67,7 +67,7 @@ final class ReceiverSuspensionStep {
     } finally {
       stage.signal("CONT", process);
     }
-    watch = tell.stopwatch();
+    watch = progress.stopwatch();
     unused = stopped.next(PATIENCE);
     Duration again = watch.elapsed();
     DemoAssertions.await(
@@ -75,7 +75,7 @@ final class ReceiverSuspensionStep {
         PATIENCE,
         () -> stopped.subscription().interruptedSince().isEmpty());
     FixLog.Summary whole = silence.end();
-    tell.say(
+    progress.say(
         "It was let go on (kill -CONT). Its readings came again after %s, and the subscription"
             + " reports no interruption any more; it counted %d lost events.",
         QuantityText.seconds(again), whole.lost());
@@ -94,9 +94,9 @@ final class ReceiverSuspensionStep {
           QuantityText.seconds(each.longestWait()),
           Long.toString(each.lost()));
     }
-    tell.say("Nothing else waited for it:");
-    tell.show(table);
-    tell.figure(
+    progress.say("Nothing else waited for it:");
+    progress.show(table);
+    progress.figure(
         "longest wait for a reading while another receiver is silent",
         all.stream()
             .map(FixLog.Summary::longestWait)

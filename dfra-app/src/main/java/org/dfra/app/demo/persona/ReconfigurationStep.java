@@ -27,13 +27,13 @@ final class ReconfigurationStep {
   private static final Duration SOON = Duration.ofSeconds(5);
   private static final String NAME = "gps_roof";
 
-  private final ProgressReporter tell;
+  private final ProgressReporter progress;
   private final DemoRobot robot;
   private final ModuleDirectory directory;
   private final ModuleQuery<GPSSensor> query;
 
-  ReconfigurationStep(ProgressReporter tell, DemoRobot robot, ModuleDirectory directory) {
-    this.tell = tell;
+  ReconfigurationStep(ProgressReporter progress, DemoRobot robot, ModuleDirectory directory) {
+    this.progress = progress;
     this.robot = robot;
     this.directory = directory;
     this.query = ModuleQuery.of(GPSSensor.class).robot(robot.name()).name(NAME);
@@ -47,48 +47,48 @@ final class ReconfigurationStep {
    * @param logs subscriptions that should not be affected
    */
   void play(String link, String model, List<FixLog> logs) throws Exception {
-    tell.chapter("adding a module", "The robot is changed while it works");
+    progress.chapter("adding a module", "The robot is changed while it works");
     List<FixLog.RecordingPeriod> stretches = logs.stream().map(FixLog::begin).toList();
     ModuleDescription first = like(model, link);
-    ProgressReporter.Stopwatch watch = tell.stopwatch();
+    ProgressReporter.Stopwatch watch = progress.stopwatch();
     robot.bootstrap().add(first, model);
     ModuleListing<GPSSensor> added = await(first);
     Duration adding = watch.elapsed();
-    tell.say(
+    progress.say(
         "A third receiver, module %s, was added to the process of %s/%s. After %s it worked and was"
             + " shown:",
         added.path(), robot.name(), model, QuantityText.seconds(adding));
-    tell.show(PersonaSheet.modules(List.of(added)));
-    tell.figure("module added to it working and shown", adding, SOON);
+    progress.show(PersonaSheet.modules(List.of(added)));
+    progress.figure("module added to it working and shown", adding, SOON);
     await(stretches, 2);
 
-    tell.step("replacing a module");
+    progress.step("replacing a module");
     UUID id = added.id();
     ModuleDescription newer = withDriver(first, AveragingM12Impl.class.getName());
-    watch = tell.stopwatch();
+    watch = progress.stopwatch();
     robot.bootstrap().replace(newer);
     ModuleListing<GPSSensor> replaced = await(newer);
     Duration replacing = watch.elapsed();
     DemoAssertions.require(replaced.id().equals(id), "the newer version has another identity");
-    tell.say(
+    progress.say(
         "It was replaced by a newer version of its driver, which averages positions. After %s that"
             + " worked and was shown, under the same identity. The object through which the client"
             + " used the old one reaches the new one, and says %s:",
         QuantityText.seconds(replacing), QuantityText.place(added.module().location().position()));
-    tell.show(PersonaSheet.modules(List.of(replaced)));
-    tell.figure("module replaced to the newer one working and shown", replacing, SOON);
+    progress.show(PersonaSheet.modules(List.of(replaced)));
+    progress.figure("module replaced to the newer one working and shown", replacing, SOON);
     await(stretches, 4);
 
-    tell.step("removing a module");
-    watch = tell.stopwatch();
+    progress.step("removing a module");
+    watch = progress.stopwatch();
     robot.bootstrap().remove(NAME);
     DemoAssertions.await(
         "that the module is gone", PATIENCE, () -> directory.find(query).isEmpty());
     Duration removing = watch.elapsed();
-    tell.say(
+    progress.say(
         "It was removed, and gone from the robot's persona after %s.",
         QuantityText.seconds(removing));
-    tell.figure("module removed to it gone", removing, SOON);
+    progress.figure("module removed to it gone", removing, SOON);
     await(stretches, 6);
     reportOthers(stretches);
   }
@@ -123,13 +123,13 @@ final class ReconfigurationStep {
             .map(FixLog.Summary::longestWait)
             .max(Comparator.naturalOrder())
             .orElse(Duration.ZERO);
-    tell.say(
+    progress.say(
         "All the while the client got the readings of the other %2$d receivers, one of them in the"
             + " same process: %1$d came, %3$d were lost, and it never waited longer than %4$s for the"
             + " next.",
         readings, all.size(), lost, QuantityText.seconds(longest));
-    tell.figure("readings lost while the robot was changed", lost, 0, "");
-    tell.figure(
+    progress.figure("readings lost while the robot was changed", lost, 0, "");
+    progress.figure(
         "longest wait for a reading while the robot was changed", longest, Duration.ofSeconds(2));
   }
 

@@ -21,14 +21,17 @@ final class RegistrarOutageStep {
 
   private static final Duration PATIENCE = Duration.ofSeconds(30);
 
-  private final ProgressReporter tell;
+  private final ProgressReporter progress;
   private final DemoEnvironment stage;
   private final DemoRobot robot;
   private final ModuleDirectory directory;
 
   RegistrarOutageStep(
-      ProgressReporter tell, DemoEnvironment stage, DemoRobot robot, ModuleDirectory directory) {
-    this.tell = tell;
+      ProgressReporter progress,
+      DemoEnvironment stage,
+      DemoRobot robot,
+      ModuleDirectory directory) {
+    this.progress = progress;
     this.stage = stage;
     this.robot = robot;
     this.directory = directory;
@@ -40,37 +43,37 @@ final class RegistrarOutageStep {
    * @param log the subscription to a receiver of the robot
    */
   void play(FixLog log) throws Exception {
-    tell.chapter("killing the registrar", "A robot's registrar is gone for a while");
+    progress.chapter("killing the registrar", "A robot's registrar is gone for a while");
     Set<UUID> before = ids();
     long registrar = robot.process("lookup");
     robot.host().killPhoenix();
-    ProgressReporter.Stopwatch watch = tell.stopwatch();
+    ProgressReporter.Stopwatch watch = progress.stopwatch();
     stage.signal("KILL", registrar);
     DemoAssertions.await("that the persona is stale", PATIENCE, () -> persona().stale());
     Duration stale = watch.elapsed();
-    tell.say(
+    progress.say(
         "The registrar of %s, process %d, and its phoenix, which would bring it back, were both"
             + " killed. After %s the client shows the robot as stale, with its age, and keeps what"
             + " it knew:",
         robot.name(), registrar, QuantityText.seconds(stale));
     show();
-    tell.figure("registrar dead to its robot shown as stale", stale, Duration.ofSeconds(5));
+    progress.figure("registrar dead to its robot shown as stale", stale, Duration.ofSeconds(5));
 
     FixLog.RecordingPeriod meanwhile = log.begin();
-    watch = tell.stopwatch();
+    watch = progress.stopwatch();
     String frame = log.gps().location().frame();
     Duration call = watch.elapsed();
     meanwhile.await(2, PATIENCE);
     FixLog.Summary summary = meanwhile.end();
-    tell.say(
+    progress.say(
         "Stale is not dead: %s answered a call after %s, and %d more readings came meanwhile.",
         frame, QuantityText.seconds(call), summary.readings());
     show();
     DemoAssertions.require(
         summary.lost() == 0, summary.lost() + " readings of " + frame + " were lost");
 
-    tell.step("bringing the registrar back");
-    watch = tell.stopwatch();
+    progress.step("bringing the registrar back");
+    watch = progress.stopwatch();
     ProcessHandle phoenix = robot.host().startPhoenix();
     DemoAssertions.await("that the persona is fresh again", PATIENCE, () -> !persona().stale());
     DemoAssertions.await(
@@ -78,18 +81,18 @@ final class RegistrarOutageStep {
         PATIENCE,
         () -> persona().modules().stream().noneMatch(ModuleListing::stale));
     Duration fresh = watch.elapsed();
-    tell.say(
+    progress.say(
         "Phoenix was started again, process %d: it took back what lived and brought the registrar"
             + " back, process %d. The robot was fresh again after %s, with the same modules under"
             + " the same identities.",
         phoenix.pid(), robot.process("lookup"), QuantityText.seconds(fresh));
     show();
     DemoAssertions.require(ids().equals(before), "the modules have other identities than before");
-    tell.figure("phoenix started again to the robot fresh", fresh, Duration.ofSeconds(10));
+    progress.figure("phoenix started again to the robot fresh", fresh, Duration.ofSeconds(10));
   }
 
   private void show() throws IOException {
-    tell.show(List.of("  " + PersonaSheet.headline(persona(), Instant.now())));
+    progress.show(List.of("  " + PersonaSheet.headline(persona(), Instant.now())));
   }
 
   private Persona persona() throws IOException {

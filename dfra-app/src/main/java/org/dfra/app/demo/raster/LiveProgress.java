@@ -25,7 +25,7 @@ final class LiveProgress implements MissionListener {
   private static final long REDRAW = TimeUnit.SECONDS.toNanos(1);
   private static final long SENTENCE = TimeUnit.SECONDS.toNanos(10);
 
-  private final ProgressReporter tell;
+  private final ProgressReporter progress;
   private final LongSupplier nanos;
   private final Scenario scenario;
   private final ClearanceCalculator bodies;
@@ -37,8 +37,8 @@ final class LiveProgress implements MissionListener {
   /**
    * @param nanos a monotonic real-time clock with any origin
    */
-  LiveProgress(ProgressReporter tell, LongSupplier nanos, Scenario scenario) {
-    this.tell = tell;
+  LiveProgress(ProgressReporter progress, LongSupplier nanos, Scenario scenario) {
+    this.progress = progress;
     this.nanos = nanos;
     this.scenario = scenario;
     this.bodies = new ClearanceCalculator(scenario.world());
@@ -57,7 +57,7 @@ final class LiveProgress implements MissionListener {
       clearance = Math.min(clearance, sample.clearance());
     }
     long now = nanos.getAsLong();
-    if (now - reported >= (tell.isTerminal() ? REDRAW : SENTENCE)) {
+    if (now - reported >= (progress.isTerminal() ? REDRAW : SENTENCE)) {
       reported = now;
       show(robots);
     }
@@ -65,14 +65,14 @@ final class LiveProgress implements MissionListener {
 
   @Override
   public void onEvent(MissionEvent mark) {
-    tell.say("After %.0f s, %s: %s.", mark.time(), mark.robot(), mark.what());
+    progress.say("After %.0f s, %s: %s.", mark.time(), mark.robot(), mark.what());
   }
 
   private void show(List<RobotProgress> robots) {
-    if (tell.isTerminal()) {
+    if (progress.isTerminal()) {
       List<String> lines = new ArrayList<>(table(robots));
       lines.add(summary(robots));
-      tell.redraw(lines);
+      progress.redraw(lines);
       return;
     }
     List<String> clauses = new ArrayList<>();
@@ -86,7 +86,7 @@ final class LiveProgress implements MissionListener {
               + off(i, robots.get(i), ", %.2f m off it")
               + ")");
     }
-    tell.say("%s: %s.", summary(robots), String.join("; ", clauses));
+    progress.say("%s: %s.", summary(robots), String.join("; ", clauses));
   }
 
   private List<String> table(List<RobotProgress> robots) {
@@ -100,7 +100,7 @@ final class LiveProgress implements MissionListener {
           off(i, at, "%.2f m"),
           at.status().activity());
     }
-    return table.lines(tell.columns() - 1);
+    return table.lines(progress.columns() - 1);
   }
 
   private String seen(int robot) {

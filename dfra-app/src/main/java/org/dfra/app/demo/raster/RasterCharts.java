@@ -153,8 +153,9 @@ final class RasterCharts {
       List<double[]> distances = new ArrayList<>();
       for (int i = 0; i < moments; i++) {
         Sample at = first.samples().get(i);
-        double apart = bodies.distance(first.robot(), at, other.robot(), other.samples().get(i));
-        distances.add(new double[] {at.time(), apart});
+        double separation =
+            bodies.distance(first.robot(), at, other.robot(), other.samples().get(i));
+        distances.add(new double[] {at.time(), separation});
       }
       panel.add(
           over(

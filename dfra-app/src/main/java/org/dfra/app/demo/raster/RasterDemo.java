@@ -28,14 +28,14 @@ public final class RasterDemo implements Demo {
    */
   private static final double MOST_UNSEEN = 0.05;
 
-  private final ProgressReporter tell;
+  private final ProgressReporter progress;
   private final Scenario scenario;
   private final SimulationSpeed pace;
   private final Mission mission;
   private final Path report;
 
   private RasterDemo(ProgressReporter narration, RasterSetup setup, Path report) {
-    this.tell = narration;
+    this.progress = narration;
     this.scenario = setup.scenario();
     this.pace = setup.pace();
     this.mission = MissionModes.of(setup, narration.figures());
@@ -54,24 +54,25 @@ public final class RasterDemo implements Demo {
 
   @Override
   public boolean run() {
-    return DemoRunner.runStandalone(tell, this::play); // a mission has its own
+    return DemoRunner.runStandalone(progress, this::play); // a mission has its own
   }
 
   private void play() throws Exception {
     plan();
     MissionResult flight = search();
     List<Scores> scores = judge(flight);
-    tell.chapter("writing the report", "The report");
+    progress.chapter("writing the report", "The report");
     Path file =
-        new RasterReport(scenario, MissionModes.meaning(mission), flight, scores, tell.figures())
+        new RasterReport(
+                scenario, MissionModes.meaning(mission), flight, scores, progress.figures())
             .write(report);
-    tell.say("Figures and tables are in %s, the numbers beside it as CSV.", file);
+    progress.say("Figures and tables are in %s, the numbers beside it as CSV.", file);
   }
 
   private void plan() {
-    tell.chapter("planning", "A region becomes lanes");
+    progress.chapter("planning", "A region becomes lanes");
     RasterPlan plan = scenario.plan();
-    tell.say(
+    progress.say(
         "The region around %s has %.0f m². With lanes %.2f m apart that makes %s, %d waypoints and"
             + " %.0f m to drive.",
         QuantityText.place(scenario.region().centre()),
@@ -80,26 +81,27 @@ public final class RasterDemo implements Demo {
         QuantityText.count(plan.lanes().size(), "lane"),
         plan.waypoints().size(),
         plan.length());
-    tell.say("%s", MissionModes.meaning(mission));
-    pace.slowdownReason().ifPresent(why -> tell.say("%s", why));
+    progress.say("%s", MissionModes.meaning(mission));
+    pace.slowdownReason().ifPresent(why -> progress.say("%s", why));
   }
 
   private MissionResult search() throws Exception {
-    tell.chapter("searching", "The robots search it, each the other way round than the one before");
-    ProgressReporter.Stopwatch watch = tell.stopwatch();
-    MissionResult flight = mission.run(new LiveProgress(tell, System::nanoTime, scenario));
-    tell.freezeLive();
-    tell.say(
+    progress.chapter(
+        "searching", "The robots search it, each the other way round than the one before");
+    ProgressReporter.Stopwatch watch = progress.stopwatch();
+    MissionResult flight = mission.run(new LiveProgress(progress, System::nanoTime, scenario));
+    progress.freezeLive();
+    progress.say(
         "The search took %.0f s of the robots' time and %s of this computer's.",
         flight.seconds(), QuantityText.seconds(watch.elapsed()));
     for (RobotMissionResult each : flight.robots()) {
-      tell.say("%s: %s.", each.robot(), each.ending());
+      progress.say("%s: %s.", each.robot(), each.ending());
     }
     return flight;
   }
 
   private List<Scores> judge(MissionResult flight) {
-    tell.chapter("judging", "How well they searched");
+    progress.chapter("judging", "How well they searched");
     List<Scores> scores = new ArrayList<>();
     for (int i = 0; i < flight.robots().size(); i++) {
       scores.add(Scores.of(flight.robots().get(i), scenario.plan(i)));
@@ -112,17 +114,17 @@ public final class RasterDemo implements Demo {
                 .map(each -> each.toUpperCase(Locale.ROOT))
                 .toArray(String[]::new));
     metrics.rows().forEach(row -> table.row(row.toArray(String[]::new)));
-    tell.show(table);
+    progress.show(table);
     double clearance = scores.stream().mapToDouble(Scores::clearance).min().orElse(0);
     long unfinished = scores.stream().filter(each -> !each.completed()).count();
-    tell.figure("robots that did not come to the end of their lanes", unfinished, 0, "");
-    tell.figure("collisions", flight.collisions().size(), 0, "");
-    tell.figure(
+    progress.figure("robots that did not come to the end of their lanes", unfinished, 0, "");
+    progress.figure("collisions", flight.collisions().size(), 0, "");
+    progress.figure(
         "least clearance short of 0.3 m", // targets of measured values are upper limits
         Math.max(0, RasterCharts.LEAST_CLEARANCE - clearance),
         0,
         "m");
-    tell.figure("share of the region that no robot saw", 1 - together, MOST_UNSEEN, "");
+    progress.figure("share of the region that no robot saw", 1 - together, MOST_UNSEEN, "");
     return scores;
   }
 }

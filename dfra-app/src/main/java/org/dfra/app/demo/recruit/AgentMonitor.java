@@ -40,12 +40,12 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
   /** Queue length of each subscription, while this process is slow. */
   private static final int DEPTH = 512;
 
-  private final ProgressReporter tell;
+  private final ProgressReporter progress;
   private final Instant began;
   private final DirectoryRegistration watch;
   private final Map<String, Subscription> subscriptions = new TreeMap<>(); // guarded by this
   private final Map<String, List<RecruitmentStatus>> received = new TreeMap<>(); // guarded by this
-  private final List<SentMessage> letters = new ArrayList<>(); // guarded by this
+  private final List<SentMessage> envelopes = new ArrayList<>(); // guarded by this
   private final List<OperatorEvent> noted = new ArrayList<>(); // guarded by this
   private final Map<String, Instant> deaths = new TreeMap<>(); // by robot; guarded by this
   private final Set<String> cutOff = new TreeSet<>(); // robots; guarded by this
@@ -58,8 +58,8 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
    * @param began the robots' time to which reported seconds are relative
    */
   @SuppressWarnings("this-escape") // no events before the registration
-  AgentMonitor(ModuleDirectory directory, ProgressReporter tell, Instant began) {
-    this.tell = tell;
+  AgentMonitor(ModuleDirectory directory, ProgressReporter progress, Instant began) {
+    this.progress = progress;
     this.began = began;
     this.watch = directory.listen(ModuleQuery.of(RecruitmentAgent.class), this);
   }
@@ -80,11 +80,12 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
           listing.attributes(RecruitmentAttributes.class).stream()
               .flatMap(each -> each.percepts().stream())
               .toList();
-      tell.say(
+      progress.say(
           "%s appears: its agent %s.",
           robot, percepts.isEmpty() ? "only asks" : "can observe " + String.join(", ", percepts));
     } catch (RemoteException e) {
-      tell.say("%s appears, but cannot be listened to: %s", robot, String.valueOf(e.getMessage()));
+      progress.say(
+          "%s appears, but cannot be listened to: %s", robot, String.valueOf(e.getMessage()));
     }
   }
 
@@ -93,7 +94,7 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
       return;
     }
     if (fresh.reading() instanceof SentMessage sent) {
-      letters.add(sent);
+      envelopes.add(sent);
     } else if (fresh.reading() instanceof RecruitmentStatus status) {
       List<RecruitmentStatus> all = received.computeIfAbsent(robot, name -> new ArrayList<>());
       say(robot, all.isEmpty() ? null : last(all), status);
@@ -110,9 +111,9 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
             : last.requesterPhase() != now.requesterPhase()
                 || last.responderPhase() != now.responderPhase();
     if (isNews) {
-      tell.say("%s: %s (%s).", moment(robot, now), phases(last, now), now.lastChange());
+      progress.say("%s: %s (%s).", moment(robot, now), phases(last, now), now.lastChange());
     } else if (isSilent && now.urge() > (last == null ? 0 : last.urge())) {
-      tell.say(
+      progress.say(
           "%s: it has heard the call and keeps silent; its shame is %.2f.",
           moment(robot, now), now.urge());
     }
@@ -216,7 +217,7 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
 
   /** All messages that agents sent, in the order reported. */
   synchronized List<SentMessage> messages() {
-    return List.copyOf(letters);
+    return List.copyOf(envelopes);
   }
 
   /** For how many seconds of the robots' time two helped at once, by the time stamps of each. */

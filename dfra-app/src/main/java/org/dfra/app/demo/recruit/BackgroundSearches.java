@@ -44,7 +44,7 @@ final class BackgroundSearches implements AutoCloseable {
   /** Queue length of each subscription, while this process is slow. */
   private static final int KEPT = 512;
 
-  private final ProgressReporter tell;
+  private final ProgressReporter progress;
   private final ModuleDirectory directory;
   private final LocalFrame frame;
   private final Duration patience;
@@ -57,8 +57,8 @@ final class BackgroundSearches implements AutoCloseable {
    * @param patience timeout for a search, real time
    */
   BackgroundSearches(
-      ProgressReporter tell, ModuleDirectory directory, LocalFrame frame, Duration patience) {
-    this.tell = tell;
+      ProgressReporter progress, ModuleDirectory directory, LocalFrame frame, Duration patience) {
+    this.progress = progress;
     this.directory = directory;
     this.frame = frame;
     this.patience = patience;
@@ -71,7 +71,7 @@ final class BackgroundSearches implements AutoCloseable {
    * @param south likewise
    */
   void begin(String robot, double west, double south) throws Exception {
-    tell.step("having " + robot + " search");
+    progress.step("having " + robot + " search");
     RasterSearch search = directory.proxyFor(ModuleQuery.of(RasterSearch.class).robot(robot));
     Subscription subscription =
         search.subscribe(delivery -> received(robot, delivery), DeliveryPolicy.keepLast(KEPT));
@@ -98,7 +98,7 @@ final class BackgroundSearches implements AutoCloseable {
             return false;
           }
         });
-    tell.say("%s searches its quarter of the field by raster.", robot);
+    progress.say("%s searches its quarter of the field by raster.", robot);
   }
 
   private synchronized void received(String robot, Delivery delivery) {
@@ -142,14 +142,14 @@ final class BackgroundSearches implements AutoCloseable {
     Map<String, ResumptionFault> faults = new TreeMap<>();
     for (Map.Entry<String, List<RecruitmentStatus>> each : recruited.entrySet()) {
       String robot = each.getKey();
-      tell.step("waiting until " + robot + " goes on with its search");
+      progress.step("waiting until " + robot + " goes on with its search");
       boolean unused =
           DemoAssertions.holdsWithin(patience, () -> isDecided(robot, each.getValue()));
       Optional<ResumptionFault> fault = ResumptionCheck.fault(each.getValue(), statuses(robot));
       fault.ifPresent(
           what -> {
             faults.put(robot, what);
-            tell.say("%s %s.", robot, what.why());
+            progress.say("%s %s.", robot, what.why());
           });
     }
     Map<String, RasterSearch> ending;
@@ -178,7 +178,7 @@ final class BackgroundSearches implements AutoCloseable {
 
   private void print(String robot, boolean hasResumed, RasterSearch search) throws RemoteException {
     BehaviorStatus status = search.status();
-    tell.say(
+    progress.say(
         "%s%s has searched %.0f %% of its quarter: %s.",
         robot,
         hasResumed ? ", which was called away from its search and went on with it," : "",

@@ -67,12 +67,12 @@ record CallState(
     @Nullable String chosen = null;
     @Nullable Instant stay = null;
     int rounds = 0;
-    int letters = 0;
+    int envelopes = 0;
     for (Attempt attempt : attempts) {
       chosen = null;
       stay = null;
       for (SentMessage sent : attempt.messages()) {
-        letters++;
+        envelopes++;
         RecruitmentMessage message = sent.envelope().message();
         if (message instanceof Help) {
           rounds++;
@@ -93,7 +93,7 @@ record CallState(
         chosen,
         List.copyOf(winners),
         rounds,
-        letters,
+        envelopes,
         stay);
   }
 

@@ -41,9 +41,9 @@ final class Conversations {
   private Conversations() {}
 
   /** All conversations in the order of their start; a new call has another place or purpose. */
-  static List<Attempt> of(List<SentMessage> letters) {
+  static List<Attempt> of(List<SentMessage> envelopes) {
     Map<Conversation, List<SentMessage>> sorted = new LinkedHashMap<>();
-    letters.stream()
+    envelopes.stream()
         .sorted(Comparator.comparing(SentMessage::measured))
         .forEach(
             each ->
@@ -71,7 +71,7 @@ final class Conversations {
   }
 
   private static Attempt next(
-      List<Attempt> before, String requester, HelpCall asked, List<SentMessage> letters) {
+      List<Attempt> before, String requester, HelpCall asked, List<SentMessage> envelopes) {
     List<Attempt> same =
         before.stream()
             .filter(each -> each.requester().equals(requester) && each.asked().equals(asked))
@@ -82,6 +82,6 @@ final class Conversations {
             : same.get(0).call();
     int attempt = 1 + same.size();
     return new Attempt(
-        requester, call, attempt, asked, letters.get(0).measured(), List.copyOf(letters));
+        requester, call, attempt, asked, envelopes.get(0).measured(), List.copyOf(envelopes));
   }
 }

@@ -22,7 +22,7 @@ final class HelpRequester {
   /** Timeout of all waits, real time. */
   static final Duration PATIENCE = Duration.ofSeconds(120);
 
-  private final ProgressReporter tell;
+  private final ProgressReporter progress;
   private final String requester;
   private final RecruitmentAgent agent;
   private final AgentMonitor witness;
@@ -33,12 +33,12 @@ final class HelpRequester {
    * @param frame the world's
    */
   HelpRequester(
-      ProgressReporter tell,
+      ProgressReporter progress,
       String requester,
       RecruitmentAgent agent,
       AgentMonitor witness,
       LocalFrame frame) {
-    this.tell = tell;
+    this.progress = progress;
     this.requester = requester;
     this.agent = agent;
     this.witness = witness;
@@ -50,7 +50,7 @@ final class HelpRequester {
    * robots.
    */
   void awaitOthers(HelpCall impossible) throws Exception {
-    tell.step("waiting until " + requester + " sees the others");
+    progress.step("waiting until " + requester + " sees the others");
     DemoAssertions.await(
         "that " + requester + " sees the others",
         PATIENCE,
@@ -62,7 +62,7 @@ final class HelpRequester {
     LocalPosition at = frame.toLocal(call.position());
     Optional<String> why = refusal(call);
     DemoAssertions.require(why.isPresent(), requester + " calls for what cannot be had: " + call);
-    tell.say(
+    progress.say(
         "%s wants somebody who can observe \"%s\", %.0f m east and %.0f m north; its agent"
             + " answers: %s.",
         requester, call.percept(), at.east(), at.north(), why.orElseThrow());
@@ -80,7 +80,7 @@ final class HelpRequester {
 
   /** Calls, and waits until a helper is travelling that is not one of those. */
   String call(HelpCall call, Set<String> others) throws Exception {
-    tell.step("calling for help");
+    progress.step("calling for help");
     AtomicReference<String> refused = new AtomicReference<>("it has not answered");
     boolean calls =
         DemoAssertions.holdsWithin(
@@ -96,7 +96,7 @@ final class HelpRequester {
             });
     DemoAssertions.require(calls, requester + " cannot call for help: " + refused.get());
     LocalPosition at = frame.toLocal(call.position());
-    tell.say(
+    progress.say(
         "%s calls for somebody who can observe \"%s\", %.0f m east and %.0f m north.",
         requester, call.percept(), at.east(), at.north());
     return awaitTravelling(others);
@@ -104,7 +104,7 @@ final class HelpRequester {
 
   /** Waits until a helper is travelling that is not one of those. */
   String awaitTravelling(Set<String> others) throws Exception {
-    tell.step("waiting for a helper");
+    progress.step("waiting for a helper");
     DemoAssertions.await(
         "that somebody comes", PATIENCE, () -> witness.committed(others).isPresent());
     return witness.committed(others).orElseThrow();
@@ -121,7 +121,7 @@ final class HelpRequester {
 
   /** Releases the helper. */
   void release(String helper) throws Exception {
-    tell.say("%s has seen enough and releases %s.", requester, helper);
+    progress.say("%s has seen enough and releases %s.", requester, helper);
     agent.release();
     await(helper, ResponderPhase.FREE);
     await(RequesterPhase.IDLE);
@@ -129,7 +129,7 @@ final class HelpRequester {
 
   /** Waits until another robot's agent reports that phase. */
   void await(String robot, ResponderPhase phase) throws Exception {
-    tell.step("waiting until " + robot + " is " + phase);
+    progress.step("waiting until " + robot + " is " + phase);
     DemoAssertions.await(
         "that " + robot + " is " + phase,
         PATIENCE,
@@ -138,7 +138,7 @@ final class HelpRequester {
 
   /** Waits until the requester's agent reports that phase. */
   void await(RequesterPhase phase) throws Exception {
-    tell.step("waiting until " + requester + " is " + phase);
+    progress.step("waiting until " + requester + " is " + phase);
     DemoAssertions.await(
         "that " + requester + " is " + phase,
         PATIENCE,

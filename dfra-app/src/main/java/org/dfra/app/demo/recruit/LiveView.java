@@ -34,7 +34,7 @@ final class LiveView implements AutoCloseable {
   /** Above this height a robot counts as flying, metres above the ground. */
   private static final double FLIES = 0.5;
 
-  private final ProgressReporter tell;
+  private final ProgressReporter progress;
   private final List<String> robots;
   private final Instant began;
   private final InstantSource clock;
@@ -53,7 +53,7 @@ final class LiveView implements AutoCloseable {
    * @param frame the world's
    */
   LiveView(
-      ProgressReporter tell,
+      ProgressReporter progress,
       List<String> robots,
       Instant began,
       InstantSource clock,
@@ -62,7 +62,7 @@ final class LiveView implements AutoCloseable {
       AgentMonitor witness,
       BackgroundSearches searches,
       TrueTrajectories ways) {
-    this.tell = tell;
+    this.progress = progress;
     this.robots = List.copyOf(robots);
     this.began = began;
     this.clock = clock;
@@ -70,9 +70,9 @@ final class LiveView implements AutoCloseable {
     this.witness = witness;
     this.searches = searches;
     this.ways = ways;
-    this.batteries = tell.isTerminal() ? new BatteryMonitor(directory) : null;
+    this.batteries = progress.isTerminal() ? new BatteryMonitor(directory) : null;
     this.thread =
-        tell.isTerminal()
+        progress.isTerminal()
             ? Executors.newSingleThreadScheduledExecutor(
                 task -> {
                   Thread made = new Thread(task, "dfra-demo-live");
@@ -95,9 +95,9 @@ final class LiveView implements AutoCloseable {
       return;
     }
     try {
-      tell.redraw(SnapshotLines.of(now(), tell.columns() - 1));
+      progress.redraw(SnapshotLines.of(now(), progress.columns() - 1));
     } catch (RuntimeException e) { // the demonstration continues without it
-      tell.redraw(List.of("", "What the team is at cannot be shown: " + e));
+      progress.redraw(List.of("", "What the team is at cannot be shown: " + e));
     }
   }
 
@@ -168,7 +168,7 @@ final class LiveView implements AutoCloseable {
     thread.shutdown();
     draw();
     isOver = true;
-    tell.freezeLive();
+    progress.freezeLive();
     batteries.close();
   }
 }

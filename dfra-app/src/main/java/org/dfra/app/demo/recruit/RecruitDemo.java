@@ -36,12 +36,12 @@ public final class RecruitDemo implements Demo {
   private static final Path WORLD =
       Path.of(System.getProperty("dfra.root", "."), "config", "worlds", "recruit.xml");
 
-  private final ProgressReporter tell;
+  private final ProgressReporter progress;
   private final double speed;
   private final Path report;
 
   private RecruitDemo(ProgressReporter narration, double speed, Path report) {
-    this.tell = narration;
+    this.progress = narration;
     this.speed = speed;
     this.report = report;
   }
@@ -71,7 +71,7 @@ public final class RecruitDemo implements Demo {
 
   @Override
   public boolean run() {
-    return DemoRunner.run(tell, this::play);
+    return DemoRunner.run(progress, this::play);
   }
 
   private void play(DemoEnvironment stage) throws Exception {
@@ -81,8 +81,8 @@ public final class RecruitDemo implements Demo {
       InstantSource clock = RobotTime.clock();
       WorldDescription world = WorldXml.read(WORLD);
       List<String> names = world.vehicles().stream().map(each -> each.name()).toList();
-      tell.chapter("starting the robots", "The team");
-      tell.say(
+      progress.chapter("starting the robots", "The team");
+      progress.say(
           "Five robots in a simulated world. All that a robot is made of but its agent is embedded"
               + " in this virtual machine: registrar, drivers that read the bytes of emulated"
               + " devices over TCP, schemas and behaviours, exported and found through lookup."
@@ -98,17 +98,18 @@ public final class RecruitDemo implements Demo {
                 new JiniModuleDirectory(DemoEnvironment.ADDRESS, List.of(), team.locators());
             TrueTrajectories ways =
                 new TrueTrajectories(names, simulation.world().groundTruth(), clock);
-            AgentMonitor witness = new AgentMonitor(directory, tell, began);
+            AgentMonitor witness = new AgentMonitor(directory, progress, began);
             BackgroundSearches searches =
-                new BackgroundSearches(tell, directory, frame, BackgroundSearches.PATIENCE)) {
+                new BackgroundSearches(progress, directory, frame, BackgroundSearches.PATIENCE)) {
           ways.start();
           try (LiveView live =
-              new LiveView(tell, names, began, clock, frame, directory, witness, searches, ways)) {
+              new LiveView(
+                  progress, names, began, clock, frame, directory, witness, searches, ways)) {
             live.start();
             team.start();
             RecruitScenario story =
                 new RecruitScenario(
-                    tell,
+                    progress,
                     team,
                     directory,
                     witness,
@@ -119,11 +120,12 @@ public final class RecruitDemo implements Demo {
                     clock);
             story.play();
           }
-          tell.chapter("writing the report", "The report");
+          progress.chapter("writing the report", "The report");
           DemoTimeline chronicle = new DemoTimeline(began, frame, witness, ways);
           RecruitCharts figures = new RecruitCharts(names, world, chronicle);
-          Path file = new RecruitReport(chronicle, figures, speed, tell.figures()).write(report);
-          tell.say(
+          Path file =
+              new RecruitReport(chronicle, figures, speed, progress.figures()).write(report);
+          progress.say(
               "A map of where they went, a chart of each conversation, and shame over time are in"
                   + " %s.",
               file);

@@ -44,7 +44,7 @@ final class RecruitScenario {
   /** How long a helper stays that is not released, robots' time. */
   private static final Duration SHORT_STAY = Duration.ofSeconds(15);
 
-  private final ProgressReporter tell;
+  private final ProgressReporter progress;
   private final Team team;
   private final ModuleDirectory directory;
   private final AgentMonitor witness;
@@ -60,7 +60,7 @@ final class RecruitScenario {
    * @param clock the robots'
    */
   RecruitScenario(
-      ProgressReporter tell,
+      ProgressReporter progress,
       Team team,
       ModuleDirectory directory,
       AgentMonitor witness,
@@ -69,7 +69,7 @@ final class RecruitScenario {
       TrueTrajectories ways,
       LocalFrame frame,
       InstantSource clock) {
-    this.tell = tell;
+    this.progress = progress;
     this.team = team;
     this.directory = directory;
     this.witness = witness;
@@ -89,8 +89,8 @@ final class RecruitScenario {
         "that all agents appear", PATIENCE, () -> witness.listening().size() == robots);
     RecruitmentAgent uav =
         directory.proxyFor(ModuleQuery.of(RecruitmentAgent.class).robot(REQUESTER));
-    HelpRequester calls = new HelpRequester(tell, REQUESTER, uav, witness, frame);
-    tell.say("All %d are there.", robots);
+    HelpRequester calls = new HelpRequester(progress, REQUESTER, uav, witness, frame);
+    progress.say("All %d are there.", robots);
     searches.begin("ugv1", 4.5, 3);
     searches.begin("ugv2", 22, 3);
     searches.begin("ugv3", 4.5, 18);
@@ -98,7 +98,7 @@ final class RecruitScenario {
     refuse(calls);
     FlightEffector flight =
         directory.proxyFor(ModuleQuery.of(FlightEffector.class).robot(REQUESTER));
-    try (Scout scout = new Scout(tell, REQUESTER, flight, frame)) {
+    try (Scout scout = new Scout(progress, REQUESTER, flight, frame)) {
       oneComesAndIsReleased(scout, calls);
       String dead = oneDiesOnItsWay(scout, calls);
       theRequesterIsCutOff(scout, calls, dead);
@@ -112,7 +112,7 @@ final class RecruitScenario {
   }
 
   private void refuse(HelpRequester calls) throws Exception {
-    tell.chapter("asking for what cannot be", "What cannot be is refused");
+    progress.chapter("asking for what cannot be", "What cannot be is refused");
     HelpCall gold = new HelpCall("gold", place(12, 11), SHORT_STAY, LOOKED_FOR);
     calls.awaitOthers(gold);
     calls.requireRefused(gold);
@@ -120,15 +120,15 @@ final class RecruitScenario {
   }
 
   private void oneComesAndIsReleased(Scout scout, HelpRequester calls) throws Exception {
-    tell.chapter("recruiting one", "One comes, observes, and is released");
+    progress.chapter("recruiting one", "One comes, observes, and is released");
     HelpCall call = new HelpCall(PERCEPT, place(12, 11), LONG_STAY, LOOKED_FOR);
     scout.lookAt(call.position());
-    ProgressReporter.Stopwatch watch = tell.stopwatch();
-    tell.say("%s comes.", calls.call(call, Set.of()));
-    tell.figure("call to a robot on its way", watch.elapsed(), Duration.ofSeconds(60));
+    ProgressReporter.Stopwatch watch = progress.stopwatch();
+    progress.say("%s comes.", calls.call(call, Set.of()));
+    progress.figure("call to a robot on its way", watch.elapsed(), Duration.ofSeconds(60));
     String helper = calls.awaitArrival();
     Instant enough = clock.instant().plus(OBSERVED);
-    tell.say("%s observes for %d s of the robots' time.", helper, OBSERVED.toSeconds());
+    progress.say("%s observes for %d s of the robots' time.", helper, OBSERVED.toSeconds());
     DemoAssertions.await(
         "that " + helper + " has observed", PATIENCE, () -> clock.instant().isAfter(enough));
     calls.release(helper);
@@ -136,47 +136,47 @@ final class RecruitScenario {
 
   /** Returns the robot that died. */
   private String oneDiesOnItsWay(Scout scout, HelpRequester calls) throws Exception {
-    tell.chapter("killing a helper on its way", "One dies on its way, and is replaced");
+    progress.chapter("killing a helper on its way", "One dies on its way, and is replaced");
     HelpCall call = new HelpCall(PERCEPT, place(27, 12), LONG_STAY, LOOKED_FOR);
     scout.lookAt(call.position());
     String dead = calls.call(call, Set.of());
     Instant setOut = clock.instant();
-    tell.say("%s comes.", dead);
+    progress.say("%s comes.", dead);
     DemoAssertions.await(
         "that " + dead + " is on its way",
         PATIENCE,
         () -> ways.displacementSince(dead, setOut) > ON_ITS_WAY);
     long process = team.process(dead);
-    ProgressReporter.Stopwatch watch = tell.stopwatch();
+    ProgressReporter.Stopwatch watch = progress.stopwatch();
     team.kill(dead);
     witness.noteDeath(clock.instant(), dead, "dies: nothing of it is left but a stopped vehicle");
     searches.forget(dead);
-    tell.say(
+    progress.say(
         "%s dies: its agent's process %d is killed, its registrar, drivers and behaviours are gone."
             + " Phoenix brings the agent back, which finds no robot to drive.",
         dead, process);
-    tell.say("%s comes instead.", calls.awaitTravelling(Set.of(dead)));
-    tell.figure("death to another on its way", watch.elapsed(), PATIENCE);
+    progress.say("%s comes instead.", calls.awaitTravelling(Set.of(dead)));
+    progress.figure("death to another on its way", watch.elapsed(), PATIENCE);
     calls.release(calls.awaitArrival());
     return dead;
   }
 
   private void theRequesterIsCutOff(Scout scout, HelpRequester calls, String dead)
       throws Exception {
-    tell.chapter("cutting the requester off", "The requester cannot be reached any more");
+    progress.chapter("cutting the requester off", "The requester cannot be reached any more");
     HelpCall call = new HelpCall(PERCEPT, place(16, 18), SHORT_STAY, LOOKED_FOR);
     scout.lookAt(call.position());
-    tell.say("%s comes.", calls.call(call, Set.of(dead)));
+    progress.say("%s comes.", calls.call(call, Set.of(dead)));
     String helper = calls.awaitArrival();
     team.signal("STOP", REQUESTER);
     try {
       witness.noteReachable(clock.instant(), REQUESTER, false);
-      tell.say(
+      progress.say(
           "The agent of %s is stopped (process %d): it hears and says nothing. %s has granted it"
               + " a lease of %d s of the robots' time.",
           REQUESTER, team.process(REQUESTER), helper, SHORT_STAY.toSeconds());
       calls.await(helper, ResponderPhase.FREE);
-      tell.say("%s has freed itself, with nobody to tell it so.", helper);
+      progress.say("%s has freed itself, with nobody to tell it so.", helper);
     } finally {
       team.signal("CONT", REQUESTER);
       witness.noteReachable(clock.instant(), REQUESTER, true);
@@ -185,7 +185,7 @@ final class RecruitScenario {
   }
 
   private void judge(String dead) throws Exception {
-    tell.chapter("judging", "What became of it");
+    progress.chapter("judging", "What became of it");
     Map<String, List<RecruitmentStatus>> recruited = witness.statuses();
     recruited.keySet().retainAll(witness.helpers());
     recruited.remove(dead);
@@ -197,12 +197,12 @@ final class RecruitScenario {
             .filter(each -> last(each.getValue()).responderPhase() != ResponderPhase.FREE)
             .map(Map.Entry::getKey)
             .collect(Collectors.toSet());
-    tell.say("%d letters were sent, a call to all counted as one.", witness.messages().size());
-    tell.figure("robots that are still bound to somebody", bound.size(), 0, "");
-    tell.figure("seconds in which two helped at once", witness.overlapSeconds(), 0, "s");
-    tell.figure("recruited robots that had not been searching", idle, 0, "");
-    tell.figure("searches that were left and did not go on", faults.size() - idle, 0, "");
-    tell.figure("collisions", world.groundTruth().collisions().size(), 0, "");
+    progress.say("%d letters were sent, a call to all counted as one.", witness.messages().size());
+    progress.figure("robots that are still bound to somebody", bound.size(), 0, "");
+    progress.figure("seconds in which two helped at once", witness.overlapSeconds(), 0, "s");
+    progress.figure("recruited robots that had not been searching", idle, 0, "");
+    progress.figure("searches that were left and did not go on", faults.size() - idle, 0, "");
+    progress.figure("collisions", world.groundTruth().collisions().size(), 0, "");
   }
 
   private static RecruitmentStatus last(List<RecruitmentStatus> all) {

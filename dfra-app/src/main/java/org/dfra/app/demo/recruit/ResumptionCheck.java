@@ -44,16 +44,16 @@ final class ResumptionCheck {
    */
   static Optional<ResumptionFault> fault(
       List<RecruitmentStatus> agent, List<BehaviorStatus> search) {
-    List<Absence> apart = new ArrayList<>();
+    List<Absence> separation = new ArrayList<>();
     for (Absence each : absences(agent)) {
-      Absence before = apart.isEmpty() ? null : apart.get(apart.size() - 1);
+      Absence before = separation.isEmpty() ? null : separation.get(separation.size() - 1);
       if (before != null && isStillAway(before, each, search)) {
-        apart.set(apart.size() - 1, new Absence(before.asked(), each.free()));
+        separation.set(separation.size() - 1, new Absence(before.asked(), each.free()));
       } else {
-        apart.add(each);
+        separation.add(each);
       }
     }
-    return apart.stream().flatMap(each -> fault(each, search).stream()).findFirst();
+    return separation.stream().flatMap(each -> fault(each, search).stream()).findFirst();
   }
 
   /** Whether it was recruited again before it was back at its search: that is one absence. */

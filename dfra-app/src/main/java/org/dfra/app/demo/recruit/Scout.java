@@ -27,7 +27,7 @@ final class Scout implements AutoCloseable {
   private static final double SPEED = 4; // metres per second
   private static final double NEAR = 1; // metres: counts as arrived
 
-  private final ProgressReporter tell;
+  private final ProgressReporter progress;
   private final String robot;
   private final FlightEffector flight;
   private final LocalFrame frame;
@@ -38,13 +38,13 @@ final class Scout implements AutoCloseable {
    *
    * @param frame the world's
    */
-  Scout(ProgressReporter tell, String robot, FlightEffector flight, LocalFrame frame)
+  Scout(ProgressReporter progress, String robot, FlightEffector flight, LocalFrame frame)
       throws Exception {
-    this.tell = tell;
+    this.progress = progress;
     this.robot = robot;
     this.flight = flight;
     this.frame = frame;
-    tell.step("having " + robot + " take off");
+    progress.step("having " + robot + " take off");
     DemoAssertions.await(
         "that " + robot + " knows where it is",
         PATIENCE,
@@ -55,17 +55,17 @@ final class Scout implements AutoCloseable {
     flight.execute(lease.key(), new TakeOff(HEIGHT));
     DemoAssertions.await(
         "that it flies", PATIENCE, () -> flight.flightState().phase() == Phase.IN_AIR);
-    tell.say("%s takes off, and flies %.0f m above the field.", robot, HEIGHT);
+    progress.say("%s takes off, and flies %.0f m above the field.", robot, HEIGHT);
   }
 
   /** Flies over a place, and hovers there. */
   void lookAt(GeoPosition place) throws Exception {
     LocalPosition on = frame.toLocal(place);
-    tell.step("flying " + robot + " over what it has seen");
+    progress.step("flying " + robot + " over what it has seen");
     LocalPosition above = new LocalPosition(on.east(), on.north(), HEIGHT);
     flight.execute(lease.key(), new GoTo(frame.toGeo(above), SPEED));
     DemoAssertions.await("that " + robot + " is there", PATIENCE, () -> isOver(on));
-    tell.say(
+    progress.say(
         "%s hovers over something %.0f m east and %.0f m north; from above a mine is like a stone.",
         robot, on.east(), on.north());
   }
@@ -81,13 +81,13 @@ final class Scout implements AutoCloseable {
 
   /** Flies back, and lands. */
   void land() throws Exception {
-    tell.step("having " + robot + " land");
+    progress.step("having " + robot + " land");
     flight.execute(lease.key(), new ReturnToLaunch());
     DemoAssertions.await(
         "that " + robot + " has landed",
         PATIENCE,
         () -> flight.flightState().phase() == Phase.ON_GROUND && !flight.flightState().isArmed());
-    tell.say("%s is back where it took off.", robot);
+    progress.say("%s is back where it took off.", robot);
   }
 
   /** {@inheritDoc} If it still flies, it holds its position. */

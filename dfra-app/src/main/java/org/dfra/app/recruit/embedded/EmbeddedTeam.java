@@ -66,16 +66,16 @@ final class EmbeddedTeam implements AutoCloseable {
     if (known != null) {
       return known;
     }
-    FieldAgent.AgentSlot seat =
+    FieldAgent.AgentSlot slot =
         new FieldAgent.AgentSlot(percepts, time, timers, fresh -> agents.put(robot, fresh));
     UUID id = UUID.randomUUID();
-    serving.serve(activation(robot, seat, id));
+    serving.serve(activation(robot, slot, id));
     FieldAgent made = Objects.requireNonNull(agents.get(robot), "made when it was served");
     LocalModuleRegistry.unregister(id, made); // otherwise calls would be local
     return made;
   }
 
-  private ModuleActivation activation(String robot, FieldAgent.AgentSlot seat, UUID id) {
+  private ModuleActivation activation(String robot, FieldAgent.AgentSlot slot, UUID id) {
     ModuleDescription description =
         new ModuleDescription(
             robot,
@@ -85,7 +85,7 @@ final class EmbeddedTeam implements AutoCloseable {
             FieldAgent.class.getName(),
             null,
             false,
-            Parameters.of(robot + "/agent", Map.of(FieldAgent.SLOT, seat.reserve())),
+            Parameters.of(robot + "/agent", Map.of(FieldAgent.SLOT, slot.reserve())),
             Place.CODE);
     return new ModuleActivation(
         description, id, HOST, List.of(), List.of(serving.registrar().locator()));

@@ -65,7 +65,7 @@ final class EmbeddedVenue implements ExperimentEnvironment {
     agent.join(
         member,
         new LossyTransport(new Stamped(agent.transport()), loss, count),
-        letter -> times.came(member.name(), letter));
+        envelope -> times.came(member.name(), envelope));
     return agent;
   }
 
@@ -94,14 +94,14 @@ final class EmbeddedVenue implements ExperimentEnvironment {
     }
 
     @Override
-    public void send(String robot, MessageEnvelope letter) {
-      times.sent(robot, letter);
-      real.send(robot, letter);
+    public void send(String robot, MessageEnvelope envelope) {
+      times.sent(robot, envelope);
+      real.send(robot, envelope);
     }
 
     @Override
-    public void broadcast(String percept, MessageEnvelope letter) {
-      capableRobots(percept).forEach(robot -> send(robot, letter));
+    public void broadcast(String percept, MessageEnvelope envelope) {
+      capableRobots(percept).forEach(robot -> send(robot, envelope));
     }
   }
 

@@ -77,7 +77,7 @@ public final class FieldAgent extends ModuleImpl
   /** Its participation in a run. */
   private record RunParticipation(Recruiter recruiter, Consumer<MessageEnvelope> onMessage) {}
 
-  private final AgentSlot seat;
+  private final AgentSlot slot;
   private final ModuleContext timed;
   private final DirectoryTransport transport;
   private volatile @Nullable RunParticipation part;
@@ -88,24 +88,24 @@ public final class FieldAgent extends ModuleImpl
   }
 
   @SuppressWarnings("this-escape") // the receiver uses it once it is served
-  private FieldAgent(ModuleContext context, AgentSlot seat) {
-    super(by(seat, context), "an agent in the experiment's field", "DFRA", "1");
-    this.seat = seat;
-    this.timed = by(seat, context);
+  private FieldAgent(ModuleContext context, AgentSlot slot) {
+    super(by(slot, context), "an agent in the experiment's field", "DFRA", "1");
+    this.slot = slot;
+    this.timed = by(slot, context);
     this.transport = new DirectoryTransport(timed, log);
-    seat.made().accept(this);
+    slot.made().accept(this);
   }
 
   /** The same module context with another time, for its leases too. */
-  private static ModuleContext by(AgentSlot seat, ModuleContext context) {
+  private static ModuleContext by(AgentSlot slot, ModuleContext context) {
     return new ModuleContext(
         context.robot(),
         context.name(),
         context.parameters(),
-        seat.time(),
+        slot.time(),
         context.state(),
         LeaseTerms.DEFAULT,
-        seat.timers(),
+        slot.timers(),
         context::directory);
   }
 
@@ -146,7 +146,7 @@ public final class FieldAgent extends ModuleImpl
             member.settings(),
             member.strategy(),
             member.mode(),
-            new RecruiterPorts(way, member.body(), leases(), seat.time(), seat.timers()),
+            new RecruiterPorts(way, member.body(), leases(), slot.time(), slot.timers()),
             member.listener(),
             Optional.empty());
     part = new RunParticipation(fresh, come);
@@ -191,19 +191,19 @@ public final class FieldAgent extends ModuleImpl
 
   @Override
   public void receive(AgentMessage message) {
-    if (!(message instanceof MessageEnvelope letter)) {
+    if (!(message instanceof MessageEnvelope envelope)) {
       throw new IllegalArgumentException(path() + " takes letters of recruitment only");
     }
     RunParticipation now = part();
-    now.onMessage().accept(letter);
-    MessageDelays.runTimed(() -> now.recruiter().receive(letter));
+    now.onMessage().accept(envelope);
+    MessageDelays.runTimed(() -> now.recruiter().receive(envelope));
   }
 
   @Override
   public List<Attributes> attributes() {
     return List.of(
         new RecruitmentAttributes(
-            List.copyOf(seat.percepts()),
+            List.copyOf(slot.percepts()),
             SPEED,
             "as the run has it",
             RecruitmentSettings.DEFAULT.replaceAfter().toMillis() / 1e3,

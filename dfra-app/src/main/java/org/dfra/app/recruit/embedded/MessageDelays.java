@@ -37,15 +37,15 @@ public final class MessageDelays {
 
     private final Map<Sent, Long> underWay = new ConcurrentHashMap<>();
 
-    void sent(String to, MessageEnvelope letter) {
+    void sent(String to, MessageEnvelope envelope) {
       Long began = BEGAN.get();
       underWay.put(
-          new Sent(letter.sender(), letter.number(), to),
+          new Sent(envelope.sender(), envelope.number(), to),
           began == null ? System.nanoTime() : began);
     }
 
-    void came(String to, MessageEnvelope letter) {
-      Long at = underWay.remove(new Sent(letter.sender(), letter.number(), to));
+    void came(String to, MessageEnvelope envelope) {
+      Long at = underWay.remove(new Sent(envelope.sender(), envelope.number(), to));
       if (at != null) { // otherwise it was a duplicate
         delays.add((System.nanoTime() - at) / 1e9);
       }

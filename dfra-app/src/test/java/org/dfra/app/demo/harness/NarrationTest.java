@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 class NarrationTest {
 
   private final StringWriter out = new StringWriter();
-  private final ProgressReporter tell =
+  private final ProgressReporter progress =
       new ProgressReporter(new PrintWriter(out), () -> 0, true, () -> new Terminal.Size(30, 24));
 
   private List<String> shown() {
@@ -24,14 +24,14 @@ class NarrationTest {
 
   @Test
   void everythingIsWrittenAboveTheBlock() {
-    tell.heading("A chapter");
-    tell.redraw(List.of("first", "second"));
-    tell.say("A sentence.");
-    tell.redraw(List.of("third", "fourth"));
-    tell.chapter("testing", "Another chapter");
-    tell.show(List.of("a table"));
-    tell.figure("seen", 1, 2, "m");
-    tell.table();
+    progress.heading("A chapter");
+    progress.redraw(List.of("first", "second"));
+    progress.say("A sentence.");
+    progress.redraw(List.of("third", "fourth"));
+    progress.chapter("testing", "Another chapter");
+    progress.show(List.of("a table"));
+    progress.figure("seen", 1, 2, "m");
+    progress.table();
     List<String> shown = shown();
     assertThat(shown)
         .startsWith(
@@ -86,32 +86,32 @@ class NarrationTest {
         .contains(shown + " has come.", "gps " + shown, "    gps\\n" + shown)
         .doesNotContainPattern("[\\p{Cc}\\p{Cf}&&[^\n]]")
         .doesNotContainPattern("(?m)^2 stopped");
-    tell.redraw(List.of(hostile));
+    progress.redraw(List.of(hostile));
     assertThat(out.toString()).contains(" gps\\n2 stopped\\u001b").doesNotContain("[2J\u009b");
   }
 
   @Test
   void aBlockThatIsSettledStaysWhereItIs() {
-    tell.redraw(List.of("first"));
-    tell.redraw(List.of("second"));
-    tell.freezeLive();
-    tell.heading("A chapter");
-    tell.say("A sentence.");
+    progress.redraw(List.of("first"));
+    progress.redraw(List.of("second"));
+    progress.freezeLive();
+    progress.heading("A chapter");
+    progress.say("A sentence.");
     assertThat(shown()).containsExactly(" second", "", "A chapter", "   0.000 s  A sentence.");
   }
 
   @Test
   void aBlockIsCutWhereTheTerminalEnds() {
-    tell.redraw(List.of("a line that is wider than thirty characters"));
+    progress.redraw(List.of("a line that is wider than thirty characters"));
     assertThat(shown()).containsExactly(" a line that is wider than th…");
   }
 
   @Test
   void whereNothingIsDrawnNothingIsSaidToTheTerminal() {
-    tell.heading("A chapter");
-    tell.say("A sentence.");
-    tell.freezeLive();
-    tell.show(List.of("a table"));
+    progress.heading("A chapter");
+    progress.say("A sentence.");
+    progress.freezeLive();
+    progress.show(List.of("a table"));
     assertThat(out.toString()).doesNotContain("\u001b");
     assertThat(shown())
         .containsExactly("", "A chapter", "   0.000 s  A sentence.", "    a table", "");

@@ -28,11 +28,11 @@ class CallStateTest {
   private static final Conversation FIRST = new Conversation("uav", 1);
   private static final Conversation SECOND = FIRST.next();
 
-  private final List<SentMessage> letters = new ArrayList<>();
+  private final List<SentMessage> envelopes = new ArrayList<>();
 
   private void sent(int second, String sender, RecruitmentMessage message) {
     Instant time = BEGIN.plusSeconds(second);
-    letters.add(new SentMessage(time, "", new MessageEnvelope(sender, second, time, message)));
+    envelopes.add(new SentMessage(time, "", new MessageEnvelope(sender, second, time, message)));
   }
 
   private static Help help(Conversation in, GeoPosition place, int round) {
@@ -41,13 +41,13 @@ class CallStateTest {
   }
 
   private CallState state() {
-    return CallState.last(Conversations.of(letters), "uav").orElseThrow();
+    return CallState.last(Conversations.of(envelopes), "uav").orElseThrow();
   }
 
   @Test
   void whoHasNotCalledHasNoCall() {
     sent(0, "ugv4", help(new Conversation("ugv4", 1), PLACE, 1));
-    assertThat(CallState.last(Conversations.of(letters), "uav")).isEmpty();
+    assertThat(CallState.last(Conversations.of(envelopes), "uav")).isEmpty();
     assertThat(CallState.last(List.of(), "uav")).isEmpty();
   }
 

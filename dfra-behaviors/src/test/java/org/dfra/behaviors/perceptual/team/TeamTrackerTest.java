@@ -74,13 +74,13 @@ class TeamTrackerTest {
       // The instant, by the first robot's clock, is at most one step of its wheels ago.
       double age = (behind.instant().toEpochMilli() - near.time().toEpochMilli()) / 1e3;
       assertThat(age).isBetween(-0.001, 0.25);
-      double apart = robots.get(1).east() - robots.get(0).east() + 2 * SPEED * age;
+      double separation = robots.get(1).east() - robots.get(0).east() + 2 * SPEED * age;
       // Both estimates are off by centimetres: their fixes have no error, the latencies have.
       assertThat(near.east())
-          .as("seed %d, %.1f m apart", seed, apart)
-          .isCloseTo(apart, within(0.12));
-      assertThat(near.distance()).isCloseTo(Math.abs(apart), within(0.12));
-      naiveMost = Math.max(naiveMost, Math.abs(naive() - apart));
+          .as("seed %d, %.1f m apart", seed, separation)
+          .isCloseTo(separation, within(0.12));
+      assertThat(near.distance()).isCloseTo(Math.abs(separation), within(0.12));
+      naiveMost = Math.max(naiveMost, Math.abs(naive() - separation));
     }
     assertThat(naiveMost).as("what comparing as they are told is off by").isGreaterThan(0.6);
   }
@@ -89,9 +89,10 @@ class TeamTrackerTest {
   private double naive() {
     PoseEstimate first = robots.get(0).position.estimate();
     PoseEstimate second = robots.get(1).position.estimate();
-    double apart = second.east() - first.east();
+    double separation = second.east() - first.east();
     double seconds = (second.measured().toEpochMilli() - first.measured().toEpochMilli()) / 1e3;
-    return apart + SPEED * seconds; // the second's pose, brought to the first's time as written
+    return separation
+        + SPEED * seconds; // the second's pose, brought to the first's time as written
   }
 
   @Test

@@ -167,8 +167,10 @@ final class NmeaDecoder {
   }
 
   private static String talker(byte first, byte second) {
-    boolean letters = first >= 'A' && first <= 'Z' && second >= 'A' && second <= 'Z';
-    return letters ? TALKERS[(first - 'A') * 26 + second - 'A'] : "" + (char) first + (char) second;
+    boolean envelopes = first >= 'A' && first <= 'Z' && second >= 'A' && second <= 'Z';
+    return envelopes
+        ? TALKERS[(first - 'A') * 26 + second - 'A']
+        : "" + (char) first + (char) second;
   }
 
   private static String[] talkers() {

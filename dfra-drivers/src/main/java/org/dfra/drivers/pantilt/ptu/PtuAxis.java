@@ -7,15 +7,15 @@ public enum PtuAxis {
   /** About the horizontal, after pan; up is +. */
   TILT('T');
 
-  private final char letter;
+  private final char envelope;
 
-  PtuAxis(char letter) {
-    this.letter = letter;
+  PtuAxis(char envelope) {
+    this.envelope = envelope;
   }
 
   /** The first letter of its commands. */
   public char letter() {
-    return letter;
+    return envelope;
   }
 
   /** {@code pan} or {@code tilt}. */

@@ -59,7 +59,7 @@ public final class PtuFramer extends FrameScanner {
     return end - at < LONGEST ? NEEDS_MORE : NONE;
   }
 
-  private static boolean isMark(byte letter) {
-    return letter == '*' || letter == '!';
+  private static boolean isMark(byte envelope) {
+    return envelope == '*' || envelope == '!';
   }
 }

@@ -24,8 +24,8 @@ class RflexOutboxTest {
     sent.add(new String(frame));
   }
 
-  private static byte[] frame(String letter) {
-    return letter.getBytes();
+  private static byte[] frame(String envelope) {
+    return envelope.getBytes();
   }
 
   @AfterEach

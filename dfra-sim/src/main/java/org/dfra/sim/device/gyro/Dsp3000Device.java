@@ -56,10 +56,10 @@ public final class Dsp3000Device implements SerialDevice {
   public void receive(byte[] bytes, int offset, int length, Instant time) {
     pass(time);
     for (int i = offset; i < offset + length; i++) {
-      char letter = (char) (bytes[i] & 0xFF);
-      if (letter == 'R' || letter == 'A' || letter == 'P') {
-        mode = letter;
-      } else if (letter == 'Z') {
+      char envelope = (char) (bytes[i] & 0xFF);
+      if (envelope == 'R' || envelope == 'A' || envelope == 'P') {
+        mode = envelope;
+      } else if (envelope == 'Z') {
         angle = 0;
       }
     }

@@ -16,7 +16,7 @@ final class StepMotor {
   private static final int ACCELERATION = 2000; // positions/s²
   private static final int BEYOND = 60; // positions from a limit to the end stop
 
-  private final char letter;
+  private final char envelope;
   private final String name;
   private final int least;
   private final int most;
@@ -29,20 +29,20 @@ final class StepMotor {
   private boolean hit;
 
   /**
-   * @param letter first letter of its commands
+   * @param envelope first letter of its commands
    * @param name in the unit's verbose replies
    * @param least position at the right or lower limit
    * @param most position at the other
    */
-  StepMotor(char letter, String name, int least, int most) {
-    this.letter = letter;
+  StepMotor(char envelope, String name, int least, int most) {
+    this.envelope = envelope;
     this.name = name;
     this.least = least;
     this.most = most;
   }
 
   char letter() {
-    return letter;
+    return envelope;
   }
 
   String name() {

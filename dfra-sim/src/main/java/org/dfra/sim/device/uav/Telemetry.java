@@ -138,9 +138,9 @@ final class Telemetry {
 
   /** A warning. */
   byte[] text(String text) {
-    byte[] letters = Arrays.copyOf(text.getBytes(StandardCharsets.US_ASCII), 50);
+    byte[] envelopes = Arrays.copyOf(text.getBytes(StandardCharsets.US_ASCII), 50);
     return frames.frame(
-        MavlinkMessageType.STATUSTEXT, MavlinkFrameWriter.payload().put((byte) 4).put(letters));
+        MavlinkMessageType.STATUSTEXT, MavlinkFrameWriter.payload().put((byte) 4).put(envelopes));
   }
 
   /** Heading, degrees from north, clockwise, 0 to less than 360. */
