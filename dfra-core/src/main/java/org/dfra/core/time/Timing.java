@@ -20,9 +20,9 @@ import java.util.Locale;
  *       average, and what it took less the stalls, divided by that average, is within the bound. An
  *       overload may come from the tests themselves, several of which run at a time, so this is no
  *       result yet. Where the property {@value #REPEATS} promises that the missed bound is reported
- *       by {@code ./dfra test} the test passes and prints {@code MISSED DURING AN OVERLOAD: }. With
- *       {@code --full} its class is then repeated alone, where load excuses nothing; in the
- *       everyday tier the closing lines name it. Elsewhere the test fails.
+ *       by {@code ./dfra test} the test passes and prints {@code MISSED DURING AN OVERLOAD: }. Its
+ *       class is then repeated alone, where load excuses nothing. The everyday tier repeats three
+ *       classes at most; the closing lines name the others. Elsewhere the test fails.
  *   <li><b>Missed:</b> the test fails with the measurements.
  * </ol>
  *
