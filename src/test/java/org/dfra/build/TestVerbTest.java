@@ -342,20 +342,39 @@ class TestVerbTest {
   }
 
   @Test
-  void repeatsNothingEverydayAndSaysWhatWasMissed() throws Exception {
+  void failsEverydayWhereABoundIsMissedAgainAlone() throws Exception {
     leaveMiss("dfra-a/target/surefire-reports", "FirstTest", "", BAD);
-    assertThat(test("maven")).as(said).isZero();
-    assertThat(house.resolve("again")).doesNotExist();
+    assertThat(test("maven")).as(said).isEqualTo(1);
+    assertThat(Files.readAllLines(house.resolve("again")))
+        .contains("-Dtest=org.dfra.FirstTest", "-Ddfra.full=false", "-Ddfra.repeats=false");
     assertThat(said)
-        .contains("missed during an overload: org.dfra.FirstTest.bad: it took 3 s")
-        .endsWith("\n2 passed, 0 failed, 0 skipped\n");
+        .contains("dfra: again, alone: org.dfra.FirstTest\n")
+        .contains("failed: org.dfra.FirstTest.bad: was 3")
+        .endsWith("\n1 passed, 1 failed, 0 skipped\n");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"maven, target/surefire-reports", "gradle, build/test-results/test"})
+  void repeatsThreeClassesEverydayAndNamesTheOthers(String tool, String reports) throws Exception {
+    for (String each : List.of("A", "B", "C")) {
+      leaveMiss("dfra-a/" + reports, each + "Test", "", GOOD);
+    }
+    leaveMiss("dfra-b/" + reports, "DTest", "", "");
+    assertThat(test(tool)).as(said).isZero();
+    assertThat(said)
+        .contains("dfra: again, alone: org.dfra.ATest org.dfra.BTest org.dfra.CTest\n")
+        .containsOnlyOnce("missed during an overload: ")
+        .contains("missed during an overload: org.dfra.DTest.bad: it took 3 s")
+        .endsWith("\n8 passed, 0 failed, 0 skipped\n");
+    assertThat(Files.readString(house.resolve("again"))).doesNotContain("DTest");
   }
 
   /** Say because the second run ends at once: then nobody knows whether the bound is kept. */
-  @Test
-  void failsWhereWhatMissedABoundCannotBeRepeated() throws Exception {
+  @ParameterizedTest
+  @ValueSource(strings = {"--full", "--integration"})
+  void failsWhereWhatMissedABoundCannotBeRepeated(String option) throws Exception {
     leaveMiss("dfra-a/target/surefire-reports", "FirstTest", "", "");
-    assertThat(test("maven", "--full")).as(said).isEqualTo(1);
+    assertThat(test("maven", option)).as(said).isEqualTo(1);
     assertThat(said)
         .contains("missed during an overload: org.dfra.FirstTest.bad: it took 3 s")
         .contains("could not be repeated")

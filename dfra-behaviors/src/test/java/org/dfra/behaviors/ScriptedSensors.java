@@ -8,6 +8,8 @@ import org.dfra.flow.sensor.GpsFix;
 import org.dfra.flow.sensor.LocationReading;
 import org.dfra.flow.sensor.Odometry;
 import org.dfra.flow.sensor.OdometrySensor;
+import org.dfra.flow.sensor.RangeScan;
+import org.dfra.flow.sensor.RangeSensor;
 import org.dfra.flow.sensor.TimeReading;
 import org.dfra.module.Readiness;
 
@@ -16,7 +18,7 @@ public final class ScriptedSensors {
 
   private ScriptedSensors() {}
 
-  /** Base of both. */
+  /** Base of all. */
   private abstract static class Scripted extends SensorImpl {
 
     private final double rate;
@@ -63,6 +65,33 @@ public final class ScriptedSensors {
 
     @Override
     public Odometry odometry() {
+      throw asked();
+    }
+  }
+
+  /** A laser at the front of the robot. */
+  public static final class Laser extends Scripted implements RangeSensor {
+
+    public Laser(ModuleContext context) {
+      super(context, "a laser", "RangeScan", 10);
+    }
+
+    /** Publishes a scan of the half circle ahead, a beam a degree, measured now. */
+    public void scan(float[] ranges) {
+      publish(
+          new RangeScan(
+              clock().instant(),
+              "laser",
+              -Math.PI / 2,
+              Math.toRadians(1),
+              0,
+              0.02,
+              80,
+              ranges.clone()));
+    }
+
+    @Override
+    public RangeScan scan() {
       throw asked();
     }
   }

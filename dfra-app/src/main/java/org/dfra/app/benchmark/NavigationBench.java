@@ -18,6 +18,7 @@ import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 import java.util.function.UnaryOperator;
 import org.dfra.app.measurement.ReportHead;
+import org.dfra.app.measurement.RunMeasurements;
 import org.dfra.app.plot.HtmlReport;
 import org.dfra.app.raster.BlindRangeFilterImpl;
 import org.dfra.app.raster.ConfidenceInterval;
@@ -144,7 +145,6 @@ final class NavigationBench implements Bench {
             + " 95 %.");
     List<Outcome> all = new ArrayList<>();
     Files.createDirectories(folder);
-    HtmlReport html = new HtmlReport("Searching by raster: " + seeds + " seeds");
     List<List<String>> rows = new ArrayList<>();
     for (Condition each : List.of(NOMINAL, MEETING, CROWDED, BLIND)) {
       long began = System.nanoTime();
@@ -156,15 +156,24 @@ final class NavigationBench implements Bench {
               Locale.ROOT, "  (%.0f s of this machine)", (System.nanoTime() - began) / 1e9));
     }
     write(all, folder.resolve("runs.csv"));
-    ReportHead.add(html, report.figures(), Instant.now());
+    page(seeds, report.figures(), rows).write(folder.resolve("report.html"));
+    report.say("The report: " + folder.resolve("report.html"));
+  }
+
+  /**
+   * What the report shows.
+   *
+   * @param rows condition, figure and value with its interval
+   */
+  static HtmlReport page(int seeds, RunMeasurements measured, List<List<String>> rows) {
+    HtmlReport html = new HtmlReport("Searching by raster: " + seeds + " seeds");
+    ReportHead.add(html, measured, Instant.now());
     html.paragraph(
         "Every run is a whole search of the field of config/worlds/raster.xml with real drivers at"
             + " emulated devices, in lock-step (mode: local): the same seed gives the same run."
             + " Robots start up to 1 m and 0.5 rad from where the world has them. Shares have"
             + " Wilson's interval, means that of the bootstrap, both of 95 %.");
-    html.table(List.of("Condition", "Figure", "Value (interval)"), rows);
-    html.write(folder.resolve("report.html"));
-    report.say("The report: " + folder.resolve("report.html"));
+    return html.table(List.of("Condition", "Figure", "Value (interval)"), rows);
   }
 
   private List<Outcome> runs(WorldDescription world, Condition condition)

@@ -19,9 +19,9 @@ import java.util.Locale;
  *       average, and the duration minus the stalls, divided by that average, is within the bound.
  *       The tests themselves may cause an overload, since several run at a time, so this is not a
  *       final result. If the property {@value #REPEATS} states that {@code ./dfra test} reports the
- *       missed bound, the test passes and prints {@code MISSED DURING AN OVERLOAD: }. With {@code
- *       --full} its class is then repeated alone, where load excuses nothing; in the default tier
- *       the closing lines name it. Otherwise the test fails.
+ *       missed bound, the test passes and prints {@code MISSED DURING AN OVERLOAD: }. Its class is
+ *       then repeated alone, where load excuses nothing (at most three classes in the everyday
+ *       tier; the closing lines name the others). Otherwise the test fails.
  *   <li><b>Missed:</b> the test fails with the measurements.
  * </ol>
  *

@@ -1,7 +1,6 @@
 package org.dfra.behaviors.perceptual.range;
 
 import java.time.Duration;
-import java.time.Instant;
 import java.util.HashMap;
 import java.util.Iterator;
 import java.util.Map;
@@ -11,8 +10,9 @@ import org.dfra.geometry.Transform;
 
 /**
  * Stores obstacle points that the robot has passed and its sensor does not see any more: in a
- * rotation its rear could hit them. Points are stored in the odometry's frame for a limited time.
- * Confined to one thread.
+ * rotation its rear could hit them. Points are stored in the odometry's frame for a limited time,
+ * measured by monotonic time: setting the clock neither drops nor keeps them. Confined to one
+ * thread.
  */
 final class ObstacleMemory {
 
@@ -22,7 +22,7 @@ final class ObstacleMemory {
 
   private record Cell(long x, long y) {}
 
-  private record Point(double x, double y, Instant seen) {}
+  private record Point(double x, double y, long seenNanos) {}
 
   /** Receives points in the base's frame, metres. */
   @FunctionalInterface
@@ -30,14 +30,14 @@ final class ObstacleMemory {
     void accept(double x, double y);
   }
 
-  private final Duration memory;
+  private final long memoryNanos;
   private final Map<Cell, Point> points = new HashMap<>(); // in the odometry's frame
 
   /**
    * @param memory how long an unseen point is stored
    */
   ObstacleMemory(Duration memory) {
-    this.memory = memory;
+    this.memoryNanos = memory.toNanos();
   }
 
   /**
@@ -46,9 +46,10 @@ final class ObstacleMemory {
    * @param ranges along the beams, metres
    * @param mount of the sensor in the base
    * @param at pose of the base
+   * @param nanos the robot's monotonic time when the scan was received
    */
-  void take(RangeScan scan, float[] ranges, Transform mount, Odometry at) {
-    forget(scan, mount, at);
+  void take(RangeScan scan, float[] ranges, Transform mount, Odometry at, long nanos) {
+    forget(scan, mount, at, nanos);
     double cos = Math.cos(mount.yaw());
     double sin = Math.sin(mount.yaw());
     for (int i = 0; i < ranges.length && points.size() < MOST; i++) {
@@ -65,12 +66,12 @@ final class ObstacleMemory {
         double north = at.y() + Math.sin(at.yaw()) * x + Math.cos(at.yaw()) * y;
         points.put(
             new Cell(Math.round(east / CELL), Math.round(north / CELL)),
-            new Point(east, north, scan.measured()));
+            new Point(east, north, nanos));
       }
     }
   }
 
-  private void forget(RangeScan scan, Transform mount, Odometry at) {
+  private void forget(RangeScan scan, Transform mount, Odometry at, long nanos) {
     double first = scan.firstAngle();
     double last = scan.angle(scan.beams() - 1);
     double low = Math.min(first, last);
@@ -82,9 +83,7 @@ final class ObstacleMemory {
       double bearing =
           Math.IEEEremainder(Math.atan2(y - mount.y(), x - mount.x()) - mount.yaw(), 2 * Math.PI);
       boolean isSeen = bearing >= low && bearing <= high;
-      if (isSeen
-          || Math.hypot(x, y) > NEAR
-          || Duration.between(point.seen(), scan.measured()).compareTo(memory) > 0) {
+      if (isSeen || Math.hypot(x, y) > NEAR || nanos - point.seenNanos() > memoryNanos) {
         all.remove();
       }
     }

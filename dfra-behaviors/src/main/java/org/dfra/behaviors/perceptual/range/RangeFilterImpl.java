@@ -14,6 +14,7 @@ import org.dfra.flow.sensor.RangeSensor;
 import org.dfra.geometry.Transform;
 import org.dfra.persona.PerceptualSchemaAttributes;
 import org.dfra.persona.PoseAttributes;
+import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -56,6 +57,7 @@ public final class RangeFilterImpl extends PerceptualSchemaImpl<Clearance> imple
   private final GhostFilter filter; // guarded by itself
   private final ObstacleMemory obstacles; // guarded by filter
   private @Nullable Odometry odometry; // guarded by filter
+  private final Scheduler time;
   private final String base;
   private final double peerSpeed;
   private final double usualLag; // seconds
@@ -70,6 +72,7 @@ public final class RangeFilterImpl extends PerceptualSchemaImpl<Clearance> imple
         Clearance.class,
         "Clearance",
         0.5);
+    this.time = context.robotTime();
     int scans = (int) settings().number("scans", 5, 1, 15);
     double spacing = settings().number("scan_spacing", 0.09, 0, 1);
     this.filter = new GhostFilter(scans, Duration.ofNanos(Math.round(spacing * 1e9)));
@@ -122,7 +125,7 @@ public final class RangeFilterImpl extends PerceptualSchemaImpl<Clearance> imple
     ClearanceCalculator.SideClearance beside = surrounds.new SideClearance();
     @Nullable Odometry at = odometry;
     if (at != null) {
-      obstacles.take(scan, ranges, mount, at);
+      obstacles.take(scan, ranges, mount, at, time.nanos());
       obstacles.forEach(at, beside);
     }
     return beside;

@@ -12,6 +12,8 @@ import org.dfra.flow.sensor.Odometry;
 import org.dfra.flow.sensor.RangeScan;
 import org.dfra.geometry.Transform;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** A laser at the front of a robot that sees the half circle ahead, a beam a degree. */
 class PassedTest {
@@ -20,11 +22,14 @@ class PassedTest {
   private static final Transform MOUNT = Transform.translation(0.3, 0, 0);
   private static final int BEAMS = 181;
 
+  /** By how much the computer's clock was set, seconds. */
+  private double clockStep;
+
   private final ObstacleMemory passed = new ObstacleMemory(Duration.ofSeconds(3));
 
   /** A scan that meets a thing at a place of the odometry's frame where it sees it. */
   private void scan(double seconds, double x, double y, double yaw, double thingX, double thingY) {
-    Odometry at = odometry(seconds, x, y, yaw);
+    Odometry at = odometry(seconds + clockStep, x, y, yaw);
     double forward = Math.cos(yaw) * (thingX - x) + Math.sin(yaw) * (thingY - y) - MOUNT.x();
     double left = Math.cos(yaw) * (thingY - y) - Math.sin(yaw) * (thingX - x);
     float[] ranges = new float[BEAMS];
@@ -35,12 +40,16 @@ class PassedTest {
     }
     RangeScan scan =
         new RangeScan(at.measured(), "laser", -Math.PI / 2, Math.toRadians(1), 0, 0.02, 80, ranges);
-    passed.take(scan, ranges, MOUNT, at);
+    passed.take(scan, ranges, MOUNT, at, nanos(seconds));
   }
 
   private static Odometry odometry(double seconds, double x, double y, double yaw) {
-    Instant time = BEGIN.plusNanos((long) (seconds * 1e9));
+    Instant time = BEGIN.plusNanos(nanos(seconds));
     return new Odometry(time, "odom", "base_link", x, y, yaw, 0, 0);
+  }
+
+  private static long nanos(double seconds) {
+    return Math.round(seconds * 1e9);
   }
 
   private List<double[]> told(double x, double y, double yaw) {
@@ -89,6 +98,21 @@ class PassedTest {
     assertThat(told(3.2, 0, 0)).as("farther than 2 m").isEmpty();
   }
 
+  /** A receiver's first fix sets the clock of a robot that is driving, say. */
+  @ParameterizedTest
+  @ValueSource(doubles = {-100, 100})
+  void remembersForTheSameTimeWhereTheClockIsSet(double step) {
+    scan(0, 0, 0, 0, 1, 0.7);
+    scan(1, 1.5, 0, 0, 1, 0.7); // out of sight
+    clockStep = step;
+    scan(1.1, 1.5, 0, 0, 1, 0.7);
+    assertThat(told(1.5, 0, 0)).as("passed 1.1 s ago").hasSize(1);
+    scan(2.9, 1.5, 0, 0, 1, 0.7);
+    assertThat(told(1.5, 0, 0)).as("passed 2.9 s ago").hasSize(1);
+    scan(3.1, 1.5, 0, 0, 1, 0.7);
+    assertThat(told(1.5, 0, 0)).as("3 s are over").isEmpty();
+  }
+
   @Test
   void passesOverBeamsThatMeasuredNothingOrFailed() {
     float[] ranges = new float[BEAMS];
@@ -97,7 +121,7 @@ class PassedTest {
     ranges[4] = Float.NEGATIVE_INFINITY;
     RangeScan scan =
         new RangeScan(BEGIN, "laser", -Math.PI / 2, Math.toRadians(1), 0, 0.02, 80, ranges);
-    passed.take(scan, ranges, MOUNT, odometry(0, 0, 0, 0));
+    passed.take(scan, ranges, MOUNT, odometry(0, 0, 0, 0), 0);
     assertThat(told(0, 0, 0)).isEmpty();
   }
 }

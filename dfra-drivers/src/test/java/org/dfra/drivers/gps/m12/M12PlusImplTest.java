@@ -22,6 +22,7 @@ import org.dfra.module.Readiness;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What the driver asks its receiver for, and what it makes of the answers. */
 class M12PlusImplTest extends ScriptedM12 {
@@ -173,6 +174,23 @@ class M12PlusImplTest extends ScriptedM12 {
                         + " acquiring satellites, 0 of 0 tracked"));
     gps.close();
     assertRefuses(gps::fix, "atrv1/gps_front is STOPPED: it has ended");
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {true, false})
+  void correctsADateThatIs1024WeeksTooEarly(boolean hasTwelveChannels) {
+    LocalDateTime early = TIME.minusWeeks(1024);
+    gps.start();
+    link.say(M12Commands.utcTime()); // so that eight channels report UTC
+    link.say(M12Commands.encode("Bo", 18));
+    link.say(
+        hasTwelveChannels
+            ? Frames.ha(early, 52.91, 6.86, Frames.FIX_3D)
+            : Frames.ea(early, 57.71, 12.02, 0x20));
+    awaitReadiness(Readiness.READY);
+    assertThat(gps.fix().utc()).isEqualTo("2026-01-21T07:33:29Z");
+    assertThat(gps.time().utc()).isEqualTo("2026-01-21T07:33:29Z");
+    assertThat(gps.location().measured()).isEqualTo("2026-01-21T07:33:29Z");
   }
 
   @Test
