@@ -33,7 +33,7 @@ class BehaviorsReferenceTest {
           "(?:settings(?:\\(\\))?\\s*\\.(?:number|seconds|find|text)\\(\\s*"
               + "|ModuleDependency\\.of\\(\\s*context,\\s*\\w+\\.class,\\s*"
               + "|declareInput\\(\\s*\\w+\\.class,\\s*"
-              + "|declared\\(\\)\\s*\\.(?:declareReadOnly|declareText|declareNumber)\\(\\s*)\"(\\w+)\"");
+              + "|parameterTable\\(\\)\\s*\\.(?:declareReadOnly|declareText|declareNumber)\\(\\s*)\"(\\w+)\"");
 
   private static final Pattern NUMBER =
       Pattern.compile(
