@@ -11,7 +11,7 @@ import org.dfra.app.measurement.MeasuredValue;
  * @param p99 of honest calls, milliseconds
  * @param failed honest calls
  * @param cpu seconds of the robot's CPU time while the operator listened
- * @param threads more than before the load
+ * @param threads the most during the load, minus those before it
  * @param heap bytes more than before the load
  * @param slowdownTime seconds from the operator's last command until the wheels became slower
  * @param stopTimeAfterSilence seconds from the operator's last command until they stopped
