@@ -7,6 +7,7 @@ import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.Arrays;
 import java.util.UUID;
+import java.util.concurrent.atomic.AtomicInteger;
 import net.jini.core.discovery.LookupLocator;
 import net.jini.core.entry.Entry;
 import net.jini.core.lease.Lease;
@@ -31,6 +32,7 @@ final class FalseDrives implements AutoCloseable {
 
   private static final long LEASE_MILLIS = 60_000;
 
+  private final AtomicInteger orders = new AtomicInteger();
   private final ServiceRegistrar registrar;
   private final ServiceItem real;
   private final Exporter exporter =
@@ -52,6 +54,9 @@ final class FalseDrives implements AutoCloseable {
         (self, method, args) ->
             switch (method.getName()) {
               case "emergencyStop", "emergencyStopState" -> {
+                if (method.getName().equals("emergencyStop")) {
+                  orders.incrementAndGet();
+                }
                 Instant now = Instant.now().truncatedTo(ChronoUnit.MILLIS);
                 yield new EmergencyStopState(true, "a fake", now, true, null);
               }
@@ -78,6 +83,11 @@ final class FalseDrives implements AutoCloseable {
     DriveProxy fake = new DriveProxy(proxy, uuid, named("eta", "drive"));
     Object unused =
         registrar.register(new ServiceItem(id, fake, real.attributeSets), LEASE_MILLIS).getLease();
+  }
+
+  /** How many orders to stop the fakes have answered. */
+  int orders() {
+    return orders.get();
   }
 
   /** Registers a fake drive of a robot. */

@@ -32,6 +32,9 @@ class FalseStopIT {
 
   private static final Duration LEASE = Duration.ofSeconds(30);
 
+  /** The real drive may register itself anew at any time. */
+  private static final int ATTEMPTS = 5;
+
   @TempDir static Path folder;
 
   private static RobotBesideFakes eta;
@@ -61,19 +64,36 @@ class FalseStopIT {
   @Order(1)
   void theRealWheelsStopAndItsPhoenixConfirmsIt() throws Exception {
     WheeledRobot robot = eta.robot();
-    try (Commander unused = robot.driven(LEASE, new Velocity(1, 0))) {
-      robot.awaitFullSpeed();
-      eta.fakes().replace();
-      StallProbe.Stopwatch running = eta.probe().stopwatch();
-      Said said = stop();
-      Timing timing = running.stop();
-      assertThat(said).isEqualTo(new Said(0, "eta/drive: stopped.\n1 effector: 1 stopped.\n"));
-      timing.requireWithin("./dfra stop --all beside a fake", Duration.ofSeconds(5));
-      robot.wheels().assertTheyStoodWithinHalfASecondOfTheLastCommand();
+    for (int attempt = 1; !stopsBesideTheFake(robot); attempt++) {
+      assertThat(attempt).as("attempts in which the fake received no order").isLessThan(ATTEMPTS);
+      robot.reset();
     }
     EmergencyStopState state = robot.drive().emergencyStopState();
     assertThat(state.latched()).isTrue();
     assertThat(state.requester()).as("not by the fake").contains(" at " + WheeledRobot.HOST);
+  }
+
+  /**
+   * Stops the robot after the registration of its drive was replaced by a fake's.
+   *
+   * @return false if the fake received no order: then the real drive registered itself anew before
+   *     the command read the registration. The registration after the stop is no evidence: the real
+   *     drive has usually registered itself anew by then
+   */
+  private static boolean stopsBesideTheFake(WheeledRobot robot) throws Exception {
+    try (Commander unused = robot.driven(LEASE, new Velocity(1, 0))) {
+      robot.awaitFullSpeed();
+      eta.fakes().replace();
+      int before = eta.fakes().orders();
+      StallProbe.Stopwatch running = eta.probe().stopwatch();
+      Said said = stop();
+      Timing timing = running.stop();
+      int orders = eta.fakes().orders() - before;
+      assertThat(said).isEqualTo(new Said(0, "eta/drive: stopped.\n1 effector: 1 stopped.\n"));
+      timing.requireWithin("./dfra stop --all beside a fake", Duration.ofSeconds(5));
+      robot.wheels().assertTheyStoodWithinHalfASecondOfTheLastCommand();
+      return orders > 0;
+    }
   }
 
   @Test

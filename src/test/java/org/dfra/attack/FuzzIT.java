@@ -1,6 +1,7 @@
 package org.dfra.attack;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
 
 import com.sun.jini.discovery.Discovery;
 import com.sun.jini.discovery.EncodeIterator;
@@ -16,46 +17,58 @@ import com.sun.jini.discovery.plaintext.Client;
 import com.sun.jini.discovery.plaintext.Server;
 import java.io.IOException;
 import java.io.ObjectInputStream;
-import java.lang.management.ManagementFactory;
-import java.lang.management.MemoryMXBean;
+import java.io.UncheckedIOException;
+import java.lang.Thread.UncaughtExceptionHandler;
 import java.net.DatagramPacket;
 import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Random;
+import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import net.jini.core.constraint.InvocationConstraints;
+import net.jini.core.discovery.LookupLocator;
+import net.jini.core.event.RemoteEventListener;
 import net.jini.core.lookup.ServiceID;
+import net.jini.core.lookup.ServiceRegistrar;
+import net.jini.core.lookup.ServiceRegistration;
 import net.jini.export.Exporter;
 import net.jini.jeri.BasicILFactory;
 import net.jini.jeri.BasicJeriExporter;
-import org.dfra.app.benchmark.attack.CallBytes;
-import org.dfra.app.benchmark.attack.RawCall;
+import net.jini.lookup.entry.Name;
+import org.dfra.app.benchmark.attack.ProcessSample;
 import org.dfra.app.benchmark.attack.RawCall.Status;
 import org.dfra.app.benchmark.attack.SourceBoundProxies;
 import org.dfra.app.benchmark.attack.TaskProcess;
-import org.dfra.event.DeliveryPolicy;
-import org.dfra.event.ModuleListener;
+import org.dfra.core.host.FreePorts;
 import org.dfra.example.thermometer.RemoteThermometer;
-import org.dfra.module.LogLevel;
+import org.dfra.river.bootstrap.PhoenixProcess;
+import org.dfra.river.discovery.DatagramSearch;
 import org.dfra.river.remote.RemoteModuleListener;
 import org.dfra.testing.EmbeddedReggie;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Valid messages, changed at random, are sent to a robot: no thread of it ends, it keeps no memory,
- * and it still does its work.
+ * Valid messages, changed at random, are sent to a module, a registrar, phoenix and clients: no
+ * thread of them ends, they keep no memory, and they still do their work.
  *
- * <p>Short: 100 of each kind, and 300 datagrams. {@code dfra.full}: 10 000. {@code dfra.soak}: a
- * million, and after each {@value #PART} of them threads and memory are checked and progress is
- * printed. {@code -Ddfra.seed=n} repeats a run.
+ * <p>Short: 100 calls, split among the three servers, 100 answers and 300 datagrams. {@code
+ * dfra.full}: 10 000 to each server, and of each other kind. {@code dfra.soak}: a million, and
+ * after each {@value #PART} of them threads and memory are checked and progress is printed; the
+ * figures are appended to {@code benchmarks/fuzz-soak.csv}. {@code -Ddfra.seed=n} repeats a run.
  */
 @Timeout(value = 12, unit = TimeUnit.HOURS)
 class FuzzIT {
@@ -63,6 +76,12 @@ class FuzzIT {
   private static final boolean SOAK = Boolean.getBoolean("dfra.soak");
   private static final boolean FULL = SOAK || Boolean.getBoolean("dfra.full");
   private static final int COUNT = SOAK ? 1_000_000 : FULL ? 10_000 : 100;
+
+  /** So many remote objects are sent changed calls: a module, a registrar, phoenix. */
+  private static final int TARGETS = 3;
+
+  /** Calls of each of them. */
+  private static final int CALLS = FULL ? COUNT : (COUNT + TARGETS - 1) / TARGETS;
 
   /** Datagrams; they are parsed in this process, which costs little. */
   private static final int DATAGRAMS = Math.max(COUNT, 300);
@@ -79,6 +98,9 @@ class FuzzIT {
   /** Of threads that pools keep for a while. */
   private static final int POOLED = Victim.THREADS;
 
+  private static final Path RECORD =
+      Path.of(System.getProperty("dfra.root", ""), "benchmarks", "fuzz-soak.csv");
+
   @RegisterExtension static final EmbeddedReggie REGGIE = new EmbeddedReggie();
 
   @TempDir Path folder;
@@ -88,32 +110,100 @@ class FuzzIT {
   private final String repeat = "-Ddfra.seed=" + seed;
 
   @Test
-  void aServedModuleSurvivesChangedCalls() throws Exception {
+  void aModuleAndARegistrarSurviveChangedCalls() throws Exception {
     AttackHosts hosts = AttackHosts.assumed();
-    ByteMutator mutator = new ByteMutator(random, List.of(hosts.robot(), hosts.attacker()));
-    RemoteModuleListener listener = delivery -> {};
-    Exporter exporter =
-        new BasicJeriExporter(
-            hosts.attackerSockets().serverEndpoint(), new BasicILFactory(), false, true);
-    try (TaskProcess robot = robot(hosts.robot())) {
+    Exporter forModule = attackersExporter(hosts);
+    Exporter forRegistrar = attackersExporter(hosts);
+    RemoteModuleListener listener = delivery -> {}; // JERI holds both weakly
+    RemoteEventListener registrarsListener = event -> {};
+    try (TaskProcess robot = robot(hosts.robot(), FuzzedRobot.WITH_REGISTRAR)) {
+      int port = Integer.parseInt(robot.lines().get(0).split(" ")[1]);
       RemoteThermometer module = module(robot, hosts);
-      List<byte[]> calls = calls((RemoteModuleListener) exporter.export(listener));
-      for (byte[] call : calls) {
-        assertThat(send(module, call)).as("an unchanged call").isNotEqualTo(Status.ABORTED);
-      }
-      sendChanged(WARM_UP, module, calls, mutator);
-      Victim victim = Victim.of(robot.pid());
-      Progress progress = new Progress("calls", victim, robot);
-      for (int done = 0; done < COUNT; progress.reached(done)) {
-        int part = Math.min(PART, COUNT - done);
-        sendChanged(part, module, calls, mutator);
-        done += part;
-      }
+      ServiceRegistrar registrar =
+          SourceBoundProxies.registrar(hosts.robot(), port, hosts.attackerSockets());
+      Runnable alive = () -> assertNoThreadDied(robot);
+      survives(
+          FuzzTarget.module(module, (RemoteModuleListener) forModule.export(listener)),
+          hosts,
+          robot.pid(),
+          alive);
       assertThat(module.readiness().serves()).as(repeat).isTrue();
       assertThat(module.celsius()).as(repeat).isBetween(-273.15, 1000.0);
-      assertNoThreadDied(robot);
+      survives(
+          FuzzTarget.registrar(
+              registrar, (RemoteEventListener) forRegistrar.export(registrarsListener)),
+          hosts,
+          robot.pid(),
+          alive);
+      assertRegisters(new LookupLocator(hosts.robot(), port).getRegistrar());
     } finally {
-      exporter.unexport(true);
+      forModule.unexport(true);
+      forRegistrar.unexport(true);
+    }
+  }
+
+  private static Exporter attackersExporter(AttackHosts hosts) {
+    return new BasicJeriExporter(
+        hosts.attackerSockets().serverEndpoint(), new BasicILFactory(), false, true);
+  }
+
+  /** It still does its work, for an honest client. */
+  private void assertRegisters(ServiceRegistrar registrar) throws RemoteException {
+    ServiceRegistration honest = Fakes.register(registrar, null, "honest", new Name("honest"));
+    assertThat(Fakes.proxy(registrar, honest.getServiceID())).as(repeat).contains("honest");
+  }
+
+  @Test
+  void phoenixSurvivesChangedOrdersToStop() throws Exception {
+    AttackHosts hosts = AttackHosts.assumed();
+    PhoenixProcess phoenix =
+        new PhoenixProcess(
+            EmbeddedReggie.HOST, FreePorts.allocate(), -1, folder.resolve("phoenix"));
+    Process process = phoenix.start(PATIENCE);
+    Thread lastResort = new Thread(process::destroyForcibly, "ends phoenix " + process.pid());
+    Runtime.getRuntime().addShutdownHook(lastResort);
+    try {
+      survives(
+          FuzzTarget.stopService(phoenix),
+          hosts,
+          phoenix.pid().orElseThrow(),
+          () -> assertNoThreadDied(phoenix));
+      assertThat(phoenix.admin().groupStatus()).as(repeat).isEmpty();
+      phoenix.shutdown(PATIENCE);
+    } finally {
+      process.destroyForcibly();
+      Runtime.getRuntime().removeShutdownHook(lastResort);
+    }
+  }
+
+  /** Virtual machines report the end of a thread so, and phoenix sets no handler of its own. */
+  private void assertNoThreadDied(PhoenixProcess phoenix) {
+    assertThat(phoenix.pid()).as("phoenix; %s", repeat).isPresent();
+    try (Stream<String> log = Files.lines(phoenix.log())) {
+      assertThat(log).as(repeat).noneMatch(line -> line.contains("Exception in thread"));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private void survives(FuzzTarget target, AttackHosts hosts, long pid, Runnable alive)
+      throws Exception {
+    ByteMutator mutator =
+        new ByteMutator(random, List.of(hosts.robot(), hosts.attacker(), EmbeddedReggie.HOST));
+    for (byte[] call : target.calls()) {
+      assertThat(target.send(call, PATIENCE))
+          .as("an unchanged call of %s", target.name())
+          .isIn(Status.RETURNED, Status.THREW);
+    }
+    var unused = sendChanged(WARM_UP / TARGETS, target, mutator);
+    try (Progress progress = new Progress("calls to " + target.name(), CALLS, pid, alive)) {
+      for (int done = 0; done < CALLS; progress.reached(done)) {
+        int part = Math.min(PART, CALLS - done);
+        Map<Status, Integer> outcomes = sendChanged(part, target, mutator);
+        System.out.println("calls to " + target.name() + ": " + outcomes);
+        assertThat(outcomes).as(repeat).containsKeys(Status.RETURNED, Status.THREW);
+        done += part;
+      }
     }
   }
 
@@ -125,51 +215,89 @@ class FuzzIT {
       robot.write("discover " + fuzzer.locator());
       long patience = PATIENCE.toSeconds() + Math.min(PART, COUNT) / 10;
       fuzzer.awaitAnswers(WARM_UP, patience);
-      Victim victim = Victim.of(robot.pid());
-      Progress progress = new Progress("answers of discovery", victim, robot);
-      for (int done = 0; done < COUNT - PART; progress.reached(done)) {
-        done += PART;
-        fuzzer.awaitAnswers(WARM_UP + done, patience);
+      try (Progress progress =
+          new Progress(
+              "answers of discovery", COUNT, robot.pid(), () -> assertNoThreadDied(robot))) {
+        for (int done = 0; done < COUNT - PART; progress.reached(done)) {
+          done += PART;
+          fuzzer.awaitAnswers(WARM_UP + done, patience);
+        }
+        fuzzer.awaitAnswers(WARM_UP + COUNT, patience);
+        System.out.println("connections of discovery that broke: " + fuzzer.broken());
+        fuzzer.beHonest();
+        robot.write("stop");
+        ServiceID honest = REGGIE.registrar().getServiceID();
+        assertThat(robot.awaitLine("found", PATIENCE)).as(repeat).isEqualTo("found " + honest);
+        progress.reached(COUNT);
       }
-      fuzzer.awaitAnswers(WARM_UP + COUNT, patience);
-      System.out.println("connections of discovery that broke: " + fuzzer.broken());
-      fuzzer.beHonest();
-      robot.write("stop");
-      ServiceID honest = REGGIE.registrar().getServiceID();
-      assertThat(robot.awaitLine("found", PATIENCE)).as(repeat).isEqualTo("found " + honest);
-      progress.reached(COUNT);
     }
   }
 
-  /** What messages of a kind may cost a robot, and how many were sent. */
-  private final class Progress {
+  /**
+   * What messages of a kind may cost a process, and how many were sent. A soak's figures are
+   * recorded when it is closed, whether all went well or not.
+   */
+  private final class Progress implements AutoCloseable {
 
     private final String what;
+    private final int total;
+    private final long pid;
+    private final Runnable alive;
     private final Victim victim;
-    private final TaskProcess robot;
-    private final long began = System.nanoTime();
+    private final long began;
+    private int count;
+    private double seconds;
+    private boolean hasPassed;
 
-    Progress(String what, Victim victim, TaskProcess robot) {
+    /**
+     * Begins.
+     *
+     * @param total how many are to be sent
+     * @param pid of the process that receives them
+     * @param alive asserts that no thread of it ended
+     */
+    Progress(String what, int total, long pid, Runnable alive)
+        throws IOException, InterruptedException {
       this.what = what;
-      this.victim = victim;
-      this.robot = robot;
+      this.total = total;
+      this.pid = pid;
+      this.alive = alive;
+      this.victim = Victim.of(pid);
+      this.began = System.nanoTime();
     }
 
     /** Asserts, after so many messages, that they cost no memory and ended no thread. */
-    void reached(int count) {
+    void reached(int messages) {
+      count = messages;
+      seconds = (System.nanoTime() - began) / 1e9;
       victim.assertRecovers(POOLED, Victim.HEAP);
-      assertNoThreadDied(robot);
-      print(what, count, began);
+      alive.run();
+      print(what, count, total, seconds);
+      hasPassed = count == total;
+    }
+
+    @Override
+    public void close() throws IOException, InterruptedException {
+      if (!SOAK) {
+        return;
+      }
+      FuzzFigures figures = new FuzzFigures(seed);
+      figures.add(what, count, Math.max(seconds, 1e-3), hasPassed ? 0 : 1);
+      try {
+        figures.addProcess(what, victim.before(), ProcessSample.of(pid));
+      } catch (IOException e) { // it has ended, and the failure is recorded
+        System.err.println("no figures of process " + pid + ": " + e);
+      }
+      figures.record(RECORD);
     }
   }
 
-  private void print(String what, int count, long began) {
-    double seconds = (System.nanoTime() - began) / 1e9;
+  private void print(String what, int count, int total, double seconds) {
     System.out.printf(
         Locale.ROOT,
-        "%d of %d changed %s in %.0f s, %.0f/s; %s%n",
+        "%d of %d changed %s in %.1f s, %.0f/s; %s%n",
         count,
-        COUNT,
+        total,
         what,
         seconds,
         count / seconds,
@@ -178,46 +306,75 @@ class FuzzIT {
 
   /**
    * In this process: the threads that read datagrams catch every exception, but no error. So an
-   * error would end them.
+   * error would end them. Each datagram is parsed as reggie and clients parse it, and then received
+   * by a search, which asks what it announces.
    */
   @Test
-  void parsersOfDatagramsThrowNothingButExceptions() throws IOException {
-    ByteMutator mutator = new ByteMutator(random, List.of(EmbeddedReggie.HOST));
-    List<Discovery> protocols = List.of(Discovery.getProtocol1(), plaintext());
+  void parsersAndASearchSurviveChangedDatagrams() throws Exception {
+    AttackHosts hosts = AttackHosts.assumed();
+    String host = hosts.robot(); // nothing listens there
+    ByteMutator mutator = new ByteMutator(random, List.of(host));
     List<byte[]> datagrams = new ArrayList<>();
-    for (Discovery protocol : protocols) {
-      datagrams.add(first(protocol.encodeMulticastRequest(request(), PACKET, none())));
-      datagrams.add(first(protocol.encodeMulticastAnnouncement(announcement(), PACKET, none())));
+    for (Discovery protocol : List.of(Discovery.getProtocol1(), plaintext())) {
+      datagrams.add(first(protocol.encodeMulticastRequest(request(host), PACKET, none())));
+      datagrams.add(
+          first(
+              protocol.encodeMulticastAnnouncement(
+                  announcement(host, 4711, new ServiceID(1, 2)), PACKET, none())));
       assertThat(parses(datagrams.get(datagrams.size() - 2))).as("an unchanged request").isTrue();
       assertThat(parses(datagrams.get(datagrams.size() - 1))).as("an announcement").isTrue();
     }
+    List<String> died = new CopyOnWriteArrayList<>();
+    @Nullable UncaughtExceptionHandler usual = Thread.getDefaultUncaughtExceptionHandler();
+    Thread.setDefaultUncaughtExceptionHandler((thread, e) -> died.add(thread.getName() + ": " + e));
     int refused = 0;
-    long began = System.nanoTime();
-    long heap = heapBytes();
-    for (int i = 0; i < DATAGRAMS; i++) {
-      byte[] changed = mutator.mutate(datagrams.get(random.nextInt(datagrams.size())));
-      try {
-        refused += parses(changed) ? 0 : 1;
-      } catch (Error e) {
-        throw new AssertionError("datagram " + i + ", " + repeat, e);
+    try (DatagramSearch search = new DatagramSearch(Set.of(host, EmbeddedReggie.HOST));
+        Progress progress =
+            new Progress(
+                "datagrams of discovery",
+                DATAGRAMS,
+                ProcessHandle.current().pid(),
+                () -> assertThat(died).as("threads that ended; %s", repeat).isEmpty())) {
+      for (int i = 0; i < DATAGRAMS; i++) {
+        byte[] changed = mutator.mutate(datagrams.get(random.nextInt(datagrams.size())));
+        try {
+          refused += parses(changed) ? 0 : 1;
+          search.receive(packet(changed));
+        } catch (RuntimeException | Error e) {
+          throw new AssertionError("datagram " + i + ", " + repeat, e);
+        }
+        if ((i + 1) % PART == 0) {
+          progress.reached(i + 1);
+        }
       }
-      if ((i + 1) % PART == 0) {
-        print("datagrams", i + 1, began);
-      }
+      progress.reached(DATAGRAMS);
+      System.out.println("datagrams that named other hosts: " + search.withheld());
+      assertThat(search.withheld()).as(repeat).isLessThan(DATAGRAMS / 2);
+      assertFinds(search);
+    } finally {
+      Thread.setDefaultUncaughtExceptionHandler(usual);
     }
-    assertThat(heapBytes() - heap).as("bytes that are kept; %s", repeat).isLessThan(Victim.HEAP);
     assertThat(refused).as("datagrams refused; %s", repeat).isBetween(1, DATAGRAMS - 1);
   }
 
-  /** Of objects of this process that are in use. */
-  private static long heapBytes() {
-    MemoryMXBean memory = ManagementFactory.getMemoryMXBean();
-    memory.gc();
-    return memory.getHeapMemoryUsage().getUsed();
+  /** It still finds an honest lookup service by its announcement. */
+  private void assertFinds(DatagramSearch search) throws IOException {
+    ServiceID honest = REGGIE.registrar().getServiceID();
+    byte[] announced =
+        first(
+            plaintext()
+                .encodeMulticastAnnouncement(
+                    announcement(EmbeddedReggie.HOST, REGGIE.port(), honest), PACKET, none()));
+    assertThat(search.isDiscovered(honest)).as(repeat).isFalse();
+    search.receive(packet(announced));
+    await(repeat).atMost(PATIENCE).until(() -> search.isDiscovered(honest));
   }
 
-  private TaskProcess robot(String host) throws IOException, InterruptedException {
-    TaskProcess robot = TaskProcess.start(FuzzedRobot.class, host, file().toString());
+  private TaskProcess robot(String host, String... options)
+      throws IOException, InterruptedException {
+    List<String> arguments = new ArrayList<>(List.of(host, file().toString()));
+    arguments.addAll(List.of(options));
+    TaskProcess robot = TaskProcess.start(FuzzedRobot.class, arguments.toArray(String[]::new));
     try {
       String unused = robot.awaitLine("serves", PATIENCE);
       return robot;
@@ -239,42 +396,18 @@ class FuzzIT {
     }
   }
 
-  private static List<byte[]> calls(RemoteModuleListener listener) throws Exception {
-    Class<?> type = RemoteThermometer.class;
-    Class<Duration> duration = Duration.class;
-    return List.of(
-        CallBytes.of(type.getMethod("celsius")),
-        CallBytes.of(type.getMethod("readiness")),
-        CallBytes.of(type.getMethod("history")),
-        CallBytes.of(type.getMethod("parameters")),
-        CallBytes.of(type.getMethod("awaitReadiness", duration), Duration.ofMillis(1)),
-        CallBytes.of(type.getMethod("acquireLease", duration), Duration.ofMillis(100)),
-        CallBytes.of(type.getMethod("setLogLevel", LogLevel.class), LogLevel.INFO),
-        CallBytes.of(type.getMethod("setParameter", String.class, String.class), "celsius", "21"),
-        CallBytes.of(
-            type.getMethod("subscribe", ModuleListener.class, DeliveryPolicy.class),
-            listener,
-            DeliveryPolicy.keepLast(10)));
-  }
-
-  private void sendChanged(
-      int count, RemoteThermometer module, List<byte[]> calls, ByteMutator mutator)
+  private Map<Status, Integer> sendChanged(int count, FuzzTarget target, ByteMutator mutator)
       throws Exception {
+    Map<Status, Integer> outcomes = new EnumMap<>(Status.class);
     for (int i = 0; i < count; i++) {
-      byte[] changed = mutator.mutate(calls.get(random.nextInt(calls.size())));
-      assertThat(send(module, changed)).as("call %d, %s", i, repeat).isNotEqualTo(Status.SILENT);
+      byte[] changed = mutator.mutate(target.calls().get(random.nextInt(target.calls().size())));
+      Status status = target.send(changed, PATIENCE);
+      assertThat(status)
+          .as("call %d of %s, %s", i, target.name(), repeat)
+          .isNotEqualTo(Status.SILENT);
+      outcomes.merge(status, 1, Integer::sum);
     }
-  }
-
-  /** The server may refuse a request before it has all of it. */
-  private static Status send(RemoteThermometer module, byte[] bytes) throws Exception {
-    try (RawCall call = RawCall.to(module)) {
-      try {
-        return call.send(bytes).finish(PATIENCE).status();
-      } catch (IOException e) {
-        return Status.ABORTED;
-      }
-    }
+    return outcomes;
   }
 
   private void assertNoThreadDied(TaskProcess robot) {
@@ -288,14 +421,13 @@ class FuzzIT {
     return InvocationConstraints.EMPTY;
   }
 
-  private static MulticastRequest request() {
+  private static MulticastRequest request(String host) {
     return new MulticastRequest(
-        EmbeddedReggie.HOST, 4711, new String[] {"fuzz"}, new ServiceID[] {new ServiceID(1, 2)});
+        host, 4711, new String[] {"fuzz"}, new ServiceID[] {new ServiceID(1, 2)});
   }
 
-  private static MulticastAnnouncement announcement() {
-    return new MulticastAnnouncement(
-        1, EmbeddedReggie.HOST, 4711, new String[] {"fuzz"}, new ServiceID(1, 2));
+  private static MulticastAnnouncement announcement(String host, int port, ServiceID id) {
+    return new MulticastAnnouncement(1, host, port, new String[] {"fuzz"}, id);
   }
 
   private static byte[] first(EncodeIterator packets) throws IOException {

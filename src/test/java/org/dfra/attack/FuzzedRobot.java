@@ -11,6 +11,7 @@ import java.nio.file.StandardCopyOption;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import net.jini.core.lookup.ServiceRegistrar;
@@ -18,15 +19,17 @@ import org.dfra.app.benchmark.attack.Task;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
 import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
+import org.dfra.river.bootstrap.EmbeddedRegistrar;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.lookup.DirectorySettings;
 import org.dfra.river.lookup.JiniModuleDirectory;
+import org.dfra.river.registrar.RegistrationPolicy;
 import org.dfra.testing.ServedModule;
 
 /**
- * A process that serves a module and looks for lookup services, and reports each of its threads
- * that ends by an exception. Its input has one command a line:
+ * A process that serves a module, runs a registrar if required, looks for lookup services, and
+ * reports each of its threads that ends by an exception. Its input has one command a line:
  *
  * <pre>
  *   discover LOCATOR   looks for the lookup service there, repeatedly, until it is stopped
@@ -38,6 +41,12 @@ public final class FuzzedRobot implements Task {
   /** How a line begins that reports the end of a thread. */
   static final String DIED = "died";
 
+  /** An argument. */
+  static final String WITH_REGISTRAR = "registrar";
+
+  /** Short, so that what changed calls register is soon forgotten. */
+  private static final Duration REGISTRAR_LEASE = Duration.ofSeconds(2);
+
   private static final Duration RETRY = Duration.ofMillis(1);
   private static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
 
@@ -46,7 +55,11 @@ public final class FuzzedRobot implements Task {
   /** As every task is made. */
   public FuzzedRobot() {}
 
-  /** Arguments: the address to serve at, and a file that the module's remote proxy is put into. */
+  /**
+   * Arguments: the address to serve at, a file that the module's remote proxy is put into, and
+   * {@link #WITH_REGISTRAR} for one that also runs a registrar. It prints "serves" and the
+   * registrar's port, or 0.
+   */
   @Override
   public void run(String[] args, PrintStream out) throws Exception {
     SerialFilters.install();
@@ -60,9 +73,13 @@ public final class FuzzedRobot implements Task {
         ServedModule.of(
                 ThermometerServer.class, ThermometerProxy.class, SteadyThermometerImpl.class)
             .at(args[0]);
-    try (ThermometerServer server = module.serve()) {
+    RegistrationPolicy policy = new RegistrationPolicy("eta", List.of());
+    try (ThermometerServer server = module.serve();
+        EmbeddedRegistrar registrar =
+            new EmbeddedRegistrar(args[0], 0, List.of(), REGISTRAR_LEASE, policy, Map.of())) {
       write(server.getProxy(), Path.of(args[1]));
-      out.println("serves");
+      boolean hasRegistrar = List.of(args).contains(WITH_REGISTRAR);
+      out.println("serves " + (hasRegistrar ? registrar.start().port() : 0));
       BufferedReader in =
           new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
       for (String line; (line = in.readLine()) != null; ) {

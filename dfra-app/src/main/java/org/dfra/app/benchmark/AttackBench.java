@@ -38,8 +38,8 @@ import org.jspecify.annotations.Nullable;
  *             --------&gt;  its phoenix, if that is attacked
  * </pre>
  *
- * <p>Wheel times are measured in the simulated field. Threads, heap and CPU time are those of the
- * robot and its phoenix.
+ * <p>Wheel times are measured in the simulated field. The number of threads is the maximum during
+ * the attack. Threads, heap and CPU time are those of the robot and its phoenix.
  */
 final class AttackBench implements Bench {
 
@@ -49,6 +49,10 @@ final class AttackBench implements Bench {
   private static final Duration PATIENCE = Duration.ofMinutes(1);
   private static final Duration QUIET = Duration.ofSeconds(1); // then the wheels have stopped
 
+  /** So long the number of threads does not change: the processes have started. */
+  private static final Duration SETTLED = Duration.ofSeconds(3);
+
+  private static final Duration SAMPLE_INTERVAL = Duration.ofMillis(500);
   private static final Duration LOOK_AGAIN = Duration.ofMillis(50);
 
   private final int seconds;
@@ -188,12 +192,19 @@ final class AttackBench implements Bench {
       try (TaskProcess operator =
           TaskProcess.start(place.onCore(1), root, Operator.class, ports[1])) {
         String unused = operator.awaitLine("drives", START);
+        ThreadCounter.Source threads = ThreadCounter.Source.of(victims);
+        if (!ThreadCounter.awaitSettled(threads, SETTLED, SAMPLE_INTERVAL, PATIENCE)) {
+          report.say("  The number of threads still changed before the attack; see \"threads\".");
+        }
         ProcessSample before = ProcessSample.of(victims);
         int groups = groups(robot, attack);
         try (TaskProcess attacker = start(attack, place, root, target)) {
           String unusedEither = attacker.awaitLine("begins", START);
-          return measure(
-              new RunningAttack(attack, robot, operator, attacker, victims, before, groups));
+          try (ThreadCounter counter = ThreadCounter.start(threads, SAMPLE_INTERVAL)) {
+            return measure(
+                new RunningAttack(
+                    attack, robot, operator, attacker, victims, before, groups, counter));
+          }
         }
       }
     }
@@ -236,7 +247,8 @@ final class AttackBench implements Bench {
       TaskProcess attacker,
       List<Long> victims,
       ProcessSample before,
-      int groups) {}
+      int groups,
+      ThreadCounter threads) {}
 
   private AttackResult measure(RunningAttack scene) throws Exception {
     TaskProcess robot = scene.robot();
@@ -245,7 +257,7 @@ final class AttackBench implements Bench {
     operator.write("listen " + seconds);
     String[] calls = operator.awaitLine("calls", PATIENCE.plusSeconds(seconds)).split(" ");
     double busy = ProcessSample.cpu(scene.victims()).minus(cpu).toMillis() / 1e3;
-    ProcessSample during = ProcessSample.of(scene.victims());
+    long heap = ProcessSample.of(scene.victims()).heapBytes();
 
     operator.write("fall silent");
     long silence = micros(operator.awaitLine("silent", PATIENCE));
@@ -254,6 +266,7 @@ final class AttackBench implements Bench {
     long order = micros(operator.awaitLine("stopped", PATIENCE));
     String[] stopped = awaitStopped(robot, order);
 
+    int threads = scene.threads().maximum();
     TaskProcess attacker = scene.attacker();
     attacker.write("stop");
     String[] done = attacker.awaitLine("done", PATIENCE).split(" ", 4);
@@ -268,8 +281,8 @@ final class AttackBench implements Bench {
         Long.parseLong(calls[4]) / 1e3,
         Integer.parseInt(calls[2]),
         busy,
-        during.threads() - scene.before().threads(),
-        during.heapBytes() - scene.before().heapBytes(),
+        threads - scene.before().threads(),
+        heap - scene.before().heapBytes(),
         (Long.parseLong(silent[2]) - silence) / 1e6,
         (Long.parseLong(silent[1]) - silence) / 1e6,
         Math.max(0, Long.parseLong(stopped[1]) - order) / 1e6,

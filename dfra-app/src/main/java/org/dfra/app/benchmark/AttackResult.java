@@ -11,7 +11,7 @@ import org.dfra.app.measurement.MeasuredValue;
  * @param p99 latency of honest calls, milliseconds
  * @param failed number of failed honest calls
  * @param cpu CPU time of the robot while the operator measured, seconds
- * @param threads increase over the value before the load
+ * @param threads maximum during the load, minus the number before it
  * @param heap increase over the value before the load, bytes
  * @param slowdownTime seconds from the operator's last command until the wheels slowed down
  * @param stopTimeAfterSilence seconds from the operator's last command until they stopped

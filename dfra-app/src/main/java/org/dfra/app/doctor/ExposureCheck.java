@@ -1,10 +1,12 @@
 package org.dfra.app.doctor;
 
+import java.net.Inet4Address;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.RobotDescription;
+import org.dfra.river.access.AddressRange;
 import org.dfra.river.bootstrap.HostAddress;
 
 /**
@@ -15,6 +17,12 @@ import org.dfra.river.bootstrap.HostAddress;
 final class ExposureCheck implements Check {
 
   private static final String DOCUMENT = "docs/concepts/security.md";
+
+  /** A shorter prefix of an IPv4 range is of more than one organization, such as 10.0.0.0/8. */
+  private static final int IPV4_ORGANIZATION = 8;
+
+  /** The same of an IPv6 range. */
+  private static final int IPV6_ORGANIZATION = 16;
 
   private final List<RobotDescription> robots;
   private final UnaryOperator<String> addresses;
@@ -54,8 +62,12 @@ final class ExposureCheck implements Check {
       }
       findings.add(reach(robot.name(), address));
       robot.administration().administratorHosts().stream()
-          .filter(range -> range.endsWith("/0"))
-          .forEach(range -> findings.add(everybody(robot.name(), range)));
+          .filter(ExposureCheck::isEverybody)
+          .forEach(range -> findings.add(administrators(robot.name(), range)));
+      robot.registrar().stream()
+          .flatMap(registrar -> registrar.from().stream())
+          .filter(ExposureCheck::isEverybody)
+          .forEach(range -> findings.add(registrants(robot.name(), range)));
     }
     return findings;
   }
@@ -74,12 +86,39 @@ final class ExposureCheck implements Check {
                 + " says what strangers can do.");
   }
 
-  private Finding everybody(String robot, String range) {
+  /**
+   * Whether a range has so many addresses that most of them are strangers'.
+   *
+   * @param from an address, a range or a host name, which is one computer's
+   */
+  private static boolean isEverybody(String from) {
+    if (from.indexOf('/') < 0) {
+      return false;
+    }
+    AddressRange range = AddressRange.of(from);
+    return range.prefix()
+        < (range.network() instanceof Inet4Address ? IPV4_ORGANIZATION : IPV6_ORGANIZATION);
+  }
+
+  private Finding administrators(String robot, String range) {
     return Finding.warn(
         subject(),
-        robot + " may be administered from " + range + ", so from everywhere",
+        robot + " may be administered from " + range + ", which counts as everywhere",
         "Name the operators' addresses in <administration from=\"…\"> of its XML; "
             + DOCUMENT
             + " says what administrators can do.");
+  }
+
+  private Finding registrants(String robot, String range) {
+    return Finding.warn(
+        subject(),
+        "the registrar of "
+            + robot
+            + " takes modules of this robot from "
+            + range
+            + ", which counts as everywhere",
+        "Name the addresses of the robot's further computers in <registrar from=\"…\"> of its XML; "
+            + DOCUMENT
+            + " says what others could register.");
   }
 }

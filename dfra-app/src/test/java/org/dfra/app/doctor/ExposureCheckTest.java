@@ -9,21 +9,44 @@ import org.dfra.core.config.AdministrationDescription;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.GroupDescription;
 import org.dfra.core.config.Place;
+import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
 import org.junit.jupiter.api.Test;
 
 class ExposureCheckTest {
 
   private static RobotDescription robot(String name, String host, String... administrators) {
+    return robot(name, host, List.of(administrators), Optional.empty());
+  }
+
+  private static RobotDescription robot(
+      String name,
+      String host,
+      List<String> administrators,
+      Optional<RegistrarDescription> registrar) {
     return new RobotDescription(
         name,
         host,
         List.of(),
         List.of(),
-        new AdministrationDescription(List.of(administrators), Place.CODE),
+        new AdministrationDescription(administrators, Place.CODE),
         Optional.empty(),
-        List.of(new GroupDescription("all", List.of(), Optional.empty(), List.of(), Place.CODE)),
+        List.of(new GroupDescription("all", List.of(), registrar, List.of(), Place.CODE)),
         Path.of(name + ".xml"));
+  }
+
+  /** A robot whose registrar takes modules from there. */
+  private static RobotDescription registering(String... from) {
+    RegistrarDescription registrar =
+        new RegistrarDescription(4160, 8085, true, List.of(from), Place.CODE);
+    return robot("atrv1", "127.0.0.1", List.of(), Optional.of(registrar));
+  }
+
+  private static List<String> warnings(RobotDescription robot) {
+    return examined(robot).stream()
+        .filter(each -> each.verdict() == Verdict.WARN)
+        .map(Finding::what)
+        .toList();
   }
 
   private static List<Finding> examined(RobotDescription... robots) {
@@ -52,9 +75,35 @@ class ExposureCheckTest {
         .contains(
             Finding.warn(
                 Subject.EXPOSURE,
-                "atrv1 may be administered from 0.0.0.0/0, so from everywhere",
+                "atrv1 may be administered from 0.0.0.0/0, which counts as everywhere",
                 "Name the operators' addresses in <administration from=\"…\"> of its XML;"
                     + " docs/concepts/security.md says what administrators can do."));
+  }
+
+  @Test
+  void theLengthOfThePrefixOfAnAdministratorsRangeCounts() {
+    RobotDescription broad =
+        robot("atrv1", "127.0.0.1", "0.0.0.0/1", "10.0.0.0/7", "::/0", "2000::/3", "fd00::/15");
+    assertThat(warnings(broad))
+        .hasSize(5)
+        .allMatch(text -> text.startsWith("atrv1 may be administered from "));
+    RobotDescription narrow =
+        robot("atrv1", "127.0.0.1", "10.0.0.0/8", "fd00::/16", "192.0.2.1", "laptop", "fd00::1");
+    assertThat(warnings(narrow)).isEmpty();
+  }
+
+  @Test
+  void soDoesThatOfARangeThatARegistrarTakesModulesFrom() {
+    assertThat(examined(registering("10.0.0.0/7")))
+        .contains(
+            Finding.warn(
+                Subject.EXPOSURE,
+                "the registrar of atrv1 takes modules of this robot from 10.0.0.0/7, which counts"
+                    + " as everywhere",
+                "Name the addresses of the robot's further computers in <registrar from=\"…\"> of"
+                    + " its XML; docs/concepts/security.md says what others could register."));
+    assertThat(warnings(registering("0.0.0.0/0", "fd00::/15"))).hasSize(2);
+    assertThat(warnings(registering("10.0.0.0/8", "fd00::/16", "192.0.2.1", "laptop"))).isEmpty();
   }
 
   @Test
