@@ -53,17 +53,20 @@ class MavlinkHeldUpLinkTest extends MavlinkFixture {
         release.countDown();
       }
       writing.get(60, TimeUnit.SECONDS);
-      await().until(() -> modesSet(link) == 2);
+      // 2; a third, which is harmless, where the reader held its lock for long on a busy computer
+      await().until(() -> modesSet(link) >= 2);
+      link.awaitLooked();
       say(MODE_ACCEPTED); // the first of them; the second was lost
       await().until(() -> parameter(flight, "last_order").endsWith("DO_SET_MODE is accepted"));
+      long sent = modesSet(link);
       ticker.step(Duration.ofMillis(2100));
-      await("the second is sent again").until(() -> modesSet(link) == 3);
+      await("the second is sent again").until(() -> modesSet(link) == sent + 1);
       say(HEARTBEAT, MODE_ACCEPTED);
       await().until(() -> link.isTaken());
       link.awaitLooked();
       ticker.step(Duration.ofMillis(2100));
       link.awaitLooked();
-      assertThat(modesSet(link)).as("it is at rest").isEqualTo(3);
+      assertThat(modesSet(link)).as("once the vehicle has accepted it").isEqualTo(sent + 1);
     }
   }
 
