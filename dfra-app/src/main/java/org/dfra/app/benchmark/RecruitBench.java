@@ -80,7 +80,7 @@ final class RecruitBench implements Bench {
               + ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage()
               + ".");
       BenchSensor sensor = BenchSensor.awaitInstance();
-      keep(report, "letter", letters(BenchAgent.awaitInstance(), other));
+      keep(report, "letter", messageDelays(BenchAgent.awaitInstance(), other));
       keep(report, "event", events(sensor, other));
     }
   }
@@ -98,7 +98,8 @@ final class RecruitBench implements Bench {
   }
 
   /** Delays from the sender's thread to the agent's thread, seconds; without the response. */
-  private static double[] letters(BenchAgent agent, ListenerProcess sender) throws IOException {
+  private static double[] messageDelays(BenchAgent agent, ListenerProcess sender)
+      throws IOException {
     double[] delays = new double[MEASURED];
     for (int i = -WARM_UP; i < MEASURED; i++) {
       long[] sent = sender.sendMessage();

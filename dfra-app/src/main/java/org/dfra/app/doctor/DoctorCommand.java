@@ -65,7 +65,7 @@ public final class DoctorCommand implements Callable<Integer> {
     boolean well = findings.stream().noneMatch(each -> each.verdict() == Verdict.FAIL);
     CommandOutput answer = team.answer();
     if (answer.isJson()) {
-      answer.details(new Report(well, findings.stream().map(DoctorCommand::told).toList()));
+      answer.details(new Report(well, findings.stream().map(DoctorCommand::view).toList()));
     } else {
       Ansi ansi = spec.commandLine().getColorScheme().ansi();
       answer.preformatted(new FindingPrinter(ansi, Terminal.textColumns()).of(findings));
@@ -155,7 +155,7 @@ public final class DoctorCommand implements Callable<Integer> {
     };
   }
 
-  private static FindingView told(Finding finding) {
+  private static FindingView view(Finding finding) {
     return new FindingView(
         finding.subject().id(),
         finding.verdict().name().toLowerCase(Locale.ROOT),

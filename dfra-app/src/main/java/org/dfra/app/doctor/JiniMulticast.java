@@ -57,11 +57,11 @@ final class JiniMulticast implements MulticastCheck.Network {
       mouth.send(
           new DatagramPacket(
               sent, sent.length, new InetSocketAddress(requests, Constants.discoveryPort)));
-      return hears(ear, sent, began);
+      return receives(ear, sent, began);
     }
   }
 
-  private static Optional<Duration> hears(MulticastSocket ear, byte[] sent, long began)
+  private static Optional<Duration> receives(MulticastSocket ear, byte[] sent, long began)
       throws IOException {
     long end = began + MulticastCheck.PATIENCE.toNanos();
     DatagramPacket received = new DatagramPacket(new byte[LARGEST], LARGEST);

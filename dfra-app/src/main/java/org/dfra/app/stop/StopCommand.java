@@ -345,7 +345,7 @@ public final class StopCommand implements Callable<Integer> {
     boolean isEveryOne = outcomes.stream().allMatch(each -> each.result().isWell());
     boolean well = isEveryOne && silent.isEmpty() && !outcomes.isEmpty();
     if (answer.isJson()) {
-      answer.details(new Report(well, outcomes.stream().map(StopCommand::told).toList(), silent));
+      answer.details(new Report(well, outcomes.stream().map(StopCommand::view).toList(), silent));
     } else {
       outcomes.forEach(this::say);
       String summary = summary(outcomes, isEveryOne);
@@ -388,7 +388,7 @@ public final class StopCommand implements Callable<Integer> {
         isEveryOne || release ? "" : " Use the robot's own emergency stop.");
   }
 
-  private static EffectorView told(Outcome outcome) {
+  private static EffectorView view(Outcome outcome) {
     return new EffectorView(
         outcome.module(), outcome.id(), outcome.requester(), outcome.since(), outcome.reason());
   }

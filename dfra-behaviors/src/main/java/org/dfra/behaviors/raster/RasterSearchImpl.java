@@ -84,7 +84,7 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
     RasterPlan plan = RasterPlan.of(wanted);
     FollowWaypoints unused = follow.resolve();
     requireInReach(plan);
-    return pursuit(plan, wanted, 0, 0, null);
+    return goalExecution(plan, wanted, 0, 0, null);
   }
 
   /**
@@ -102,7 +102,7 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
     reach.requireWithin(here, plan.waypoints());
   }
 
-  private GoalExecution pursuit(
+  private GoalExecution goalExecution(
       RasterPlan plan, RasterGoal wanted, int done, int leftOut, @Nullable DelegatedPath path) {
     synchronized (remembering) {
       driven = path;
@@ -189,7 +189,7 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
     int leftOut = Math.min(begun.missed(), done);
     interlock().restore(begun.seen());
     Phase next = goesOn ? begun.phase() : Phase.PAUSED;
-    GoalExecution again = pursuit(plan, begun.goal(), done, leftOut, begun.path());
+    GoalExecution again = goalExecution(plan, begun.goal(), done, leftOut, begun.path());
     if (next == Phase.PAUSED && begun.path() != null) {
       again.suspend(); // no path continues for a paused search
     }

@@ -38,11 +38,11 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
 
   /** The outbox of one robot, while it is not empty. */
   private static final class Outbox {
-    final DelayedTaskExecutor errands;
+    final DelayedTaskExecutor taskExecutor;
     int waiting; // changed within routes.compute only
 
     Outbox(DelayedTaskExecutor taskExecutor) {
-      this.errands = taskExecutor;
+      this.taskExecutor = taskExecutor;
     }
   }
 
@@ -156,7 +156,7 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
       return;
     }
     try {
-      route.errands.execute(() -> deliverAndCount(robot, envelope));
+      route.taskExecutor.execute(() -> deliverAndCount(robot, envelope));
     } catch (OutOfMemoryError e) { // no thread could be created; the next message retries
       brought(robot);
       log.warn("{}: a letter to {} is lost: {}", context.path(), robot, e.toString());
@@ -178,7 +178,7 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
           if (route.waiting > 0) {
             return route;
           }
-          route.errands.close();
+          route.taskExecutor.close();
           return null;
         });
   }
@@ -227,6 +227,6 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
   @Override
   public void close() {
     isClosed = true;
-    routes.values().forEach(route -> route.errands.close());
+    routes.values().forEach(route -> route.taskExecutor.close());
   }
 }

@@ -26,14 +26,14 @@ final class MessageSender {
   }
 
   void send(String to, RecruitmentMessage message) {
-    MessageEnvelope envelope = letter(message);
+    MessageEnvelope envelope = envelope(message);
     listener.sent(to, envelope);
     ports.transport().send(to, envelope);
   }
 
   /** Sends to all robots that can observe the percept. */
   void sendToTeam(String percept, RecruitmentMessage message) {
-    MessageEnvelope envelope = letter(message);
+    MessageEnvelope envelope = envelope(message);
     listener.sent("", envelope);
     if (mode == MessageMode.BROADCAST) {
       ports.transport().broadcast(percept, envelope);
@@ -45,7 +45,7 @@ final class MessageSender {
     }
   }
 
-  private MessageEnvelope letter(RecruitmentMessage message) {
+  private MessageEnvelope envelope(RecruitmentMessage message) {
     return new MessageEnvelope(robot, ++envelopes, ports.clock().instant(), message);
   }
 }

@@ -187,7 +187,7 @@ final class RobotStateMonitor implements AutoCloseable {
 
   /** Since when a behaviour's goal is held; null where it is not. */
   @Nullable Instant heldSince(ModuleListing<?> behavior) {
-    LastStatus last = told(behavior);
+    LastStatus last = lastStatus(behavior);
     return last != null
         ? last.status().heldSince()
         : behavior
@@ -196,7 +196,7 @@ final class RobotStateMonitor implements AutoCloseable {
             .orElse(null);
   }
 
-  private @Nullable LastStatus told(ModuleListing<?> behavior) {
+  private @Nullable LastStatus lastStatus(ModuleListing<?> behavior) {
     LastStatus last = reported.get(behavior.id());
     return last != null && last.module().equals(behavior.module()) ? last : null;
   }
@@ -206,7 +206,7 @@ final class RobotStateMonitor implements AutoCloseable {
   }
 
   private Phase phase(ModuleListing<?> behavior) {
-    LastStatus last = told(behavior);
+    LastStatus last = lastStatus(behavior);
     if (last != null) {
       return last.status().phase();
     }

@@ -29,7 +29,7 @@ final class ReleaseRepeater {
       RequesterState state, String why, Instant now) {
     String robot = state.requireWinner().robot();
     Conversation in = state.conversation();
-    return told(state, new Farewell(in, robot, now, state.until()), why, now);
+    return release(state, new Farewell(in, robot, now, state.until()), why, now);
   }
 
   /** Advances the time. */
@@ -39,11 +39,11 @@ final class ReleaseRepeater {
       return TransitionResult.none(state);
     }
     return now.isBefore(farewell.until())
-        ? told(state, farewell, "not wanted any more", now)
+        ? release(state, farewell, "not wanted any more", now)
         : TransitionResult.none(state.withPendingRelease(null)); // its commitment has expired
   }
 
-  private TransitionResult<RequesterState, RequesterAction> told(
+  private TransitionResult<RequesterState, RequesterAction> release(
       RequesterState state, Farewell farewell, String why, Instant now) {
     return new TransitionResult<>(
         state.withPendingRelease(farewell.repeatedAt(now.plus(every))),

@@ -256,12 +256,12 @@ public final class RequesterMachine {
         taken(tick(ReleaseRepeater.receive(before, from, message), now), actions);
     TransitionResult<RequesterState, RequesterAction> step =
         message.conversation().equals(state.conversation())
-            ? hearNow(state, from, message, now)
-            : hearOfThePast(state, from, message);
+            ? receiveNow(state, from, message, now)
+            : receiveLate(state, from, message);
     return new TransitionResult<>(taken(step, actions), actions);
   }
 
-  private static TransitionResult<RequesterState, RequesterAction> hearOfThePast(
+  private static TransitionResult<RequesterState, RequesterAction> receiveLate(
       RequesterState state, String from, RecruitmentMessage message) {
     boolean wantsAnswer = message instanceof Accept || message instanceof Arrival;
     return wantsAnswer && state.conversation().supersedes(message.conversation())
@@ -269,7 +269,7 @@ public final class RequesterMachine {
         : TransitionResult.none(state);
   }
 
-  private TransitionResult<RequesterState, RequesterAction> hearNow(
+  private TransitionResult<RequesterState, RequesterAction> receiveNow(
       RequesterState state, String from, RecruitmentMessage message, Instant now) {
     if (message instanceof Accept accept) {
       return accept(state, from, accept, now);

@@ -67,7 +67,7 @@ public final class ResponderMachine {
       if (mine != null && message.conversation().supersedes(mine)) {
         state = taken(free(state, "the call goes on without it"), actions);
       }
-      state = taken(hearNow(state, message, now), actions);
+      state = taken(receiveNow(state, message, now), actions);
     }
     return new TransitionResult<>(state, actions);
   }
@@ -85,7 +85,7 @@ public final class ResponderMachine {
     return step.state();
   }
 
-  private TransitionResult<ResponderState, ResponderAction> hearNow(
+  private TransitionResult<ResponderState, ResponderAction> receiveNow(
       ResponderState state, RecruitmentMessage message, Instant now) {
     if (message instanceof Help help) {
       return help(state, help, now);
@@ -126,10 +126,10 @@ public final class ResponderMachine {
 
   private TransitionResult<ResponderState, ResponderAction> declined(
       ResponderState state, Refuse aloud) {
-    return judge.sendsRefusal() ? told(state, aloud) : TransitionResult.none(state);
+    return judge.sendsRefusal() ? send(state, aloud) : TransitionResult.none(state);
   }
 
-  private static TransitionResult<ResponderState, ResponderAction> told(
+  private static TransitionResult<ResponderState, ResponderAction> send(
       ResponderState state, Refuse refuse) {
     return new TransitionResult<>(
         state, List.of(new SendToRobot(refuse.conversation().requester(), refuse)));
@@ -137,7 +137,7 @@ public final class ResponderMachine {
 
   private static TransitionResult<ResponderState, ResponderAction> refused(
       ResponderState state, Conversation which, String why) {
-    return told(state, new Refuse(which, why, true));
+    return send(state, new Refuse(which, why, true));
   }
 
   private TransitionResult<ResponderState, ResponderAction> offer(

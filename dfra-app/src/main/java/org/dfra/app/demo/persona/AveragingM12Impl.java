@@ -63,7 +63,7 @@ public final class AveragingM12Impl extends SensorImpl implements GPSSensor {
   protected void onStart() {
     subscription =
         receiver.subscribe(
-            this::heard,
+            this::received,
             DeliveryPolicy.keepLast(POSITIONS).withKinds(EventKind.READING, EventKind.READINESS));
     receiver.start();
   }
@@ -76,7 +76,7 @@ public final class AveragingM12Impl extends SensorImpl implements GPSSensor {
     }
   }
 
-  private void heard(Delivery delivery) {
+  private void received(Delivery delivery) {
     if (delivery.event() instanceof ModuleEvent.NewReading news
         && news.reading() instanceof GpsFix fix
         && fix.position() != null) {

@@ -97,7 +97,7 @@ final class FixPreprocessor {
   private void loosen(long arrival) {
     for (Receiver receiver : receivers) {
       if (receiver != null) {
-        receiver.heard = arrival - SILENT;
+        receiver.lastReceived = arrival - SILENT;
       }
     }
   }
@@ -140,14 +140,14 @@ final class FixPreprocessor {
         return i;
       }
       if (receivers[i].name.equals(source)) {
-        receivers[i].heard = arrival;
+        receivers[i].lastReceived = arrival;
         return i;
       }
-      if (receivers[i].heard < receivers[oldest].heard) {
+      if (receivers[i].lastReceived < receivers[oldest].lastReceived) {
         oldest = i;
       }
     }
-    if (arrival - receivers[oldest].heard < SILENT) {
+    if (arrival - receivers[oldest].lastReceived < SILENT) {
       return -1;
     }
     receivers[oldest] = new Receiver(source, arrival, true);
@@ -160,14 +160,14 @@ final class FixPreprocessor {
     private static final int KEPT = 8;
 
     final String name;
-    long heard;
+    long lastReceived;
     boolean isNew;
     private final long[] moments = new long[KEPT];
     private int count;
 
     Receiver(String name, long received, boolean isNew) {
       this.name = name;
-      this.heard = received;
+      this.lastReceived = received;
       this.isNew = isNew;
     }
 

@@ -56,12 +56,12 @@ final class GhostFilter {
    */
   boolean take(Odometry now) {
     @Nullable Odometry last = odometry;
-    boolean isAnew = last == null || isLeap(last, now);
-    if (isAnew) {
+    boolean isRestarted = last == null || isLeap(last, now);
+    if (isRestarted) {
       past.clear();
     }
     odometry = now;
-    return isAnew;
+    return isRestarted;
   }
 
   private static boolean isLeap(Odometry last, Odometry now) {

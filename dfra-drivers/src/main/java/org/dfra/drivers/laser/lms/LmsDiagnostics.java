@@ -63,9 +63,9 @@ final class LmsDiagnostics {
     examinations.addTest("status", () -> asked(LmsRequest.STATUS, "B1", this::status));
     examinations.addTest("type", () -> asked(LmsRequest.TYPE, "BA", this::type));
     examinations.addTest("errors", () -> asked(LmsRequest.ERRORS, "B2", this::errors));
-    examinations.addRecovery("reset", () -> anew(protocol::reset, WOKEN, "was reset"));
+    examinations.addRecovery("reset", () -> restart(protocol::reset, WOKEN, "was reset"));
     examinations.addRecovery(
-        "renegotiate", () -> anew(protocol::renegotiate, ANEW, "was searched"));
+        "renegotiate", () -> restart(protocol::renegotiate, ANEW, "was searched"));
   }
 
   /** Processes a telegram from the laser. */
@@ -121,7 +121,7 @@ final class LmsDiagnostics {
         reported != null && all.stream().noneMatch(LmsError::isPresent), words);
   }
 
-  private DiagnosticFinding anew(Runnable command, Duration patience, String done)
+  private DiagnosticFinding restart(Runnable command, Duration patience, String done)
       throws InterruptedException {
     DiagnosticFinding link = deviceLink.link();
     if (!link.passed()) {

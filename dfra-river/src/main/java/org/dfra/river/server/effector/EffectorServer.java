@@ -42,7 +42,7 @@ public abstract class EffectorServer<C extends Command, E extends Effector<C>>
     super(kind, EffectorImpl.class, id, data); // only this class guards the effector
   }
 
-  private CommandArbiter helm() {
+  private CommandArbiter arbiter() {
     return ((EffectorImpl<?>) module()).commandArbiter();
   }
 
@@ -60,7 +60,7 @@ public abstract class EffectorServer<C extends Command, E extends Effector<C>>
   public final CommandLease acquireCommandLease(Duration duration) throws LeaseRefusedException {
     Lease[] lease = new Lease[1];
     CommandKey key =
-        helm()
+        arbiter()
             .acquire(
                 clientName(),
                 whenOver -> {

@@ -79,13 +79,15 @@ public final class OrientedRectangle {
     double x = other.east - east;
     double y = other.north - north;
     double reach = radius + other.radius;
-    return x * x + y * y <= reach * reach && !isApart(other, x, y) && !other.isApart(this, -x, -y);
+    return x * x + y * y <= reach * reach
+        && !isDisjoint(other, x, y)
+        && !other.isDisjoint(this, -x, -y);
   }
 
   /**
    * Whether one of this rectangle's axes separates the two; x and y point to the other's centre.
    */
-  private boolean isApart(OrientedRectangle other, double x, double y) {
+  private boolean isDisjoint(OrientedRectangle other, double x, double y) {
     double c = Math.abs(cos * other.cos + sin * other.sin);
     double s = Math.abs(cos * other.sin - sin * other.cos);
     return Math.abs(cos * x + sin * y) > halfLength + c * other.halfLength + s * other.halfWidth
