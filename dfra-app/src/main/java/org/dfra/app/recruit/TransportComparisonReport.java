@@ -57,10 +57,10 @@ final class TransportComparisonReport {
                 + " over the real network with runs of other seeds over the simulated one; all %d"
                 + " tests together have a level of 5 %%, by Holm's method. The difference is that"
                 + " of pairs of the same seed, with its interval of 95 %%. Within a tenth of the"
-                + " simulated mean, or %.0f of 100 calls, the two count as equal. AGREE: not told"
-                + " apart, and equal by that. CLOSE: told apart, but equal by that. OPEN: not told"
-                + " apart, and too few runs to say that they are equal. DIFFER: told apart, and"
-                + " not shown to be equal.",
+                + " simulated mean, or %.0f of 100 calls, the two count as equal. AGREE: not"
+                + " distinguished, and equal by that. NEGLIGIBLE: distinguished, but equal by that."
+                + " INCONCLUSIVE: not distinguished, and too few runs to say that they are equal. DIFFER:"
+                + " distinguished, and not shown to be equal.",
             all.size(),
             TransportComparison.POINTS));
     html.paragraph(violations());
