@@ -19,11 +19,14 @@ import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 import net.jini.admin.Administrable;
 import net.jini.admin.JoinAdmin;
 import net.jini.config.ConfigurationException;
 import net.jini.core.lease.Lease;
 import net.jini.core.lookup.ServiceRegistration;
+import net.jini.lease.LeaseListener;
+import net.jini.lease.LeaseRenewalEvent;
 import net.jini.lease.LeaseRenewalManager;
 import org.dfra.core.host.FreePorts;
 import org.dfra.core.time.StallProbe;
@@ -86,7 +89,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
   private final class JiniStage implements Stage {
     private final EmbeddedReggie reggie;
     private final JiniModuleDirectory directory;
-    private final Map<UUID, ServiceRegistration> registrations = new HashMap<>();
+    private final Map<UUID, AtomicReference<ServiceRegistration>> registrations = new HashMap<>();
     private final Set<ListedGps> local = new HashSet<>();
 
     JiniStage(EmbeddedReggie reggie, JiniModuleDirectory directory) {
@@ -105,9 +108,9 @@ class JiniModuleDirectoryTest extends DirectoryContract {
       if (locality == Locality.SAME_VM && local.add(module)) {
         LocalModuleRegistry.register(module.id(), module);
       }
-      ServiceRegistration known = registrations.get(module.id());
+      AtomicReference<ServiceRegistration> known = registrations.get(module.id());
       if (known != null) {
-        known.setAttributes(Entries.toEntries(attributes));
+        known.get().setAttributes(Entries.toEntries(attributes));
         return;
       }
       registrations.put(module.id(), keep(reggie, module, attributes));
@@ -121,7 +124,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
 
     @Override
     public void withdraw(UUID id) throws Exception {
-      renewals.cancel(registrations.remove(id).getLease());
+      renewals.cancel(registrations.remove(id).get().getLease());
     }
 
     @Override
@@ -150,12 +153,29 @@ class JiniModuleDirectoryTest extends DirectoryContract {
     }
   }
 
-  /** Registers a module and renews its lease. */
-  private ServiceRegistration keep(
+  /**
+   * Registers a module and renews its lease. As a module does, it registers it again if the lease
+   * was lost: on a busy computer a few of thousands are renewed too late.
+   */
+  private AtomicReference<ServiceRegistration> keep(
       EmbeddedReggie reggie, ListedGps module, List<Attributes> attributes) throws Exception {
-    ServiceRegistration begun = reggie.register(module.id(), module, attributes, LEASE);
-    renewals.renewUntil(begun.getLease(), Lease.FOREVER, null);
-    return begun;
+    AtomicReference<ServiceRegistration> current =
+        new AtomicReference<>(reggie.register(module.id(), module, attributes, LEASE));
+    renewals.renewUntil(
+        current.get().getLease(),
+        Lease.FOREVER,
+        new LeaseListener() {
+          @Override
+          public void notify(LeaseRenewalEvent lost) {
+            try {
+              current.set(reggie.register(module.id(), module, attributes, LEASE));
+              renewals.renewUntil(current.get().getLease(), Lease.FOREVER, this);
+            } catch (Exception e) { // the lookup service has ended meanwhile
+              System.out.println(module.id() + " is not registered again: " + e);
+            }
+          }
+        });
+    return current;
   }
 
   @Test
@@ -185,8 +205,8 @@ class JiniModuleDirectoryTest extends DirectoryContract {
     try (JiniModuleDirectory team =
         new JiniModuleDirectory(
             settings(List.of(one.locator(), two.locator())), InstantSource.system())) {
-      ServiceRegistration unusedOne = keep(one, gps, attributes("r", "gps", 1));
-      ServiceRegistration unusedTwo = keep(two, gps, attributes("r", "gps", 1));
+      AtomicReference<ServiceRegistration> unusedOne = keep(one, gps, attributes("r", "gps", 1));
+      AtomicReference<ServiceRegistration> unusedTwo = keep(two, gps, attributes("r", "gps", 1));
       await().atMost(PATIENCE).until(() -> team.registrarCount() == 2);
       assertThat(team.findFirst(query, PATIENCE)).isPresent();
       one.close();
@@ -215,7 +235,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
       System.out.printf("stale after the end of the lookup service: %s%n", stale);
       EmbeddedReggie second = new EmbeddedReggie(port).start();
       reggies.add(second);
-      ServiceRegistration unused = keep(second, gps, attributes("r", "gps", 1));
+      AtomicReference<ServiceRegistration> unused = keep(second, gps, attributes("r", "gps", 1));
       StallProbe.Stopwatch listed = probe.stopwatch();
       await().atMost(PATIENCE).until(() -> !directory.find(query).get(0).stale());
       Timing found = listed.stop();
