@@ -65,7 +65,7 @@ final class EmergencyStop {
     public void run() {
       try {
         arbiter.runBetweenCommands(this::rest, ends::stopDuringCommand);
-      } catch (RuntimeException | Error e) { // a driver's fault; it is told to whoever asks
+      } catch (RuntimeException | Error e) { // a driver's fault; the stop's state reports it
         fault = "its driver could not be told to come to rest (" + e + "); switch it off by hand";
         ends.recordIncident(Incident.Kind.EXCEPTION, "stopped for an emergency, " + fault);
       } finally {

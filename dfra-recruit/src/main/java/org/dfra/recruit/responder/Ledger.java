@@ -7,7 +7,7 @@ import java.io.Serializable;
  *
  * @param closed it has left this one and all earlier ones
  * @param completed the last one with an agreement
- * @param heard the last one in which it received a call
+ * @param heard last time at which it received a call
  * @param round the last call received in that
  */
 record Ledger(long closed, long completed, long heard, int round) implements Serializable {

@@ -55,7 +55,7 @@ final class RecruitCharts {
     return new Page("Where they truly went").row(MAP, panel);
   }
 
-  /** Who told whom what in one conversation. */
+  /** The messages of one conversation, by sender and receiver. */
   Page chart(Attempt reported) {
     SequencePanel panel = new SequencePanel(robots);
     for (SentMessage each : reported.messages()) {

@@ -143,8 +143,8 @@ final class ProcessKillOnLane implements InjectedFault<DemoRobot> {
       throws Exception {
     GroundTruthPose pose = now.truth().last(victim.name());
     BehaviorStatus status = victim.subscriptions().latestStatus();
-    boolean isHeardAgain = status.measured().isAfter(killed) || victim.hasEnded();
-    if (pose.speed() < DRIVES || !isHeardAgain) {
+    boolean isReceivedAgain = status.measured().isAfter(killed) || victim.hasEnded();
+    if (pose.speed() < DRIVES || !isReceivedAgain) {
       return;
     }
     now.recordEvent(
