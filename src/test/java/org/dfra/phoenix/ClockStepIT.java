@@ -203,6 +203,7 @@ class ClockStepIT {
         .ignoreExceptionsInstanceOf(RemoteException.class) // a call may miss its deadline
         .until(() -> hasPassed(watch) && listed(registrar).equals(Set.of(names)));
     Timing listed = watch.stop();
+    System.out.printf("listed aright after a step of the clock: %s%n", listed);
     await("that it stays so")
         .during(LEASE.plusSeconds(1))
         .atMost(PATIENCE)

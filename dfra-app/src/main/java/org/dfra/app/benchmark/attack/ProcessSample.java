@@ -1,7 +1,6 @@
 package org.dfra.app.benchmark.attack;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -92,17 +91,28 @@ public record ProcessSample(int threads, Duration cpu, long heapBytes) {
     return Long.parseLong(matcher.group(1));
   }
 
+  /**
+   * Runs a command in a JVM. The output goes through a file, not a pipe: from JDK 24 on a JVM
+   * writes it while its threads are stopped, so none of them could read the pipe if it is this JVM.
+   */
   private static String jcmd(long pid, String command) throws IOException, InterruptedException {
     Path jcmd = Path.of(System.getProperty("java.home"), "bin", "jcmd");
-    Process process =
-        new ProcessBuilder(jcmd.toString(), Long.toString(pid), command)
-            .redirectErrorStream(true)
-            .start();
-    process.getOutputStream().close();
-    String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    if (process.waitFor() != 0) {
-      throw new IOException("jcmd " + pid + " " + command + ": " + said.strip());
+    Path output = Files.createTempFile("dfra-jcmd", ".txt");
+    try {
+      Process process =
+          new ProcessBuilder(jcmd.toString(), Long.toString(pid), command)
+              .redirectErrorStream(true)
+              .redirectOutput(output.toFile())
+              .start();
+      process.getOutputStream().close();
+      int exit = process.waitFor();
+      String text = Files.readString(output);
+      if (exit != 0) {
+        throw new IOException("jcmd " + pid + " " + command + ": " + text.strip());
+      }
+      return text;
+    } finally {
+      Files.deleteIfExists(output);
     }
-    return said;
   }
 }
