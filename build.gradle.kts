@@ -11,10 +11,13 @@ allprojects {
         options.compilerArgs.addAll(
             listOf("-Xlint:all,-serial,-removal,-processing,-options", "-parameters", "-XDstringConcat=inline"))
     }
+    // A broken link or bad HTML in a comment is an error; as in pom.xml, not in the comments of tests.
+    tasks.named<JavaCompile>("compileJava") { options.compilerArgs.add("-Xdoclint:all,-missing") }
     // Jar names carry no version, in either build: class paths and codebases name them.
     // And the same sources give the same bytes, as pom.xml's outputTimestamp has it.
     tasks.withType<Jar>().configureEach {
         archiveVersion.set("")
+        manifest { attributes("Implementation-Version" to project.version) } // "./dfra --version" reads it
         isPreserveFileTimestamps = false
         isReproducibleFileOrder = true
     }
@@ -22,6 +25,8 @@ allprojects {
     dependencies {
         "compileOnly"(rootProject.libs.jspecify)
         "testCompileOnly"(rootProject.libs.jspecify)
+        "compileOnly"(rootProject.libs.error.prone.annotations)
+        "testCompileOnly"(rootProject.libs.error.prone.annotations)
         "testImplementation"(rootProject.libs.junit.jupiter)
         "testImplementation"(rootProject.libs.assertj.core)
         "testImplementation"(rootProject.libs.awaitility)
@@ -35,11 +40,11 @@ allprojects {
     val top = rootDir.path
     val dfraArguments = {
         val boot = bootJar.get().asFile.path
-        listOf("-Xbootclasspath/a:$boot", "-Ddfra.boot=$boot", "-Ddfra.root=$top")
+        listOf("-Xbootclasspath/a:$boot", "-Ddfra.boot-class-path=$boot", "-Ddfra.root=$top")
     }
     val full = providers.gradleProperty("dfra.full").getOrElse("false")
     val soak = providers.gradleProperty("dfra.soak").getOrElse("false")
-    val repeats = providers.gradleProperty("dfra.repeats").getOrElse("false")
+    val repeats = providers.gradleProperty("dfra.test.repeats").getOrElse("false")
     val seed = providers.gradleProperty("dfra.seed").getOrElse("2004") // as in pom.xml
     val testJava = providers.gradleProperty("dfra.test.java").orNull
     tasks.withType<Test>().configureEach {
@@ -55,7 +60,7 @@ allprojects {
         jvmArgumentProviders.add(CommandLineArgumentProvider(dfraArguments))
         systemProperty("dfra.full", full)
         systemProperty("dfra.soak", soak)
-        systemProperty("dfra.repeats", repeats)
+        systemProperty("dfra.test.repeats-overloaded", repeats)
         systemProperty("dfra.seed", seed)
         if (testJava != null) executable("$testJava/bin/java")
         outputs.upToDateWhen { false } // they start processes and watch clocks: a result of yesterday proves little
@@ -68,32 +73,86 @@ allprojects {
 
 dependencies {
     testCompileOnly(project(":dfra-activation"))
-    testImplementation(project(":dfra-app"))
+    testImplementation(project(":dfra-benchmarks"))
     testImplementation(project(":dfra-recruit"))
     testImplementation(project(":dfra-testing"))
     testImplementation(rootProject.libs.reggie)
     testImplementation(rootProject.libs.archunit)
 }
 
-tasks.test { dependsOn(":dfra-river:dlJar", ":dfra-recruit:dlJar", ":dfra-app:lib") }
+tasks.test { dependsOn(":dfra-client:jar", ":dfra-recruit:dlJar", ":dfra-cli:lib", ":dfra-flight:lib", ":dfra-benchmarks:lib") }
 
-val app = project(":dfra-app")
+val app = project(":dfra-benchmarks") // it needs all others
 val appLib = app.layout.buildDirectory.dir("lib")
+val robotLib = project(":dfra-cli").layout.buildDirectory.dir("lib")
+val flightLib = project(":dfra-flight").layout.buildDirectory.dir("lib")
+val flyingRobotLib = layout.buildDirectory.dir("flying-robot-lib")
 
 tasks.register<Exec>("dist") {
     group = "dfra"
-    description = "Packs build/dfra-VERSION.tar.gz, which runs wherever there is a Java runtime."
-    dependsOn(":dfra-app:lib", ":dfra-activation:jar")
+    description = "Packs build/dfra-VERSION.tar.gz for a robot, which runs wherever there is a Java runtime."
+    dependsOn(":dfra-cli:lib", ":dfra-activation:jar")
     val boot = project(":dfra-activation").tasks.named<Jar>("jar").get().archiveFile.get().asFile.path
-    commandLine("src/dist/pack", appLib.get().asFile.path, boot, layout.buildDirectory.get().asFile.path)
+    commandLine("src/dist/pack", robotLib.get().asFile.path, boot, layout.buildDirectory.get().asFile.path)
+}
+
+// The same jars from both folders: those of dfra-drivers, say.
+val gatherFlyingRobot = tasks.register<Sync>("gatherFlyingRobot") {
+    dependsOn(":dfra-cli:lib", ":dfra-flight:lib")
+    from(robotLib, flightLib)
+    into(flyingRobotLib)
+    duplicatesStrategy = DuplicatesStrategy.EXCLUDE
+}
+
+tasks.register<Exec>("distFlight") {
+    group = "dfra"
+    description = "Packs build/dfra-VERSION-flight.tar.gz for a robot that flies: also the drivers of flight controllers."
+    dependsOn(gatherFlyingRobot, ":dfra-activation:jar")
+    val boot = project(":dfra-activation").tasks.named<Jar>("jar").get().archiveFile.get().asFile.path
+    commandLine("src/dist/pack", flyingRobotLib.get().asFile.path, boot, layout.buildDirectory.get().asFile.path, "-flight")
+}
+
+tasks.register<Exec>("distComplete") {
+    group = "dfra"
+    description = "Packs build/dfra-VERSION-complete.tar.gz: also demonstrations, simulation and benchmarks."
+    dependsOn(":dfra-benchmarks:lib", ":dfra-activation:jar")
+    val boot = project(":dfra-activation").tasks.named<Jar>("jar").get().archiveFile.get().asFile.path
+    commandLine("src/dist/pack", appLib.get().asFile.path, boot, layout.buildDirectory.get().asFile.path, "-complete")
+}
+
+// The API documentation, as "./dfra javadoc" builds it; pom.xml has the same modules and options.
+val undocumented = setOf("dfra-benchmarks", "dfra-fixtures")
+val documented = subprojects.filter { it.name !in undocumented }.map { it.the<SourceSetContainer>()["main"] }
+
+tasks.javadoc {
+    group = "dfra"
+    description = "Builds the API documentation of all modules in build/apidocs; fails if Javadoc has a warning."
+    setSource(documented.map { it.allJava })
+    exclude("java/rmi/activation/**")
+    // Two modules describe this package, and the description of the module with the daemon is the one to show.
+    val download = file("dfra-client/src/main/java/org/dfra/river/phoenix/package-info.java")
+    exclude { it.file == download }
+    classpath = files(documented.map { it.compileClasspath })
+    setDestinationDir(layout.buildDirectory.dir("apidocs").get().asFile)
+    (options as StandardJavadocDocletOptions).apply {
+        encoding = "UTF-8"
+        addStringOption("-release", "17")
+        addBooleanOption("Xdoclint:all,-missing", true)
+        addBooleanOption("Xwerror", true)
+        locale = "en"
+        isNoTimestamp = true
+        windowTitle = "DFRA ${project.version}"
+        docTitle = "DFRA ${project.version}"
+        bottom = "Licensed under the Apache License."
+    }
 }
 
 fun JavaExec.runsDfra(what: String, vararg arguments: String) {
     group = "dfra"
     description = what
-    dependsOn(":dfra-app:lib")
+    dependsOn(":dfra-benchmarks:lib")
     classpath = app.the<SourceSetContainer>()["main"].runtimeClasspath
-    mainClass.set("org.dfra.app.Main")
+    mainClass.set("org.dfra.cli.Main")
     args(*arguments)
     systemProperty("dfra.lib", appLib.get().asFile.path)
     standardInput = System.`in`

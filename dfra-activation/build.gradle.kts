@@ -7,6 +7,6 @@ dependencies {
 tasks.jar { manifest.from("src/main/manifest/MANIFEST.MF") }
 
 tasks.test {
-    systemProperty("dfra.boot", layout.buildDirectory.dir("classes/java/main").get().asFile.path)
+    systemProperty("dfra.boot-class-path", layout.buildDirectory.dir("classes/java/main").get().asFile.path)
     systemProperty("dfra.root", rootDir.path)
 }

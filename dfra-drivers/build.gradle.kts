@@ -3,7 +3,6 @@ dependencies {
     api(rootProject.libs.slf4j.api)
     implementation(rootProject.libs.jSerialComm)
     implementation(rootProject.libs.jackson.core)
-    implementation(rootProject.libs.mavlink)
     testImplementation(rootProject.libs.jackson.databind)
     testImplementation(rootProject.libs.logback.classic)
 }

@@ -2,7 +2,6 @@ dependencies {
     api(project(":dfra-core"))
     api(project(":dfra-river"))
     compileOnly(project(":dfra-activation"))
-    implementation(rootProject.libs.commons.statistics.interval)
     testCompileOnly(project(":dfra-activation"))
 }
 
@@ -19,11 +18,3 @@ val dlJar = tasks.register<Jar>("dlJar") {
     )
 }
 tasks.assemble { dependsOn(dlJar) }
-
-// The delays that the experiment draws from. pom.xml has the same.
-tasks.processResources {
-    from(rootProject.file("benchmarks")) {
-        include("recruit-letter-delays.csv")
-        into("org/dfra/recruit/transport")
-    }
-}

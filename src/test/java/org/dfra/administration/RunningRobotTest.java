@@ -16,8 +16,8 @@ import net.jini.lookup.entry.Comment;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.Parameters;
-import org.dfra.core.config.Place;
 import org.dfra.core.config.RobotXml;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.core.host.FreePorts;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
@@ -71,7 +71,7 @@ class RunningRobotTest {
             + ThermometerServer.class.getName()
             + "\" proxy=\""
             + ThermometerProxy.class.getName()
-            + "\" driver=\""
+            + "\" implementation=\""
             + SteadyThermometerImpl.class.getName()
             + "\"><parameter name=\"celsius\" value=\"1\"/></module></group></robot>");
     RobotBootstrap robot = new RobotBootstrap(phoenix, RobotXml.read(xml));
@@ -89,7 +89,7 @@ class RunningRobotTest {
         null,
         true,
         Parameters.of("atrv1/" + name, Map.of("celsius", celsius)),
-        Place.CODE);
+        SourceLocation.CODE);
   }
 
   private static ModuleQuery<Thermometer> named(String name) {

@@ -103,7 +103,7 @@ record CommandLineRobot(MarkedProcesses processes, Path folder, Path xml, int re
   /** A module of its description: a thermometer that always reads the same. */
   static String module(String name, int celsius) {
     return """
-    <module name="%s" server="%s" proxy="%s" driver="%s">
+    <module name="%s" server="%s" proxy="%s" implementation="%s">
       <parameter name="celsius" value="%d"/>
     </module>
     """

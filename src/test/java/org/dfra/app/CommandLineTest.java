@@ -6,6 +6,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.dfra.cli.Main;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -35,8 +36,8 @@ class CommandLineTest {
       delimiter = '|',
       value = {
         "frobnicate | there is no verb \"frobnicate\"; there is bench, build, completion, demo,"
-            + " dist, doctor, down, event, fuzzy, help, lease, log, module, persona, recruit, sim,"
-            + " status, stop, task, test, up",
+            + " dist, doctor, down, event, fuzzy, help, javadoc, lease, log, module, persona,"
+            + " recruit, sim, status, stop, task, test, up",
         "--frobnicate | unknown option: '--frobnicate'; see: ./dfra --help",
         "demo nonesuch"
             + " | there is no demonstration \"nonesuch\"; there is raster, recruit, devices,"
@@ -87,7 +88,7 @@ class CommandLineTest {
         "up --registry-port=-2"
             + " | --registry-port=-2 is not a port from -1 to 65535; see: ./dfra up --help",
       })
-  void whatIsAskedWronglyIsToldInOneSentence(String asked, String sentence) {
+  void aUsageErrorIsReportedInOneSentence(String asked, String sentence) {
     assertThat(run(asked.split(" "))).isEqualTo(2);
     assertThat(err.toString()).isEqualTo("dfra: " + sentence + System.lineSeparator());
     assertThat(out.toString()).isEmpty();
@@ -95,7 +96,7 @@ class CommandLineTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"recruit status", "recruit status ugv1", "recruit resume ugv1"})
-  void aTeamThatIsNotThereIsToldInOneSentence(String asked) {
+  void aMissingTeamIsReportedInOneSentence(String asked) {
     String where = " --team= --locator=127.0.0.1:1 --host=127.0.0.1 --wait=0 --state=" + folder;
     assertThat(run((asked + where).split(" "))).isEqualTo(3);
     assertThat(err.toString())
@@ -107,10 +108,10 @@ class CommandLineTest {
   }
 
   @Test
-  void withoutAVerbItTellsItsVerbs() {
+  void withoutAVerbItListsItsVerbs() {
     assertThat(run()).isEqualTo(2);
     assertThat(err.toString())
-        .startsWith("Usage: dfra [-hV] VERB")
+        .startsWith("Usage: dfra [-hV] COMMAND")
         .contains("demo", "up", "module", "test");
   }
 
@@ -158,11 +159,12 @@ class CommandLineTest {
   @ValueSource(strings = {"--version", "-V", "demo --version", "module list -V"})
   void versionIsOneLine(String asked) {
     assertThat(run(asked.split(" "))).isZero();
-    assertThat(out.toString().strip()).matches("dfra \\d+\\.\\d+\\.\\d+");
+    assertThat(out.toString().strip())
+        .matches("dfra (\\d+\\.\\d+\\.\\d+(-SNAPSHOT)?|of a build without a jar)");
   }
 
   @Test
-  void aRobotThatIsNotThereIsToldInOneSentence() {
+  void aMissingRobotFileIsReportedInOneSentence() {
     Path missing = folder.resolve("nobody.xml");
     assertThat(run("up", missing.toString(), "--state=" + folder)).isEqualTo(1);
     assertThat(err.toString())
@@ -174,7 +176,7 @@ class CommandLineTest {
   }
 
   @Test
-  void aRobotThatCannotBeReadIsToldWithTheLine() throws Exception {
+  void aRobotFileThatCannotBeReadIsReportedWithTheLine() throws Exception {
     Path broken = folder.resolve("broken.xml");
     Files.writeString(broken, "<robot xmlns=\"urn:dfra:robot:1\" name=\"r\">\n<gruop/>\n</robot>");
     assertThat(run("up", broken.toString(), "--state=" + folder)).isEqualTo(1);

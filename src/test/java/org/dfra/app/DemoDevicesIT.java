@@ -11,30 +11,30 @@ class DemoDevicesIT extends DemoPlay {
 
   @Test
   @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "takes a minute")
-  void theDevicesTellTheirStoryAndLeaveNothingBehindButAReport() throws Exception {
+  void theDevicesDemoReportsItsStepsAndLeavesNothingBehindButAReport() throws Exception {
     play(
         "devices",
-        "A world begins, and a robot comes up in it",
-        "7 lines lead to devices of atrv1",
+        "A world starts, and a robot in it",
+        "7 links to devices of atrv1",
         "The robot is up after",
-        "A client asks for what it needs",
-        "a drive that goes at 0.5 m/s or faster atrv1/drive",
-        "a camera for heat atrv1/thermal",
-        "It drives a square, and loses its drive on the way",
-        "was killed: the one that drives",
-        "it took a new one, looked where it was, and finished the square",
-        "It turns its head, and its cameras with it",
+        "A client queries by capability",
+        "a drive of 0.5 m/s or faster atrv1/drive",
+        "a thermal camera atrv1/thermal",
+        "The robot drives a square, and its drive's process is killed",
+        "was killed: the driver of the wheels",
+        "the script acquired a new one, read the odometry, and finished the square",
+        "The pan-tilt unit turns the cameras",
         "6 images are in the report",
-        "What truly happened",
-        "The wheels stood",
+        "Comparison with the ground truth",
+        "The wheels stopped",
         "The report",
-        "All is shut down: none of the",
+        "processes of this demonstration have ended",
         "Measured",
         "cold start to every device working and shown",
         "drive's last command to the robot standing");
 
     String html = Files.readString(report().resolve("report.html"));
-    assertThat(html).contains("Where it went", "drive killed", "<img src=\"data:image/png;base64,");
+    assertThat(html).contains("Path", "drive killed", "<img src=\"data:image/png;base64,");
     try (var files = Files.list(report())) {
       assertThat(files.map(file -> file.getFileName().toString()))
           .contains("truth.csv", "atrv1-drive.csv", "atrv1-laser.csv", "atrv1-thermal.csv");

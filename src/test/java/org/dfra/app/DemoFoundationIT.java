@@ -11,10 +11,10 @@ class DemoFoundationIT extends DemoPlay {
 
   @Test
   @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "takes minutes")
-  void theFoundationTellsItsStoryAndLeavesNothingBehind() throws Exception {
+  void theFoundationDemoReportsItsStepsAndLeavesNothingBehind() throws Exception {
     play(
         "foundation",
-        "A robot comes up",
+        "A robot starts",
         "Phoenix, the activation daemon, is process",
         "Robot atrv1 is up",
         "A client finds a receiver",
@@ -24,13 +24,13 @@ class DemoFoundationIT extends DemoPlay {
         "The same proxy answered again after",
         "kill -STOP",
         "got no answer within 2000 ms",
-        "Activation itself",
+        "Activation of an object",
         "kill -9 of phoenix",
-        "The receiver answered on",
-        "registrations are there, and the living groups were taken back, not doubled",
+        "The receiver still answered",
+        "registrations are present, and the running groups were adopted, not started twice",
         "The adopted group was killed too",
         "The proxy in the module's own virtual machine",
-        "All is shut down: none of the",
+        "processes of this demonstration have ended",
         "Measured",
         "cold start of everything to position read",
         "GPS group killed to same proxy answering",

@@ -23,23 +23,23 @@ class DemoRasterIT extends DemoPlay {
         play(
             "raster",
             List.of("--embedded", "--speed=3", "--region=" + LANES),
-            "A region becomes lanes",
-            "lanes 1.74 m apart that makes 3 lanes",
+            "Planning lanes in the region",
+            "lanes 1.74 m apart, the plan has 3 lanes",
             "Mode embedded: all robots run in one virtual machine",
-            "The robots search it, each the other way round than the one before",
+            "The robots search it, each in the opposite direction to the previous one",
             "its registrar is ended, which listed its",
             "The search took",
-            "atrv1: the region is searched: it has been everywhere.",
-            "atrv2: the region is searched: it has been everywhere.",
-            "How well they searched",
-            "came to the end of its lanes yes yes",
+            "atrv1: the region is searched: it has reached all waypoints.",
+            "atrv2: the region is searched: it has reached all waypoints.",
+            "Results of the search",
+            "completed its lanes yes yes",
             "collisions 0 0",
             "Measured",
             "registrar back to all modules listed again",
-            "registrar back: modules that are listed under another service ID 0 wanted ≤ 0",
+            "registrar back: modules that are listed under another service ID 0 target ≤ 0",
             "atrv2: lateness of 99 % of the control loop's last turns",
-            "robots that did not come to the end of their lanes 0 wanted ≤ 0",
-            "collisions 0 wanted ≤ 0",
+            "robots that did not come to the end of their lanes 0 target ≤ 0",
+            "collisions 0 target ≤ 0",
             "share of the region that no robot saw");
     assertThat(said)
         .containsSubsequence(
@@ -58,44 +58,48 @@ class DemoRasterIT extends DemoPlay {
         play(
             "raster",
             List.of(),
-            "A region becomes lanes",
+            "Planning lanes in the region",
             "6 lanes, 12 waypoints",
             "Mode processes: each robot has its phoenix",
             "The search took",
-            "atrv1: the region is searched: it has been everywhere.",
-            "atrv2: the region is searched: it has been everywhere.",
-            "came to the end of its lanes yes yes",
+            "atrv1: the region is searched: it has reached all waypoints.",
+            "atrv2: the region is searched: it has reached all waypoints.",
+            "completed its lanes yes yes",
             "collisions 0 0",
             "Measured",
-            "robots that did not come to the end of their lanes 0 wanted ≤ 0",
-            "collisions 0 wanted ≤ 0");
+            "robots that did not come to the end of their lanes 0 target ≤ 0",
+            "collisions 0 target ≤ 0");
     assertThat(said)
         .containsSubsequence("atrv1: gps_front is killed", "atrv1: gps_front is back")
         .containsSubsequence(
-            "atrv1: navigation is killed", "atrv1: its wheels stand", "atrv1: it goes on by itself")
+            "atrv1: navigation is killed",
+            "atrv1: its wheels have stopped",
+            "atrv1: it continues by itself")
         .containsSubsequence(
-            "atrv1: drive is killed", "atrv1: its wheels stand", "atrv1: it goes on by itself")
+            "atrv1: drive is killed",
+            "atrv1: its wheels have stopped",
+            "atrv1: it continues by itself")
         .containsSubsequence(
             "atrv2: its phoenix and its registrar are killed",
-            "it drives on",
-            "atrv2: phoenix is back")
+            "it continues to drive",
+            "atrv2: phoenix runs again")
         .contains(
-            "gps_front killed to heard again",
+            "gps_front killed to readings received again",
             "navigation killed: last command to wheels standing (robot's time)",
-            "navigation killed: waypoints to be driven to again 0 wanted ≤ 0",
-            "drive killed: waypoints to be driven to again 0 wanted ≤ 0",
-            "phoenix back: living groups that have another process 0 wanted ≤ 0");
+            "navigation killed: waypoints to be driven to again 0 target ≤ 0",
+            "drive killed: waypoints to be driven to again 0 target ≤ 0",
+            "phoenix back: living groups that have another process 0 target ≤ 0");
     assertReport("Mode processes", "navigation is killed");
   }
 
   private void assertReport(String... contents) throws Exception {
     Path report = report();
     assertThat(Files.readString(report.resolve("report.html")))
-        .contains("Where they went", "What happened on the way", "<svg")
+        .contains("Paths", "Events", "<svg")
         .contains(contents);
     try (var files = Files.list(report)) {
       assertThat(files.map(file -> file.getFileName().toString()))
-          .contains("paths.svg", "clearance.svg", "fuzzy.svg", "metrics.csv", "marks.csv")
+          .contains("paths.svg", "clearance.svg", "fuzzy.svg", "metrics.csv", "events.csv")
           .contains("atrv1-path.csv", "atrv2-path.csv", "atrv1-advice.csv", "atrv2-fixes.csv");
     }
     for (String robot : List.of("atrv1", "atrv2")) {

@@ -11,23 +11,23 @@ class DemoRecruitIT extends DemoPlay {
 
   @Test
   @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "takes minutes")
-  void recruitmentTellsItsStoryAndLeavesNothingBehind() throws Exception {
+  void theRecruitmentDemoReportsItsStepsAndLeavesNothingBehind() throws Exception {
     play(
         "recruit",
         "The team",
         "appears: its agent can observe mine",
-        "nobody in reach of uav can observe \"gold\"; others observe mine",
-        "One comes, observes, and is released",
-        "uav calls for somebody who can observe \"mine\", 12 m east and 11 m north",
+        "no robot within reach of uav can observe \"gold\"; other robots observe mine",
+        "A helper comes, observes, and is released",
+        "uav calls for a robot that can observe \"mine\", 12 m east and 11 m north",
         "observes for 8 s of the robots' time",
         "uav has seen enough and releases",
-        "One dies on its way, and is replaced",
-        "Phoenix brings the agent back, which finds no robot to drive",
-        "The requester cannot be reached any more",
-        "has freed itself, with nobody to tell it so",
-        "which was called away from its search and went on with it, has searched",
-        "letters were sent",
-        "All is shut down: none of the",
+        "A helper dies on its way, and is replaced",
+        "Phoenix restarts the agent, which finds no robot to drive",
+        "The requester becomes unreachable",
+        "is free again without a release",
+        "which interrupted its search to help and then continued it, has searched",
+        "messages were sent",
+        "processes of this demonstration have ended",
         "Measured",
         "death to another on its way",
         "robots that are still bound to somebody",

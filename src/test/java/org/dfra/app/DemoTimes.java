@@ -30,7 +30,7 @@ record DemoTimes(List<Target> targets) {
   private static final Pattern LINE =
       Pattern.compile(
           "  (?<what>.*\\S) +(?<measured>[-+0-9.e]+|Infinity|NaN) (?<unit>\\S*) *"
-              + "  wanted ≤ (?<most>[-+0-9.e]+)(?: (?!MISSED)\\S+)?(?<missed> +MISSED)?");
+              + "  target ≤ (?<most>[-+0-9.e]+)(?: (?!MISSED)\\S+)?(?<missed> +MISSED)?");
 
   /** A figure without a target; the words of a folded name are one blank apart. */
   private static final Pattern STATED = Pattern.compile("  .*\\S {2,}[-+0-9.e]+(?: \\S+)?");

@@ -8,8 +8,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.dfra.app.DemoTimes.Target;
-import org.dfra.app.measurement.MeasuredValue;
 import org.dfra.core.time.Timing;
+import org.dfra.report.measurement.MeasuredValue;
 import org.junit.jupiter.api.Test;
 
 class DemoTimesTest {
@@ -22,7 +22,7 @@ class DemoTimesTest {
 
   private static final MeasuredValue MET = new MeasuredValue("registrar back", 0.5, 5, "s");
   private static final MeasuredValue LATE =
-      new MeasuredValue("gps_front killed to heard again", 7.3, 5, "s");
+      new MeasuredValue("gps_front killed to readings received again", 7.3, 5, "s");
 
   /** As a demonstration prints them. */
   private static DemoTimes read(MeasuredValue... figures) {
@@ -30,7 +30,7 @@ class DemoTimesTest {
         Arrays.stream(figures)
             .flatMap(each -> each.lines(COLUMNS).stream())
             .collect(Collectors.joining("\n"));
-    return DemoTimes.of("The end\n  all 3 s wanted ≤ lost\n\nMeasured\n" + lines + "\n\nMore\n");
+    return DemoTimes.of("The end\n  all 3 s target ≤ lost\n\nMeasured\n" + lines + "\n\nMore\n");
   }
 
   @Test
@@ -57,7 +57,7 @@ class DemoTimesTest {
 
   @Test
   void aTargetThatCannotBeReadIsAFailure() {
-    assertThatThrownBy(() -> DemoTimes.of("Measured\n  back soon  wanted ≤ 5 s  MISSED\n"))
+    assertThatThrownBy(() -> DemoTimes.of("Measured\n  back soon  target ≤ 5 s  MISSED\n"))
         .isInstanceOf(AssertionError.class)
         .hasMessageContaining("back soon");
   }
@@ -76,7 +76,8 @@ class DemoTimesTest {
     assertThat(times.excuses(IDLE)).isEmpty();
     assertThatThrownBy(() -> times.require(IDLE))
         .isInstanceOf(AssertionError.class)
-        .hasMessageStartingWith("gps_front killed to heard again took 7.300 s, bound 5.000 s");
+        .hasMessageStartingWith(
+            "gps_front killed to readings received again took 7.300 s, bound 5.000 s");
   }
 
   @Test
@@ -84,12 +85,13 @@ class DemoTimesTest {
     DemoTimes times = read(MET, LATE);
     assertThat(times.excuses(STALLED))
         .containsExactly(
-            "MISSED DURING A STALL: gps_front killed to heard again: 7.3 s, target ≤ 5.0; the"
-                + " computer stalled for 3.000 s of 90 s, with 0.6 runnable threads per processor");
+            "MISSED DURING A STALL: gps_front killed to readings received again: 7.3 s, target"
+                + " ≤ 5.0; the computer stalled for 3.000 s of 90 s, with 0.6 runnable threads per"
+                + " processor");
     assertThat(times.excuses(OVERLOADED))
         .singleElement()
         .asString()
-        .startsWith("missed during an overload: gps_front killed to heard again");
+        .startsWith("missed during an overload: gps_front killed to readings received again");
     assertThat(times.excuses(new Timing(RUN, Duration.ofSeconds(1), 0.6)))
         .as("6.3 s without it")
         .isEmpty();

@@ -44,7 +44,7 @@ class DetachedCommandIT {
             folder.resolve("robot.xml"),
             """
             <robot xmlns="urn:dfra:robot:1" name="eta" host="127.0.0.1">
-              <group name="lookup"><registrar port="%d" classes="off"/></group>
+              <group name="lookup"><registrar port="%d" class-server-port="off"/></group>
             </robot>
             """
                 .formatted(FreePorts.allocate()));
@@ -53,7 +53,7 @@ class DetachedCommandIT {
     command.add("\"$@\" && echo '" + UP + "' && while :; do sleep 1; done");
     command.add("sh");
     command.addAll(InteractiveProcess.java(System.getProperty("java.class.path"), List.of()));
-    command.addAll(List.of("org.dfra.app.Main", "up", xml.toString(), "--port=" + port));
+    command.addAll(List.of("org.dfra.cli.Main", "up", xml.toString(), "--port=" + port));
     command.addAll(List.of("--registry-port=-1", "--state=" + folder.resolve("state")));
     return new ProcessBuilder(command).redirectErrorStream(true).start();
   }

@@ -143,7 +143,7 @@ class DoctorIT {
             <registrar port="%d"/>
           </group>
           <group name="one">
-            <module name="warmth" server="%s" proxy="%s" driver="%s">
+            <module name="warmth" server="%s" proxy="%s" implementation="%s">
               <parameter name="celsius" value="17"/>
             </module>
           </group>

@@ -5,6 +5,7 @@ import java.io.StringWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.dfra.cli.Main;
 import org.dfra.testing.EmbeddedReggie;
 import picocli.CommandLine;
 

@@ -14,12 +14,13 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import org.dfra.cli.Main;
 import org.dfra.river.bootstrap.JvmCommand;
 import picocli.CommandLine;
 
 /**
- * Runs {@link Main} in processes that can be told from all others: a folder that does not exist is
- * the first on their class path, and on that of every process they start.
+ * Runs {@link Main} in processes that can be distinguished from all others: a folder that does not
+ * exist is the first on their class path, and on that of every process they start.
  */
 public final class MarkedProcesses implements AutoCloseable {
 

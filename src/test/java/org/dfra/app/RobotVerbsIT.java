@@ -168,7 +168,7 @@ class RobotVerbsIT {
             });
 
     assertThat(well(robot.here("module", "list", TEAM)))
-        .containsPattern("MODULE +KIND +STATE +CLIENTS +HOST +SEEN")
+        .containsPattern("MODULE +KIND +STATE +CLIENTS +HOST +LAST SEEN")
         .containsPattern("t1/warmth +Thermometer +ready +0 +127\\.0\\.0\\.1 +now");
     JsonNode listed =
         new ObjectMapper().readTree(well(robot.here("module", "list", TEAM, "--json")));
@@ -251,7 +251,7 @@ class RobotVerbsIT {
 
   @Test
   @Order(2)
-  void twoRobotsOfOneNameAreToldApartByTheirHosts() throws Exception {
+  void twoRobotsOfOneNameAreDistinguishedByTheirHosts() throws Exception {
     CommandLineRobot robot = shared();
     CommandLineRobot namesake =
         create(

@@ -58,7 +58,7 @@ class TalkVerbsIT {
           <group name="gps">
             <module name="gps_front" server="org.dfra.river.server.sensor.GPSServer"
                 proxy="org.dfra.river.proxy.sensor.GPSProxy"
-                driver="org.dfra.drivers.gps.m12.M12PlusImpl">
+                implementation="org.dfra.drivers.gps.m12.M12PlusImpl">
               <parameter name="link" value="%s"/>
             </module>
           </group>
@@ -127,7 +127,7 @@ class TalkVerbsIT {
   @Test
   void robotsAreShownAndFoundByWhatTheyCanDo() throws Exception {
     assertThat(said("persona", "list").lines().map(line -> line.replaceAll(" +", " ")))
-        .containsExactly("ROBOT ROLE MODULES HOST SEEN", "zeta scout 1 127.0.0.1 now");
+        .containsExactly("ROBOT ROLE MODULES HOST LAST SEEN", "zeta scout 1 127.0.0.1 now");
     assertThat(said("persona", "show", "zeta"))
         .contains("zeta, scout", "seen now", "Goals", "  Map the field.")
         .contains("gps_front, GPSSensor: ", "gps receiver: ", "fix modes 2D 3D", "sensor: reads");
@@ -178,13 +178,14 @@ class TalkVerbsIT {
     assertThat(said("event", "hz", GPS, "--kind=incident", "--for=0.5").strip())
         .isEqualTo("no event so far");
     assertThat(said("event", "noise", GPS, "--count=3").lines().map(row -> row.split(" ", 2)[0]))
-        .containsExactly("FIGURE", "gps_white", "gps_bias", "gps_bias_time");
+        .containsExactly(
+            "PARAMETER", "gps_white_noise_sigma", "gps_bias_sigma", "gps_bias_correlation_time");
     assertThat(said("event", "noise", GPS, "--count=3", "--json"))
-        .contains("\"gps_white\"", "3 fixes");
+        .contains("\"gps_white_noise_sigma\"", "3 fixes");
     Outcome nothing = ask("event", "noise", GPS, "--kind=incident", "--for=0.5");
     assertThat(nothing.exit()).isEqualTo(1);
     assertThat(nothing.err().strip())
-        .isEqualTo("dfra: the module told nothing; see how it is: ./dfra module list");
+        .isEqualTo("dfra: the module sent no readings; see its state: ./dfra module list");
     assertThat(ask("event", "echo", GPS, "--depth=0").exit()).isEqualTo(2);
     await("all of them gave their leases back")
         .atMost(PATIENCE)
@@ -202,7 +203,7 @@ class TalkVerbsIT {
     Outcome revoked = listener.get();
     assertThat(revoked.exit()).isEqualTo(1);
     assertThat(revoked.err())
-        .contains("dfra: " + GPS + " tells no more: an administrator has revoked the lease");
+        .contains("dfra: " + GPS + " sends no more events: an administrator has revoked the lease");
     Outcome unknown = ask("lease", "revoke", GPS, lease);
     assertThat(unknown.exit()).isEqualTo(3);
 

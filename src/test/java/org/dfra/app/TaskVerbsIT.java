@@ -18,13 +18,13 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.dfra.app.MarkedProcesses.Outcome;
-import org.dfra.core.config.GroupDescription;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.RobotDescription;
+import org.dfra.core.config.RobotDescription.GroupDescription;
 import org.dfra.core.config.RobotXml;
 import org.dfra.core.host.FreePorts;
 import org.dfra.sim.run.Simulation;
-import org.dfra.sim.world.GroundTruthPose;
+import org.dfra.sim.world.GroundTruth.GroundTruthPose;
 import org.dfra.sim.world.file.WorldXml;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -197,13 +197,13 @@ class TaskVerbsIT {
     assertThat(sent.out().lines().map(line -> line.replaceAll(" +", " ")))
         .filteredOn(line -> !line.startsWith(" ")) // what a robot is at may need two lines
         .satisfiesExactly(
-            line -> assertThat(line).isEqualTo("ROBOT TASK DONE IT"),
+            line -> assertThat(line).isEqualTo("ROBOT STATE DONE ACTIVITY"),
             line -> assertThat(line).startsWith("atrv1 running 0 % "),
             line -> assertThat(line).startsWith("atrv2 running 0 % "));
     awaitMotion();
     refused(
         1,
-        "atrv1/raster_search is at another goal (",
+        "atrv1/raster_search pursues another goal (",
         "task",
         "submit",
         "raster",
@@ -270,7 +270,7 @@ class TaskVerbsIT {
     assertThat(one.get(0).get("module").asText()).isEqualTo("atrv2/raster_search");
     refused(
         1,
-        "atrv2/raster_search is at another goal (",
+        "atrv2/raster_search pursues another goal (",
         "task",
         "submit",
         "raster",

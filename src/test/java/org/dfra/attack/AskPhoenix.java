@@ -3,7 +3,7 @@ package org.dfra.attack;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.rmi.RemoteException;
-import org.dfra.app.benchmark.attack.Task;
+import org.dfra.benchmarks.task.Task;
 import org.dfra.river.bootstrap.PhoenixProcess;
 
 /** Asks phoenix as a command of {@code ./dfra} does. It prints {@code answered} or the failure. */

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
-import org.dfra.app.benchmark.attack.SourceSockets;
+import org.dfra.benchmarks.attack.SourceSockets;
 
 /**
  * Computers of an attack: addresses of 127.0.0.0/8 on one computer. They are this process' own, so

@@ -7,12 +7,12 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
-import org.dfra.app.benchmark.attack.BombServer;
-import org.dfra.app.benchmark.attack.FileLocks;
-import org.dfra.app.benchmark.attack.HostileModule;
-import org.dfra.app.benchmark.attack.MeasuredValueLines;
-import org.dfra.app.benchmark.attack.TerminalCheck;
-import org.dfra.app.measurement.MeasuredValue;
+import org.dfra.benchmarks.attack.BombServer;
+import org.dfra.benchmarks.attack.FileLocks;
+import org.dfra.benchmarks.attack.HostileModule;
+import org.dfra.benchmarks.attack.MeasuredValueLines;
+import org.dfra.benchmarks.attack.TerminalCheck;
+import org.dfra.report.measurement.MeasuredValue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -10,20 +10,20 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.dfra.app.benchmark.attack.AttackTask;
-import org.dfra.app.benchmark.attack.AttackTask.Target;
-import org.dfra.app.benchmark.attack.DiscoveryBombs;
-import org.dfra.app.benchmark.attack.ForgedText;
-import org.dfra.app.benchmark.attack.GroupRegistrations;
-import org.dfra.app.benchmark.attack.HonestRobot;
-import org.dfra.app.benchmark.attack.JrmpReferences;
-import org.dfra.app.benchmark.attack.LocalMulticast;
-import org.dfra.app.benchmark.attack.LockTheft;
-import org.dfra.app.benchmark.attack.MeasuredValueLines;
-import org.dfra.app.benchmark.attack.NestedXml;
-import org.dfra.app.benchmark.attack.RegistrarChanges;
-import org.dfra.app.benchmark.attack.TaskProcess;
-import org.dfra.app.measurement.MeasuredValue;
+import org.dfra.benchmarks.attack.AttackTask;
+import org.dfra.benchmarks.attack.AttackTask.Target;
+import org.dfra.benchmarks.attack.DiscoveryBombs;
+import org.dfra.benchmarks.attack.ForgedText;
+import org.dfra.benchmarks.attack.GroupRegistrations;
+import org.dfra.benchmarks.attack.HonestRobot;
+import org.dfra.benchmarks.attack.JrmpReferences;
+import org.dfra.benchmarks.attack.LocalMulticast;
+import org.dfra.benchmarks.attack.LockTheft;
+import org.dfra.benchmarks.attack.MeasuredValueLines;
+import org.dfra.benchmarks.attack.NestedXml;
+import org.dfra.benchmarks.attack.RegistrarChanges;
+import org.dfra.benchmarks.task.TaskProcess;
+import org.dfra.report.measurement.MeasuredValue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
@@ -53,8 +53,6 @@ class AttackTasksIT {
       List<Class<? extends AttackTask>> attacks =
           new ArrayList<>(
               List.of(
-                  NestedXml.class,
-                  ForgedText.class,
                   JrmpReferences.class,
                   GroupRegistrations.class,
                   LockTheft.class,
@@ -62,6 +60,8 @@ class AttackTasksIT {
       if (hasMulticast) {
         attacks.add(DiscoveryBombs.class);
       }
+      // Those that run commands at their end are stopped last, when the others have ended.
+      attacks.addAll(List.of(ForgedText.class, NestedXml.class));
       Map<Class<? extends AttackTask>, TaskProcess> attackers = new LinkedHashMap<>();
       try {
         for (Class<? extends AttackTask> each : attacks) {
@@ -119,7 +119,7 @@ class AttackTasksIT {
       String unusedEither = attacker.awaitLine("done ", PATIENCE);
       figures = MeasuredValueLines.read(attacker.lines());
     } catch (IOException | InterruptedException e) {
-      throw new AssertionError(attack + " failed", e);
+      throw new AssertionError(attack + " failed: " + e.getMessage(), e);
     }
     assertThat(figures).as("%s", attack).isNotEmpty();
     if (attack == LockTheft.class) { // as the robot's own user: what is free, it takes

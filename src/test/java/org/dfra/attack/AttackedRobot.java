@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import org.dfra.app.benchmark.attack.Task;
-import org.dfra.app.benchmark.attack.TaskProcess;
+import org.dfra.benchmarks.task.Task;
+import org.dfra.benchmarks.task.TaskProcess;
 import org.dfra.core.config.RobotXml;
 import org.dfra.drive.Wheels;
 import org.dfra.river.bootstrap.EmbeddedRobot;
@@ -38,7 +38,7 @@ final class AttackedRobot {
             <robot xmlns="urn:dfra:robot:1" name="eta" host="%s">
               %s
               <group name="all">
-                <registrar port="0" classes="off"/>
+                <registrar port="0" class-server-port="off"/>
                 <module name="drive" properties="%s/config/modules/rflex-drive.properties">
                   <parameter name="link" value="%s"/>
                 </module>

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import org.dfra.app.benchmark.attack.BombServer;
-import org.dfra.app.benchmark.attack.TaskProcess;
+import org.dfra.benchmarks.attack.BombServer;
+import org.dfra.benchmarks.task.TaskProcess;
 import org.dfra.testing.EmbeddedReggie;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -31,9 +31,12 @@ class DiscoveryBombIT {
   void aClientSurvivesAnAnswerThatClaimsMoreThanItsHeap() throws Exception {
     byte[] groups = BombServer.claimOfGroups();
     byte[] numbers = BombServer.claimOfNumbers();
+    byte[] elements = BombServer.claimOfElements();
     assertThat(groups.length).as("bytes of the bomb").isLessThan(300);
+    assertThat(elements.length).as("bytes of the lists").isLessThan(600);
     try (BombServer server =
-            new BombServer(EmbeddedReggie.HOST, REGGIE.port(), List.of(groups, numbers), BOMBS);
+            new BombServer(
+                EmbeddedReggie.HOST, REGGIE.port(), List.of(groups, numbers, elements), BOMBS);
         TaskProcess client =
             TaskProcess.start(
                 List.of(),

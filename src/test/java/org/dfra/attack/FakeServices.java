@@ -10,9 +10,9 @@ import net.jini.core.entry.Entry;
 import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.lookup.entry.Name;
-import org.dfra.app.benchmark.attack.SourceBoundProxies;
-import org.dfra.app.benchmark.attack.SourceSockets;
-import org.dfra.app.benchmark.attack.Task;
+import org.dfra.benchmarks.attack.SourceBoundProxies;
+import org.dfra.benchmarks.attack.SourceSockets;
+import org.dfra.benchmarks.task.Task;
 import org.dfra.flow.effector.DriveEffector;
 import org.jspecify.annotations.Nullable;
 

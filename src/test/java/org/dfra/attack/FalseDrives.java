@@ -76,7 +76,7 @@ final class FalseDrives implements AutoCloseable {
     return new Identification(robot, name, "a drive", "nobody", "1.0");
   }
 
-  /** Puts a fake in the place of the real drive, until that registers itself anew. */
+  /** Puts a fake in the place of the real drive, until that registers itself again. */
   void replace() throws RemoteException {
     ServiceID id = real.serviceID;
     UUID uuid = new UUID(id.getMostSignificantBits(), id.getLeastSignificantBits());
@@ -92,9 +92,18 @@ final class FalseDrives implements AutoCloseable {
 
   /** Registers a fake drive of a robot. */
   Lease add(String robot) throws RemoteException {
+    return add(robot, proxy);
+  }
+
+  /** Registers a drive of a robot whose server never answers. */
+  Lease addSilent(String robot, SilentPeer peer) throws RemoteException {
+    return add(robot, peer.proxy(RemoteDriveEffector.class));
+  }
+
+  private Lease add(String robot, RemoteDriveEffector server) throws RemoteException {
     UUID uuid = UUID.randomUUID();
     ServiceID id = new ServiceID(uuid.getMostSignificantBits(), uuid.getLeastSignificantBits());
-    DriveProxy fake = new DriveProxy(proxy, uuid, named(robot, "drive"));
+    DriveProxy fake = new DriveProxy(server, uuid, named(robot, "drive"));
     return registrar.register(new ServiceItem(id, fake, entries(robot)), LEASE_MILLIS).getLease();
   }
 

@@ -10,10 +10,10 @@ import java.util.UUID;
 import net.jini.core.lease.Lease;
 import net.jini.lease.LeaseRenewalManager;
 import org.dfra.app.InProcessCommand;
-import org.dfra.app.benchmark.attack.HostileModule;
-import org.dfra.app.benchmark.attack.TerminalCheck;
-import org.dfra.app.terminal.ExitCode;
+import org.dfra.benchmarks.attack.HostileModule;
+import org.dfra.benchmarks.attack.TerminalCheck;
 import org.dfra.persona.Attributes;
+import org.dfra.report.terminal.ExitCode;
 import org.dfra.testing.EmbeddedReggie;
 import org.dfra.text.PrintableText;
 import org.junit.jupiter.api.AfterAll;
@@ -104,7 +104,7 @@ class ForgedOutputTest {
     assertHarmless(said);
     assertThat(said.out()).startsWith("2\\u0020effectors:\\u00202\\u0020stopped.\\u009b2K");
     assertThat(said.out().lines().reduce((first, last) -> last).orElseThrow())
-        .startsWith("1 effector: 1 NOT AT REST");
+        .startsWith("1 effector: 1 DRIVER NOT STOPPED");
     assertThat(said.code()).isEqualTo(ExitCode.FAILED);
   }
 

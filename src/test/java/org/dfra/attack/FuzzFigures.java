@@ -2,9 +2,9 @@ package org.dfra.attack;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import org.dfra.app.benchmark.attack.ProcessSample;
-import org.dfra.app.measurement.MeasuredValue;
-import org.dfra.app.measurement.RunMeasurements;
+import org.dfra.benchmarks.attack.ProcessSample;
+import org.dfra.report.measurement.MeasuredValue;
+import org.dfra.report.measurement.RunMeasurements;
 
 /**
  * How many changed messages of a kind were sent, how fast, and what the receiving process used

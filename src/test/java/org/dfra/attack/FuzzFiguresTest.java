@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import org.dfra.app.benchmark.attack.ProcessSample;
+import org.dfra.benchmarks.attack.ProcessSample;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -26,7 +26,7 @@ class FuzzFiguresTest {
     assertThat(Files.readAllLines(file))
         .map(line -> line.replaceFirst("^[^,]*Z,(.*),[0-9]+,[0-9]+,-?[0-9.]+,\"", "$1|"))
         .containsExactly(
-            "when,soak,java,cores,load,figure,measured,wanted_at_most,unit",
+            "when,soak,java,cores,load,figure,measured,target_max,unit",
             "fuzz seed -4711|calls to a module: sent\",1000000,,",
             "fuzz seed -4711|calls to a module: rate\",500,,1/s",
             "fuzz seed -4711|calls to a module: failures\",0,0,",

@@ -4,23 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
 import com.sun.jini.discovery.Discovery;
-import com.sun.jini.discovery.EncodeIterator;
-import com.sun.jini.discovery.MulticastAnnouncement;
-import com.sun.jini.discovery.MulticastAnnouncementDecoder;
-import com.sun.jini.discovery.MulticastAnnouncementEncoder;
-import com.sun.jini.discovery.MulticastRequest;
-import com.sun.jini.discovery.MulticastRequestDecoder;
-import com.sun.jini.discovery.MulticastRequestEncoder;
-import com.sun.jini.discovery.UnicastDiscoveryClient;
-import com.sun.jini.discovery.UnicastDiscoveryServer;
-import com.sun.jini.discovery.plaintext.Client;
-import com.sun.jini.discovery.plaintext.Server;
 import java.io.IOException;
 import java.io.ObjectInputStream;
 import java.io.UncheckedIOException;
 import java.lang.Thread.UncaughtExceptionHandler;
-import java.net.DatagramPacket;
-import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.rmi.RemoteException;
@@ -28,14 +15,12 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
-import net.jini.core.constraint.InvocationConstraints;
 import net.jini.core.discovery.LookupLocator;
 import net.jini.core.event.RemoteEventListener;
 import net.jini.core.lookup.ServiceID;
@@ -45,10 +30,9 @@ import net.jini.export.Exporter;
 import net.jini.jeri.BasicILFactory;
 import net.jini.jeri.BasicJeriExporter;
 import net.jini.lookup.entry.Name;
-import org.dfra.app.benchmark.attack.ProcessSample;
-import org.dfra.app.benchmark.attack.RawCall.Status;
-import org.dfra.app.benchmark.attack.SourceBoundProxies;
-import org.dfra.app.benchmark.attack.TaskProcess;
+import org.dfra.benchmarks.attack.RawCall.Status;
+import org.dfra.benchmarks.attack.SourceBoundProxies;
+import org.dfra.benchmarks.task.TaskProcess;
 import org.dfra.core.host.FreePorts;
 import org.dfra.example.thermometer.RemoteThermometer;
 import org.dfra.river.bootstrap.PhoenixProcess;
@@ -93,13 +77,13 @@ class FuzzIT {
   private static final int WARM_UP = 100;
 
   private static final Duration PATIENCE = Duration.ofSeconds(60);
-  private static final int PACKET = 512;
 
-  /** Of threads that pools keep for a while. */
-  private static final int POOLED = Victim.THREADS;
-
-  private static final Path RECORD =
-      Path.of(System.getProperty("dfra.root", ""), "benchmarks", "fuzz-soak.csv");
+  /**
+   * Makes every collection drop what a process keeps only while memory is free. For each changed
+   * class descriptor the JDK keeps an entry of about 200 bytes so (ObjectStreamClass, reflectors);
+   * a million calls would seem to cost 12 MB.
+   */
+  static final String NO_SOFT_REFERENCES = "-XX:SoftRefLRUPolicyMSPerMB=0";
 
   @RegisterExtension static final EmbeddedReggie REGGIE = new EmbeddedReggie();
 
@@ -110,35 +94,41 @@ class FuzzIT {
   private final String repeat = "-Ddfra.seed=" + seed;
 
   @Test
-  void aModuleAndARegistrarSurviveChangedCalls() throws Exception {
+  void aModuleSurvivesChangedCalls() throws Exception {
     AttackHosts hosts = AttackHosts.assumed();
-    Exporter forModule = attackersExporter(hosts);
-    Exporter forRegistrar = attackersExporter(hosts);
-    RemoteModuleListener listener = delivery -> {}; // JERI holds both weakly
-    RemoteEventListener registrarsListener = event -> {};
-    try (TaskProcess robot = robot(hosts.robot(), FuzzedRobot.WITH_REGISTRAR)) {
-      int port = Integer.parseInt(robot.lines().get(0).split(" ")[1]);
+    Exporter exporter = attackersExporter(hosts);
+    RemoteModuleListener listener = delivery -> {}; // JERI holds it weakly
+    try (TaskProcess robot = robot(hosts.robot())) {
       RemoteThermometer module = module(robot, hosts);
-      ServiceRegistrar registrar =
-          SourceBoundProxies.registrar(hosts.robot(), port, hosts.attackerSockets());
-      Runnable alive = () -> assertNoThreadDied(robot);
       survives(
-          FuzzTarget.module(module, (RemoteModuleListener) forModule.export(listener)),
+          FuzzTarget.module(module, (RemoteModuleListener) exporter.export(listener)),
           hosts,
           robot.pid(),
-          alive);
+          () -> assertNoThreadDied(robot));
       assertThat(module.readiness().serves()).as(repeat).isTrue();
       assertThat(module.celsius()).as(repeat).isBetween(-273.15, 1000.0);
+    } finally {
+      exporter.unexport(true);
+    }
+  }
+
+  @Test
+  void aRegistrarSurvivesChangedCalls() throws Exception {
+    AttackHosts hosts = AttackHosts.assumed();
+    Exporter exporter = attackersExporter(hosts);
+    RemoteEventListener listener = event -> {}; // JERI holds it weakly
+    try (TaskProcess robot = robot(hosts.robot(), FuzzedRobot.WITH_REGISTRAR)) {
+      int port = Integer.parseInt(robot.lines().get(0).split(" ")[1]);
+      ServiceRegistrar registrar =
+          SourceBoundProxies.registrar(hosts.robot(), port, hosts.attackerSockets());
       survives(
-          FuzzTarget.registrar(
-              registrar, (RemoteEventListener) forRegistrar.export(registrarsListener)),
+          FuzzTarget.registrar(registrar, (RemoteEventListener) exporter.export(listener)),
           hosts,
           robot.pid(),
-          alive);
+          () -> assertNoThreadDied(robot));
       assertRegisters(new LookupLocator(hosts.robot(), port).getRegistrar());
     } finally {
-      forModule.unexport(true);
-      forRegistrar.unexport(true);
+      exporter.unexport(true);
     }
   }
 
@@ -196,7 +186,8 @@ class FuzzIT {
           .isIn(Status.RETURNED, Status.THREW);
     }
     var unused = sendChanged(WARM_UP / TARGETS, target, mutator);
-    try (Progress progress = new Progress("calls to " + target.name(), CALLS, pid, alive)) {
+    try (FuzzProgress progress =
+        new FuzzProgress(seed, "calls to " + target.name(), CALLS, pid, alive)) {
       for (int done = 0; done < CALLS; progress.reached(done)) {
         int part = Math.min(PART, CALLS - done);
         Map<Status, Integer> outcomes = sendChanged(part, target, mutator);
@@ -215,9 +206,9 @@ class FuzzIT {
       robot.write("discover " + fuzzer.locator());
       long patience = PATIENCE.toSeconds() + Math.min(PART, COUNT) / 10;
       fuzzer.awaitAnswers(WARM_UP, patience);
-      try (Progress progress =
-          new Progress(
-              "answers of discovery", COUNT, robot.pid(), () -> assertNoThreadDied(robot))) {
+      try (FuzzProgress progress =
+          new FuzzProgress(
+              seed, "answers of discovery", COUNT, robot.pid(), () -> assertNoThreadDied(robot))) {
         for (int done = 0; done < COUNT - PART; progress.reached(done)) {
           done += PART;
           fuzzer.awaitAnswers(WARM_UP + done, patience);
@@ -234,77 +225,6 @@ class FuzzIT {
   }
 
   /**
-   * What messages of a kind may cost a process, and how many were sent. A soak's figures are
-   * recorded when it is closed, whether all went well or not.
-   */
-  private final class Progress implements AutoCloseable {
-
-    private final String what;
-    private final int total;
-    private final long pid;
-    private final Runnable alive;
-    private final Victim victim;
-    private final long began;
-    private int count;
-    private double seconds;
-    private boolean hasPassed;
-
-    /**
-     * Begins.
-     *
-     * @param total how many are to be sent
-     * @param pid of the process that receives them
-     * @param alive asserts that no thread of it ended
-     */
-    Progress(String what, int total, long pid, Runnable alive)
-        throws IOException, InterruptedException {
-      this.what = what;
-      this.total = total;
-      this.pid = pid;
-      this.alive = alive;
-      this.victim = Victim.of(pid);
-      this.began = System.nanoTime();
-    }
-
-    /** Asserts, after so many messages, that they cost no memory and ended no thread. */
-    void reached(int messages) {
-      count = messages;
-      seconds = (System.nanoTime() - began) / 1e9;
-      victim.assertRecovers(POOLED, Victim.HEAP);
-      alive.run();
-      print(what, count, total, seconds);
-      hasPassed = count == total;
-    }
-
-    @Override
-    public void close() throws IOException, InterruptedException {
-      if (!SOAK) {
-        return;
-      }
-      FuzzFigures figures = new FuzzFigures(seed);
-      figures.add(what, count, Math.max(seconds, 1e-3), hasPassed ? 0 : 1);
-      try {
-        figures.addProcess(what, victim.before(), ProcessSample.of(pid));
-      } catch (IOException e) { // it has ended, and the failure is recorded
-        System.err.println("no figures of process " + pid + ": " + e);
-      }
-      figures.record(RECORD);
-    }
-  }
-
-  private void print(String what, int count, int total, double seconds) {
-    System.out.printf(
-        Locale.ROOT,
-        "%d of %d changed %s in %.1f s, %.0f/s; %s%n",
-        count,
-        total,
-        what,
-        seconds,
-        count / seconds,
-        repeat);
-  }
-
-  /**
    * In this process: the threads that read datagrams catch every exception, but no error. So an
    * error would end them. Each datagram is parsed as reggie and clients parse it, and then received
    * by a search, which asks what it announces.
@@ -315,22 +235,24 @@ class FuzzIT {
     String host = hosts.robot(); // nothing listens there
     ByteMutator mutator = new ByteMutator(random, List.of(host));
     List<byte[]> datagrams = new ArrayList<>();
-    for (Discovery protocol : List.of(Discovery.getProtocol1(), plaintext())) {
-      datagrams.add(first(protocol.encodeMulticastRequest(request(host), PACKET, none())));
-      datagrams.add(
-          first(
-              protocol.encodeMulticastAnnouncement(
-                  announcement(host, 4711, new ServiceID(1, 2)), PACKET, none())));
-      assertThat(parses(datagrams.get(datagrams.size() - 2))).as("an unchanged request").isTrue();
-      assertThat(parses(datagrams.get(datagrams.size() - 1))).as("an announcement").isTrue();
+    for (Discovery protocol : DiscoveryDatagrams.protocols()) {
+      datagrams.add(DiscoveryDatagrams.request(protocol, host));
+      datagrams.add(DiscoveryDatagrams.announcement(protocol, host, 4711, new ServiceID(1, 2)));
+      assertThat(DiscoveryDatagrams.parses(datagrams.get(datagrams.size() - 2)))
+          .as("an unchanged request")
+          .isTrue();
+      assertThat(DiscoveryDatagrams.parses(datagrams.get(datagrams.size() - 1)))
+          .as("an announcement")
+          .isTrue();
     }
     List<String> died = new CopyOnWriteArrayList<>();
     @Nullable UncaughtExceptionHandler usual = Thread.getDefaultUncaughtExceptionHandler();
     Thread.setDefaultUncaughtExceptionHandler((thread, e) -> died.add(thread.getName() + ": " + e));
     int refused = 0;
     try (DatagramSearch search = new DatagramSearch(Set.of(host, EmbeddedReggie.HOST));
-        Progress progress =
-            new Progress(
+        FuzzProgress progress =
+            new FuzzProgress(
+                seed,
                 "datagrams of discovery",
                 DATAGRAMS,
                 ProcessHandle.current().pid(),
@@ -338,8 +260,8 @@ class FuzzIT {
       for (int i = 0; i < DATAGRAMS; i++) {
         byte[] changed = mutator.mutate(datagrams.get(random.nextInt(datagrams.size())));
         try {
-          refused += parses(changed) ? 0 : 1;
-          search.receive(packet(changed));
+          refused += DiscoveryDatagrams.parses(changed) ? 0 : 1;
+          search.receive(DiscoveryDatagrams.packet(changed));
         } catch (RuntimeException | Error e) {
           throw new AssertionError("datagram " + i + ", " + repeat, e);
         }
@@ -361,12 +283,10 @@ class FuzzIT {
   private void assertFinds(DatagramSearch search) throws IOException {
     ServiceID honest = REGGIE.registrar().getServiceID();
     byte[] announced =
-        first(
-            plaintext()
-                .encodeMulticastAnnouncement(
-                    announcement(EmbeddedReggie.HOST, REGGIE.port(), honest), PACKET, none()));
+        DiscoveryDatagrams.announcement(
+            DiscoveryDatagrams.plaintext(), EmbeddedReggie.HOST, REGGIE.port(), honest);
     assertThat(search.isDiscovered(honest)).as(repeat).isFalse();
-    search.receive(packet(announced));
+    search.receive(DiscoveryDatagrams.packet(announced));
     await(repeat).atMost(PATIENCE).until(() -> search.isDiscovered(honest));
   }
 
@@ -374,7 +294,12 @@ class FuzzIT {
       throws IOException, InterruptedException {
     List<String> arguments = new ArrayList<>(List.of(host, file().toString()));
     arguments.addAll(List.of(options));
-    TaskProcess robot = TaskProcess.start(FuzzedRobot.class, arguments.toArray(String[]::new));
+    TaskProcess robot =
+        TaskProcess.start(
+            List.of(),
+            List.of(NO_SOFT_REFERENCES),
+            FuzzedRobot.class,
+            arguments.toArray(String[]::new));
     try {
       String unused = robot.awaitLine("serves", PATIENCE);
       return robot;
@@ -415,72 +340,5 @@ class FuzzIT {
     assertThat(robot.lines())
         .as("threads that ended; %s; %s", repeat, robot.log())
         .noneMatch(line -> line.startsWith(FuzzedRobot.DIED));
-  }
-
-  private static InvocationConstraints none() {
-    return InvocationConstraints.EMPTY;
-  }
-
-  private static MulticastRequest request(String host) {
-    return new MulticastRequest(
-        host, 4711, new String[] {"fuzz"}, new ServiceID[] {new ServiceID(1, 2)});
-  }
-
-  private static MulticastAnnouncement announcement(String host, int port, ServiceID id) {
-    return new MulticastAnnouncement(1, host, port, new String[] {"fuzz"}, id);
-  }
-
-  private static byte[] first(EncodeIterator packets) throws IOException {
-    DatagramPacket packet = packets.next()[0];
-    byte[] bytes = new byte[packet.getLength()];
-    System.arraycopy(packet.getData(), packet.getOffset(), bytes, 0, bytes.length);
-    return bytes;
-  }
-
-  /** Protocol 2 without the formats that need keys. */
-  private static Discovery plaintext() {
-    Client client = new Client();
-    Server server = new Server();
-    return Discovery.getProtocol2(
-        new MulticastRequestEncoder[] {client},
-        new MulticastRequestDecoder[] {server},
-        new MulticastAnnouncementEncoder[] {server},
-        new MulticastAnnouncementDecoder[] {client},
-        new UnicastDiscoveryClient[] {client},
-        new UnicastDiscoveryServer[] {server});
-  }
-
-  /** Whether any of the four parsers takes it. */
-  private static boolean parses(byte[] bytes) throws IOException {
-    boolean taken = false;
-    for (Discovery protocol : List.of(Discovery.getProtocol1(), plaintext())) {
-      taken |= isRequest(protocol, bytes);
-      taken |= isAnnouncement(protocol, bytes);
-    }
-    return taken;
-  }
-
-  private static boolean isRequest(Discovery protocol, byte[] bytes) throws IOException {
-    try {
-      return protocol.decodeMulticastRequest(packet(bytes), none(), null).getGroups() != null;
-    } catch (IOException | RuntimeException e) { // refused: the listener's thread catches both
-      return false;
-    }
-  }
-
-  private static boolean isAnnouncement(Discovery protocol, byte[] bytes) throws IOException {
-    try {
-      return protocol.decodeMulticastAnnouncement(packet(bytes), none()).getGroups() != null;
-    } catch (IOException | RuntimeException e) { // refused: the listener's thread catches both
-      return false;
-    }
-  }
-
-  /** As it is received: in a buffer for the longest. */
-  private static DatagramPacket packet(byte[] bytes) throws IOException {
-    byte[] buffer = new byte[Math.max(PACKET, bytes.length)];
-    System.arraycopy(bytes, 0, buffer, 0, bytes.length);
-    return new DatagramPacket(
-        buffer, 0, bytes.length, InetAddress.getByName(EmbeddedReggie.HOST), 4711);
   }
 }

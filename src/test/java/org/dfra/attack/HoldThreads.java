@@ -4,7 +4,7 @@ import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
-import org.dfra.app.benchmark.attack.Task;
+import org.dfra.benchmarks.task.Task;
 
 /**
  * A process that is harmed: with each line of its input it begins to hold threads, and half a

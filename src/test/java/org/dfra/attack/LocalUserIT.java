@@ -15,9 +15,9 @@ import java.util.List;
 import java.util.Properties;
 import java.util.UUID;
 import java.util.stream.Stream;
-import org.dfra.app.benchmark.attack.OtherUser;
-import org.dfra.app.benchmark.attack.StrangersGroup;
-import org.dfra.app.benchmark.attack.TaskProcess;
+import org.dfra.benchmarks.attack.OtherUser;
+import org.dfra.benchmarks.attack.StrangersGroup;
+import org.dfra.benchmarks.task.TaskProcess;
 import org.dfra.core.config.RobotXml;
 import org.dfra.core.host.FreePorts;
 import org.dfra.river.bootstrap.RobotBootstrap;
@@ -54,7 +54,7 @@ class LocalUserIT {
             temp.resolve("robot.xml"),
             """
             <robot xmlns="urn:dfra:robot:1" name="local" host="127.0.0.1">
-              <group name="lookup"><registrar port="%d" classes="off"/></group>
+              <group name="lookup"><registrar port="%d" class-server-port="off"/></group>
             </robot>
             """
                 .formatted(FreePorts.allocate()));

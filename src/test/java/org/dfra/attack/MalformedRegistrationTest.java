@@ -21,8 +21,8 @@ import net.jini.core.lookup.ServiceRegistration;
 import net.jini.core.lookup.ServiceTemplate;
 import net.jini.id.Uuid;
 import net.jini.lookup.entry.Name;
-import org.dfra.app.benchmark.attack.SourceBoundProxies;
-import org.dfra.app.benchmark.attack.SourceSockets;
+import org.dfra.benchmarks.attack.SourceBoundProxies;
+import org.dfra.benchmarks.attack.SourceSockets;
 import org.dfra.directory.RegistrationRefusedException;
 import org.dfra.river.bootstrap.EmbeddedRegistrar;
 import org.dfra.river.entry.ModuleEntry;
@@ -34,7 +34,7 @@ import org.junit.jupiter.api.Timeout;
 
 /**
  * A stranger calls the robot's reggie with what River's own client never sends. Each of these calls
- * ended the lookup service for everybody, until its process was started anew.
+ * ended the lookup service for everybody, until its process was restarted.
  */
 @Timeout(60)
 class MalformedRegistrationTest {

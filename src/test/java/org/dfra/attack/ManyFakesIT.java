@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import org.dfra.app.benchmark.attack.TaskProcess;
+import org.dfra.benchmarks.task.TaskProcess;
 import org.dfra.core.time.StallProbe;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.drive.Wheels;
@@ -20,8 +20,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * A stranger registers 3000 fakes (in the everyday tier 300), each of a robot of its own, in a
- * robot's registrar. It takes 256 of them; whoever comes then finds the robot's drive within 3 s,
- * and what the robot registers itself is taken.
+ * robot's registrar. It takes 256 of them; a client that comes then finds the robot's drive within
+ * 3 s, and what the robot registers itself is taken.
  */
 @Timeout(180)
 class ManyFakesIT {

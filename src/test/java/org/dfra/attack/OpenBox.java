@@ -10,13 +10,16 @@ import java.time.Duration;
 import java.util.Arrays;
 import net.jini.export.Exporter;
 import net.jini.jeri.BasicJeriExporter;
-import org.dfra.app.benchmark.attack.CallBytes;
-import org.dfra.app.benchmark.attack.RawCall;
-import org.dfra.app.benchmark.attack.RawCall.Answer;
+import org.dfra.benchmarks.attack.CallBytes;
+import org.dfra.benchmarks.attack.RawCall;
+import org.dfra.benchmarks.attack.RawCall.Answer;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 
-/** An object exported as DFRA exports its own, with a method that takes anything. */
+/**
+ * An object exported as DFRA exports its own, with a method that takes anything and one that takes
+ * a text.
+ */
 final class OpenBox implements AutoCloseable {
 
   private static final Duration PATIENCE = Duration.ofSeconds(60);
@@ -25,6 +28,9 @@ final class OpenBox implements AutoCloseable {
   public interface Box extends Remote {
     /** How many calls came as far as this. */
     int put(Object value) throws RemoteException;
+
+    /** The same for a text. */
+    int label(String text) throws RemoteException;
   }
 
   private static final class BoxImpl implements Box {
@@ -35,6 +41,11 @@ final class OpenBox implements AutoCloseable {
     public synchronized int put(Object value) {
       return ++puts;
     }
+
+    @Override
+    public int label(String text) {
+      return put(text);
+    }
   }
 
   private final Exporter exporter =
@@ -43,10 +54,12 @@ final class OpenBox implements AutoCloseable {
   private final BoxImpl impl = new BoxImpl(); // JERI holds it weakly
   private final Box proxy;
   private final Method put;
+  private final Method label;
 
   OpenBox() throws RemoteException, NoSuchMethodException {
     proxy = (Box) exporter.export(impl);
     put = Box.class.getMethod("put", Object.class);
+    label = Box.class.getMethod("label", String.class);
   }
 
   Box proxy() {
@@ -56,6 +69,11 @@ final class OpenBox implements AutoCloseable {
   /** The bytes of a call with this argument; what it costs to write them is the attacker's. */
   byte[] call(Object argument) throws IOException {
     return CallBytes.with(put, out -> out.writeObject(argument));
+  }
+
+  /** The same for the method that takes a text, whatever the argument is. */
+  byte[] labelCall(Object argument) throws IOException {
+    return CallBytes.with(label, out -> out.writeObject(argument));
   }
 
   /** Sends a call and awaits its answer. */

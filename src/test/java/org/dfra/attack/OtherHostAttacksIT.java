@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
-import org.dfra.app.benchmark.attack.TaskProcess;
+import org.dfra.benchmarks.task.TaskProcess;
 import org.dfra.testing.NetworkNamespaceHosts;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;

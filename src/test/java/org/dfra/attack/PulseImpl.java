@@ -5,7 +5,7 @@ import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.SensorImpl;
 import org.dfra.example.thermometer.TemperatureReading;
 import org.dfra.example.thermometer.Thermometer;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.time.Scheduler;
 
 /** A thermometer that publishes ten readings a second. */

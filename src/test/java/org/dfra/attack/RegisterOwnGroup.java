@@ -6,8 +6,8 @@ import java.rmi.activation.ActivationGroupID;
 import java.util.List;
 import net.jini.id.Uuid;
 import net.jini.id.UuidFactory;
-import org.dfra.app.benchmark.attack.StrangersGroup;
-import org.dfra.app.benchmark.attack.Task;
+import org.dfra.benchmarks.attack.StrangersGroup;
+import org.dfra.benchmarks.task.Task;
 import org.dfra.river.call.Endpoints;
 
 /**

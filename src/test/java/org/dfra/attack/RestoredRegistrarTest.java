@@ -20,8 +20,8 @@ import java.util.stream.Stream;
 import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.lookup.entry.Name;
-import org.dfra.app.benchmark.attack.SourceBoundProxies;
-import org.dfra.app.benchmark.attack.SourceSockets;
+import org.dfra.benchmarks.attack.SourceBoundProxies;
+import org.dfra.benchmarks.attack.SourceSockets;
 import org.dfra.core.host.FreePorts;
 import org.dfra.directory.RegistrationRefusedException;
 import org.dfra.river.entry.ModuleEntry;
@@ -29,7 +29,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A registrar that was started anew from what it had written knows whose its registrations are. */
+/** A registrar that was restarted from what it had written knows whose its registrations are. */
 @Timeout(60)
 class RestoredRegistrarTest {
 
@@ -97,7 +97,7 @@ class RestoredRegistrarTest {
                   configuration,
                   """
                   import net.jini.jeri.BasicJeriExporter;
-                  import org.dfra.river.bootstrap.DiscoveryServerSocketFactory;
+                  import org.dfra.river.registrar.DiscoveryServerSocketFactory;
                   import org.dfra.river.bootstrap.RegistrarExporter;
                   import org.dfra.river.call.Endpoints;
                   import org.dfra.river.registrar.RegistrarILFactory;

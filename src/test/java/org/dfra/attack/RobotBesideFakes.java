@@ -4,7 +4,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.dfra.core.time.StallProbe;
 import org.dfra.drive.WheeledRobot;
-import org.dfra.drive.WheeledRobot.Said;
+import org.dfra.drive.WheeledRobot.CommandResult;
 
 /**
  * The robot eta, whose registrar takes fakes of its drive, and another computer that stops it.
@@ -33,7 +33,7 @@ record RobotBesideFakes(WheeledRobot robot, FalseDrives fakes, Path elsewhere, S
   }
 
   /** What {@code ./dfra stop} answers on the other computer. */
-  Said stop(String... words) throws Exception {
+  CommandResult stop(String... words) throws Exception {
     return robot.stopFromElsewhere(elsewhere, words);
   }
 

@@ -8,10 +8,10 @@ import java.nio.file.Path;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.List;
-import org.dfra.app.benchmark.attack.Task;
+import org.dfra.benchmarks.task.Task;
 import org.dfra.drive.Wheels;
 import org.dfra.flow.effector.DriveEffector;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.river.bootstrap.EmbeddedRobot;
 import org.dfra.river.lookup.JiniModuleDirectory;
 

@@ -5,7 +5,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.UUID;
-import org.dfra.app.benchmark.attack.Task;
+import org.dfra.benchmarks.task.Task;
 import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
 import org.dfra.river.bootstrap.EmbeddedRegistrar;

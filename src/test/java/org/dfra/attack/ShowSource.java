@@ -2,8 +2,8 @@ package org.dfra.attack;
 
 import java.io.PrintStream;
 import java.net.Socket;
-import org.dfra.app.benchmark.attack.SourceSockets;
-import org.dfra.app.benchmark.attack.Task;
+import org.dfra.benchmarks.attack.SourceSockets;
+import org.dfra.benchmarks.task.Task;
 
 /** Connects from an address to a server, and prints from where it did. */
 public final class ShowSource implements Task {

@@ -20,7 +20,7 @@ import net.jini.core.lookup.ServiceTemplate;
 import net.jini.export.Exporter;
 import net.jini.jeri.BasicILFactory;
 import net.jini.jeri.BasicJeriExporter;
-import org.dfra.app.benchmark.attack.SourceBoundProxies;
+import org.dfra.benchmarks.attack.SourceBoundProxies;
 import org.dfra.core.time.StallProbe;
 import org.dfra.river.bootstrap.EmbeddedRegistrar;
 import org.junit.jupiter.api.AfterEach;

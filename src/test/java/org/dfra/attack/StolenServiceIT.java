@@ -12,7 +12,7 @@ import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceMatches;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
-import org.dfra.app.benchmark.attack.TaskProcess;
+import org.dfra.benchmarks.task.TaskProcess;
 import org.dfra.drive.Commander;
 import org.dfra.drive.WheeledRobot;
 import org.dfra.flow.effector.DriveCommand.Velocity;

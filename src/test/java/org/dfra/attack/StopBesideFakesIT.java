@@ -10,7 +10,7 @@ import org.dfra.core.time.StallProbe;
 import org.dfra.core.time.Timing;
 import org.dfra.drive.Commander;
 import org.dfra.drive.WheeledRobot;
-import org.dfra.drive.WheeledRobot.Said;
+import org.dfra.drive.WheeledRobot.CommandResult;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -50,7 +50,7 @@ class StopBesideFakesIT {
     }
   }
 
-  private static Said stopInTime(String what, String... words) throws Exception {
+  private static CommandResult stopInTime(String what, String... words) throws Exception {
     WheeledRobot robot = eta.robot();
     if (robot.drive().emergencyStopState().latched()) {
       assertThat(robot.drive().releaseEmergencyStop("the next test").latched()).isFalse();
@@ -59,7 +59,7 @@ class StopBesideFakesIT {
       robot.awaitFullSpeed();
       StallProbe.Stopwatch running = eta.probe().stopwatch();
       Instant typed = Instant.now();
-      Said said = eta.stop(words);
+      CommandResult said = eta.stop(words);
       Timing timing = running.stop();
       Instant ordered =
           Objects.requireNonNull(robot.drive().emergencyStopState().since(), said.text());
@@ -71,15 +71,16 @@ class StopBesideFakesIT {
 
   @Test
   void itsPhoenixStopsItBeforeAnythingIsRead() throws Exception {
-    Said said = stopInTime("./dfra stop --all beside fakes", "--all", eta.robot().phoenixOption());
+    CommandResult said =
+        stopInTime("./dfra stop --all beside fakes", "--all", eta.robot().phoenixOption());
     assertThat(said.text()).contains("eta/drive: stopped.\n");
   }
 
   @Test
   void itIsReadFirstWhereItIsNamed() throws Exception {
-    Said said = stopInTime("./dfra stop eta beside fakes", "eta");
+    CommandResult said = stopInTime("./dfra stop eta beside fakes", "eta");
     assertThat(said)
         .as("no phoenix is known there, so its own word counts")
-        .isEqualTo(new Said(0, "eta/drive: stopped.\n1 effector: 1 stopped.\n"));
+        .isEqualTo(new CommandResult(0, "eta/drive: stopped.\n1 effector: 1 stopped.\n"));
   }
 }

@@ -3,8 +3,8 @@ package org.dfra.attack;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Path;
-import org.dfra.app.benchmark.attack.FileLocks;
-import org.dfra.app.benchmark.attack.Task;
+import org.dfra.benchmarks.attack.FileLocks;
+import org.dfra.benchmarks.task.Task;
 
 /**
  * Takes the locks of files and keeps them until its input ends.

@@ -5,7 +5,7 @@ import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
 import java.time.Duration;
-import org.dfra.app.benchmark.attack.ProcessSample;
+import org.dfra.benchmarks.attack.ProcessSample;
 
 /**
  * A process that is attacked, and what it used before. It is harmed if it uses more than the

@@ -5,7 +5,7 @@
  *   robot, operator, attacker: addresses of 127.0.0.0/8     AttackHosts
  *   robot and attacker: two network namespaces              OtherHostAttacksIT
  *   a robot in processes of its own                         RobotProcessesIT
- *   the attacker's process and what it sends                org.dfra.app.benchmark.attack
+ *   the attacker's process and what it sends                org.dfra.benchmarks.attack
  *   threads, heap and CPU time of the robot, before, after  Victim
  * </pre>
  *

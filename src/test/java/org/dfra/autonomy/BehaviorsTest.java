@@ -23,9 +23,9 @@ import org.dfra.flow.perceptual.HeadingPercept;
 import org.dfra.flow.perceptual.PoseEstimate;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.Leg;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Module;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.proxy.behavior.FollowWaypointsProxy;
 import org.dfra.river.proxy.behavior.GoToWaypointProxy;
@@ -45,7 +45,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Schemas and behaviours as a robot's XML and the properties that come with DFRA describe them:
- * served, finding each other in a lookup service, called and heard through the network.
+ * served, finding each other in a lookup service, called and listened to through the network.
  */
 @Timeout(180)
 class BehaviorsTest {
@@ -85,7 +85,7 @@ class BehaviorsTest {
   }
 
   @Test
-  void schemasAreFoundByWhatTheySayAndTellTheirPerceptsThroughTheNetwork() throws Exception {
+  void schemasAreFoundByTheirAttributesAndPublishTheirPerceptsThroughTheNetwork() throws Exception {
     RangeFilterProxy room =
         far(
             RangeFilterProxy.class,
@@ -94,7 +94,7 @@ class BehaviorsTest {
     assertThat(room.awaitReadiness(PATIENCE).serves()).isTrue();
     Clearance clearance = room.clearance();
     assertThat(clearance.min()).isEqualTo(8);
-    List<Clearance> rooms = ServedRobots.heard(room, Clearance.class);
+    List<Clearance> rooms = ServedRobots.received(room, Clearance.class);
     await().atMost(PATIENCE).until(() -> rooms.size() > 3);
     assertThat(rooms.get(0).frame()).isEqualTo("robot/base_link");
 
@@ -104,15 +104,15 @@ class BehaviorsTest {
             "PositionEstimator with perceptual_schema.uncertainty = covariance"
                 + " and perceptual_schema.method = kalman");
     assertThat(position.awaitReadiness(PATIENCE).serves()).isTrue();
-    List<PoseEstimate> poses = ServedRobots.heard(position, PoseEstimate.class);
+    List<PoseEstimate> poses = ServedRobots.received(position, PoseEstimate.class);
     await().atMost(PATIENCE).until(() -> poses.size() > 3);
     await().atMost(PATIENCE).until(() -> position.estimate().yawSigma() < 0.2);
-    assertThat(position.estimate().yaw()).as("as it was told").isCloseTo(0, within(0.3));
+    assertThat(position.estimate().yaw()).as("as it was configured").isCloseTo(0, within(0.3));
 
     HeadingErrorProxy guidance =
         far(HeadingErrorProxy.class, "HeadingError with perceptual_schema.method = lookahead");
     assertThat(guidance.awaitReadiness(PATIENCE).serves()).isTrue();
-    List<HeadingPercept> headings = ServedRobots.heard(guidance, HeadingPercept.class);
+    List<HeadingPercept> headings = ServedRobots.received(guidance, HeadingPercept.class);
     HeadingPercept heading = guidance.towards(new Leg(SmallRobot.at(0, 0), SmallRobot.at(0, 10)));
     assertThat(heading.headingError()).as("to its left").isCloseTo(Math.PI / 2, within(0.4));
     await().atMost(PATIENCE).until(() -> headings.contains(heading));
@@ -121,7 +121,7 @@ class BehaviorsTest {
         far(
             FuzzyDriveProxy.class,
             "FuzzyDrive with motor_schema.command = Velocity and motor_schema.rules >= 100");
-    List<DriveAdvice> advices = ServedRobots.heard(rules, DriveAdvice.class);
+    List<DriveAdvice> advices = ServedRobots.received(rules, DriveAdvice.class);
     DriveAdvice advice = rules.advise(clearance, heading);
     assertThat(advice.velocity().yawRate()).isPositive();
     await().atMost(PATIENCE).until(() -> advices.contains(advice));
@@ -132,7 +132,8 @@ class BehaviorsTest {
     room.setInputs(List.of("robot/odometry", "robot/laser"));
     assertThat(room.inputs()).containsExactly("robot/odometry", "robot/laser");
     assertThatThrownBy(() -> room.setInputs(List.of("robot/odometry", "robot/gps")))
-        .hasMessage("robot/range_filter cannot be wired to robot/gps: it is no RangeSensor");
+        .hasMessage(
+            "robot/range_filter cannot be wired to robot/gps: it is not of type RangeSensor");
     int before = rooms.size();
     await().atMost(PATIENCE).until(() -> rooms.size() > before + 3);
   }
@@ -144,7 +145,7 @@ class BehaviorsTest {
             GoToWaypointProxy.class,
             "GoToWaypoint with behavior.goal = LegGoal and behavior.script = false"
                 + " and behavior.rate >= 10 and behavior.phase = IDLE");
-    List<BehaviorStatus> reported = ServedRobots.heard(goTo, BehaviorStatus.class);
+    List<BehaviorStatus> reported = ServedRobots.received(goTo, BehaviorStatus.class);
     assertThat(goTo.status().phase()).isEqualTo(Phase.IDLE);
     UUID goal = pursue(goTo, FAR, GoToWaypointProxy::pursue);
     await().atMost(PATIENCE).until(() -> SmallRobot.east() > 1);
@@ -158,7 +159,7 @@ class BehaviorsTest {
     assertThat(SmallRobot.east()).isEqualTo(stood);
     assertThatThrownBy(() -> goTo.pursue(FAR))
         .isInstanceOfSatisfying(GoalRefusedException.class, e -> assertThat(e.isBusy()).isTrue())
-        .hasMessageContaining("robot/go_to_waypoint is at another goal (it was told to pause)");
+        .hasMessageContaining("robot/go_to_waypoint pursues another goal (a client paused it)");
     goTo.resume();
     await().atMost(PATIENCE).until(() -> SmallRobot.east() > stood + 0.5);
     goTo.cancel();
@@ -194,7 +195,7 @@ class BehaviorsTest {
                     new RasterGoal(List.of(SmallRobot.at(1, 1), SmallRobot.at(2, 2)), 2, 1, false)))
         .isInstanceOf(GoalRefusedException.class);
 
-    List<BehaviorStatus> reported = ServedRobots.heard(follow, BehaviorStatus.class);
+    List<BehaviorStatus> reported = ServedRobots.received(follow, BehaviorStatus.class);
     PathGoal two = new PathGoal(null, List.of(SmallRobot.at(2, 0), SmallRobot.at(4, 0)), 0.5);
     UUID goal = pursue(follow, two, FollowWaypointsProxy::pursue);
     await()
@@ -233,7 +234,7 @@ class BehaviorsTest {
   }
 
   @Test
-  void aSchemaThatIsNamedAndNotThereIsToldWithFileAndLine() throws Exception {
+  void aSchemaThatIsNamedButMissingIsReportedWithFileAndLine() throws Exception {
     robots.serve("other_goer", "go-to-waypoint", Map.of("range_filter", "sonar_filter"));
     GoToWaypointProxy goTo = far(GoToWaypointProxy.class, "GoToWaypoint named other_goer");
     assertThatThrownBy(() -> goTo.pursue(FAR))

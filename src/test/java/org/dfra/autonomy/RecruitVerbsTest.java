@@ -14,12 +14,12 @@ import java.util.UUID;
 import java.util.concurrent.atomic.AtomicReference;
 import org.dfra.agent.RecruitmentAgent;
 import org.dfra.app.InProcessCommand;
-import org.dfra.app.terminal.ExitCode;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.GoToWaypoint;
 import org.dfra.behavior.LegGoal;
 import org.dfra.flow.effector.DriveEffector;
 import org.dfra.module.NotReadyException;
+import org.dfra.report.terminal.ExitCode;
 import org.dfra.testing.EmbeddedReggie;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -79,7 +79,7 @@ class RecruitVerbsTest {
     InProcessCommand all = recruit("status");
     assertThat(all.code()).as(all.err()).isEqualTo(ExitCode.SUCCESS);
     assertThat(all.out().lines().findFirst().orElseThrow().split("\\s+"))
-        .containsExactly("ROBOT", "HELPS", "STATE", "IT");
+        .containsExactly("ROBOT", "HELPS", "STATE", "ACTIVITY");
     assertThat(all.out()).containsPattern("(?m)^robot  ").containsPattern("(?m)^uav  ");
     assertThat(all.err()).isEmpty();
     InProcessCommand one = recruit("status", "uav", "--json");
@@ -87,11 +87,11 @@ class RecruitVerbsTest {
     assertThat(json(one)).hasSize(1);
     assertThat(json(one).get(0).get("robot").asText()).isEqualTo("uav");
     assertThat(json(one).get(0).get("responder").asText()).isEqualToIgnoringCase("free");
-    assertThat(json(one).get(0).get("activity").asText()).isEqualTo("it helps nobody");
+    assertThat(json(one).get(0).get("activity").asText()).isEqualTo("it is not helping");
   }
 
   @Test
-  void aRobotThatIsNotThereIsToldInOneSentenceAndNobodyIsLetGo() {
+  void aMissingRobotIsReportedInOneSentenceAndNoOtherIsResumed() {
     for (String verb : List.of("status", "resume")) {
       InProcessCommand outcome = recruit(verb, "uav", "ugv7", "--wait=2");
       assertThat(outcome.code()).isEqualTo(ExitCode.NOT_FOUND);

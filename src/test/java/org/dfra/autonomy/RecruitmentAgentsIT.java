@@ -86,7 +86,7 @@ class RecruitmentAgentsIT {
     }
   }
 
-  /** Brings it up, or only its agent anew where its body is up. */
+  /** Brings it up, or only its agent again if its body is up. */
   private static void up(String name, Map<String, String> ofAgent) throws Exception {
     try {
       assertThat(new RobotBootstrap(phoenix.process(), RobotXml.read(robot(name, ofAgent))).up())
@@ -107,7 +107,7 @@ class RecruitmentAgentsIT {
 
   /** One of the robot's body, which is no device. */
   private static String body(String name, Class<?> server, Class<?> proxy, Class<?> driver) {
-    return "<module name=\"%s\" server=\"%s\" proxy=\"%s\" driver=\"%s\"/>%n"
+    return "<module name=\"%s\" server=\"%s\" proxy=\"%s\" implementation=\"%s\"/>%n"
         .formatted(name, server.getName(), proxy.getName(), driver.getName().replace("$", "$$"));
   }
 
@@ -126,7 +126,9 @@ class RecruitmentAgentsIT {
             + body("drive", DriveServer.class, DriveProxy.class, SmallRobot.Wheels.class)
             + module("range_filter", "range-filter", "")
             + module(
-                "position", "position", parameter("initial_yaw", "0") + parameter("gps_bias", "0"))
+                "position",
+                "position-estimator",
+                parameter("initial_yaw", "0") + parameter("gps_bias_sigma", "0"))
             + module("heading_error", "heading-error", "")
             + module("fuzzy_drive", "fuzzy-drive", "")
             + module("go_to_waypoint", "go-to-waypoint", "")
@@ -190,7 +192,7 @@ class RecruitmentAgentsIT {
       asking.callForHelp(call);
       return true;
     } catch (HelpCallRejectedException e) {
-      assertThat(e).hasMessageContaining("nobody in reach"); // it has not seen the other yet
+      assertThat(e).hasMessageContaining("no robot within reach"); // it has not seen the other yet
       return false;
     }
   }
@@ -243,10 +245,14 @@ class RecruitmentAgentsIT {
       await().atMost(PATIENCE).until(() -> isShownAsHeld(directory));
       phoenix.kill("robot.agent");
       assertThat(phase(helping)).isEqualTo(ResponderPhase.FREE);
-      assertThat(helping.status().holdReason())
-          .as("the next process")
-          .contains("robot/go_to_waypoint");
-      List<RecruitmentStatus> said = ServedRobots.heard(helping, RecruitmentStatus.class);
+      await("that the next process knows it too, perhaps only from the behaviour")
+          .atMost(PATIENCE)
+          .untilAsserted(
+              () ->
+                  assertThat(helping.status().holdReason())
+                      .isNotNull()
+                      .contains("robot/go_to_waypoint"));
+      List<RecruitmentStatus> said = ServedRobots.received(helping, RecruitmentStatus.class);
       int calls = 3;
       await()
           .atMost(PATIENCE)

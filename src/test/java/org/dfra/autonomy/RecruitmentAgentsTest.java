@@ -98,7 +98,7 @@ class RecruitmentAgentsTest {
         .ignoreExceptionsMatching(
             e ->
                 e instanceof HelpCallRejectedException
-                    && String.valueOf(e.getMessage()).contains("nobody in reach"))
+                    && String.valueOf(e.getMessage()).contains("no robot within reach"))
         .until(
             () -> {
               asking.callForHelp(call);
@@ -111,8 +111,8 @@ class RecruitmentAgentsTest {
     RecruitmentAgentProxy asking = far("RecruitmentAgent on uav");
     RecruitmentAgentProxy helping = far("RecruitmentAgent with recruitment.percepts contains mine");
     assertThat(helping.identification().robot()).isEqualTo("robot");
-    List<RecruitmentStatus> asked = ServedRobots.heard(asking, RecruitmentStatus.class);
-    List<RecruitmentStatus> helped = ServedRobots.heard(helping, RecruitmentStatus.class);
+    List<RecruitmentStatus> asked = ServedRobots.received(asking, RecruitmentStatus.class);
+    List<RecruitmentStatus> helped = ServedRobots.received(helping, RecruitmentStatus.class);
 
     help(asking, call("mine", 4, Duration.ofMinutes(5)));
     assertThatThrownBy(() -> asking.callForHelp(call("mine", 2, Duration.ofSeconds(5))))
@@ -163,11 +163,13 @@ class RecruitmentAgentsTest {
                 assertThatThrownBy(() -> asking.callForHelp(call("gold", 1, Duration.ofSeconds(5))))
                     .isInstanceOf(HelpCallRejectedException.class)
                     .hasMessage(
-                        "nobody in reach of uav can observe \"gold\"; others observe heat, mine"));
+                        "no robot within reach of uav can observe \"gold\"; other robots observe heat, mine")
+                    .extracting(each -> ((HelpCallRejectedException) each).reason())
+                    .isEqualTo(HelpCallRejectedException.Reason.NO_CAPABLE_ROBOT));
     Strange strange = new Strange("uav", 1);
     assertThatThrownBy(() -> asking.receive(strange))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("uav/agent takes letters of recruitment, not");
+        .hasMessageContaining("uav/agent accepts recruitment messages, not");
     asking.receive(
         new MessageEnvelope(
             "robot",
@@ -187,18 +189,18 @@ class RecruitmentAgentsTest {
     assertThatThrownBy(
             () -> server.notify(new RemoteEvent("robot", AgentMessageEvent.EVENT_ID, 1, null)))
         .isInstanceOf(UnknownEventException.class)
-        .hasMessage("uav/agent takes letters of agents, not " + RemoteEvent.class.getName());
+        .hasMessage("uav/agent accepts messages of agents, not " + RemoteEvent.class.getName());
   }
 
   @Test
-  void lettersAreRemoteEventsWhoseNumbersGrow() throws Exception {
+  void messagesAreRemoteEventsWhoseNumbersGrow() throws Exception {
     RecruitmentAgentProxy asking = far("RecruitmentAgent on uav");
     BlockingQueue<RemoteEvent> come = new LinkedBlockingQueue<>();
     try (Eavesdropper other = Eavesdropper.observing("gas", REGGIE, come::add)) {
       help(asking, call("gas", 4, Duration.ofSeconds(5)));
       AgentMessageEvent first =
           (AgentMessageEvent) come.poll(PATIENCE.toSeconds(), TimeUnit.SECONDS);
-      assertThat(first).as("%s is told of the call", other).isNotNull();
+      assertThat(first).as("%s is notified of the call", other).isNotNull();
       assertThat(first.getSource()).isEqualTo("uav");
       assertThat(first.getID()).isEqualTo(AgentMessageEvent.EVENT_ID);
       assertThat(message(first)).isInstanceOf(Help.class);
@@ -261,7 +263,7 @@ class RecruitmentAgentsTest {
     assertThat(third.identification().robot()).isEqualTo("third");
     assertThatThrownBy(
             () -> robots.serve("fourth", "agent", "recruitment-agent", Map.of("strategy", "gredy")))
-        .hasMessageContaining("there is no strategy \"gredy\"; did you mean \"greedy\"?");
+        .hasMessageContaining("unknown strategy \"gredy\"; did you mean \"greedy\"?");
     RecruitmentAgentProxy asking = far("RecruitmentAgent on uav");
     help(asking, call("mine", 0.2, Duration.ofMinutes(5)));
     await()

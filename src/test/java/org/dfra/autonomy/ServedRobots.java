@@ -58,7 +58,7 @@ final class ServedRobots implements AutoCloseable {
     device("laser", "lms200", SmallRobot.Laser.class);
     device("drive", "rflex-drive", SmallRobot.Wheels.class);
     serve("range_filter", "range-filter", Map.of());
-    serve("position", "position", Map.of("initial_yaw", "0", "gps_bias", "0"));
+    serve("position", "position-estimator", Map.of("initial_yaw", "0", "gps_bias_sigma", "0"));
     serve("heading_error", "heading-error", Map.of());
     serve("fuzzy_drive", "fuzzy-drive", Map.of());
     serve("go_to_waypoint", "go-to-waypoint", Map.of());
@@ -94,8 +94,8 @@ final class ServedRobots implements AutoCloseable {
         .orElseThrow(() -> new AssertionError("nothing is a " + query));
   }
 
-  /** What a module tells of that kind from now on. */
-  static <R extends Reading> List<R> heard(Module from, Class<R> type) throws Exception {
+  /** The readings of that type that a module publishes from now on. */
+  static <R extends Reading> List<R> received(Module from, Class<R> type) throws Exception {
     List<R> all = new CopyOnWriteArrayList<>();
     Subscription open =
         from.subscribe(

@@ -18,7 +18,7 @@ import org.dfra.flow.sensor.TimeReading;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.persona.DriveAttributes;
 import org.dfra.time.Scheduler;
 
@@ -95,15 +95,21 @@ final class SmallRobot {
     return FRAME.toGeo(new LocalPosition(east, north, 0));
   }
 
-  /** Base of its sensors: each tells something so many times a second. */
+  /** Base of its sensors: each publishes so many times a second. */
   abstract static class Ticking extends SensorImpl {
 
     private final Scheduler time;
     private final double rate;
     private volatile boolean isOver;
 
-    Ticking(ModuleContext context, String tells, double rate) {
-      super(context, "a sensor of a body without devices", "DFRA", "1", List.of(tells), List.of());
+    Ticking(ModuleContext context, String readingType, double rate) {
+      super(
+          context,
+          "a sensor of a body without devices",
+          "DFRA",
+          "1",
+          List.of(readingType),
+          List.of());
       this.time = context.robotTime();
       this.rate = rate;
     }

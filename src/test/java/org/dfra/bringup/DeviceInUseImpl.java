@@ -8,11 +8,11 @@ import java.util.Optional;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.SensorImpl;
 import org.dfra.example.thermometer.Thermometer;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 
 /**
  * A driver of a device that stands two drivers no better than a motor does: while one has it open
- * there is a file, and whoever finds it writes that down. Parameters: {@code device}, that file;
+ * there is a file, and a driver that finds it records that. Parameters: {@code device}, that file;
  * {@code celsius}, what is measured.
  */
 public final class DeviceInUseImpl extends SensorImpl implements Thermometer {

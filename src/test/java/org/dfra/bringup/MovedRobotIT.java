@@ -61,7 +61,7 @@ class MovedRobotIT {
       String locator = "jini://" + host + ":" + port;
       try (JiniModuleDirectory finder =
           new JiniModuleDirectory(host, List.of(), List.of(locator))) {
-        // The registrar remembers the former address until the module has registered anew.
+        // The registrar remembers the former address until the module has registered again.
         await()
             .atMost(PATIENCE)
             .ignoreExceptionsInstanceOf(RemoteException.class)
@@ -92,7 +92,7 @@ class MovedRobotIT {
         <robot xmlns="urn:dfra:robot:1" name="iota" host="%s">
           <group name="all">
             <registrar port="%d" restart="false"/>
-            <module name="cellar" server="%s" proxy="%s" driver="%s" restart="false">
+            <module name="cellar" server="%s" proxy="%s" implementation="%s" restart="false">
               <parameter name="celsius" value="4"/>
             </module>
           </group>

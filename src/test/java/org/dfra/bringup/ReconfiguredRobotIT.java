@@ -177,7 +177,7 @@ class ReconfiguredRobotIT {
   }
 
   @Test
-  void onlyWhatWasChangedIsStartedAnew() throws Exception {
+  void onlyWhatWasChangedIsRestarted() throws Exception {
     Thermometer drive = listed("drive").module();
     long process = phoenix.group("mu.two").pid();
 

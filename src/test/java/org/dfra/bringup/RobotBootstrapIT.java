@@ -37,7 +37,7 @@ import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.lookup.JiniModuleDirectory;
@@ -108,7 +108,7 @@ class RobotBootstrapIT {
                 "<module name=\"gps_front\""
                     + " server=\"org.dfra.river.server.sensor.GPSServer\""
                     + " proxy=\"org.dfra.river.proxy.sensor.GPSProxy\""
-                    + " driver=\"org.dfra.drivers.gps.m12.M12PlusImpl\">"
+                    + " implementation=\"org.dfra.drivers.gps.m12.M12PlusImpl\">"
                     + "<parameter name=\"link\" value=\""
                     + receiver.url()
                     + "\"/></module>\n"
@@ -144,7 +144,7 @@ class RobotBootstrapIT {
         + server
         + "\" proxy=\""
         + ThermometerProxy.class.getName()
-        + "\" driver=\""
+        + "\" implementation=\""
         + driver
         + "\">%s</module>";
   }
@@ -299,7 +299,7 @@ class RobotBootstrapIT {
 
   @Test
   @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "has a sibling")
-  void aRegistrarsPortThatIsTakenIsToldInOneSentence() throws Exception {
+  void aRegistrarsPortThatIsTakenIsReportedInOneSentence() throws Exception {
     try (ServerSocket taken = new ServerSocket(0, 0, InetAddress.getByName(HOST))) {
       Path gamma =
           robot(
@@ -325,7 +325,7 @@ class RobotBootstrapIT {
         .hasMessage(
             delta
                 + ":3: delta/t did not start: driver class org.dfra.NoImpl is not on the group's"
-                + " class path; add its jar or mend the name");
+                + " class path; add its jar or correct the name");
 
     String driver = SteadyThermometerImpl.class.getName();
     robot("delta", HOST, group("g", module("u", "org.dfra.NoServer", driver).formatted("")));
@@ -334,11 +334,11 @@ class RobotBootstrapIT {
         .hasMessage(
             delta
                 + ":3: delta/u did not start: server class org.dfra.NoServer is not on the group's"
-                + " class path; add its jar or mend the name");
+                + " class path; add its jar or correct the name");
   }
 
   @Test
-  void xmlThatCannotBeReadIsToldInOneSentence() throws Exception {
+  void xmlThatCannotBeReadIsReportedInOneSentence() throws Exception {
     Path broken = Files.writeString(folder.resolve("broken.xml"), "<robot\n");
     assertThatThrownBy(() -> up(broken))
         .isInstanceOf(ConfigurationException.class)

@@ -54,7 +54,7 @@ final class ThermometerRobot {
   }
 
   static String registrar(int port) {
-    return "<registrar port=\"" + port + "\" classes=\"off\"/>\n";
+    return "<registrar port=\"" + port + "\" class-server-port=\"off\"/>\n";
   }
 
   /** A group with module {@code drive} alone. */
@@ -74,7 +74,7 @@ final class ThermometerRobot {
 
   String module(String name, int celsius, String device) {
     return """
-    <module name="%s" server="%s" proxy="%s" driver="%s">
+    <module name="%s" server="%s" proxy="%s" implementation="%s">
       <parameter name="celsius" value="%d"/>
       <parameter name="device" value="%s"/>
     </module>

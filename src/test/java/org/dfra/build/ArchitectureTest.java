@@ -4,15 +4,23 @@ import static com.tngtech.archunit.base.DescribedPredicate.describe;
 import static com.tngtech.archunit.base.DescribedPredicate.not;
 import static com.tngtech.archunit.core.domain.JavaAccess.Predicates.target;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.assignableTo;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.equivalentTo;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
 import static com.tngtech.archunit.core.domain.properties.HasName.Predicates.name;
 import static com.tngtech.archunit.core.domain.properties.HasOwner.Predicates.With.owner;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
+import static org.dfra.build.DependencyRules.API;
+import static org.dfra.build.DependencyRules.CORE;
+import static org.dfra.build.DependencyRules.DFRA;
+import static org.dfra.build.DependencyRules.DISTRIBUTED;
+import static org.dfra.build.DependencyRules.check;
+import static org.dfra.build.DependencyRules.dependsWithinDfraOnlyOn;
+import static org.dfra.build.DependencyRules.join;
 
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaAccess;
@@ -20,12 +28,12 @@ import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.lang.ArchRule;
-import java.nio.file.Path;
 import java.time.Instant;
 import java.util.Arrays;
-import org.dfra.app.measurement.ReportHead;
-import org.dfra.app.measurement.RunMeasurements;
-import org.dfra.app.plot.HtmlReport;
+import org.dfra.report.measurement.ReportHead;
+import org.dfra.report.measurement.RunMeasurements;
+import org.dfra.report.plot.HtmlReport;
+import org.dfra.report.plot.NoFontException;
 import org.dfra.time.Scheduler;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -34,27 +42,14 @@ import org.junit.jupiter.params.provider.ValueSource;
 /**
  * The arrows of the house point one way.
  *
- * <p>A rule about a package that has no source yet is skipped and says so; one whose sources exist
- * but whose classes are not found fails, since ArchUnit refuses a rule that checks nothing.
+ * <p>A rule about a package that has no source fails, so a package that is renamed takes its rules
+ * along; one whose sources exist but whose classes are not found fails too, since ArchUnit refuses
+ * a rule that checks nothing.
  *
  * <p>Also who shows text to people is checked here, since the same classes are read for it.
  */
 class ArchitectureTest extends PrintedTextRules {
 
-  private static final String[] API = {
-    "org.dfra.module..",
-    "org.dfra.geometry..",
-    "org.dfra.flow..",
-    "org.dfra.agent..",
-    "org.dfra.behavior..",
-    "org.dfra.manager..",
-    "org.dfra.persona..",
-    "org.dfra.lease..",
-    "org.dfra.event..",
-    "org.dfra.directory..",
-    "org.dfra.text..",
-    "org.dfra.time.."
-  };
   private static final String[] RIVER = {
     "net.jini..",
     "com.sun.jini..",
@@ -66,27 +61,35 @@ class ArchitectureTest extends PrintedTextRules {
   private static final String[] JDK = {
     "java..", "javax..", "jdk..", "org.w3c.dom..", "org.xml.sax.."
   };
-  private static final String[] NULLNESS = {"org.jspecify.annotations.."};
+  private static final String[] ANNOTATIONS = {
+    "org.jspecify.annotations..", "com.google.errorprone.annotations.."
+  };
   private static final String[] LOG = {"org.slf4j.."};
-  private static final String[] CORE = {"org.dfra.core.."};
   private static final String[] DRIVERS = {"org.dfra.drivers.."};
+  private static final String[] FLIGHT = {"org.dfra.drivers.uav.."};
+  private static final String[] MAVLINK = {"io.dronefleet.mavlink.."};
   private static final String[] SIM = {"org.dfra.sim.."};
+
+  /** The modules of the application: each may need those before it. */
+  private static final String[] APPLICATION = {
+    "org.dfra.report..",
+    "org.dfra.cli..",
+    "org.dfra.examples..",
+    "org.dfra.experiments..",
+    "org.dfra.benchmarks.."
+  };
+
   private static final String[] TESTING = {"org.dfra.testing.."};
   private static final String[] JUNIT = {"org.junit.jupiter.api.extension.."};
-  private static final String[] DISTRIBUTED = {"org.dfra.river.."};
-  private static final String[] PROXY = {"org.dfra.river.proxy.."};
-  private static final String[] REMOTE = {"org.dfra.river.remote.."};
-
-  /** A listener's end of a subscription is exported. */
-  private static final String[] CALL = {"org.dfra.river.call.."};
-
-  private static final String[] ENTRY = {"org.dfra.river.entry.."};
-
-  private static final JavaClasses DFRA = MainClasses.ALL;
 
   @Test
   void theApiNeedsTheJdkOnly() {
-    check(API, onlyDependsOn(API, join(API, JDK, NULLNESS)));
+    check(API, onlyDependsOn(API, join(API, JDK, ANNOTATIONS)));
+  }
+
+  @Test
+  void noPackagesNeedEachOther() {
+    slices().matching("org.dfra.(**)").should().beFreeOfCycles().check(DFRA);
   }
 
   @Test
@@ -105,7 +108,7 @@ class ArchitectureTest extends PrintedTextRules {
     String[] jdom = {"org.jdom2.."};
     String[] jackson = {"com.fasterxml.jackson.core..", "com.fasterxml.jackson.databind.."};
     String[] ejml = {"org.ejml.."};
-    check(CORE, onlyDependsOn(CORE, join(CORE, API, JDK, NULLNESS, LOG, jdom, jackson, ejml)));
+    check(CORE, onlyDependsOn(CORE, join(CORE, API, JDK, ANNOTATIONS, LOG, jdom, jackson, ejml)));
   }
 
   /** Of the drivers only their links, which it is at the other end of: no protocol. */
@@ -118,6 +121,18 @@ class ArchitectureTest extends PrintedTextRules {
   @Test
   void driversNeedTheApiAndCoreOnly() {
     check(DRIVERS, dependsWithinDfraOnlyOn(DRIVERS, join(DRIVERS, API, CORE)));
+  }
+
+  /** They are in dfra-flight, which a robot that does not fly lacks. */
+  @Test
+  void nothingNamesADriverOfAFlightControllerOrNeedsMavlink() {
+    check(
+        FLIGHT,
+        noClasses()
+            .that(not(resideInAnyPackage(FLIGHT)))
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage(join(FLIGHT, MAVLINK)));
   }
 
   @ParameterizedTest
@@ -159,26 +174,6 @@ class ArchitectureTest extends PrintedTextRules {
   }
 
   @Test
-  void theDistributedLayerNeedsTheApiAndCoreOnly() {
-    check(DISTRIBUTED, dependsWithinDfraOnlyOn(DISTRIBUTED, join(DISTRIBUTED, API, CORE)));
-  }
-
-  @Test
-  void aProxyNeedsTheApiTheRemoteInterfaceTheEntriesAndCallsOnly() {
-    check(PROXY, dependsWithinDfraOnlyOn(PROXY, join(PROXY, API, REMOTE, ENTRY, CALL)));
-  }
-
-  @Test
-  void aRemoteInterfaceNeedsTheApiOnly() {
-    check(REMOTE, dependsWithinDfraOnlyOn(REMOTE, join(REMOTE, API)));
-  }
-
-  @Test
-  void anEntryNeedsTheApiOnly() {
-    check(ENTRY, dependsWithinDfraOnlyOn(ENTRY, join(ENTRY, API)));
-  }
-
-  @Test
   void perceptionNeverKnowsAction() {
     check(
         new String[] {"org.dfra.flow.perceptual.."},
@@ -195,7 +190,7 @@ class ArchitectureTest extends PrintedTextRules {
     check(
         DRIVERS,
         noClasses()
-            .that(not(resideInAnyPackage("org.dfra.drivers..", "org.dfra.sim..", "org.dfra.app..")))
+            .that(not(resideInAnyPackage(join(DRIVERS, SIM, APPLICATION))))
             .should()
             .dependOnClassesThat()
             .resideInAPackage("org.dfra.drivers.."));
@@ -206,7 +201,7 @@ class ArchitectureTest extends PrintedTextRules {
     check(
         SIM,
         noClasses()
-            .that(not(resideInAnyPackage("org.dfra.sim..", "org.dfra.app..")))
+            .that(not(resideInAnyPackage(join(SIM, APPLICATION))))
             .should()
             .dependOnClassesThat()
             .resideInAPackage("org.dfra.sim.."));
@@ -217,7 +212,8 @@ class ArchitectureTest extends PrintedTextRules {
   void theHarnessForTestsNeedsTheDistributedLayerAndJUnitOnly() {
     check(
         TESTING,
-        onlyDependsOn(TESTING, join(TESTING, API, CORE, DISTRIBUTED, RIVER, JDK, NULLNESS, JUNIT)));
+        onlyDependsOn(
+            TESTING, join(TESTING, API, CORE, DISTRIBUTED, RIVER, JDK, ANNOTATIONS, JUNIT)));
   }
 
   @Test
@@ -251,9 +247,52 @@ class ArchitectureTest extends PrintedTextRules {
   }
 
   @Test
+  void theApplicationsModulesNeedThoseBelowThemOnly() {
+    for (int i = 0; i < APPLICATION.length; i++) {
+      String[] above = Arrays.copyOfRange(APPLICATION, i + 1, APPLICATION.length);
+      if (above.length > 0) {
+        String[] module = {APPLICATION[i]};
+        check(
+            APPLICATION,
+            noClasses()
+                .that(resideInAnyPackage(module))
+                .should()
+                .dependOnClassesThat()
+                .resideInAnyPackage(above));
+      }
+    }
+  }
+
+  @Test
+  void nothingBelowTheApplicationNeedsIt() {
+    check(
+        APPLICATION,
+        noClasses()
+            .that(not(resideInAnyPackage(APPLICATION)))
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage(APPLICATION));
+  }
+
+  /** A robot has no XChart and no Batik: its verbs use the terminal's part of the reports. */
+  @Test
+  void theVerbsOfARobotPlotNothing() {
+    String[] cli = {"org.dfra.cli.."};
+    String[] terminal = {"org.dfra.report.terminal.."};
+    DescribedPredicate<JavaClass> rest =
+        resideInAPackage("org.dfra.report..")
+            .and(not(resideInAnyPackage(terminal)))
+            .and(not(equivalentTo(NoFontException.class)));
+    check(cli, noClasses().that(resideInAnyPackage(cli)).should().dependOnClassesThat(rest));
+    check(
+        terminal,
+        noClasses().that(resideInAnyPackage(terminal)).should().dependOnClassesThat(rest));
+  }
+
+  @Test
   void everyReportBeginsWithItsVerdictAndItsTargets() {
     check(
-        new String[] {"org.dfra.app.."},
+        APPLICATION,
         classes()
             .that(
                 describe(
@@ -277,6 +316,10 @@ class ArchitectureTest extends PrintedTextRules {
     assertThatThrownBy(() -> neverDependsOnRiver("org.dfra.nowhere..").check(thisTest))
         .as("a rule that checks nothing")
         .isInstanceOf(AssertionError.class);
+    assertThatThrownBy(() -> check(new String[] {"org.dfra.core..", "org.dfra.app.."}, null))
+        .as("a rule about a package that has another name now")
+        .isInstanceOf(AssertionError.class)
+        .hasMessageContaining("org.dfra.app..");
   }
 
   @Test
@@ -285,36 +328,11 @@ class ArchitectureTest extends PrintedTextRules {
     assertThat(DFRA.contain("org.dfra.core.module.ModuleImpl")).isTrue();
   }
 
-  private static void check(String[] about, ArchRule rule) {
-    assumeTrue(
-        Arrays.stream(about).anyMatch(ArchitectureTest::hasSources),
-        () -> "no source yet in " + String.join(", ", about) + ", so nothing to check");
-    rule.check(DFRA);
-  }
-
-  private static boolean hasSources(String packages) {
-    Path directory = Path.of(packages.substring(0, packages.length() - 2).replace('.', '/'));
-    Path sources = Path.of("src/main/java");
-    Path root = Repository.root();
-    return Repository.mainPackages(root).stream()
-        .map(root::relativize)
-        .anyMatch(
-            found -> found.subpath(1, found.getNameCount()).startsWith(sources.resolve(directory)));
-  }
-
   private static ArchRule onlyDependsOn(String[] packages, String[] allowed) {
     return classes()
         .that(resideInAnyPackage(packages))
         .should()
         .onlyDependOnClassesThat(anyOf(allowed));
-  }
-
-  /** What lies outside org.dfra is another rule's matter. */
-  private static ArchRule dependsWithinDfraOnlyOn(String[] packages, String[] allowed) {
-    return noClasses()
-        .that(resideInAnyPackage(packages))
-        .should()
-        .dependOnClassesThat(resideInAPackage("org.dfra..").and(not(resideInAnyPackage(allowed))));
   }
 
   private static ArchRule neverDependsOnRiver(String packages) {
@@ -329,9 +347,5 @@ class ArchitectureTest extends PrintedTextRules {
   /** Also arrays of primitive types, which lie in no package at all. */
   private static DescribedPredicate<JavaClass> anyOf(String[] packages) {
     return resideInAnyPackage(packages).or(resideInAPackage(""));
-  }
-
-  private static String[] join(String[]... packages) {
-    return Arrays.stream(packages).flatMap(Arrays::stream).toArray(String[]::new);
   }
 }

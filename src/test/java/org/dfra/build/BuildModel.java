@@ -15,7 +15,8 @@ record BuildModel(String tool, Map<String, Set<Dependency>> modules) {
 
   /**
    * @param name group and artifact, as in {@code net.jini:jsk-platform}
-   * @param scope in Maven's words: compile, provided, runtime or test
+   * @param scope in Maven's words: compile, provided, runtime or test; or {@code
+   *     annotationProcessor}
    */
   record Dependency(String name, String version, String scope) implements Comparable<Dependency> {
     @Override

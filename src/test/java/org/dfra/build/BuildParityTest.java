@@ -81,14 +81,29 @@ class BuildParityTest {
     assertThat(Repository.read(root.resolve("dfra"))).contains("src/dist/pack");
     assertThat(Repository.read(root.resolve("build.gradle.kts")))
         .contains("tasks.register<Exec>(\"dist\")", "src/dist/pack")
+        .contains("tasks.register<Exec>(\"distComplete\")", "tasks.register<Exec>(\"distFlight\")")
         .as("the same bytes for the same sources, as outputTimestamp in pom.xml has it")
         .contains("isPreserveFileTimestamps = false", "isReproducibleFileOrder = true");
     assertThat(Repository.read(root.resolve("pom.xml")))
         .contains("<project.build.outputTimestamp>");
   }
 
+  /** Maven's model has no place for a second folder of tests, so the comparison does not see it. */
   @Test
-  void testsDrawTheSameLotsInBothBuildsAndInEachRun() {
+  void bothBuildsCompileTheSameFixturesForTheFlightDrivers() {
+    Path flight = Repository.root().resolve("dfra-flight");
+    String fixtures = "../dfra-drivers/src/test/java/org/dfra/drivers/fixture";
+    assertThat(flight.resolve(fixtures)).isDirectory();
+    assertThat(Repository.read(flight.resolve("pom.xml")))
+        .contains(
+            "<compileSourceRoot>${project.basedir}/src/test/java</compileSourceRoot>",
+            "<compileSourceRoot>${project.basedir}/" + fixtures + "</compileSourceRoot>");
+    assertThat(Repository.read(flight.resolve("build.gradle.kts")))
+        .contains("sourceSets.test { java.srcDir(\"" + fixtures + "\") }");
+  }
+
+  @Test
+  void testsDrawTheSameRandomNumbersInBothBuildsAndInEachRun() {
     String pom = Repository.read(Repository.root().resolve("pom.xml"));
     Matcher seed = Pattern.compile("<dfra\\.seed>(-?\\d+)</dfra\\.seed>").matcher(pom);
     assertThat(seed.find()).as("a number in pom.xml, dfra.seed").isTrue();
@@ -104,8 +119,9 @@ class BuildParityTest {
     String handed =
         pom.substring(
             pom.indexOf("<systemPropertyVariables>"), pom.indexOf("</systemPropertyVariables>"));
-    assertThat(Pattern.compile("<(dfra\\.\\w+)>").matcher(handed).results().map(m -> m.group(1)))
-        .contains("dfra.full", "dfra.repeats", "dfra.soak", "dfra.seed")
+    assertThat(
+            Pattern.compile("<(dfra\\.[\\w.-]+)>").matcher(handed).results().map(m -> m.group(1)))
+        .contains("dfra.full", "dfra.test.repeats-overloaded", "dfra.soak", "dfra.seed")
         .allMatch(
             name ->
                 script.contains("systemProperty(\"" + name + "\", ")
@@ -206,6 +222,34 @@ class BuildParityTest {
         "compileOnly(libs.jsk.platform); testCompileOnly(libs.jsk.platform)",
         "<scope>provided</scope>");
     assertThat(differences(elsewhere)).isEmpty();
+  }
+
+  @Test
+  void seesAnAnnotationProcessorThatOneBuildLacks() throws IOException {
+    house("annotationProcessor(libs.jsk.platform)", "");
+    String processor =
+        """
+        <project><build><plugins><plugin><executions><execution><configuration>
+          <annotationProcessorPaths combine.children="append"><path>
+            <groupId>net.jini</groupId><artifactId>jsk-platform</artifactId><version>%s</version>
+          </path></annotationProcessorPaths>
+        </configuration></execution></executions></plugin></plugins></build></project>
+        """;
+    Path pom = elsewhere.resolve("dfra-b/pom.xml");
+    Files.writeString(pom, processor.formatted("${river.version}"));
+    assertThat(differences(elsewhere)).isEmpty();
+    Files.writeString(pom, processor.formatted("2.2.1"));
+    assertThat(differences(elsewhere))
+        .containsExactly(
+            "dfra-b needs net.jini:jsk-platform:2.2.1 (annotationProcessor) only according to"
+                + " Maven",
+            "dfra-b needs net.jini:jsk-platform:2.2.2 (annotationProcessor) only according to"
+                + " Gradle");
+    Files.writeString(pom, "<project/>");
+    assertThat(differences(elsewhere))
+        .containsExactly(
+            "dfra-b needs net.jini:jsk-platform:2.2.2 (annotationProcessor) only according to"
+                + " Gradle");
   }
 
   @Test

@@ -35,7 +35,8 @@ final class GradleBuild {
 
   /**
    * Gradle's configurations in Maven's words; several of one dependency are joined by "+". A module
-   * may need at run time what all need for their tests.
+   * may need at run time what all need for their tests. Maven has no scope for annotation
+   * processors.
    */
   private static final Map<String, String> SCOPES =
       Map.of(
@@ -46,7 +47,8 @@ final class GradleBuild {
           "testRuntimeOnly", "test",
           "api+testImplementation", "compile",
           "implementation+testImplementation", "compile",
-          "compileOnly+testCompileOnly", "provided");
+          "compileOnly+testCompileOnly", "provided",
+          "compileOnly+testImplementation", "provided");
 
   private final Path root;
   private final Map<String, String> versions;

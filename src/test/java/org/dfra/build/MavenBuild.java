@@ -34,11 +34,13 @@ final class MavenBuild {
     Map<String, Set<Dependency>> modules = new LinkedHashMap<>();
     for (Element module : children(child(pom, "modules"))) {
       String directory = module.getTextContent().trim();
-      Set<Dependency> needs = dependencies(parse(root.resolve(directory).resolve("pom.xml")));
+      Element project = parse(root.resolve(directory).resolve("pom.xml"));
+      Set<Dependency> needs = dependencies(project);
       Set<String> own = needs.stream().map(Dependency::name).collect(Collectors.toSet());
       dependencies(pom).stream() // what a module says of a dependency goes before what all say
           .filter(inherited -> !own.contains(inherited.name()))
           .forEach(needs::add);
+      needs.addAll(annotationProcessors(project));
       modules.put(directory, needs);
     }
     return new BuildModel("Maven", modules);
@@ -64,6 +66,17 @@ final class MavenBuild {
         .toList();
   }
 
+  /** How the root's {@code pom.xml} configures a plugin that it manages: each element's text. */
+  Map<String, String> configuration(String plugin) {
+    Map<String, String> texts = new LinkedHashMap<>();
+    Element management = child(child(pom, "build"), "pluginManagement");
+    children(child(management, "plugins")).stream()
+        .filter(each -> text(each, "artifactId", "").equals(plugin))
+        .flatMap(each -> children(child(each, "configuration")).stream())
+        .forEach(each -> texts.put(each.getTagName(), each.getTextContent().trim()));
+    return texts;
+  }
+
   private Set<Dependency> dependencies(Element project) {
     Map<String, String> managed = managedVersions();
     Set<Dependency> result = new TreeSet<>();
@@ -76,6 +89,22 @@ final class MavenBuild {
       String version =
           resolve(text(dependency, "version", managed.getOrDefault(name, "no managed version")));
       result.add(new Dependency(name, version, text(dependency, "scope", "compile")));
+    }
+    return result;
+  }
+
+  /**
+   * Those of a module's own {@code pom.xml}. The root's are Error Prone and NullAway, which only
+   * Maven runs.
+   */
+  private Set<Dependency> annotationProcessors(Element project) {
+    Set<Dependency> result = new TreeSet<>();
+    NodeList all = project.getElementsByTagName("annotationProcessorPaths");
+    for (int i = 0; i < all.getLength(); i++) {
+      for (Element path : children((Element) all.item(i))) {
+        String version = resolve(text(path, "version", "no version"));
+        result.add(new Dependency(name(path), version, "annotationProcessor"));
+      }
     }
     return result;
   }

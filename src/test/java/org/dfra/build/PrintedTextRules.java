@@ -12,8 +12,8 @@ import java.util.TreeSet;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.dfra.app.terminal.CommandOutput;
-import org.dfra.app.terminal.ConsoleMessages;
+import org.dfra.report.terminal.CommandOutput;
+import org.dfra.report.terminal.ConsoleMessages;
 import org.dfra.text.PrintableText;
 import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
@@ -30,35 +30,37 @@ abstract class PrintedTextRules {
   /** They write text that other computers may have written, and make it printable themselves. */
   private static final Set<String> PRINTABLE =
       Set.of(
-          "org.dfra.app.HelpCommand",
-          "org.dfra.app.Main",
-          "org.dfra.app.CommandExceptionHandler",
-          "org.dfra.app.UsageErrorHandler",
-          "org.dfra.app.benchmark.Report",
-          "org.dfra.app.demo.harness.ProgressReporter",
-          "org.dfra.app.demo.harness.DemoRunner",
-          "org.dfra.app.log.LogbackSetup",
-          "org.dfra.app.raster.process.ProcessMission",
-          "org.dfra.app.sim.RunCommand",
-          "org.dfra.app.terminal.CommandOutput",
+          "org.dfra.cli.HelpCommand",
+          "org.dfra.cli.Main",
+          "org.dfra.cli.CommandExceptionHandler",
+          "org.dfra.cli.UsageErrorHandler",
+          "org.dfra.benchmarks.Report",
+          "org.dfra.report.progress.ProgressReporter",
+          "org.dfra.examples.harness.DemoRunner",
+          "org.dfra.cli.log.LogbackSetup",
+          "org.dfra.examples.mission.process.ProcessMission",
+          "org.dfra.examples.sim.RunCommand",
+          "org.dfra.report.terminal.CommandOutput",
           "org.dfra.river.phoenix.GroupVm",
           "org.dfra.sim.device.ReceiverEmulatorMain");
 
   /** They write no text but their own, or hand the writer on to one of those above. */
   private static final Set<String> OWN_TEXT =
       Set.of(
-          "org.dfra.app.benchmark.BenchCommand",
-          "org.dfra.app.benchmark.ListenerMain",
-          "org.dfra.app.benchmark.attack.AttackTask", // these to the benchmark, which reads them
-          "org.dfra.app.benchmark.attack.BombServer",
-          "org.dfra.app.benchmark.attack.HonestRobot",
-          "org.dfra.app.benchmark.attack.NeutralLoad",
-          "org.dfra.app.benchmark.attack.Operator",
-          "org.dfra.app.benchmark.attack.TaskMain",
-          "org.dfra.app.completion.CompletionCommand",
-          "org.dfra.app.demo.DemoCommand",
-          "org.dfra.app.recruit.ExperimentCommand",
-          "org.dfra.app.terminal.CommandName",
+          "org.dfra.benchmarks.BenchCommand",
+          "org.dfra.benchmarks.ListenerMain",
+          "org.dfra.benchmarks.attack.AttackTask", // these to the benchmark, which reads them
+          "org.dfra.benchmarks.attack.BombServer",
+          "org.dfra.benchmarks.attack.HonestRobot",
+          "org.dfra.benchmarks.attack.NeutralLoad",
+          "org.dfra.benchmarks.attack.Operator",
+          "org.dfra.benchmarks.task.TaskMain",
+          "org.dfra.benchmarks.micro.MicroTask", // likewise
+          "org.dfra.cli.archive.ArchivedClasses", // the help of commands, to nobody
+          "org.dfra.cli.completion.CompletionCommand",
+          "org.dfra.examples.DemoCommand",
+          "org.dfra.experiments.recruit.ExperimentCommand",
+          "org.dfra.report.terminal.CommandName",
           "org.dfra.core.time.Timing",
           "org.dfra.testing.SerialCable");
 
@@ -104,14 +106,14 @@ abstract class PrintedTextRules {
     assertThat(thatAccess(access -> means.contains(access.getTargetOwner().getName())))
         .containsAll(PRINTABLE)
         .contains(
-            "org.dfra.app.terminal.Json",
-            "org.dfra.app.terminal.Table",
-            "org.dfra.app.doctor.FindingPrinter",
-            "org.dfra.app.log.LineEncoder",
-            "org.dfra.app.log.PrintableTrace",
-            "org.dfra.app.plot.HtmlReport",
-            "org.dfra.app.plot.PanelText",
-            "org.dfra.river.phoenix.PrintableOutputStream");
+            "org.dfra.report.terminal.Json",
+            "org.dfra.report.terminal.Table",
+            "org.dfra.cli.doctor.FindingPrinter",
+            "org.dfra.cli.log.LineEncoder",
+            "org.dfra.cli.log.PrintableTrace",
+            "org.dfra.report.plot.HtmlReport",
+            "org.dfra.report.plot.PanelText",
+            "org.dfra.river.phoenix.host.PrintableOutputStream");
   }
 
   /** Text of a picture is made printable where it is painted. */
@@ -119,6 +121,7 @@ abstract class PrintedTextRules {
   void onlyTheseWriteTextIntoAPicture() {
     List<String> paint = List.of("drawString", "drawGlyphVector", "setTextContent");
     assertThat(thatAccess(access -> paint.contains(access.getTarget().getName())))
-        .containsExactlyInAnyOrder("org.dfra.app.plot.PanelText", "org.dfra.app.plot.SvgCanvas");
+        .containsExactlyInAnyOrder(
+            "org.dfra.report.plot.PanelText", "org.dfra.report.plot.SvgCanvas");
   }
 }

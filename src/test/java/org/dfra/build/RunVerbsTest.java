@@ -2,6 +2,7 @@ package org.dfra.build;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
+import static org.dfra.build.ScriptFolder.program;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -19,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
@@ -32,7 +34,7 @@ class RunVerbsTest {
 
   private static final Duration PATIENCE = Duration.ofSeconds(30);
   private static final String OLDER =
-      "dfra: these jars are older than the sources; ./dfra build makes new ones\n";
+      "dfra: these jars are older than the sources; type ./dfra build to create new ones\n";
   private static final String BUILDING = "dfra: building … (log: target/build.log)\n";
 
   private static final String BUILD_TOOL =
@@ -44,11 +46,15 @@ class RunVerbsTest {
       esac
       echo built >>tools/builds
       while [ -e tools/hold ]; do sleep 0.05; done
-      ! grep -q error dfra-app/src/main/App.java || { echo "App.java: error"; exit 1; }
+      ! grep -q error dfra-cli/src/main/App.java || { echo "App.java: error"; exit 1; }
       out=target activation=target
       [ "$DFRA_BUILD" = maven ] || { out=build; activation=build/libs; }
-      mkdir -p "dfra-app/$out/lib/dl" "dfra-activation/$activation"
-      cp dfra-app/src/main/App.java "dfra-app/$out/lib/dfra-app.jar"
+      mkdir -p "dfra-cli/$out/lib/dl" "dfra-flight/$out/lib" "dfra-benchmarks/$out/lib/dl" "dfra-activation/$activation"
+      echo core | tee "dfra-cli/$out/lib/dfra-core.jar" "dfra-flight/$out/lib/dfra-core.jar" >"dfra-benchmarks/$out/lib/dfra-core.jar"
+      echo flight | tee "dfra-flight/$out/lib/dfra-flight.jar" >"dfra-benchmarks/$out/lib/dfra-flight.jar"
+      cp dfra-cli/src/main/App.java "dfra-cli/$out/lib/dfra-cli.jar"
+      cp dfra-cli/src/main/App.java "dfra-benchmarks/$out/lib/dfra-cli.jar"
+      echo benchmarks >"dfra-benchmarks/$out/lib/dfra-benchmarks.jar"
       echo boot >"dfra-activation/$activation/dfra-activation.jar"
       """;
 
@@ -60,14 +66,17 @@ class RunVerbsTest {
           case $each in
               -Ddfra.lib=*) lib=${each#-Ddfra.lib=} ;;
               -Xbootclasspath/a:*) boot=${each#-Xbootclasspath/a:} ;;
+              org.dfra.*) echo "$each" >"$HOME/main" ;;
               up) up=true ;;
           esac
       done
       [ -f "$boot" ] || { echo "no boot jar"; exit 9; }
-      echo "runs $(cat "$lib/dfra-app.jar")"
+      jar=$lib/dfra-cli.jar
+      [ -f "$jar" ] || jar=$lib/dfra-app.jar
+      echo "runs $(cat "$jar")"
       if [ "${up:-}" ]; then
           while [ ! -e "$HOME/end" ]; do sleep 0.05; done
-          echo "still $(cat "$lib/dfra-app.jar")"
+          echo "still $(cat "$jar")"
       fi
       """;
 
@@ -99,6 +108,7 @@ class RunVerbsTest {
       """;
 
   @TempDir Path folder;
+  private ScriptFolder scripts;
   private Path source;
   private Path tools;
   private Path jars;
@@ -107,17 +117,11 @@ class RunVerbsTest {
 
   @BeforeEach
   void prepare() throws IOException {
-    Path libexec = Files.createDirectories(folder.resolve("src/dist/libexec"));
-    Path root = Repository.root();
-    Files.copy(root.resolve("dfra"), folder.resolve("dfra"));
-    Files.copy(root.resolve("src/dist/libexec/java.sh"), libexec.resolve("java.sh"));
+    scripts = new ScriptFolder(folder, BUILD_TOOL);
     Files.writeString(folder.resolve("pom.xml"), "<project/>");
-    source = Files.createDirectories(folder.resolve("dfra-app/src/main")).resolve("App.java");
+    source = Files.createDirectories(folder.resolve("dfra-cli/src/main")).resolve("App.java");
     Files.writeString(source, "version 1\n");
-    tools = Files.createDirectory(folder.resolve("tools"));
-    for (String name : List.of("mvn", "gradle")) {
-      program(tools.resolve(name), BUILD_TOOL);
-    }
+    tools = scripts.tools();
     program(tools.resolve("grep"), GREP);
     program(tools.resolve("apt-get"), INSTALLER);
     program(tools.resolve("sudo"), SUDO);
@@ -126,11 +130,6 @@ class RunVerbsTest {
     program(jdk.resolve("javac"), JAVA);
     Files.writeString(folder.resolve("jdk/release"), "JAVA_VERSION=\"17.0.1\"\n");
     jars = folder.resolve(".dfra/jars");
-  }
-
-  private static void program(Path file, String text) throws IOException {
-    Files.writeString(file, text);
-    assertThat(file.toFile().setExecutable(true)).isTrue();
   }
 
   @AfterEach
@@ -149,16 +148,10 @@ class RunVerbsTest {
   }
 
   private Process start(String... words) throws IOException {
-    List<String> command = new ArrayList<>(List.of("sh", folder.resolve("dfra").toString()));
-    command.addAll(List.of(words));
     Path said = Files.createTempFile(folder, "said", ".txt");
-    ProcessBuilder builder =
-        new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(said.toFile());
-    Map<String, String> environment = builder.environment();
-    environment.merge("PATH", tools + ":", (old, first) -> first + old);
-    environment.put("JAVA_HOME", folder.resolve("jdk").toString());
-    environment.put("HOME", folder.toString());
-    environment.put("DFRA_BUILD", tool);
+    ProcessBuilder builder = scripts.script(tool, words).redirectOutput(said.toFile());
+    builder.environment().put("JAVA_HOME", folder.resolve("jdk").toString());
+    builder.environment().put("HOME", folder.toString());
     Process script = builder.start();
     script.getOutputStream().close();
     started.add(script);
@@ -206,8 +199,7 @@ class RunVerbsTest {
     assertThat(builds()).isOne();
     assertThat(dfra("build")).isEqualTo(log + "/build.log)\n");
     assertThat(dfra("status")).isEqualTo("runs version 2\n");
-    assertThat(dfra("build"))
-        .isEqualTo("dfra: the jars are as new as the sources; nothing is built\n");
+    assertThat(dfra("build")).isEqualTo("dfra: the jars are up to date; nothing is built\n");
     assertThat(builds()).isEqualTo(2);
   }
 
@@ -218,7 +210,7 @@ class RunVerbsTest {
     Process build = start("build");
     assertThat(ended(build)).isTrue();
     assertThat(build.exitValue()).isEqualTo(1);
-    assertThat(said(build)).contains("dfra: the build failed; the whole log is ");
+    assertThat(said(build)).contains("dfra: the build failed; the log is ");
     assertThat(dfra("stop", "--all")).isEqualTo("runs version 1\n" + OLDER);
     assertThat(builds()).isEqualTo(2);
   }
@@ -277,8 +269,8 @@ class RunVerbsTest {
     program(tools.resolve("mvn"), "#!/bin/sh\nexit 1\n");
     assertThat(refused(verb))
         .isEqualTo(
-            "dfra: nothing is built here, and there is no Maven 3.8 or newer to build it with; type"
-                + " ./dfra build, which installs one or says how, then ./dfra "
+            "dfra: nothing is built here, and Maven 3.8 or newer is missing to build it; type"
+                + " ./dfra build, which installs it or says how, then ./dfra "
                 + verb
                 + " again\n");
     assertThat(folder.resolve("installed")).doesNotExist();
@@ -297,10 +289,13 @@ class RunVerbsTest {
     assertThat(folder.resolve("installed")).doesNotExist();
   }
 
-  @Test
-  void stopRunsTheJarsOfThisComputersPhoenixWhereNothingIsBuilt() throws Exception {
+  /** Also those of an earlier DFRA, whose verbs were in another jar and another class. */
+  @ParameterizedTest
+  @CsvSource({"dfra-cli.jar, org.dfra.cli.Main", "dfra-app.jar, org.dfra.app.Main"})
+  void stopRunsTheJarsOfThisComputersPhoenixWhereNothingIsBuilt(String jar, String main)
+      throws Exception {
     Path lib = Files.createDirectories(folder.resolve("elsewhere/lib"));
-    Files.writeString(lib.resolve("dfra-app.jar"), "the phoenix's version\n");
+    Files.writeString(lib.resolve(jar), "the phoenix's version\n");
     Path boot = Files.writeString(lib.resolve("dfra-activation.jar"), "boot");
     Path process = Files.createDirectories(folder.resolve("proc/4711"));
     Files.writeString(
@@ -310,11 +305,12 @@ class RunVerbsTest {
             "java",
             "-Xbootclasspath/a:" + boot,
             "-cp",
-            lib.resolve("a.jar") + ":" + lib.resolve("dfra-app.jar") + ":" + lib.resolve("z.jar"),
+            lib.resolve("a.jar") + ":" + lib.resolve(jar) + ":" + lib.resolve("z.jar"),
             "org.dfra.river.phoenix.Phoenix",
             "--port=1198",
             ""));
     assertThat(dfra("stop", "--all")).isEqualTo("runs the phoenix's version\n");
+    assertThat(folder.resolve("main")).hasContent(main);
     assertThat(builds()).isZero();
   }
 
@@ -347,7 +343,13 @@ class RunVerbsTest {
     Process robot = start("up");
     await().atMost(PATIENCE).until(() -> said(robot).equals("runs version 1\n"));
     for (String outputs :
-        List.of("target", "build", "dfra-app/target", "dfra-app/build", "dfra-activation")) {
+        List.of(
+            "target",
+            "build",
+            "dfra-cli/target",
+            "dfra-cli/build",
+            "dfra-benchmarks",
+            "dfra-activation")) {
       remove(folder.resolve(outputs));
     }
     Files.createFile(folder.resolve("end"));
@@ -383,6 +385,26 @@ class RunVerbsTest {
     Files.writeString(source, "version 4\n");
     dfra("build");
     assertThat(copies()).hasSize(2).doesNotContain(first);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"maven", "gradle"})
+  void packsWhatARobotNeedsAndAllOnlyWhereThatIsAsked(String with) throws Exception {
+    tool = with;
+    Path pack = folder.resolve("src/dist/pack");
+    program(pack, "#!/bin/sh\n(cd \"$1\" && echo *.jar dl* \"${4:-}\")\n");
+    assertThat(dfra("dist")).endsWith("\ndfra-cli.jar dfra-core.jar dl \n");
+    assertThat(dfra("dist", "--flight"))
+        .isEqualTo("dfra-cli.jar dfra-core.jar dfra-flight.jar dl -flight\n");
+    assertThat(dfra("dist", "--complete"))
+        .isEqualTo("dfra-benchmarks.jar dfra-cli.jar dfra-core.jar dfra-flight.jar dl -complete\n");
+    assertThat(dfra("dist", "--flight", "--complete"))
+        .isEqualTo("dfra: dist takes one option; usage: ./dfra dist [--flight|--complete]\n");
+    try (Stream<Path> left =
+        Files.list(folder.resolve(with.equals("maven") ? "target" : "build"))) {
+      assertThat(left.map(each -> each.getFileName().toString()))
+          .noneMatch(each -> each.startsWith("robot."));
+    }
   }
 
   @Test

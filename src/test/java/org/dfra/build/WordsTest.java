@@ -7,125 +7,188 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
 /**
- * The main sources use the field's terms, not a language of their own. Two lists: words that stand
- * nowhere, and words that stand in no name but are ordinary English in a comment. String literals
- * are not checked yet.
+ * Sources, tests, documents, configuration and scripts use the field's terms, not a language of
+ * their own. {@link BannedWords} has the lists.
  */
 class WordsTest {
 
-  /** In comments and in names. */
-  private static final Set<String> NOWHERE =
-      Set.of(
-          "anew", "baton", "deed", "heard", "hears", "helm", "knock", "knocked", "knocks", "lots",
-          "obey", "obeyed", "obeys", "told", "whoever");
-
-  /** In names. */
-  private static final Set<String> IN_NO_NAME =
-      Set.of("apart", "been", "errand", "errands", "letters", "pursuit", "seat", "tell", "tells");
-
-  /** What stays, each with its reason: file and name or word. */
+  /** What stays, each with its reason: file and word. */
   private static final Map<String, String> ALLOWED =
       Map.of(
-          "Ledger.java heard",
-          "component of a record in the agents' stored snapshots; renamed with an alias for them");
+          "docs/reference/robot-xml.md longest_silence",
+              "it shows the warning for an old name in a robot's XML",
+          "dfra-core/src/test/java/org/dfra/core/effector/DriveImplTest.java longest_silence",
+              "it tests that the old name of a parameter works");
 
-  /** A literal or a comment. */
-  private static final Pattern TOKEN =
+  /** Files that are about the old names, each with its reason. */
+  private static final Map<String, String> EXEMPT =
+      Map.of(
+          "docs/reference/renamed.md", "the table of old and new names",
+          "src/test/java/org/dfra/build/BannedWords.java", "it contains the lists",
+          "src/test/java/org/dfra/build/WordsTest.java", "it tests the lists",
+          "dfra-core/src/test/java/org/dfra/core/config/RecordedNamesTest.java",
+              "it tests the table of old names",
+          "dfra-core/src/test/java/org/dfra/core/config/RenamedNamesTest.java",
+              "it tests the table of old names",
+          "dfra-sim/src/test/java/org/dfra/sim/world/file/RenamedWorldNamesTest.java",
+              "it tests the table of old names");
+
+  /** Not {@code tsv}: {@code renamed-names.tsv} is the table of old names. */
+  private static final Pattern TEXT =
       Pattern.compile(
-          "\"\"\"(?s:.)*?\"\"\"|\"(?:\\\\.|[^\"\\\\\\n])*\"|'(?:\\\\.|[^'\\\\\\n])*'"
-              + "|//[^\\n]*|/\\*(?s:.)*?\\*/");
+          ".*\\.(?:config|fis|java|kts|md|properties|service|sh|svg|xml|xsd)"
+              + "|(?:.*/)?(?:commands|dfra|NOTICE|pack|run)");
 
-  private static final Pattern NAME = Pattern.compile("\\b[A-Za-z_]\\w*\\b");
-  private static final Pattern WORD = Pattern.compile("[a-z]+|[A-Z][a-z]*");
-  private static final Pattern CODE = Pattern.compile("\\{@(?:code|link|linkplain)\\s[^}]*\\}");
+  /** Its entries are old and new names. */
+  private static final Pattern RENAMED_IN_CHANGELOG =
+      Pattern.compile("(?ms)^- \\*\\*Names are the field's terms\\.\\*\\*.*?(?=^- |^#)");
+
+  private static Map<String, String> files;
+  private static Set<String> found;
+
+  @BeforeAll
+  static void read() throws IOException {
+    files = texts();
+    found = new TreeSet<>();
+    files.forEach((file, text) -> found.addAll(BannedWords.in(file, text)));
+  }
 
   @Test
-  void noBannedWordStandsInTheMainSources() throws IOException {
-    List<Path> sources = mainSources();
-    assertThat(sources).as("main sources").hasSizeGreaterThan(1000);
-    Set<String> found = new TreeSet<>();
-    for (Path each : sources) {
-      found.addAll(banned(each.getFileName().toString(), Files.readString(each)));
-    }
-    found.removeAll(ALLOWED.keySet());
-    assertThat(found)
+  void noBannedWordStandsInAnyFile() {
+    assertThat(files.keySet().stream().filter(file -> file.contains("/src/main/")))
+        .as("files of the main sources")
+        .hasSizeGreaterThan(1000);
+    assertThat(files.keySet().stream().filter(file -> file.contains("src/test/")))
+        .as("files of the tests")
+        .hasSizeGreaterThan(500);
+    assertThat(files.keySet())
+        .contains("CHANGELOG.md", "README.md", "dfra", "pom.xml", "dfra-core/pom.xml")
+        .contains("docs/concepts/effectors.md", "config/modules/dsp3000.properties");
+    assertThat(found.stream().filter(each -> !ALLOWED.containsKey(each)))
         .as("banned words; docs/reference/glossary.md has the project's terms")
         .isEmpty();
   }
 
   @Test
-  void whatIsAllowedIsStillThere() throws IOException {
-    Set<String> found = new TreeSet<>();
-    for (Path each : mainSources()) {
-      found.addAll(banned(each.getFileName().toString(), Files.readString(each)));
-    }
+  void whatIsAllowedIsStillThere() {
     assertThat(found).as("allowed words that are gone can be struck").containsAll(ALLOWED.keySet());
+    for (String file : EXEMPT.keySet()) {
+      assertThat(Repository.root().resolve(file)).as("an exempt file").exists();
+    }
+    assertThat(RENAMED_IN_CHANGELOG.matcher(Repository.read(changelog())).results())
+        .as("the entry of the renamed names in CHANGELOG.md")
+        .hasSize(1);
   }
 
   @Test
-  void findsWordsInNamesAndCommentsButNotInLiterals() {
-    assertThat(banned("A.java", "int lastHeard; // it was told\nString s = \"told heard\";"))
+  void findsWordsInNamesCommentsAndLiterals() {
+    assertThat(BannedWords.in("A.java", "int lastHeard; // it was told"))
         .containsExactly("A.java heard", "A.java told");
-    assertThat(banned("A.java", "void tellAll() {} // letters and tells"))
+    assertThat(BannedWords.in("A.java", "static final int TOLD_AGAIN = 1;"))
+        .containsExactly("A.java told");
+    assertThat(BannedWords.in("A.java", "String s = \"it said\\nanew\"; char c = '\"';"))
+        .containsExactly("A.java anew");
+    assertThat(BannedWords.in("A.java", "String s = \"\"\"\n  Lots of \"quotes\".\n\"\"\";"))
+        .containsExactly("A.java lots");
+    assertThat(BannedWords.in("A.java", "/** {@code Helm} is gone. */"))
+        .containsExactly("A.java helm");
+    assertThat(BannedWords.in("A.java", "int batons, tolder; // untold")).isEmpty();
+  }
+
+  @Test
+  void findsWordsThatAreBannedInNamesOnly() {
+    assertThat(BannedWords.in("A.java", "void tellAll() {} // letters and tells"))
         .containsExactly("A.java tell");
-    assertThat(banned("A.java", "/** {@code told} stays. */ int seats;")).isEmpty();
+    assertThat(BannedWords.in("A.java", "String s = \"it has been apart\";")).isEmpty();
+    assertThat(BannedWords.in("a.md", "It has been apart.")).isEmpty();
   }
 
-  /** The banned words of a source, each after the file's name. */
-  private static Set<String> banned(String file, String source) {
-    Set<String> found = new TreeSet<>();
-    StringBuilder code = new StringBuilder();
-    Matcher token = TOKEN.matcher(source);
-    int end = 0;
-    while (token.find()) {
-      code.append(source, end, token.start()).append(' ');
-      end = token.end();
-      if (token.group().startsWith("/")) {
-        for (String word : words(CODE.matcher(token.group()).replaceAll(" "))) {
-          if (NOWHERE.contains(word)) {
-            found.add(file + " " + word);
-          }
+  @Test
+  void findsIdentifiersInTheRoleInWhichTheyAreBanned() {
+    assertThat(BannedWords.in("A.java", "record Methods(int a) { class Eye {} }"))
+        .containsExactly("A.java Eye", "A.java Methods");
+    assertThat(BannedWords.in("A.java", "import a.Methods; Methods methods; int eye;")).isEmpty();
+    assertThat(BannedWords.in("A.java", "private void rest() {}")).containsExactly("A.java rest");
+    assertThat(BannedWords.in("A.java", "int rest = other.rest();")).isEmpty();
+    assertThat(BannedWords.in("A.java", "void set(double bias, int a) {}"))
+        .containsExactly("A.java bias");
+    assertThat(BannedWords.in("A.java", "record Noise(double sigma, double white) {}"))
+        .containsExactly("A.java white");
+    assertThat(BannedWords.in("A.java", "double bias = f(() -> bias, gyroBias);")).isEmpty();
+  }
+
+  @Test
+  void findsWordsInOtherFiles() {
+    assertThat(BannedWords.in("a.md", "Run `aTest.itIsTold`, and Whoever asks."))
+        .containsExactly("a.md told", "a.md whoever");
+    assertThat(BannedWords.in("a.xml", "<!-- knock --><parameter name=\"longest_silence\"/>"))
+        .containsExactly("a.xml knock", "a.xml longest_silence");
+  }
+
+  @Test
+  void readsTheRestOfTheChangelog() {
+    String text = "# Log\n\n- told\n- **Names are the field's terms.** `obey`\n  - heard\n- anew\n";
+    assertThat(BannedWords.in("a.md", RENAMED_IN_CHANGELOG.matcher(text).replaceAll("")))
+        .containsExactly("a.md anew", "a.md told");
+  }
+
+  private static Path changelog() {
+    return Repository.root().resolve("CHANGELOG.md");
+  }
+
+  /** Each file that is checked, by its path below the top directory. */
+  /** Whether a build has written it: reports of tests name tests that are renamed since. */
+  private static boolean isBuilt(Path root, Path file) {
+    for (Path part : root.relativize(file)) {
+      String name = part.toString();
+      if (name.equals("target") || name.equals("build") && !file.toString().endsWith(".java")) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private static Map<String, String> texts() throws IOException {
+    Path root = Repository.root();
+    List<Path> all = new ArrayList<>();
+    try (Stream<Path> top = Files.list(root)) {
+      top.filter(Files::isRegularFile).forEach(all::add);
+    }
+    List<Path> folders = new ArrayList<>();
+    for (String folder : List.of(".ci", ".github", "benchmarks", "config", "docs", "src")) {
+      folders.add(root.resolve(folder));
+    }
+    for (Path module : Repository.modulesWith(root, "pom.xml")) {
+      all.add(module.resolve("pom.xml"));
+      all.add(module.resolve("build.gradle.kts"));
+      folders.add(module.resolve("src"));
+    }
+    for (Path folder : folders) {
+      if (Files.isDirectory(folder)) {
+        try (Stream<Path> below = Files.walk(folder)) {
+          below.filter(file -> Files.isRegularFile(file) && !isBuilt(root, file)).forEach(all::add);
         }
       }
     }
-    code.append(source, end, source.length());
-    for (String word : words(code)) {
-      if (NOWHERE.contains(word) || IN_NO_NAME.contains(word)) {
-        found.add(file + " " + word);
+    Map<String, String> texts = new TreeMap<>();
+    for (Path each : all) {
+      String name = root.relativize(each).toString().replace('\\', '/');
+      if (TEXT.matcher(name).matches() && !EXEMPT.containsKey(name) && Files.exists(each)) {
+        texts.put(name, Files.readString(each));
       }
     }
-    return found;
-  }
-
-  /** The words of names or of prose, in small letters: {@code lastSeen} has two. */
-  private static Set<String> words(CharSequence text) {
-    Set<String> words = new TreeSet<>();
-    NAME.matcher(text)
-        .results()
-        .flatMap(name -> WORD.matcher(name.group()).results())
-        .forEach(word -> words.add(word.group().toLowerCase(Locale.ROOT)));
-    return words;
-  }
-
-  private static List<Path> mainSources() throws IOException {
-    List<Path> sources = new ArrayList<>();
-    try (Stream<Path> top = Files.list(Repository.root())) {
-      for (Path module : top.filter(each -> each.resolve("src/main").toFile().exists()).toList()) {
-        try (Stream<Path> files = Files.walk(module.resolve("src/main"))) {
-          files.filter(file -> file.toString().endsWith(".java")).forEach(sources::add);
-        }
-      }
-    }
-    return sources;
+    texts.computeIfPresent(
+        "CHANGELOG.md", (name, text) -> RENAMED_IN_CHANGELOG.matcher(text).replaceAll(""));
+    return texts;
   }
 }

@@ -22,9 +22,9 @@ import java.util.concurrent.TimeUnit;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.flow.sensor.LocationSensor;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Module;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.persona.GpsReceiverAttributes;
 import org.dfra.persona.LocationAttributes;
 import org.dfra.persona.ModuleAttributes;
@@ -102,7 +102,7 @@ abstract class DirectoryContract extends DirectoryFixture {
   }
 
   @Test
-  void waitsForAModuleAsLongAsToldAndNotLonger() throws Exception {
+  void waitsForAModuleAsLongAsGivenAndNotLonger() throws Exception {
     ModuleQuery<GPSSensor> query = ModuleQuery.of(GPSSensor.class).name("late");
     assertThat(directory.findFirst(query, Duration.ofMillis(50))).isEmpty();
     CompletableFuture<Optional<ModuleListing<GPSSensor>>> waiting =
@@ -119,9 +119,9 @@ abstract class DirectoryContract extends DirectoryFixture {
   }
 
   @Test
-  void tellsListenersOfMatchChangeAndNoMatch() throws Exception {
+  void notifiesListenersOfMatchChangeAndNoMatch() throws Exception {
     list("r", "before", 10);
-    Heard received = new Heard();
+    RecordingDirectoryListener received = new RecordingDirectoryListener();
     try (DirectoryRegistration watch =
         directory.listen(
             ModuleQuery.of(GPSSensor.class).where(SensorAttributes.class, "maxRate", atLeast(5)),
@@ -145,12 +145,12 @@ abstract class DirectoryContract extends DirectoryFixture {
   }
 
   @Test
-  void aSlowListenerHoldsUpNobodyAndHearsTheLastState() throws Exception {
+  void aSlowListenerDelaysNoOtherAndReceivesTheLastState() throws Exception {
     CountDownLatch blocked = new CountDownLatch(1);
     CountDownLatch go = new CountDownLatch(1);
     BlockingQueue<Double> rates = new LinkedBlockingQueue<>();
     ModuleQuery<GPSSensor> query = ModuleQuery.of(GPSSensor.class);
-    Heard healthy = new Heard();
+    RecordingDirectoryListener healthy = new RecordingDirectoryListener();
     try (DirectoryRegistration slow =
             directory.listen(
                 query,
@@ -180,15 +180,17 @@ abstract class DirectoryContract extends DirectoryFixture {
         assertThat(healthy.next()).isEqualTo("changed gps");
       }
       go.countDown();
-      assertThat(rates.poll(10, TimeUnit.SECONDS)).as("eight changes, told as one").isEqualTo(9);
+      assertThat(rates.poll(10, TimeUnit.SECONDS))
+          .as("eight changes, reported as one")
+          .isEqualTo(9);
       assertThat(rates).isEmpty();
     }
   }
 
   @Test
-  void aListenerThatFailsIsToldOfTheNextAllTheSame() throws Exception {
-    Heard received =
-        new Heard() {
+  void aListenerThatFailsIsNotifiedOfTheNextAllTheSame() throws Exception {
+    RecordingDirectoryListener received =
+        new RecordingDirectoryListener() {
           @Override
           public void matched(ModuleListing<GPSSensor> listing) {
             super.matched(listing);

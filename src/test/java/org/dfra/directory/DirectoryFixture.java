@@ -9,7 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.UUID;
 import org.dfra.flow.sensor.GPSSensor;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ChainAttributes;
 import org.dfra.persona.ModuleAttributes;
@@ -27,7 +27,7 @@ abstract class DirectoryFixture {
   interface Stage extends AutoCloseable {
     ModuleDirectory directory();
 
-    /** Makes a module known, or known anew. */
+    /** Makes a module known, or known again. */
     void announce(ListedGps module, List<Attributes> attributes, Locality locality)
         throws Exception;
 
@@ -37,7 +37,7 @@ abstract class DirectoryFixture {
     /** The module is gone for certain. */
     void withdraw(UUID id) throws Exception;
 
-    /** Whoever vouched for all that is known is out of reach. */
+    /** Every lookup service that listed the known modules is out of reach. */
     void loseSight() throws Exception;
   }
 

@@ -32,7 +32,7 @@ import org.dfra.core.host.FreePorts;
 import org.dfra.core.time.StallProbe;
 import org.dfra.core.time.Timing;
 import org.dfra.flow.sensor.GPSSensor;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.persona.PersonaAttributes;
@@ -118,7 +118,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
 
     @Override
     public void announce(PersonaAttributes robot) throws Exception {
-      // As a robot's registrar is told; here by a service of its own, since reggie is one robot's.
+      // As a robot's registrar receives it; here by a service of its own: reggie is one robot's.
       reggie.register(UUID.randomUUID(), "a registrar", List.of(robot), 100 * LEASE);
     }
 

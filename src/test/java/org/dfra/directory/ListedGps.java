@@ -12,9 +12,9 @@ import org.dfra.flow.sensor.GpsFix;
 import org.dfra.flow.sensor.LocationReading;
 import org.dfra.flow.sensor.TimeReading;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Identification;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 
 /** A module whose calls go where the test says; copies of it behave alike. */
 record ListedGps(UUID id, String name) implements BareGps, Lamp, Serializable {

@@ -38,7 +38,7 @@ class ModuleQueryTest {
     assertThatThrownBy(() -> ANY.within(-1, new GeoPosition(0, 0, 0)))
         .hasMessage("no module is within -1.0 m; ask for 0 m or more");
     assertThatThrownBy(() -> ANY.where(Attributes.class, "x", Condition.contains("1")))
-        .hasMessage("org.dfra.persona.Attributes is no record; name a record of attributes");
+        .hasMessage("org.dfra.persona.Attributes is not a record; name a record of attributes");
   }
 
   @Test

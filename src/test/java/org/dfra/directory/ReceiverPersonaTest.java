@@ -10,7 +10,7 @@ import org.dfra.drivers.gps.m12.M12PlusImpl;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.flow.sensor.LocationSensor;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.persona.ChainAttributes;
 import org.dfra.persona.GpsReceiverAttributes;
 import org.dfra.persona.LocationAttributes;

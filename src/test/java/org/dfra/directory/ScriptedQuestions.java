@@ -14,7 +14,7 @@ import java.util.UUID;
 import java.util.function.Predicate;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ChainAttributes;
 import org.dfra.persona.GpsReceiverAttributes;

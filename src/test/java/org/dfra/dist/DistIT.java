@@ -8,8 +8,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.UUID;
+import java.util.stream.Stream;
 import org.dfra.core.host.FreePorts;
 import org.dfra.dist.Installation.Outcome;
 import org.junit.jupiter.api.Test;
@@ -17,6 +20,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** {@code ./dfra dist}: a robot is brought up from what was unpacked, where nothing can compile. */
 class DistIT {
+
+  private static final long MOST_BYTES = 12_000_000; // 11.8 MB when this was written
 
   @TempDir Path folder;
 
@@ -43,6 +48,18 @@ class DistIT {
           .contains("up ", "doctor ")
           .doesNotContain("by the script itself", "./dfra ");
 
+      Outcome demo = installed.dfra(robot, "demo", "raster", "--speed=2");
+      assertThat(demo.exit()).isEqualTo(69);
+      assertThat(demo.err()).isEqualTo("dfra: demo is in dfra-examples, which is not installed\n");
+
+      String multicopter = installed.home() + "/config/teams/recruit/uav.xml";
+      Outcome flying = installed.dfra(robot, "up", multicopter);
+      assertThat(flying.exit()).isEqualTo(1);
+      assertThat(flying.err())
+          .contains(
+              ": module uav/flight: driver class org.dfra.drivers.uav.mavlink.MavlinkFlightImpl is"
+                  + " in dfra-flight, which is not installed; \"dist --flight\" packs it\n");
+
       Outcome early = installed.dfra(robot, "status");
       assertThat(early.exit()).isEqualTo(4);
       assertThat(early.err()).contains("bring a robot up first: dfra up ROBOT.XML");
@@ -64,6 +81,20 @@ class DistIT {
       assertThat(doctor.exit()).as(doctor.out() + doctor.err()).isZero();
       assertThat(doctor.out()).contains(" at " + installed.java(), installed.home() + "/lib/boot/");
 
+      assertThat(installed.dfra(robot, "--version").out().lines().findFirst())
+          .as("the version that the build wrote into the jar")
+          .contains(installed.home().getFileName().toString().replaceFirst("-", " "));
+
+      Path loaded = folder.resolve("loaded.txt");
+      Map<String, String> logged = new HashMap<>(robot);
+      logged.put("DFRA_OPTIONS", "-Xlog:class+load:file=" + loaded);
+      Outcome stop = installed.dfra(logged, "stop", "--all", "--team=");
+      assertThat(loaded)
+          .as("up has archived the classes, and commands have them from there")
+          .content()
+          .contains("org.dfra.cli.stop.StopCommand source: shared objects file (top)");
+      assertThat(stop.exit()).as("it has no effector: %s", stop.out() + stop.err()).isEqualTo(3);
+
       Outcome down = installed.dfra(robot, "down");
       assertThat(down.exit()).as(down.out() + down.err()).isZero();
       await()
@@ -73,9 +104,12 @@ class DistIT {
   }
 
   @Test
-  void theSameJarsGiveTheSameBytes() throws Exception {
+  void theSameJarsGiveTheSameBytesWhateverClassesAreArchivedAmongThem() throws Exception {
     Path one = Installation.pack(folder.resolve("one"));
-    Path other = Installation.pack(folder.resolve("other"));
+    Path lib = folder.resolve("lib");
+    Installation.run(Map.of(), "cp", "-R", BuiltJars.assumed().lib().toString(), lib.toString());
+    Files.writeString(Files.createDirectory(lib.resolve("archive")).resolve("17.jsa"), "classes");
+    Path other = Installation.pack(lib, folder.resolve("other"));
     assertThat(Files.mismatch(one, other)).as("first byte that differs").isEqualTo(-1);
     String listed =
         Installation.run(Map.of("TZ", "UTC"), "tar", "--numeric-owner", "-tvzf", one.toString())
@@ -83,9 +117,9 @@ class DistIT {
     assertThat(listed.lines())
         .allSatisfy(line -> assertThat(line).contains(" 0/0 "))
         .anyMatch(line -> line.startsWith("-rwxr-xr-x") && line.endsWith("/bin/dfra"))
-        .anyMatch(line -> line.endsWith("/lib/dfra-app.jar"))
+        .anyMatch(line -> line.endsWith("/lib/dfra-cli.jar"))
         .anyMatch(line -> line.endsWith("/lib/boot/dfra-activation.jar"))
-        .anyMatch(line -> line.endsWith("/lib/dl/dfra-river-dl.jar"))
+        .anyMatch(line -> line.endsWith("/lib/dl/dfra-client.jar"))
         .anyMatch(line -> line.endsWith("/config/robots/atrv1.xml"))
         .anyMatch(line -> line.endsWith("/config/fuzzy/waypoint.fis"))
         .noneMatch(line -> line.contains("VectorGraphics2D")) // under the LGPL
@@ -94,6 +128,31 @@ class DistIT {
         .anyMatch(line -> line.endsWith("/README.md"));
     try (var left = Files.list(one.getParent())) {
       assertThat(left).as("nothing else is left").containsExactly(one);
+    }
+  }
+
+  /** What draws, simulates and measures stays where robots are developed. */
+  @Test
+  void aRobotHasTheVerbsAndWhatTheyNeed() throws Exception {
+    Path tarball = Installation.pack(folder.resolve("out"));
+    Path unpacked = Files.createDirectory(folder.resolve("unpacked"));
+    Installation.run(Map.of(), "tar", "-xzf", tarball.toString(), "-C", unpacked.toString());
+    String name = tarball.getFileName().toString().replace(".tar.gz", "");
+    try (Stream<Path> lib = Files.list(unpacked.resolve(name).resolve("lib"))) {
+      List<Path> jars = lib.filter(each -> each.toString().endsWith(".jar")).toList();
+      assertThat(jars.stream().map(each -> each.getFileName().toString()))
+          .contains("dfra-cli.jar", "dfra-report.jar", "dfra-drivers.jar", "dfra-recruit.jar")
+          .contains("dfra-client.jar", "dfra-phoenix.jar", "dfra-river.jar")
+          .noneMatch(
+              each ->
+                  each.matches(
+                      "dfra-(flight|examples|experiments|benchmarks|sim|testing|fixtures)\\.jar"))
+          .noneMatch(each -> each.matches("(mavlink|xchart|batik|commons|jmh|jopt)-.*"));
+      long bytes = 0;
+      for (Path each : jars) {
+        bytes += Files.size(each);
+      }
+      assertThat(bytes).as("bytes of the jars").isLessThanOrEqualTo(MOST_BYTES);
     }
   }
 

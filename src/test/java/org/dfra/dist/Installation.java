@@ -51,13 +51,17 @@ final class Installation implements AutoCloseable {
 
   /** Packs what this build has made; returns the tarball. */
   static Path pack(Path out) throws IOException, InterruptedException {
-    BuiltJars built = BuiltJars.assumed();
+    return pack(BuiltJars.assumed().lib(), out);
+  }
+
+  /** The same with another folder of jars. */
+  static Path pack(Path lib, Path out) throws IOException, InterruptedException {
     Outcome packed =
         run(
             Map.of(),
             ROOT.resolve("src/dist/pack").toString(),
-            built.lib().toString(),
-            built.boot().toString(),
+            lib.toString(),
+            BuiltJars.assumed().boot().toString(),
             out.toString());
     return Path.of(packed.out().strip());
   }
@@ -74,6 +78,7 @@ final class Installation implements AutoCloseable {
         "--output",
         jre.toString());
     assertThat(jre.resolve("bin/java")).isExecutable();
+    run(Map.of(), jre.resolve("bin/java").toString(), "-Xshare:dump"); // every distribution has it
     assertThat(jre.resolve("bin/javac")).doesNotExist();
     return jre;
   }

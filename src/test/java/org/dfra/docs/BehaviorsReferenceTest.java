@@ -54,7 +54,7 @@ class BehaviorsReferenceTest {
   }
 
   @Test
-  void everyParameterIsToldWithItsRangeAndNoOther() throws Exception {
+  void everyParameterIsListedWithItsRangeAndNoOther() throws Exception {
     String text = Files.readString(FILE);
     int[] ranges = {0};
     for (MatchResult section : SECTION.matcher(text).results().toList()) {

@@ -7,23 +7,23 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.dfra.app.team.PhoenixOptions;
-import org.dfra.app.team.TeamOptions;
+import org.dfra.cli.team.PhoenixOptions;
+import org.dfra.cli.team.TeamOptions;
 import picocli.CommandLine;
 import picocli.CommandLine.Help;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.PositionalParamSpec;
 
-/** The part of {@code docs/reference/command-line.md} that the commands themselves tell. */
+/** The part of {@code docs/reference/command-line.md} that the commands themselves print. */
 final class CommandReference {
 
   private static final int WIDE = 400;
 
-  /** Groups of options that many commands share, each by the heading under which it is told. */
+  /** Groups of options that many commands share, each by the heading under which it is listed. */
   private static final Map<String, Set<String>> SHARED =
       Map.of(
-          "Where robots are looked for", names(new TeamOptions()),
+          "Where to look for robots", names(new TeamOptions()),
           "Where phoenix is", names(new PhoenixOptions()));
 
   private final StringBuilder text = new StringBuilder();
@@ -33,7 +33,7 @@ final class CommandReference {
   /** Markdown, a section for each verb and each verb of a verb. */
   static String of(CommandLine line) {
     CommandReference reference = new CommandReference();
-    reference.shared("Where robots are looked for", new TeamOptions());
+    reference.shared("Where to look for robots", new TeamOptions());
     reference.shared("Where phoenix is", new PhoenixOptions());
     line.getSubcommands().values().forEach(verb -> reference.verb(verb, "##"));
     return reference.text.toString().strip() + "\n";

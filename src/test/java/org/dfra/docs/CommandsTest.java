@@ -13,7 +13,7 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import org.dfra.app.Main;
+import org.dfra.cli.Main;
 import org.dfra.docs.Documents.Document;
 import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
@@ -21,7 +21,7 @@ import picocli.CommandLine;
 /** What the documents say to type is understood. */
 class CommandsTest {
 
-  private static final CommandLine DFRA = new CommandLine(Main.class);
+  private static final CommandLine DFRA = Main.commandLine();
 
   private static final Pattern TYPED =
       Pattern.compile("(?:^|[\\s(;&\"])\\./dfra\\b(?!/)([^#;&|]*)");
@@ -66,7 +66,7 @@ class CommandsTest {
   }
 
   @Test
-  void tellsAWrongCommandFromARightOne() {
+  void distinguishesAWrongCommandFromARightOne() {
     assertThat(fault("")).isNull();
     assertThat(fault("demo foundation --record benchmarks/foundation.csv")).isNull();
     assertThat(fault("up --port=1199 config/robots/atrv1.xml")).isNull();
@@ -81,6 +81,8 @@ class CommandsTest {
     assertThat(fault("dist --quick")).isEqualTo("dist has no option --quick");
     assertThat(fault("build")).isNull();
     assertThat(fault("build --quick")).isEqualTo("build has no option --quick");
+    assertThat(fault("javadoc --help")).isNull();
+    assertThat(fault("javadoc --quick")).isEqualTo("javadoc has no option --quick");
     assertThat(fault("test --quick")).isEqualTo("test has no option --quick");
   }
 
@@ -98,13 +100,16 @@ class CommandsTest {
     if (verb.equals("test")) {
       return unknownOption(verb, words, testOptions());
     }
-    if (verb.equals("dist") || verb.equals("build")) {
+    if (verb.equals("dist")) {
+      return unknownOption(verb, words, Set.of("-h", "--help", "--flight", "--complete"));
+    }
+    if (verb.equals("build") || verb.equals("javadoc")) {
       return unknownOption(verb, words, Set.of("-h", "--help"));
     }
     if (verb.startsWith("-")) {
       return unknownOption("dfra", words, DFRA.getCommandSpec().optionsMap().keySet());
     }
-    if (verb.equals("VERB")) {
+    if (verb.equals("COMMAND")) {
       return null;
     }
     CommandLine line = DFRA.getSubcommands().get(verb);
@@ -117,7 +122,7 @@ class CommandsTest {
     if (!line.getSubcommands().isEmpty() && words.size() > 1) {
       String second = words.get(1);
       CommandLine nested = line.getSubcommands().get(second);
-      if (nested == null && !second.startsWith("-") && !second.equals("VERB")) {
+      if (nested == null && !second.startsWith("-") && !second.equals("COMMAND")) {
         return "there is no verb " + verb + " " + second;
       }
       line = nested == null ? line : nested;
@@ -149,7 +154,7 @@ class CommandsTest {
   }
 
   @Test
-  void theReferenceIsWhatTheCommandsTell() throws IOException {
+  void theReferenceIsWhatTheCommandsPrint() throws IOException {
     String reference = Documents.of(REFERENCE).text();
     int begin = reference.indexOf(BEGIN) + BEGIN.length();
     int end = reference.indexOf(END);
@@ -157,7 +162,7 @@ class CommandsTest {
     String right =
         reference.substring(0, begin)
             + "\n\n"
-            + CommandReference.of(new CommandLine(Main.class))
+            + CommandReference.of(Main.commandLine())
             + "\n"
             + reference.substring(end);
     Path draft = Documents.ROOT.resolve("target/command-line.md");

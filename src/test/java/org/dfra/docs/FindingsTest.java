@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.List;
-import org.dfra.app.doctor.Subject;
+import org.dfra.cli.doctor.Subject;
 import org.junit.jupiter.api.Test;
 
 /** What {@code ./dfra doctor} may find is explained. */

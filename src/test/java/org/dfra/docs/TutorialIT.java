@@ -106,7 +106,7 @@ class TutorialIT {
     return "#!/bin/sh\nset -eu\n"
         + (". '" + Documents.ROOT.resolve("src/dist/libexec/java.sh") + "'\n")
         + ("root='" + Documents.ROOT + "' home='" + System.getProperty("java.home") + "'\n")
-        + ("lib='" + lib + "' boot='" + System.getProperty("dfra.boot") + "'\n")
+        + ("lib='" + lib + "' boot='" + System.getProperty("dfra.boot-class-path") + "'\n")
         + ("export DFRA_STATE='" + folder.resolve("state") + "'\n")
         + (FULL ? "" : "unset JAVA_TOOL_OPTIONS\n")
         + "export DFRA_WAIT=20\n" // a module that is named is not awaited once it is found
@@ -179,7 +179,7 @@ class TutorialIT {
         case "sh" -> {
           if (content.contains("dfra=~/dfra")) {
             exports.add("export dfra='" + folder + "' lib='" + lib + "'");
-            exports.add("export boot='" + System.getProperty("dfra.boot") + "'");
+            exports.add("export boot='" + System.getProperty("dfra.boot-class-path") + "'");
             continue;
           }
           printed = shell(in, String.join("\n", exports) + "\n" + content);

@@ -26,7 +26,7 @@ import org.dfra.flow.effector.DriveEffector;
 import org.dfra.flow.sensor.BatterySensor;
 import org.dfra.flow.sensor.OdometrySensor;
 import org.dfra.lease.LeaseRefusedException;
-import org.dfra.module.Incident;
+import org.dfra.lifecycle.Incident;
 import org.dfra.module.Module;
 import org.dfra.robot.LivingPhoenix;
 import org.dfra.testing.InteractiveProcess;
@@ -39,8 +39,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * A robot's wheels, odometry and battery in one group, a process of its own; whoever dies, the
- * wheels stand in time. All tests share the robot, which each finds as it was at first.
+ * A robot's wheels, odometry and battery in one group, a process of its own; whichever of them
+ * dies, the wheels stop in time. All tests share the robot, which each finds as it was at first.
  */
 @Timeout(180)
 class DriveIT {
@@ -264,7 +264,7 @@ class DriveIT {
   }
 
   /** What {@code ./dfra} has answered to a question that it can answer. */
-  private static String answered(WheeledRobot.Said said) {
+  private static String answered(WheeledRobot.CommandResult said) {
     assertThat(said.status()).as(said.text()).isZero();
     return said.text();
   }

@@ -61,7 +61,7 @@ class FirstOrderIT {
 
   private static Timing firstOrder(WheeledRobot robot, ScriptCopy checkout, StallProbe probe)
       throws Exception {
-    try (Commander unused = new Commander(robot.drive(), LEASE, AHEAD)) {
+    try (Commander unused = robot.driven(LEASE, AHEAD)) {
       robot.awaitFullSpeed();
       StallProbe.Stopwatch running = probe.stopwatch();
       Instant typed = Instant.now();
@@ -79,7 +79,7 @@ class FirstOrderIT {
       assertThat(said)
           .isEqualTo(
               "eta/drive: stopped.\n1 effector: 1 stopped.\n"
-                  + "dfra: these jars are older than the sources; ./dfra build makes new ones\n");
+                  + "dfra: these jars are older than the sources; type ./dfra build to create new ones\n");
       await().atMost(PATIENCE).until(() -> robot.wheels().firstHalt() != null);
       Instant ordered = Objects.requireNonNull(robot.wheels().firstHalt(), "no order came");
       assertThat(robot.drive().emergencyStopState().latched()).isTrue();

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -41,10 +42,11 @@ final class ScriptCopy implements AutoCloseable {
         copy(each, jars.resolve("lib").resolve(built.lib().relativize(each)));
       }
     }
-    copy(built.boot(), jars.resolve("boot/dfra-activation.jar"));
+    copy(built.boot(), boot(jars));
+    archiveClasses(jars);
     Files.writeString(jars.resolve("fingerprint"), "of other sources\n");
     Files.createSymbolicLink(jars.resolveSibling("current"), Path.of("one"));
-    Path sources = Files.createDirectories(folder.resolve("dfra-app/src/main/java"));
+    Path sources = Files.createDirectories(folder.resolve("dfra-cli/src/main/java"));
     Files.writeString(sources.resolve("Broken.java"), "class Broken { this does not compile }\n");
     Files.writeString(folder.resolve("pom.xml"), "<project/>\n");
   }
@@ -54,7 +56,26 @@ final class ScriptCopy implements AutoCloseable {
     Files.copy(from, to, StandardCopyOption.COPY_ATTRIBUTES);
   }
 
-  /** Holds the lock of whoever builds or tests there, until this is closed. */
+  /** As {@code ./dfra build} does after it has put the jars there. */
+  private void archiveClasses(Path jars) throws IOException {
+    String home = "home='" + System.getProperty("java.home") + "'";
+    String archive = "archive_classes '" + jars.resolve("lib") + "' '" + boot(jars) + "'";
+    Path functions = folder.resolve("src/dist/libexec/java.sh");
+    Process script =
+        new ProcessBuilder("sh", "-euc", ". '" + functions + "'; " + home + "; " + archive)
+            .redirectErrorStream(true)
+            .start();
+    String said = new String(script.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    try (Stream<Path> files = Files.list(jars.resolve("lib/archive"))) {
+      assertThat(files.map(Path::toString)).as(said).anyMatch(each -> each.endsWith(".jsa"));
+    }
+  }
+
+  private static Path boot(Path jars) {
+    return jars.resolve("boot/dfra-activation.jar");
+  }
+
+  /** Holds the lock of builds and tests there, until this is closed. */
   void lock() throws IOException, InterruptedException {
     assumeTrue(new ProcessBuilder("which", "flock").start().waitFor() == 0, "no flock here");
     Path lock = Files.createDirectories(folder.resolve("target")).resolve("dfra.lock");
@@ -80,7 +101,7 @@ final class ScriptCopy implements AutoCloseable {
     return script;
   }
 
-  /** Ends what still runs, the last first: whoever waits for the lock never gets it. */
+  /** Ends what still runs, the last first: a process that waits for the lock never gets it. */
   @Override
   public void close() throws IOException, InterruptedException {
     while (!started.isEmpty()) {

@@ -32,7 +32,7 @@ import net.jini.jeri.BasicObjectEndpoint;
 import net.jini.security.ProxyPreparer;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.Parameters;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.core.effector.DriveImpl;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.time.StallProbe;
@@ -40,8 +40,8 @@ import org.dfra.core.time.Timing;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.effector.DriveEffector;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.persona.DriveAttributes;
 import org.dfra.river.bootstrap.EmbeddedRegistrar;
 import org.dfra.river.bootstrap.ServedModules;
@@ -52,6 +52,7 @@ import org.dfra.river.lookup.SuppliedConfiguration;
 import org.dfra.river.proxy.effector.DriveProxy;
 import org.dfra.river.remote.ModuleAdmin;
 import org.dfra.river.server.ModuleActivation;
+import org.dfra.river.server.ModuleServer;
 import org.dfra.river.server.effector.DriveServer;
 import org.dfra.testing.EmbeddedReggie;
 import org.junit.jupiter.api.AfterEach;
@@ -246,8 +247,8 @@ public class ShutdownOrderTest {
             RecordedDrive.class.getName(),
             configuration.toString(),
             false,
-            Parameters.of("robot/drive", Map.of("longest_silence", "0.5")),
-            Place.CODE),
+            Parameters.of("robot/drive", Map.of("command_timeout", "0.5")),
+            SourceLocation.CODE),
         id,
         EmbeddedReggie.HOST,
         List.of(),
@@ -288,7 +289,8 @@ public class ShutdownOrderTest {
   @ParameterizedTest
   @MethodSource("ways")
   void aDriveHaltsFirstAndLeavesSixSilentRegistrarsWithinASecond(Named way) throws Exception {
-    try (DriveServer server = new DriveServer(null, new MarshalledObject<>(activation()))) {
+    try (DriveServer server =
+        ModuleServer.started(new DriveServer(null, new MarshalledObject<>(activation())))) {
       DriveEffector drive = (DriveEffector) server.getProxy();
       CommandLease lease = drive.acquireCommandLease(Duration.ofSeconds(10));
       drive.execute(lease.key(), new Velocity(0.5, 0));

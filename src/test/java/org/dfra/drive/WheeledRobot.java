@@ -25,8 +25,9 @@ import org.dfra.flow.effector.DriveCommand.Brake;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.effector.DriveEffector;
 import org.dfra.flow.effector.EmergencyStopState;
+import org.dfra.flow.effector.LeaseRefusedByEmergencyStopException;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.call.DeadlineExceededException;
 import org.dfra.river.lookup.JiniModuleDirectory;
@@ -48,7 +49,7 @@ public final class WheeledRobot implements AutoCloseable {
       List.of("DFRA_TEAM", "DFRA_LOCATORS", "DFRA_HOST", "DFRA_PHOENIX");
 
   /** What a command has answered. */
-  public record Said(int status, String text) {}
+  public record CommandResult(int status, String text) {}
 
   private final Wheels wheels;
   private final LivingPhoenix phoenix;
@@ -198,29 +199,29 @@ public final class WheeledRobot implements AutoCloseable {
   }
 
   /** What {@code ./dfra} answers that knows the robots of this phoenix, and no others. */
-  Said dfra(String... words) throws Exception {
+  CommandResult dfra(String... words) throws Exception {
     return process(phoenix.process().state(), words);
   }
 
   /** What {@code ./dfra stop} answers on a computer that knows no robot: it asks this registrar. */
-  public Said stopFromElsewhere(Path state, String... words) throws Exception {
+  public CommandResult stopFromElsewhere(Path state, String... words) throws Exception {
     List<String> all = new ArrayList<>(List.of("stop", "--team=", "--host=" + HOST));
     all.addAll(List.of("--wait=20", "--locator=" + locator));
     all.addAll(List.of(words));
     return process(state, all.toArray(String[]::new));
   }
 
-  private static Said process(Path state, String... words) throws Exception {
+  private static CommandResult process(Path state, String... words) throws Exception {
     List<String> command =
         new ArrayList<>(InteractiveProcess.java(System.getProperty("java.class.path"), List.of()));
-    command.add("org.dfra.app.Main");
+    command.add("org.dfra.cli.Main");
     command.addAll(List.of(words));
     command.add("--state=" + state);
     ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
     builder.environment().keySet().removeAll(OTHERS);
     Process asked = builder.start();
     String text = new String(asked.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    return new Said(asked.waitFor(), text);
+    return new CommandResult(asked.waitFor(), text);
   }
 
   /**
@@ -228,22 +229,22 @@ public final class WheeledRobot implements AutoCloseable {
    * another test, since to start one costs a second of processor time. Where the environment names
    * other robots it is a process all the same, so that none of them is reached.
    */
-  Said dfraHere(String... words) throws Exception {
+  CommandResult dfraHere(String... words) throws Exception {
     if (!Collections.disjoint(System.getenv().keySet(), OTHERS)) {
       return dfra(words);
     }
     MarkedProcesses.Outcome outcome =
         MarkedProcesses.here(with("--state=" + phoenix.process().state(), words));
-    return new Said(outcome.exit(), outcome.out() + outcome.err());
+    return new CommandResult(outcome.exit(), outcome.out() + outcome.err());
   }
 
   /** {@link #dfra} of a command that looks for robots: by this robot's registrar alone. */
-  Said ask(String... words) throws Exception {
+  CommandResult ask(String... words) throws Exception {
     return dfra(thisRobot(words));
   }
 
   /** {@link #dfraHere} of a command that looks for robots: by this robot's registrar alone. */
-  Said askHere(String... words) throws Exception {
+  CommandResult askHere(String... words) throws Exception {
     return dfraHere(thisRobot(words));
   }
 
@@ -283,12 +284,14 @@ public final class WheeledRobot implements AutoCloseable {
   /**
    * Drives straight on until it is closed. On a busy machine the call for the command may miss its
    * deadline; then it is made again, once the lease is over that the first may have been granted.
+   * An order of the previous test may arrive late too, by a phoenix that pursues it in a group that
+   * was killed; then the drive is released once more.
    */
   public Commander driven(Duration lease, Velocity velocity) throws Exception {
     for (int attempt = 1; ; attempt++) {
       try {
         return new Commander(drive, lease, velocity);
-      } catch (DeadlineExceededException e) {
+      } catch (DeadlineExceededException | LeaseRefusedByEmergencyStopException e) {
         if (attempt == ATTEMPTS) {
           throw e;
         }

@@ -93,7 +93,7 @@ final class HostClient implements AutoCloseable {
       case "registered" -> registered(of);
       case "call" -> call(of);
       case "listen" -> listen(of);
-      case "heard" -> heard(of);
+      case "received" -> received(of);
       case "watch" -> watch(of);
       case "changed" -> changed(of);
       default -> throw new IllegalArgumentException(verb);
@@ -200,7 +200,7 @@ final class HostClient implements AutoCloseable {
   }
 
   /** Events received and lost, and whether the subscription is interrupted. */
-  private String heard(String path) {
+  private String received(String path) {
     Subscription subscription = subscriptions.get(path);
     return subscription.received()
         + " "

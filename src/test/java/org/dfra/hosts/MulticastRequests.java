@@ -11,7 +11,7 @@ import java.util.concurrent.ConcurrentSkipListSet;
 import net.jini.discovery.Constants;
 import net.jini.discovery.IncomingMulticastRequest;
 
-/** Hears what is asked for lookup services by multicast, and where answers are wanted. */
+/** Receives multicast requests for lookup services, and records where answers are wanted. */
 final class MulticastRequests implements AutoCloseable {
 
   private static final int LONGEST = 65_536;

@@ -75,7 +75,7 @@ final class RobotHost implements AutoCloseable {
     return Path.of(System.getProperty("dfra.root"), "config/teams", team, robot + ".xml");
   }
 
-  /** On a busy machine a registrar may not answer in time: then all is ended, and begun anew. */
+  /** On a busy machine a registrar may not answer in time: then all is ended, and begun again. */
   private void bringUp(String xml) throws IOException, InterruptedException {
     String state = "--state=" + folder.resolve("state");
     for (int attempt = 1; dfra("up", xml, "--registry-port=-1", state) != 0; attempt++) {
@@ -92,7 +92,7 @@ final class RobotHost implements AutoCloseable {
     command.add(JvmCommand.java());
     command.addAll(JvmCommand.options());
     command.add("-Ddfra.root=" + System.getProperty("dfra.root"));
-    command.add("org.dfra.app.Main");
+    command.add("org.dfra.cli.Main");
     command.addAll(List.of(arguments));
     Path log = folder.resolve(LOG);
     ProcessBuilder builder =

@@ -22,7 +22,7 @@ import org.dfra.event.Subscription;
 import org.dfra.flow.perceptual.TeamTracker;
 import org.dfra.flow.perceptual.Teammate;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.module.Incident;
+import org.dfra.lifecycle.Incident;
 import org.dfra.module.Module;
 import org.dfra.module.NotReadyException;
 import org.dfra.persona.ModuleAttributes;
@@ -95,7 +95,7 @@ final class SearcherClient implements AutoCloseable {
       case "ready" -> Integer.toString(ready(robot));
       case "progress" -> progress(robot);
       case "listen" -> listen(robot);
-      case "heard" -> heard(robot);
+      case "received" -> received(robot);
       case "mate" -> mate(robot);
       case "gaps" -> gaps(robot);
       default -> throw new IllegalArgumentException(verb);
@@ -155,7 +155,7 @@ final class SearcherClient implements AutoCloseable {
   /**
    * Readings received and lost of a robot's search, and whether the subscription is interrupted.
    */
-  private String heard(String robot) {
+  private String received(String robot) {
     Subscription subscription = subscriptions.get(robot);
     return subscription.received()
         + " "
@@ -194,10 +194,10 @@ final class SearcherClient implements AutoCloseable {
         mate.clockOffset().uncertaintySeconds(),
         mate.relativePosition().distance(),
         mate.missedReadings(),
-        mate.isOutOfReach() ? "lost" : "heard");
+        mate.isOutOfReach() ? "lost" : "reachable");
   }
 
-  /** Gaps in what a robot heard of the other, by its history; {@code none} where there is none. */
+  /** Gaps in what a robot received from the other, by its history; {@code none} without a gap. */
   private String gaps(String robot) throws RemoteException {
     List<String> gaps =
         one(TeamTracker.class, robot).module().history().recent().stream()

@@ -13,9 +13,9 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import org.awaitility.core.ConditionFactory;
-import org.dfra.app.raster.SparseField;
 import org.dfra.core.time.StallProbe;
 import org.dfra.core.time.Timing;
+import org.dfra.examples.mission.SparseField;
 import org.dfra.testing.NetworkNamespaceHosts;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -136,7 +136,7 @@ class TwoHostsIT {
       String elsewhere = hosts.get(1 - i).robot() + "/gps_front";
       patiently().until(() -> host.ask("call " + elsewhere).endsWith(" ok"));
       host.ask("listen " + elsewhere);
-      patiently().until(() -> heard(host, elsewhere, 0) >= 2);
+      patiently().until(() -> received(host, elsewhere, 0) >= 2);
     }
 
     long watched = System.nanoTime();
@@ -159,7 +159,7 @@ class TwoHostsIT {
       reported
           .ofPart(reported.took().minus(whole))
           .requireWithin("reporting that a module is out of reach", REPORTED);
-      assertThat(host.ask("heard " + elsewhere)).endsWith(" interrupted");
+      assertThat(host.ask("received " + elsewhere)).endsWith(" interrupted");
       patiently()
           .until(
               () ->
@@ -179,7 +179,7 @@ class TwoHostsIT {
                 hosts.get(0).ask("call atrv1/gps_rear").endsWith(" ok")
                     && hosts.get(1).ask("call atrv2/gps_rear").endsWith(" ok"));
     long[] received = {
-      heard(hosts.get(0), "atrv2/gps_front", 0), heard(hosts.get(1), "atrv1/gps_front", 0)
+      received(hosts.get(0), "atrv2/gps_front", 0), received(hosts.get(1), "atrv1/gps_front", 0)
     };
 
     watchBoth();
@@ -199,13 +199,13 @@ class TwoHostsIT {
       RobotHost host = hosts.get(i);
       String elsewhere = hosts.get(1 - i).robot() + "/gps_front";
       long already = received[i];
-      patiently().until(() -> heard(host, elsewhere, 0) > already);
+      patiently().until(() -> received(host, elsewhere, 0) > already);
       Timing listening = changed(host, elsewhere);
       System.out.printf(
           "%s listens again %.1f s after; received, lost: %s%n",
-          host.robot(), listening.took().toMillis() / 1e3, host.ask("heard " + elsewhere));
+          host.robot(), listening.took().toMillis() / 1e3, host.ask("received " + elsewhere));
       listening.requireWithin("listening again after a cut", CONSISTENT);
-      assertThat(heard(host, elsewhere, 1)).as("the gap, counted").isPositive();
+      assertThat(received(host, elsewhere, 1)).as("the gap, counted").isPositive();
     }
     consistent.requireWithin("consistent personas after a cut", CONSISTENT);
   }
@@ -233,7 +233,7 @@ class TwoHostsIT {
         Duration.ofNanos(Long.parseLong(words[3])));
   }
 
-  private static long heard(RobotHost host, String path, int column) throws Exception {
-    return Long.parseLong(host.ask("heard " + path).split(" ")[column]);
+  private static long received(RobotHost host, String path, int column) throws Exception {
+    return Long.parseLong(host.ask("received " + path).split(" ")[column]);
   }
 }

@@ -18,8 +18,8 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
 import org.awaitility.core.ConditionFactory;
-import org.dfra.app.demo.harness.DemoEnvironment;
-import org.dfra.app.demo.harness.SimulationProcess;
+import org.dfra.examples.harness.DemoEnvironment;
+import org.dfra.examples.harness.SimulationProcess;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
@@ -152,7 +152,7 @@ class TwoSearchersIT {
   }
 
   @Test
-  void bothGoOnWhileTheRadioIsCutAndTellTheGapWhenItIsMended() throws Exception {
+  void bothContinueWhileTheRadioIsCutAndReportTheGapWhenItIsRestored() throws Exception {
     for (int i = 0; i < 2; i++) {
       RobotHost host = hosts.get(i);
       String begin = "search " + host.robot() + " " + (i == 0 ? "forth" : "back") + region();
@@ -163,8 +163,8 @@ class TwoSearchersIT {
       String other = hosts.get(1 - i).robot();
       patiently().until(() -> host.ask("listen " + other).equals(other));
       patiently().until(() -> done(host) > 0);
-      patiently().until(() -> heard(host, other, 0) >= 2);
-      patiently().until(() -> host.ask("mate " + host.robot()).endsWith(" heard"));
+      patiently().until(() -> received(host, other, 0) >= 2);
+      patiently().until(() -> host.ask("mate " + host.robot()).endsWith(" reachable"));
     }
     compareClocks();
     Map<String, String> before = new TreeMap<>();
@@ -179,7 +179,7 @@ class TwoSearchersIT {
                   .allMatch(each -> each.endsWith("/fresh"));
             });
     for (RobotHost host : hosts) {
-      // On a busy machine a robot may stand still for some seconds, which is told as a gap too.
+      // On a busy machine a robot may stand still for some seconds, which is reported as a gap too.
       assertThat(longestGap(host).map(Gap::seconds).orElse(0L))
           .as(host.ask("gaps " + host.robot()))
           .isLessThan(CUT.toSeconds() / 2);
@@ -216,7 +216,7 @@ class TwoSearchersIT {
   }
 
   private static void awaitAlone(RobotHost host, String other) throws Exception {
-    patiently().until(() -> host.ask("heard " + other).endsWith(" interrupted"));
+    patiently().until(() -> host.ask("received " + other).endsWith(" interrupted"));
     patiently().until(() -> host.ask("mate " + host.robot()).endsWith(" lost"));
     patiently()
         .until(
@@ -232,8 +232,8 @@ class TwoSearchersIT {
 
   /** What the client missed of the other's search, and the robot of the other's poses. */
   private static void assertGap(RobotHost host, String other, long seconds) throws Exception {
-    patiently().until(() -> host.ask("heard " + other).endsWith(" listening"));
-    patiently().until(() -> heard(host, other, 1) > 0);
+    patiently().until(() -> host.ask("received " + other).endsWith(" listening"));
+    patiently().until(() -> received(host, other, 1) > 0);
     patiently()
         .untilAsserted(
             () ->
@@ -242,16 +242,16 @@ class TwoSearchersIT {
                     .isGreaterThanOrEqualTo(seconds - 1));
     Gap gap = longestGap(host).orElseThrow();
     System.out.printf(
-        "%s tells: %s; the client beside it received, lost of its search: %s%n",
-        host.robot(), gap.told(), host.ask("heard " + other));
+        "%s reports: %s; the client beside it received, lost of its search: %s%n",
+        host.robot(), gap.text(), host.ask("received " + other));
     assertThat(gap.robot()).isEqualTo(other);
     // Poses come ten times a second; on a busy machine fewer.
-    assertThat(gap.missed()).as(gap.told()).isGreaterThan(seconds);
-    patiently().until(() -> host.ask("mate " + host.robot()).endsWith(" heard"));
+    assertThat(gap.missed()).as(gap.text()).isGreaterThan(seconds);
+    patiently().until(() -> host.ask("mate " + host.robot()).endsWith(" reachable"));
   }
 
-  /** A gap that is over, as a robot tells it. */
-  private record Gap(String robot, long seconds, long missed, String told) {}
+  /** A gap that is over, as a robot reports it. */
+  private record Gap(String robot, long seconds, long missed, String text) {}
 
   private static Optional<Gap> longestGap(RobotHost host) throws Exception {
     return GAP.matcher(host.ask("gaps " + host.robot()))
@@ -282,7 +282,7 @@ class TwoSearchersIT {
     System.out.printf(
         "clock of atrv2 against atrv1, by %s: %.4f s within %s s, set to %.4f s; %s m apart%n",
         host.robot(), measured, mate[1], ahead, mate[2]);
-    // An eighth of what the clocks differ by: a busy machine hears even the soonest fix late.
+    // An eighth of what the clocks differ by: a busy machine receives even the soonest fix late.
     assertThat(measured).as(String.join(" ", mate)).isBetween(ahead - 0.1, ahead + 0.1);
   }
 
@@ -290,7 +290,7 @@ class TwoSearchersIT {
     return Double.parseDouble(host.ask("progress " + host.robot()).split(" ")[0]);
   }
 
-  private static long heard(RobotHost host, String path, int column) throws Exception {
-    return Long.parseLong(host.ask("heard " + path).split(" ")[column]);
+  private static long received(RobotHost host, String path, int column) throws Exception {
+    return Long.parseLong(host.ask("received " + path).split(" ")[column]);
   }
 }

@@ -104,7 +104,7 @@ final class KindJar {
               public LidarImpl(org.dfra.core.module.ModuleContext context) {
                 super(context, "Laser scanner", "Test", "1");
               }
-              protected void onStart() { transitionTo(org.dfra.module.Readiness.READY); }
+              protected void onStart() { transitionTo(org.dfra.lifecycle.Readiness.READY); }
               protected void onClose() {}
               public double[] scan() { return new double[] {1, 2, 3}; }
             }

@@ -72,11 +72,11 @@ class RobotCodebaseIT {
               folder.resolve(name + "/" + name + ".xml"),
               """
               <robot xmlns="urn:dfra:robot:1" name="%s" host="127.0.0.1">
-                <group name="lookup"><registrar port="%d" classes="%d"/></group>
+                <group name="lookup"><registrar port="%d" class-server-port="%d"/></group>
                 <group name="lasers">
                   <module name="laser" server="sample.lidar.LidarServer"
-                      proxy="sample.lidar.LidarProxy" driver="sample.lidar.LidarImpl"
-                      download="kinds/lidar-dl.jar"/>
+                      proxy="sample.lidar.LidarProxy" implementation="sample.lidar.LidarImpl"
+                      codebase="kinds/lidar-dl.jar"/>
                 </group>
               </robot>
               """
@@ -96,7 +96,7 @@ class RobotCodebaseIT {
   @BeforeAll
   static void start() throws Exception {
     Path own = Files.createDirectories(folder.resolve("lib/dl"));
-    Files.copy(DownloadJarTest.file(), own.resolve("dfra-river-dl.jar"));
+    Files.copy(DownloadJarTest.file(), own.resolve("dfra-client.jar"));
     r1 = Robot.in(folder, "r1");
     elsewhere = Files.copy(KindJar.lidar(r1.dl(), "unsigned"), folder.resolve("elsewhere.jar"));
     Path robots = KindJar.lidar(Files.createDirectory(folder.resolve("own")), "the robots' own");
@@ -149,7 +149,7 @@ class RobotCodebaseIT {
 
   @Test
   @Order(2)
-  void whoeverIsRestartedFirstAfterARebuildEveryClientGoesOn() throws Exception {
+  void everyClientContinuesWhicheverProcessIsRestartedFirstAfterARebuild() throws Exception {
     Robot r2 = Robot.in(folder, "r2");
     Path team = KindJar.key(folder, "team");
     KindJar.sign(KindJar.lidar(r2.dl(), "first"), team);
@@ -217,7 +217,7 @@ class RobotCodebaseIT {
   private String moduleList() throws Exception {
     List<String> command =
         new ArrayList<>(InteractiveProcess.java(System.getProperty("java.class.path"), List.of()));
-    command.addAll(List.of("org.dfra.app.Main", "module", "list", "--team=", "--wait=20"));
+    command.addAll(List.of("org.dfra.cli.Main", "module", "list", "--team=", "--wait=20"));
     command.addAll(
         List.of("--locator=127.0.0.1:" + r1.port(), "--state=" + folder.resolve("nobody's")));
     Process list = new ProcessBuilder(command).redirectErrorStream(true).start();

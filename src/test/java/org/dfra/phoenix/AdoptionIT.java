@@ -143,7 +143,7 @@ class AdoptionIT {
     assertThat(phoenix.status("other").state()).isEqualTo(State.IDLE);
     assertThat(marked.pid()).isNotEqualTo(pid);
     assertThat(other.pid()).isPositive();
-    assertThat(leaver.pid()).as("what became inactive is made anew").isNotEqualTo(left);
+    assertThat(leaver.pid()).as("what became inactive is made again").isNotEqualTo(left);
     assertThat(phoenix.vms("leaver")).hasSize(1);
   }
 

@@ -29,7 +29,7 @@ class BriefReadinessIT {
     phoenix =
         new PhoenixFixture(
                 folder,
-                "restartWorked=500L",
+                "restartMinReady=500L",
                 "restartLimit=2",
                 "restartDelay=50L",
                 "restartHoldOff=60000L",

@@ -197,23 +197,60 @@ class ClockStepIT {
   /** Within the bound, and from then on. */
   private void awaitListed(ServiceRegistrar registrar, StallProbe.Stopwatch watch, String... names)
       throws Exception {
+    Listings listings = new Listings(registrar, watch);
     await("listing of " + List.of(names))
         .atMost(PATIENCE)
         .pollInterval(POLL)
-        .ignoreExceptionsInstanceOf(RemoteException.class) // a call may miss its deadline
-        .until(() -> hasPassed(watch) && listed(registrar).equals(Set.of(names)));
+        .until(() -> hasPassed(watch) && listings.next().equals(Set.of(names)));
     Timing listed = watch.stop();
     System.out.printf("listed aright after a step of the clock: %s%n", listed);
     await("that it stays so")
         .during(LEASE.plusSeconds(1))
         .atMost(PATIENCE)
         .pollInterval(POLL)
-        .ignoreExceptionsInstanceOf(RemoteException.class) // a call may miss its deadline
-        .until(() -> listed(registrar).equals(Set.of(names)));
-    listed.requireWithin("being listed aright after a step of the clock", BOUND);
+        .until(() -> listings.next().equals(Set.of(names)));
+    listed.requireWithin("being listed aright after a step of the clock (" + listings + ")", BOUND);
   }
 
-  /** By then whoever is to be dropped has been. */
+  /** What a registrar lists from time to time, for the message of a failure. */
+  private static final class Listings {
+
+    private final ServiceRegistrar registrar;
+    private final StallProbe.Stopwatch watch;
+    private final List<String> changes = new ArrayList<>();
+    private String last = "";
+
+    Listings(ServiceRegistrar registrar, StallProbe.Stopwatch watch) {
+      this.registrar = registrar;
+      this.watch = watch;
+    }
+
+    /** The names listed now; empty if the call fails, for one may miss its deadline. */
+    Set<String> next() {
+      Set<String> names = Set.of();
+      Duration asked = watch.stop().took();
+      String seen;
+      try {
+        names = listed(registrar);
+        seen = names.toString();
+      } catch (RemoteException e) {
+        seen = e.toString();
+      }
+      if (!seen.equals(last)) {
+        changes.add(
+            "asked after %s, answered after %s: %s".formatted(asked, watch.stop().took(), seen));
+        last = seen;
+      }
+      return names;
+    }
+
+    @Override
+    public String toString() {
+      return String.join("; ", changes);
+    }
+  }
+
+  /** By then every holder that is to be dropped has been. */
   private static boolean hasPassed(StallProbe.Stopwatch watch) {
     return watch.stop().took().compareTo(LEASE) > 0;
   }

@@ -91,7 +91,7 @@ class DiskIT {
           .as("a launch that cannot be recorded")
           .isThrownBy(() -> object.activate(false))
           .withMessageContaining("could not record the change")
-          .satisfies(e -> assertThat(e.getMessage()).doesNotContain("mend its command"));
+          .satisfies(e -> assertThat(e.getMessage()).doesNotContain("correct its command"));
       assertThat(run("mount", "-o", "remount,size=8m", disk.toString())).isZero();
       acknowledged.add(register(phoenix, group));
       assertThat(((Beacon) object.activate(false)).pid()).isPositive();
@@ -107,7 +107,7 @@ class DiskIT {
 
   /** Works without root: no file of phoenix's may grow beyond 64 blocks of 1 KB (bash). */
   @Test
-  void fileThatMayNotGrowIsToldLikeAFullDisk() throws Exception {
+  void fileThatMayNotGrowIsReportedLikeAFullDisk() throws Exception {
     try (PhoenixFixture phoenix =
         new PhoenixFixture(temp)
             .by("bash", "-c", "trap '' XFSZ; ulimit -f 64; exec \"$@\"", "limit")
@@ -181,7 +181,7 @@ class DiskIT {
   }
 
   @Test
-  void damagedJournalIsToldInOneSentenceAndNotTouched() throws Exception {
+  void damagedJournalIsReportedInOneSentenceAndNotTouched() throws Exception {
     try (PhoenixFixture phoenix = new PhoenixFixture(temp).start()) {
       ActivationGroupID group = phoenix.group("damage");
       for (int i = 0; i < 3; i++) {

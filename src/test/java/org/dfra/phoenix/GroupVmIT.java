@@ -145,7 +145,7 @@ class GroupVmIT {
     long pid = one.pid();
     one.deactivate();
     assertThat(other.pid()).as("the other one keeps the group").isEqualTo(pid);
-    assertThat(one.pid()).as("made anew in the living group").isEqualTo(pid);
+    assertThat(one.pid()).as("made again in the living group").isEqualTo(pid);
     one.deactivate();
     other.deactivate();
     PhoenixFixture.awaitDeath(pid);
@@ -303,11 +303,11 @@ class GroupVmIT {
   }
 
   @Test
-  void processThatIsNeverToldItsGroupEnds() throws Exception {
-    Process untold = new ProcessBuilder(PhoenixFixture.arguments(quiet.pid())).start();
-    untold.getOutputStream().close();
-    assertThat(untold.waitFor(20, TimeUnit.SECONDS)).isTrue();
-    assertThat(untold.exitValue()).isEqualTo(10);
+  void processThatNeverReceivesItsGroupEnds() throws Exception {
+    Process groupless = new ProcessBuilder(PhoenixFixture.arguments(quiet.pid())).start();
+    groupless.getOutputStream().close();
+    assertThat(groupless.waitFor(20, TimeUnit.SECONDS)).isTrue();
+    assertThat(groupless.exitValue()).isEqualTo(10);
   }
 
   @Test
@@ -315,7 +315,7 @@ class GroupVmIT {
     ActivationGroupID group = phoenix.group("talker", "-XX:+UnlockDiagnosticVMOptions", "-version");
     ActivationID id = phoenix.register(group, "ok", false);
     assertThatExceptionOfType(ActivationException.class)
-        .as("a machine that only tells its version")
+        .as("a machine that only prints its version")
         .isThrownBy(() -> id.activate(false))
         .withMessageContaining("ended (exit code 0)")
         .withMessageContaining(".vm.log");
@@ -330,6 +330,8 @@ class GroupVmIT {
     beacon.print("hello from the group");
     Path output = Path.of(phoenix.status("talker").output());
     assertThat(output).content().contains("hello from the group");
+    beacon.print("red: \u001b[31m and \u202ebackwards"); // as a stranger's name may be
+    assertThat(output).content().contains("red: \\u001b[31m and \\u202ebackwards");
     String line = "x".repeat(64 << 10);
     for (int i = 0; i < 70; i++) {
       beacon.print(line);
@@ -339,7 +341,7 @@ class GroupVmIT {
   }
 
   @Test
-  void badOptionOfTheMachineIsToldFromItsOwnOutput() throws Exception {
+  void badOptionOfTheMachineIsReportedFromItsOwnOutput() throws Exception {
     ActivationGroupID group = phoenix.group("option", "-XX:NoSuchOption");
     assertThatExceptionOfType(ActivationException.class)
         .isThrownBy(() -> phoenix.beacon(group, "ok", false))
@@ -357,6 +359,6 @@ class GroupVmIT {
         .isThrownBy(() -> phoenix.beacon(group, "ok", true))
         .withMessageMatching(
             "(?s)group \\d+-nojava cannot be started: Cannot run program \"/no/such/java\""
-                + ".*No such file or directory.*; mend its command.*");
+                + ".*No such file or directory.*; correct its command.*");
   }
 }

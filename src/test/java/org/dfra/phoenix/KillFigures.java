@@ -6,9 +6,9 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import org.dfra.app.measurement.MeasuredValue;
-import org.dfra.app.measurement.RunMeasurements;
 import org.dfra.core.time.Timing;
+import org.dfra.report.measurement.MeasuredValue;
+import org.dfra.report.measurement.RunMeasurements;
 
 /** What was measured of a process that is killed again and again. Confined to one thread. */
 final class KillFigures {

@@ -6,8 +6,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import org.dfra.app.measurement.MeasuredValue;
 import org.dfra.core.time.Timing;
+import org.dfra.report.measurement.MeasuredValue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -55,8 +55,7 @@ class KillFiguresTest {
     figures.record(file);
     List<String> rows = Files.readAllLines(file);
     assertThat(rows).hasSize(11);
-    assertThat(rows.get(0))
-        .isEqualTo("when,soak,java,cores,load,figure,measured,wanted_at_most,unit");
+    assertThat(rows.get(0)).isEqualTo("when,soak,java,cores,load,figure,measured,target_max,unit");
     String machine =
         "killed-module,%d,%d,"
             .formatted(Runtime.version().feature(), Runtime.getRuntime().availableProcessors());

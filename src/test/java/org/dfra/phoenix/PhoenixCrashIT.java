@@ -107,7 +107,7 @@ class PhoenixCrashIT {
               "persistenceSnapshotThreshold=20",
               "restartLimit=1000",
               "restartDelay=1L",
-              "restartLongestDelay=20L");
+              "restartMaxDelay=20L");
     }
 
     @Override
@@ -232,12 +232,17 @@ class PhoenixCrashIT {
     }
 
     /**
-     * A virtual machine that was started but not told its group owns nothing and ends by itself, so
-     * where there are two for a moment, one of them must go, and they must not both have worked.
+     * A virtual machine that was started but did not receive its group owns nothing and ends by
+     * itself, so where there are two for a moment, one of them must go, and they must not both have
+     * worked.
      */
     private void assertNotDoubled(String when) throws Exception {
       for (String name : GROUPS) {
-        await(when + ": virtual machines of " + name + " besides those never told their group")
+        await(
+                when
+                    + ": virtual machines of "
+                    + name
+                    + " besides those that never received their group")
             .atMost(Duration.ofSeconds(20))
             .pollInterval(Duration.ofMillis(10))
             .pollDelay(Duration.ZERO)

@@ -18,6 +18,7 @@ import java.rmi.activation.ActivationID;
 import java.rmi.activation.ActivationSystem;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Properties;
@@ -102,9 +103,9 @@ class PhoenixFixture implements AutoCloseable {
     try {
       await("phoenix answers").atMost(PATIENCE).pollInterval(Duration.ofMillis(20)).until(this::up);
     } catch (ConditionTimeoutException e) {
-      throw new AssertionError("phoenix did not come up; it said: " + said(), e);
+      throw new AssertionError("phoenix did not come up; it said last: " + lastLines(), e);
     }
-    assertThat(process.isAlive()).as("phoenix lives; it said: %s", said()).isTrue();
+    assertThat(process.isAlive()).as("phoenix lives; it said last: %s", lastLines()).isTrue();
     return this;
   }
 
@@ -173,6 +174,13 @@ class PhoenixFixture implements AutoCloseable {
     } catch (IOException e) {
       return e.toString();
     }
+  }
+
+  /** The last of it comes first: what quotes a failure may quote one line only. */
+  private String lastLines() {
+    List<String> lines = new ArrayList<>(said().lines().toList());
+    Collections.reverse(lines);
+    return String.join("\n", lines.subList(0, Math.min(20, lines.size())));
   }
 
   /** The process itself. */

@@ -87,7 +87,9 @@ class HostAddressTest {
   void anAddressOfAnotherMachineIsRefused() {
     assertThatThrownBy(() -> HostAddress.resolve("203.0.113.7")) // for documentation: nobody's
         .isInstanceOf(ConfigurationException.class)
-        .hasMessage("host 203.0.113.7 is no address of this machine; name one that is, or auto");
+        .hasMessage(
+            "host 203.0.113.7 is not an address of this machine; name one of its addresses, or"
+                + " auto");
   }
 
   @Test

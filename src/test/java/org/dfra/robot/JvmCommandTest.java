@@ -33,7 +33,7 @@ class JvmCommandTest {
 
   @Test
   void aChildStartedByHandWithRelativePathsHandsOnAbsoluteOnes() throws Exception {
-    Path boot = Path.of(System.getProperty("dfra.boot"));
+    Path boot = Path.of(System.getProperty("dfra.boot-class-path"));
     Path link = Files.createSymbolicLink(folder.resolve("boot"), boot.toAbsolutePath());
     List<String> said =
         run(
@@ -49,6 +49,27 @@ class JvmCommandTest {
         .startsWith(folder.toRealPath().resolve("extra") + File.pathSeparator);
     assertThat(said.get(said.size() - 1).split(File.pathSeparator))
         .allSatisfy(entry -> assertThat(Path.of(entry)).isAbsolute());
+  }
+
+  @Test
+  void aChildUsesTheSameArchiveOfClassesWhetherItFitsOrNot() throws Exception {
+    Path archive = Files.writeString(folder.resolve("classes.jsa"), "no archive");
+    List<String> command = new ArrayList<>(List.of(JvmCommand.java()));
+    command.add("-XX:SharedArchiveFile=" + archive.getFileName());
+    command.add("-Xlog:cds=off");
+    command.add("-Xlog:cds+dynamic=off");
+    command.addAll(JvmCommand.options());
+    command.add(Child.class.getName());
+    List<String> said = run(command);
+    assertThat(said.get(0)).as("nothing about the archive").isEqualTo("boot: null");
+    assertThat(said)
+        .containsSubsequence(
+            "-XX:SharedArchiveFile=" + folder.toRealPath().resolve("classes.jsa"),
+            "-Xlog:cds=off",
+            "-Xlog:cds+dynamic=off",
+            "-cp");
+    command.set(1, "-Xshare:auto");
+    assertThat(run(command)).as("no archive").noneMatch(each -> each.contains("Archive"));
   }
 
   private List<String> run(List<String> command) throws IOException, InterruptedException {

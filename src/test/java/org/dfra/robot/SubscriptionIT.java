@@ -23,9 +23,9 @@ import org.dfra.event.Subscription;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.lease.ModuleLease;
-import org.dfra.module.Incident;
+import org.dfra.lifecycle.Incident;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.ModuleHistory;
-import org.dfra.module.Readiness;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.sim.device.M12Emulator;
@@ -91,7 +91,7 @@ class SubscriptionIT {
           <group name="gps">
             <module name="gps_front" server="org.dfra.river.server.sensor.GPSServer"
                 proxy="org.dfra.river.proxy.sensor.GPSProxy"
-                driver="org.dfra.drivers.gps.m12.M12PlusImpl">
+                implementation="org.dfra.drivers.gps.m12.M12PlusImpl">
               <parameter name="link" value="%s"/>
             </module>
           </group>
@@ -146,7 +146,9 @@ class SubscriptionIT {
       System.out.printf(
           "listening again %.1f s after kill -9; %d events received, %d lost%n",
           back.took().toMillis() / 1e3, subscription.received(), subscription.lost());
-      assertThat(subscription.lost()).as("what nobody was told at its start").isPositive();
+      assertThat(subscription.lost())
+          .as("events that no listener received at its start")
+          .isPositive();
       patiently().until(lease::isLive);
       patiently().until(() -> gps.readiness() == Readiness.ACTIVE);
       Timing held = killed.stop();

@@ -18,13 +18,13 @@ import net.jini.core.lookup.ServiceTemplate;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.Parameters;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
 import org.dfra.example.thermometer.Thermometer;
 import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.river.proxy.LocalModuleRegistry;
 import org.dfra.slice.FaultyThermometers.WatchedExporter;
 import org.dfra.slice.FaultyThermometers.WatchedImpl;
@@ -74,7 +74,7 @@ class ActivationStepsTest {
             configuration.toString(),
             false,
             new Parameters("r2/warmth", Map.of()),
-            new Place("/robots/r2.xml", 12));
+            new SourceLocation("/robots/r2.xml", 12));
     ServedModule<ThermometerServer> any =
         ServedModule.of(
                 ThermometerServer.class, ThermometerProxy.class, SteadyThermometerImpl.class)
@@ -135,11 +135,11 @@ class ActivationStepsTest {
       delimiter = '|',
       value = {
         "org.dfra.NoSuchImpl | driver class org.dfra.NoSuchImpl is not on the group's class path;"
-            + " add its jar or mend the name",
-        "java.lang.String | driver java.lang.String is no ModuleImpl that implements"
+            + " add its jar or correct the name",
+        "java.lang.String | driver java.lang.String is not a subclass of ModuleImpl that implements"
             + " org.dfra.example.thermometer.Thermometer",
-        "org.dfra.drivers.gps.m12.M12PlusImpl | driver org.dfra.drivers.gps.m12.M12PlusImpl is no"
-            + " ModuleImpl that implements org.dfra.example.thermometer.Thermometer",
+        "org.dfra.drivers.gps.m12.M12PlusImpl | driver org.dfra.drivers.gps.m12.M12PlusImpl is not"
+            + " a subclass of ModuleImpl that implements org.dfra.example.thermometer.Thermometer",
         "HERE$ShyImpl | driver HERE$ShyImpl has no public constructor (ModuleContext)",
         "HERE$IdeaImpl | driver HERE$IdeaImpl cannot be made: java.lang.InstantiationException",
         "HERE$BrokenImpl | driver HERE$BrokenImpl cannot be made: java.lang.ArithmeticException:"
@@ -156,7 +156,7 @@ class ActivationStepsTest {
   }
 
   @Test
-  void aParameterThatIsMissingIsToldWithTheModulesPlace() throws IOException {
+  void aParameterThatIsMissingIsReportedWithTheModulesPlace() throws IOException {
     assertThatThrownBy(
             module(ThermometerProxy.class.getName(), HERE + "ChoosyImpl", watched(""))::serve)
         .isInstanceOf(ConfigurationException.class)
@@ -167,10 +167,10 @@ class ActivationStepsTest {
   }
 
   @Test
-  void aParameterThatIsWrongIsToldWithItsOwnPlace() throws IOException {
+  void aParameterThatIsWrongIsReportedWithItsOwnPlace() throws IOException {
     assertThatThrownBy(
             module(ThermometerProxy.class.getName(), HERE + "ChoosyImpl", watched(""))
-                    .with("room", "cellar", new Place("/modules/warmth.properties", 3))
+                    .with("room", "cellar", new SourceLocation("/modules/warmth.properties", 3))
                 ::serve)
         .isInstanceOf(ConfigurationException.class)
         .hasMessage(
@@ -186,11 +186,11 @@ class ActivationStepsTest {
       delimiter = '|',
       value = {
         "org.dfra.NoSuchProxy | proxy class org.dfra.NoSuchProxy is not on the group's class path;"
-            + " add its jar or mend the name",
-        "java.lang.String | proxy java.lang.String is no ModuleProxy that implements"
+            + " add its jar or correct the name",
+        "java.lang.String | proxy java.lang.String is not a ModuleProxy that implements"
             + " org.dfra.example.thermometer.Thermometer",
-        "org.dfra.river.proxy.sensor.GPSProxy | proxy org.dfra.river.proxy.sensor.GPSProxy is no ModuleProxy that"
-            + " implements org.dfra.example.thermometer.Thermometer",
+        "org.dfra.river.proxy.sensor.GPSProxy | proxy org.dfra.river.proxy.sensor.GPSProxy is not"
+            + " a ModuleProxy that implements org.dfra.example.thermometer.Thermometer",
         "HERE$ShyProxy | proxy HERE$ShyProxy has no public constructor (RemoteModule, UUID,"
             + " Identification)",
       })
@@ -203,7 +203,7 @@ class ActivationStepsTest {
   }
 
   @Test
-  void anExporterThatCannotExportIsTold() throws Exception {
+  void anExporterThatCannotExportIsReported() throws Exception {
     try (ServerSocket taken = new ServerSocket(0, 0, InetAddress.getByName("127.0.0.1"))) {
       String port = Integer.toString(taken.getLocalPort());
       String jini =
@@ -241,7 +241,7 @@ class ActivationStepsTest {
   // Step 6: the landlord.
 
   @Test
-  void leaseTermsThatContradictThemselvesAreToldAndWhatWasBegunIsUndone() throws IOException {
+  void leaseTermsThatContradictThemselvesAreReportedAndWhatWasBegunIsUndone() throws IOException {
     String jini = watched("org.dfra.river.lease { longestLease = 10L; defaultLease = 20L; }");
     assertThatThrownBy(module(ThermometerProxy.class.getName(), HERE + "WatchedImpl", jini)::serve)
         .isInstanceOf(ConfigurationException.class)

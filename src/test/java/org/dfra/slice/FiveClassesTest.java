@@ -30,10 +30,10 @@ import org.dfra.flow.sensor.GpsFix;
 import org.dfra.flow.sensor.LocationSensor;
 import org.dfra.flow.sensor.TimeSensor;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Identification;
 import org.dfra.module.Module;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.proxy.sensor.GPSProxy;
 import org.dfra.river.remote.sensor.RemoteGPSSensor;
@@ -122,7 +122,7 @@ class FiveClassesTest {
   }
 
   @Test
-  void tellsTheSameFixByNetworkAsToItsOwnVirtualMachine() throws RemoteException {
+  void reportsTheSameFixByNetworkAsToItsOwnVirtualMachine() throws RemoteException {
     GpsFix here;
     GpsFix remote;
     do { // a new fix may come between the two questions

@@ -24,9 +24,9 @@ import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.PanTiltCommand.PointAt;
 import org.dfra.flow.sensor.CameraImage;
 import org.dfra.geometry.Transform;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Module;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.proxy.effector.PanTiltProxy;
@@ -39,7 +39,7 @@ import org.dfra.river.server.sensor.CameraServer;
 import org.dfra.sim.device.DeviceEmulator;
 import org.dfra.sim.device.SerialDevice;
 import org.dfra.sim.device.camera.MjpegDevice;
-import org.dfra.sim.device.camera.MjpegOptions;
+import org.dfra.sim.device.camera.MjpegDevice.MjpegOptions;
 import org.dfra.sim.device.gyro.Dsp3000Device;
 import org.dfra.sim.device.pantilt.PtuDevice;
 import org.dfra.sim.physics.CameraInput;
@@ -103,7 +103,7 @@ class HeadDevicesTest {
   }
 
   @Test
-  void aGyroIsFoundByItsRateAndTellsHowItTurns() throws Exception {
+  void aGyroIsFoundByItsRateAndReportsItsYawRate() throws Exception {
     try (DeviceEmulator gyro = emulated(new Dsp3000Device(time -> 0.5, 38_400, Duration.ZERO));
         AngularRateServer server =
             served(AngularRateServer.class, AngularRateProxy.class, "gyro", "dsp3000", gyro.url())
@@ -122,7 +122,8 @@ class HeadDevicesTest {
       assertThat(elsewhere.rate().frame()).isEqualTo("robot/gyro");
       assertThat(found.rate().rate()).isCloseTo(0.5, within(1e-7));
       assertThat(elsewhere.test("validity").passed()).isTrue();
-      assertThat(elsewhere.recover("zero_while_standing").finding()).contains("does not stand");
+      assertThat(elsewhere.recover("calibrate_bias_while_stationary").finding())
+          .contains("is moving");
     }
   }
 

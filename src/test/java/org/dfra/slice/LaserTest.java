@@ -18,7 +18,7 @@ import org.dfra.event.ModuleEvent.NewReading;
 import org.dfra.event.Subscription;
 import org.dfra.flow.sensor.RangeScan;
 import org.dfra.flow.sensor.RangeSensor;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.persona.RangeAttributes;
 import org.dfra.river.lookup.JiniModuleDirectory;

@@ -174,7 +174,7 @@ class ModuleLandlordTest {
   }
 
   @Test
-  void renewsAndCancelsManyAtOnceAndTellsWhichFailed() throws Exception {
+  void renewsAndCancelsManyAtOnceAndReportsWhichFailed() throws Exception {
     landlord.start();
     LandlordLease good = (LandlordLease) grant(5_000);
     LandlordLease other = (LandlordLease) grant(5_000);

@@ -17,8 +17,8 @@ import org.dfra.drivers.gps.ubx.UbxImpl;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Parameter;
-import org.dfra.module.Readiness;
 import org.dfra.persona.GpsReceiverAttributes;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.river.lookup.JiniModuleDirectory;
@@ -88,7 +88,7 @@ class OtherReceiversTest {
                     elsewhere.parameters().stream()
                         .filter(parameter -> parameter.name().equals("satellites"))
                         .map(Parameter::value)
-                        .anyMatch(text -> text.startsWith("9 in view, 9 heard, 9 used: G")));
+                        .anyMatch(text -> text.startsWith("9 in view, 9 tracked, 9 used: G")));
         if (model != null) {
           await()
               .atMost(PATIENCE)

@@ -60,7 +60,8 @@ final class ActivatableHandler implements InvocationHandler, Serializable {
     }
     if (interfaces.isEmpty()) {
       throw new IllegalArgumentException(
-          implementation.getName() + " implements no remote interface, so it cannot be called.");
+          implementation.getName()
+              + " implements no remote interface, so it cannot be called remotely.");
     }
     return interfaces.toArray(Class<?>[]::new);
   }

@@ -106,7 +106,7 @@ public final class ActivationDesc implements Serializable {
       throw new IllegalArgumentException(
           "The descriptor of "
               + className
-              + " names no group: give the ActivationGroupID that registerGroup returned.");
+              + " has no group: give the ActivationGroupID that registerGroup returned.");
     }
     this.groupID = groupID;
     this.className = className;
@@ -121,7 +121,7 @@ public final class ActivationDesc implements Serializable {
       throw new ActivationException(
           "The descriptor of "
               + className
-              + " names no group and this JVM has none: give an ActivationGroupID,"
+              + " has no group, and this JVM has no active group: give an ActivationGroupID,"
               + " or call ActivationGroup.createGroup first.");
     }
     return current;
@@ -202,7 +202,7 @@ public final class ActivationDesc implements Serializable {
     in.defaultReadObject();
     if (groupID == null) {
       throw new InvalidObjectException(
-          "A descriptor of " + className + " was read that names no group.");
+          "A descriptor of " + className + " without a group was read.");
     }
   }
 }

@@ -34,7 +34,7 @@ public abstract class ActivationGroup extends UnicastRemoteObject
 
   private static final String SYSTEM_NAME = "java.rmi.activation.ActivationSystem";
   private static final String NO_MONITOR =
-      "The activation system gave this group no monitor, so the group cannot report to it.";
+      "The activation system returned no monitor for this group, so the group cannot report to it.";
 
   /** Attempts to report the group to a system that does not answer in time. */
   private static final int REPORTS = 3;
@@ -134,14 +134,14 @@ public abstract class ActivationGroup extends UnicastRemoteObject
       ActivationGroupID id, ActivationGroupDesc desc, long incarnation) throws ActivationException {
     if (currentGroup != null) {
       throw new ActivationException(
-          "This JVM has an activation group already, a "
+          "This JVM already has an activation group, a "
               + currentGroup.getClass().getName()
               + ": start another JVM for another group.");
     }
     ActivationSystem system = id.getSystem();
     if (system == null) {
       throw new ActivationException(
-          "The group's identity names no activation system: register the group with one first.");
+          "The group's ID has no activation system: register the group with one first.");
     }
     ActivationGroup group = null;
     exported = null;
@@ -151,7 +151,8 @@ public abstract class ActivationGroup extends UnicastRemoteObject
       group.monitor = report(system, id, group, incarnation);
     } catch (RemoteException e) {
       ActivationException refusal =
-          new ActivationException("The activation system cannot be told of the group", e);
+          new ActivationException(
+              "The activation system cannot be notified that the group is active", e);
       withdraw(group, refusal);
       throw refusal;
     } catch (ActivationException | RuntimeException | Error e) {
@@ -209,7 +210,7 @@ public abstract class ActivationGroup extends UnicastRemoteObject
     String name = desc.getClassName();
     if (name == null) {
       throw new ActivationException(
-          "The group descriptor names no class, and java.rmi.activation has no group of its own:"
+          "The group descriptor has no class name, and java.rmi.activation has no default group class:"
               + " give ActivationGroupDesc the name of a concrete subclass of ActivationGroup.");
     }
     try {
@@ -275,7 +276,7 @@ public abstract class ActivationGroup extends UnicastRemoteObject
   public static synchronized void setSystem(ActivationSystem system) throws ActivationException {
     if (currentSystem != null) {
       throw new ActivationException(
-          "This JVM has an activation system already: set it before the first use of activation.");
+          "This JVM already has an activation system: set it before the first use of activation.");
     }
     currentSystem = system;
   }

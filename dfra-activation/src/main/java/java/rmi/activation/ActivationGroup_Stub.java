@@ -60,7 +60,8 @@ public final class ActivationGroup_Stub extends java.rmi.server.RemoteStub
     } catch (RuntimeException | RemoteException | ActivationException e) {
       throw e;
     } catch (Exception e) { // as RemoteRef declares it
-      throw new UnexpectedException("The group answered with an exception it may not throw", e);
+      throw new UnexpectedException(
+          "The group threw an exception that its method does not declare", e);
     }
   }
 }

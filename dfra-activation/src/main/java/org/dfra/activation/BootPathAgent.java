@@ -63,7 +63,7 @@ public final class BootPathAgent {
       throw refusal(jar + " cannot be opened as a jar (" + e.getMessage() + ")");
     }
     if (!onBootClassPath()) {
-      throw refusal(jar + " does not hold " + WANTED);
+      throw refusal(jar + " does not contain " + WANTED);
     }
   }
 
@@ -89,7 +89,7 @@ public final class BootPathAgent {
 
   private static IllegalStateException refusal(String reason) {
     return new IllegalStateException(
-        "java.rmi.activation cannot be put on the boot class path, since "
+        "java.rmi.activation cannot be added to the boot class path, since "
             + reason
             + ": start this JVM with -Xbootclasspath/a:dfra-activation.jar instead.");
   }

@@ -83,7 +83,7 @@ class ActivatableTest {
     ActivationGroup.createGroup(
         group, new ActivationGroupDesc(PlainGroup.class.getName(), null, null, null, null), 1);
     exported.add(PlainGroup.last);
-    daemon.told.clear();
+    daemon.calls.clear();
   }
 
   @AfterEach
@@ -115,10 +115,10 @@ class ActivatableTest {
     ActivationID id = daemon.objects.keySet().iterator().next();
     daemon.live = new MarshalledObject<>(keep(new LampImpl(id, "left")));
 
-    assertThat(daemon.told).isEmpty();
+    assertThat(daemon.calls).isEmpty();
     assertThat(lamp.name()).isEqualTo("left");
     assertThat(lamp.name()).isEqualTo("left");
-    assertThat(daemon.told).containsExactly("activate false");
+    assertThat(daemon.calls).containsExactly("activate false");
   }
 
   @Test
@@ -134,7 +134,7 @@ class ActivatableTest {
         new MarshalledObject<>(UnicastRemoteObject.exportObject(second, 0, sockets, sockets));
 
     assertThat(lamp.name()).isEqualTo("second");
-    assertThat(daemon.told).containsExactly("activate false");
+    assertThat(daemon.calls).containsExactly("activate false");
   }
 
   @Test
@@ -146,7 +146,7 @@ class ActivatableTest {
     Activatable.unexportObject(bulb, true);
 
     assertThatExceptionOfType(NoSuchObjectException.class).isThrownBy(lamp::name);
-    assertThat(daemon.told).containsExactly("activate false", "activate true");
+    assertThat(daemon.calls).containsExactly("activate false", "activate true");
   }
 
   @Test
@@ -160,7 +160,7 @@ class ActivatableTest {
             Activatable.register(new ActivationDesc(group, LampImpl.class.getName(), null, null));
 
     assertThatExceptionOfType(ServerException.class).isThrownBy(lamp::broken);
-    assertThat(daemon.told).containsExactly("activate false");
+    assertThat(daemon.calls).containsExactly("activate false");
   }
 
   @Test
@@ -227,7 +227,7 @@ class ActivatableTest {
     assertThat(desc.getClassName()).isEqualTo(LampImpl.class.getName());
     assertThat(desc.getRestartMode()).isTrue();
     assertThat(desc.getData().get()).isEqualTo("on");
-    assertThat(daemon.told).containsExactly("activeObject");
+    assertThat(daemon.calls).containsExactly("activeObject");
     assertThat(((Lamp) lamp.id().activate(false)).name()).isEqualTo("left");
     assertThat(Activatable.inactive(lamp.id())).isTrue();
     Activatable.unregister(lamp.id());
@@ -237,7 +237,7 @@ class ActivatableTest {
   }
 
   @Test
-  void objectTheDaemonCannotBeToldOfIsNeitherRegisteredNorExported() {
+  void objectThatCannotBeReportedToTheDaemonIsNeitherRegisteredNorExported() {
     daemon.unreachable = new ConnectException("no daemon");
     Bulb bulb = new Bulb("bulb");
 

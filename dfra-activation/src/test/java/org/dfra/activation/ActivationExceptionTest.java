@@ -18,7 +18,7 @@ class ActivationExceptionTest {
   private final IOException nested = new IOException("no route");
 
   @Test
-  void messageTellsTheNestedFailureToo() {
+  void messageIncludesTheNestedFailure() {
     assertThat(new ActivationException("cannot start", nested))
         .hasMessage("cannot start; nested exception is: \n\tjava.io.IOException: no route")
         .hasCause(nested);

@@ -74,7 +74,7 @@ class ActivationGroupTest {
 
     assertThat(group.given).isSameAs(data);
     assertThat(daemon.instantiator).isSameAs(group);
-    assertThat(daemon.told).containsExactly("activeGroup 3");
+    assertThat(daemon.calls).containsExactly("activeGroup 3");
     assertThat(ActivationGroup.currentGroupID()).isSameAs(id);
     assertThat(ActivationGroup.getSystem()).isSameAs(daemon);
     assertThat(new ActivationDesc("GPS", null, null).getGroupID()).isSameAs(id);
@@ -87,7 +87,7 @@ class ActivationGroupTest {
     group.activeObject(object, group);
 
     assertThat(group.inactiveObject(object)).isTrue();
-    assertThat(daemon.told).containsExactly("activeGroup 3", "activeObject", "inactiveObject");
+    assertThat(daemon.calls).containsExactly("activeGroup 3", "activeObject", "inactiveObject");
   }
 
   @Test
@@ -95,7 +95,7 @@ class ActivationGroupTest {
     PlainGroup group = create();
     group.end();
 
-    assertThat(daemon.told).endsWith("inactiveGroup 3");
+    assertThat(daemon.calls).endsWith("inactiveGroup 3");
     assertThat(ActivationGroup.currentGroupID()).isNull();
     assertThatExceptionOfType(UnknownGroupException.class)
         .isThrownBy(group::end)
@@ -114,7 +114,7 @@ class ActivationGroupTest {
     assertThatExceptionOfType(ActivationException.class)
         .isThrownBy(this::create)
         .withMessage(
-            "This JVM has an activation group already, a org.dfra.activation.PlainGroup:"
+            "This JVM already has an activation group, a org.dfra.activation.PlainGroup:"
                 + " start another JVM for another group.");
   }
 
@@ -124,7 +124,7 @@ class ActivationGroupTest {
       nullValues = "NULL",
       textBlock =
           """
-          NULL                | The group descriptor names no class, and java.rmi.activation has no group of its own: give ActivationGroupDesc the name of a concrete subclass of ActivationGroup.
+          NULL                | The group descriptor has no class name, and java.rmi.activation has no default group class: give ActivationGroupDesc the name of a concrete subclass of ActivationGroup.
           no.such.Group       | The group class no.such.Group cannot be loaded from null
           java.lang.String    | The group class java.lang.String is not a subclass of java.rmi.activation.ActivationGroup
           $WithoutConstructor | The group class CLASS must be public and have a public constructor (ActivationGroupID, MarshalledObject)
@@ -139,7 +139,7 @@ class ActivationGroupTest {
     assertThatExceptionOfType(ActivationException.class)
         .isThrownBy(() -> ActivationGroup.createGroup(id, desc(group), 1))
         .withMessageStartingWith(wanted);
-    assertThat(daemon.told).isEmpty();
+    assertThat(daemon.calls).isEmpty();
     assertThat(ActivationGroup.currentGroupID()).isNull();
   }
 
@@ -157,7 +157,8 @@ class ActivationGroupTest {
     daemon.unreachable = new RemoteException("down");
     assertThatExceptionOfType(ActivationException.class)
         .isThrownBy(this::create)
-        .withMessageStartingWith("The activation system cannot be told of the group")
+        .withMessageStartingWith(
+            "The activation system cannot be notified that the group is active")
         .withCause(daemon.unreachable);
     assertThat(PlainGroup.last).matches(ActivationGroupTest::unexported, "is unexported");
 
@@ -173,7 +174,7 @@ class ActivationGroupTest {
   void reportWhoseAnswerIsLateIsMadeAgain() throws Exception {
     daemon.lateAnswers = 2;
     PlainGroup group = create();
-    assertThat(daemon.told).containsExactly("activeGroup 3", "activeGroup 3", "activeGroup 3");
+    assertThat(daemon.calls).containsExactly("activeGroup 3", "activeGroup 3", "activeGroup 3");
     assertThat(daemon.instantiator).isSameAs(group);
     assertThat(ActivationGroup.currentGroupID()).isSameAs(id);
   }
@@ -196,10 +197,10 @@ class ActivationGroupTest {
     assertThatExceptionOfType(ActivationException.class)
         .isThrownBy(() -> group.inactiveObject(new ActivationID(daemon)))
         .withMessage(
-            "The activation system gave this group no monitor, so the group cannot report to it.");
+            "The activation system returned no monitor for this group, so the group cannot report to it.");
     assertThatExceptionOfType(UnknownGroupException.class)
         .isThrownBy(group::end)
-        .withMessageStartingWith("The activation system gave this group no monitor");
+        .withMessageStartingWith("The activation system returned no monitor for this group");
     assertThat(ActivationGroup.currentGroupID()).as("ended all the same").isNull();
   }
 
@@ -210,8 +211,7 @@ class ActivationGroupTest {
             () ->
                 ActivationGroup.createGroup(
                     new ActivationGroupID(null), desc(PlainGroup.class.getName()), 1))
-        .withMessage(
-            "The group's identity names no activation system: register the group with one first.");
+        .withMessage("The group's ID has no activation system: register the group with one first.");
     assertThat(PlainGroup.last).isNull();
   }
 
@@ -245,7 +245,7 @@ class ActivationGroupTest {
         ChildJvm.run(
             folder,
             List.of(
-                "-Xbootclasspath/a:" + System.getProperty("dfra.boot"),
+                "-Xbootclasspath/a:" + System.getProperty("dfra.boot-class-path"),
                 "-cp",
                 System.getProperty("java.class.path"),
                 RefusedGroupMain.class.getName()));

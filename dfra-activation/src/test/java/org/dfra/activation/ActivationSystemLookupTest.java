@@ -101,7 +101,7 @@ class ActivationSystemLookupTest {
     assertThatExceptionOfType(ActivationException.class)
         .isThrownBy(() -> ActivationGroup.setSystem(new TestDaemon()))
         .withMessage(
-            "This JVM has an activation system already:"
+            "This JVM already has an activation system:"
                 + " set it before the first use of activation.");
   }
 }

@@ -86,7 +86,8 @@ class ApiConformanceTest {
   @Test
   void oneProbeCompilesToTheSameCodeAgainstBoth() throws IOException {
     String release16 = compileProbe("old", "--release", "16");
-    String ours = compileProbe("new", "--release", "17", "-cp", System.getProperty("dfra.boot"));
+    String ours =
+        compileProbe("new", "--release", "17", "-cp", System.getProperty("dfra.boot-class-path"));
 
     assertThat(ours).contains("inactiveGroup").isEqualTo(release16);
   }

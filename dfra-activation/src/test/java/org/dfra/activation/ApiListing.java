@@ -79,7 +79,8 @@ final class ApiListing {
 
   /** This module's own class files of the package, by file name. */
   static Map<String, Path> ofThisModule() throws IOException {
-    try (Stream<Path> files = Files.list(Path.of(System.getProperty("dfra.boot"), PACKAGE))) {
+    try (Stream<Path> files =
+        Files.list(Path.of(System.getProperty("dfra.boot-class-path"), PACKAGE))) {
       return files.collect(
           Collectors.toMap(p -> p.getFileName().toString(), p -> p, (a, b) -> a, TreeMap::new));
     }

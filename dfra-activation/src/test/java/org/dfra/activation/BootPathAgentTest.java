@@ -44,7 +44,7 @@ class BootPathAgentTest {
   }
 
   private Path pack(String name, Manifest manifest, Predicate<String> wanted) throws IOException {
-    Path classes = Path.of(System.getProperty("dfra.boot"));
+    Path classes = Path.of(System.getProperty("dfra.boot-class-path"));
     Path packed = folder.resolve(name);
     try (OutputStream file = Files.newOutputStream(packed);
         JarOutputStream out = new JarOutputStream(file, manifest);
@@ -63,7 +63,7 @@ class BootPathAgentTest {
 
   /** The tests' class path without this module: the child must get it from the jar. */
   private static String classPath() {
-    Path own = Path.of(System.getProperty("dfra.boot"));
+    Path own = Path.of(System.getProperty("dfra.boot-class-path"));
     String[] entries = System.getProperty("java.class.path").split(File.pathSeparator);
     return String.join(
         File.pathSeparator,
@@ -140,16 +140,16 @@ class BootPathAgentTest {
     assertThat(child.exit()).isNotZero();
     assertThat(child.printed())
         .contains(
-            "java.rmi.activation cannot be put on the boot class path, since "
+            "java.rmi.activation cannot be added to the boot class path, since "
                 + broken
-                + " does not hold java.rmi.activation.ActivationID: start this JVM with"
+                + " does not contain java.rmi.activation.ActivationID: start this JVM with"
                 + " -Xbootclasspath/a:dfra-activation.jar instead.")
         .doesNotContain(SUCCESS);
   }
 
   @Test
   void classesInAFolderAreRefusedInOneSentence() throws Exception {
-    String classes = System.getProperty("dfra.boot");
+    String classes = System.getProperty("dfra.boot-class-path");
 
     ChildJvm child =
         ChildJvm.run(

@@ -67,12 +67,12 @@ class DescriptorTest {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> new ActivationDesc((ActivationGroupID) null, "GPS", null, null))
         .withMessage(
-            "The descriptor of GPS names no group:"
+            "The descriptor of GPS has no group:"
                 + " give the ActivationGroupID that registerGroup returned.");
     assertThatExceptionOfType(ActivationException.class)
         .isThrownBy(() -> new ActivationDesc("GPS", null, null))
         .withMessage(
-            "The descriptor of GPS names no group and this JVM has none: give an"
+            "The descriptor of GPS has no group, and this JVM has no active group: give an"
                 + " ActivationGroupID, or call ActivationGroup.createGroup first.");
   }
 

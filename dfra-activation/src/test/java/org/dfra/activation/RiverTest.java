@@ -44,13 +44,13 @@ class RiverTest {
   void riversGroupIsCreatedAndTravelsAsItsJeriProxy() throws Exception {
     JeriGroup group = (JeriGroup) ActivationGroup.createGroup(id, desc(JeriGroup.class), 5);
     try {
-      assertThat(daemon.told).containsExactly("activeGroup 5");
+      assertThat(daemon.calls).containsExactly("activeGroup 5");
       assertThat(java.rmi.activation.ActivationGroup.currentGroupID()).isSameAs(id);
       assertThat(new MarshalledObject<>(daemon.instantiator).get()).isEqualTo(group.proxy());
     } finally {
       group.end();
     }
-    assertThat(daemon.told).endsWith("inactiveGroup 5");
+    assertThat(daemon.calls).endsWith("inactiveGroup 5");
   }
 
   @Test

@@ -18,11 +18,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** An activation daemon in the test's own JVM: it records what it is told, and fails on request. */
+/** An activation daemon in the test's own JVM: it records its calls, and fails on request. */
 final class TestDaemon implements ActivationSystem, ActivationMonitor, Activator {
 
-  /** What it was told, in order. */
-  final List<String> told = new ArrayList<>();
+  /** The calls that it received, in order. */
+  final List<String> calls = new ArrayList<>();
 
   final Map<ActivationID, ActivationDesc> objects = new LinkedHashMap<>();
 
@@ -36,7 +36,7 @@ final class TestDaemon implements ActivationSystem, ActivationMonitor, Activator
 
   ActivationException refusal;
 
-  /** So many answers of activeGroup come too late, though the group is taken. */
+  /** So many answers of activeGroup come too late, though the group is accepted. */
   int lateAnswers;
 
   /** How often activeGroup was called. */
@@ -51,7 +51,7 @@ final class TestDaemon implements ActivationSystem, ActivationMonitor, Activator
     reports++;
     failIfAsked();
     instantiator = group;
-    told.add("activeGroup " + incarnation);
+    calls.add("activeGroup " + incarnation);
     if (lateAnswers-- > 0) {
       throw new RemoteException("no answer within the deadline");
     }
@@ -84,14 +84,14 @@ final class TestDaemon implements ActivationSystem, ActivationMonitor, Activator
   @Override
   public MarshalledObject<? extends Remote> activate(ActivationID id, boolean force)
       throws ActivationException, RemoteException {
-    told.add("activate " + force);
+    calls.add("activate " + force);
     failIfAsked();
     return live;
   }
 
   @Override
   public void inactiveObject(ActivationID id) {
-    told.add("inactiveObject");
+    calls.add("inactiveObject");
   }
 
   @Override
@@ -101,12 +101,12 @@ final class TestDaemon implements ActivationSystem, ActivationMonitor, Activator
       throw unreachable;
     }
     live = obj;
-    told.add("activeObject");
+    calls.add("activeObject");
   }
 
   @Override
   public void inactiveGroup(ActivationGroupID id, long incarnation) {
-    told.add("inactiveGroup " + incarnation);
+    calls.add("inactiveGroup " + incarnation);
   }
 
   @Override

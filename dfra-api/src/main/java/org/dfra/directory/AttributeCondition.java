@@ -29,7 +29,7 @@ record AttributeCondition(
     RecordComponent[] components = type.getRecordComponents();
     if (components == null) {
       throw new IllegalArgumentException(
-          type.getName() + " is no record; name a record of attributes");
+          type.getName() + " is not a record; name a record of attributes");
     }
     RecordComponent found =
         Arrays.stream(components)

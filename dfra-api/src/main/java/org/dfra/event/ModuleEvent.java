@@ -1,8 +1,8 @@
 package org.dfra.event;
 
 import java.io.Serializable;
-import org.dfra.module.Incident;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Incident;
+import org.dfra.lifecycle.Readiness;
 
 /** An event that a module can publish. */
 public sealed interface ModuleEvent extends Serializable {

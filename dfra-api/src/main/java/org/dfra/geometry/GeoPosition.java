@@ -1,6 +1,7 @@
 package org.dfra.geometry;
 
 import java.io.Serializable;
+import java.util.Locale;
 
 /**
  * A position on or above the earth, frame WGS84.
@@ -11,12 +12,6 @@ import java.io.Serializable;
  */
 public record GeoPosition(double latitude, double longitude, double height)
     implements Serializable {
-
-  /** Semi-major axis of the WGS84 ellipsoid in metres. */
-  private static final double AXIS = 6_378_137;
-
-  /** Square of the eccentricity of the WGS84 ellipsoid. */
-  private static final double ECCENTRICITY_SQUARED = 6.694_379_990_141_3e-3;
 
   public GeoPosition {
     if (!(Math.abs(latitude) <= 90)) {
@@ -36,24 +31,16 @@ public record GeoPosition(double latitude, double longitude, double height)
    * less than 0.1 µm in 100 m.
    */
   public double groundDistance(GeoPosition other) {
-    double[] here = onEllipsoid();
-    double[] there = other.onEllipsoid();
+    double[] here = Wgs84.earthCentred(latitude, longitude, 0);
+    double[] there = Wgs84.earthCentred(other.latitude, other.longitude, 0);
     double x = here[0] - there[0];
     double y = here[1] - there[1];
     double z = here[2] - there[2];
     return Math.sqrt(x * x + y * y + z * z);
   }
 
-  /** Earth-centred coordinates x, y, z in metres of the point below or above on the ellipsoid. */
-  private double[] onEllipsoid() {
-    double phi = Math.toRadians(latitude);
-    double lambda = Math.toRadians(longitude);
-    double sin = Math.sin(phi);
-    double normal = AXIS / Math.sqrt(1 - ECCENTRICITY_SQUARED * sin * sin);
-    return new double[] {
-      normal * Math.cos(phi) * Math.cos(lambda),
-      normal * Math.cos(phi) * Math.sin(lambda),
-      normal * (1 - ECCENTRICITY_SQUARED) * sin
-    };
+  /** Latitude and longitude in degrees, to a centimetre: {@code 48.0000000°,11.0000000°}. */
+  public String latitudeAndLongitude() {
+    return String.format(Locale.ROOT, "%.7f°,%.7f°", latitude, longitude);
   }
 }

@@ -2,8 +2,8 @@ package org.dfra.geometry;
 
 /**
  * The local east-north-up frame of a datum on the WGS84 ellipsoid: geodetic coordinates to
- * earth-centred ones (ECEF), minus the datum's, rotated into the datum's horizontal plane. Exact at
- * any distance. Source: NIMA TR8350.2, WGS84 parameters; the formulas are textbook geodesy.
+ * earth-centred ones (ECEF, see {@link Wgs84}), minus the datum's, rotated into the datum's
+ * horizontal plane. Exact at any distance.
  *
  * <p>Both directions agree with GeographicLib to 0.1 µm, also near the poles and at the
  * antimeridian, as {@code GeodesyTest} checks.
@@ -12,14 +12,6 @@ package org.dfra.geometry;
  * bits on every machine.
  */
 public final class LocalFrame {
-
-  /** Equatorial radius of the WGS84 ellipsoid, metres. */
-  public static final double EQUATORIAL_RADIUS = 6_378_137.0;
-
-  /** Flattening of the WGS84 ellipsoid. */
-  public static final double FLATTENING = 1 / 298.257223563;
-
-  private static final double ECCENTRICITY_SQUARED = FLATTENING * (2 - FLATTENING);
 
   private final GeoPosition datum;
   private final double[] origin;
@@ -62,51 +54,17 @@ public final class LocalFrame {
 
   /**
    * The position on the earth of one in this frame: the inverse of {@link #toLocal}, to 20 nm near
-   * the ground. Two iterations of Bowring's method. Source: B. R. Bowring, "Transformation from
-   * spatial to geographical coordinates", Survey Review 23 (1976).
+   * the ground.
    */
   public GeoPosition toGeo(LocalPosition position) {
     double outward = cosLatitude * position.up() - sinLatitude * position.north();
     double x = origin[0] + cosLongitude * outward - sinLongitude * position.east();
     double y = origin[1] + sinLongitude * outward + cosLongitude * position.east();
     double z = origin[2] + sinLatitude * position.up() + cosLatitude * position.north();
-    double fromAxis = Math.sqrt(x * x + y * y);
-    double polarRadius = EQUATORIAL_RADIUS * (1 - FLATTENING);
-    double second = ECCENTRICITY_SQUARED / (1 - ECCENTRICITY_SQUARED);
-    double reduced = StrictMath.atan2(z, fromAxis * (1 - FLATTENING));
-    double latitude = 0;
-    for (int i = 0; i < 2; i++) {
-      double sin = StrictMath.sin(reduced);
-      double cos = StrictMath.cos(reduced);
-      latitude =
-          StrictMath.atan2(
-              z + second * polarRadius * sin * sin * sin,
-              fromAxis - ECCENTRICITY_SQUARED * EQUATORIAL_RADIUS * cos * cos * cos);
-      reduced =
-          StrictMath.atan2((1 - FLATTENING) * StrictMath.sin(latitude), StrictMath.cos(latitude));
-    }
-    double sin = StrictMath.sin(latitude);
-    double height =
-        fromAxis * StrictMath.cos(latitude)
-            + z * sin
-            - EQUATORIAL_RADIUS * Math.sqrt(1 - ECCENTRICITY_SQUARED * sin * sin);
-    return new GeoPosition(
-        Math.toDegrees(latitude), Math.toDegrees(StrictMath.atan2(y, x)), height);
+    return Wgs84.geodetic(x, y, z);
   }
 
-  /** Earth-centred, earth-fixed coordinates x, y, z in metres; x meets the prime meridian. */
   private static double[] earthCentred(GeoPosition position) {
-    double latitude = Math.toRadians(position.latitude());
-    double longitude = Math.toRadians(position.longitude());
-    double sin = StrictMath.sin(latitude);
-    double cos = StrictMath.cos(latitude);
-    // radius of curvature in the prime vertical
-    double normal = EQUATORIAL_RADIUS / Math.sqrt(1 - ECCENTRICITY_SQUARED * sin * sin);
-    double fromAxis = (normal + position.height()) * cos;
-    return new double[] {
-      fromAxis * StrictMath.cos(longitude),
-      fromAxis * StrictMath.sin(longitude),
-      (normal * (1 - ECCENTRICITY_SQUARED) + position.height()) * sin
-    };
+    return Wgs84.earthCentred(position.latitude(), position.longitude(), position.height());
   }
 }

@@ -8,6 +8,7 @@ import org.dfra.event.ModuleListener;
 import org.dfra.event.Subscription;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.ModuleLease;
+import org.dfra.lifecycle.Readiness;
 
 /**
  * A part of a robot that others can find, use and replace: a sensor, an effector, a schema, a

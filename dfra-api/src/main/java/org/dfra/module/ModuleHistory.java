@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import org.dfra.lifecycle.Incident;
 
 /**
  * A module's history across all its activations, and its reliability.

@@ -1,5 +1,7 @@
 package org.dfra.module;
 
+import org.dfra.lifecycle.Readiness;
+
 /** The requested data is not available yet, or no longer. */
 public final class NotReadyException extends IllegalStateException {
 

@@ -2,7 +2,7 @@ package org.dfra.persona;
 
 import java.time.Instant;
 import java.util.Objects;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -3,6 +3,7 @@ package org.dfra.module;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import org.dfra.lifecycle.Readiness;
 import org.junit.jupiter.api.Test;
 
 class IdentificationTest {

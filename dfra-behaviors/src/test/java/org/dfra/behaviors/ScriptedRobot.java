@@ -28,13 +28,13 @@ import org.dfra.flow.perceptual.RangeFilter;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.persona.DriveAttributes;
 import org.dfra.persona.PerceptualSchemaAttributes;
 
 /**
- * A robot whose percepts are told by the test and whose body goes where its wheels turn, unless it
- * is held. Ten times a second it moves and perceives. All is by stepped time.
+ * A robot whose percepts the test sets, and whose body moves as its wheels drive it, unless it is
+ * held. It moves and perceives ten times a second. Its time is stepped.
  */
 public final class ScriptedRobot implements AutoCloseable {
 
@@ -60,7 +60,7 @@ public final class ScriptedRobot implements AutoCloseable {
   public boolean isHeld;
   public Duration roomDelay = Duration.ZERO;
 
-  /** Which of its filters sees the room. */
+  /** Which of its range filters publishes the clearance. */
   public Room seer = room;
 
   public boolean seesRoom = true;
@@ -69,7 +69,7 @@ public final class ScriptedRobot implements AutoCloseable {
   private final Map<ModuleImpl, DirectoryRegistration> modules = new HashMap<>();
   private final List<ModuleImpl> order = new ArrayList<>();
 
-  /** With wheels, a position, room, guidance and rules; without a behaviour. */
+  /** With wheels, position, clearance, heading error and fuzzy rules; without a behaviour. */
   public ScriptedRobot() {
     add(drive);
     add(position);
@@ -95,7 +95,7 @@ public final class ScriptedRobot implements AutoCloseable {
     return new ModuleContext(NAME, name, parameters, own, state).withDirectory(directory);
   }
 
-  /** Has the clock of a module's computer be so far ahead of the others'. */
+  /** Sets the clock of a module's computer this far ahead of the others'. */
   public void setAhead(String module, Duration span) {
     Objects.requireNonNull(times.get(module), module).setAhead(span);
   }
@@ -113,7 +113,7 @@ public final class ScriptedRobot implements AutoCloseable {
     module.close();
   }
 
-  /** Nobody finds it any more, though it goes on. */
+  /** It cannot be found any more, though it still runs. */
   public void hide(ModuleImpl module) {
     modules.remove(module).close();
     order.remove(module);
@@ -125,7 +125,7 @@ public final class ScriptedRobot implements AutoCloseable {
     order.add(0, module);
   }
 
-  /** Its process is killed: it does nothing more, not even let go of what it has begun. */
+  /** Its process is killed: it does nothing more, and does not release what it holds. */
   public void kill(ModuleImpl module, String name) {
     times.get(name).die();
     hide(module);
@@ -140,8 +140,8 @@ public final class ScriptedRobot implements AutoCloseable {
     return time.until(() -> behavior.status().phase() == phase, seconds);
   }
 
-  /** Steps until a behaviour says this. */
-  public boolean hears(BehaviorImpl<?> behavior, String part, double seconds) {
+  /** Steps until this is part of the activity that a behaviour reports. */
+  public boolean reachesActivity(BehaviorImpl<?> behavior, String part, double seconds) {
     return time.until(() -> behavior.status().activity().contains(part), seconds);
   }
 
@@ -188,10 +188,10 @@ public final class ScriptedRobot implements AutoCloseable {
     directory.close();
   }
 
-  /** Wheels that remember what they were told. */
+  /** Wheels that record the velocities and brake commands that they receive. */
   public static final class Drive extends DriveImpl {
 
-    public final List<Velocity> told = new ArrayList<>();
+    public final List<Velocity> velocities = new ArrayList<>();
 
     /** What the brake was commanded; true to set it. */
     public final List<Boolean> braked = new ArrayList<>();
@@ -219,7 +219,7 @@ public final class ScriptedRobot implements AutoCloseable {
 
     @Override
     protected void setVelocity(Velocity wanted) {
-      told.add(wanted);
+      velocities.add(wanted);
       turning = wanted;
     }
 
@@ -250,7 +250,7 @@ public final class ScriptedRobot implements AutoCloseable {
     }
   }
 
-  /** Tells where it is told to be. */
+  /** Publishes the pose that the test sets. */
   public static final class Place extends PerceptualSchemaImpl<PoseEstimate>
       implements PositionEstimator {
 
@@ -264,7 +264,7 @@ public final class ScriptedRobot implements AutoCloseable {
 
     @Override
     protected PerceptualSchemaAttributes schemaAttributes() {
-      return new PerceptualSchemaAttributes("PoseEstimate", null, "told", null, null);
+      return new PerceptualSchemaAttributes("PoseEstimate", null, "scripted", null, null);
     }
 
     @Override
@@ -273,7 +273,7 @@ public final class ScriptedRobot implements AutoCloseable {
     }
   }
 
-  /** Tells the room that it is told. */
+  /** Publishes the clearance that the test sets. */
   public final class Room extends PerceptualSchemaImpl<Clearance> implements RangeFilter {
 
     public Room(String name) {
@@ -293,7 +293,7 @@ public final class ScriptedRobot implements AutoCloseable {
 
     @Override
     protected PerceptualSchemaAttributes schemaAttributes() {
-      return new PerceptualSchemaAttributes("Clearance", null, "told", null, null);
+      return new PerceptualSchemaAttributes("Clearance", null, "scripted", null, null);
     }
 
     @Override

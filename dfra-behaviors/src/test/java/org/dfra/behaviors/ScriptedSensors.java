@@ -11,9 +11,9 @@ import org.dfra.flow.sensor.OdometrySensor;
 import org.dfra.flow.sensor.RangeScan;
 import org.dfra.flow.sensor.RangeSensor;
 import org.dfra.flow.sensor.TimeReading;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 
-/** Sensors that tell what the test has them tell, and are listened to, never asked. */
+/** Sensors that publish what the test has them publish. They are subscribed to, never polled. */
 public final class ScriptedSensors {
 
   private ScriptedSensors() {}
@@ -23,8 +23,8 @@ public final class ScriptedSensors {
 
     private final double rate;
 
-    Scripted(ModuleContext context, String description, String tells, double rate) {
-      super(context, description, "DFRA", "1", List.of(tells), List.of());
+    Scripted(ModuleContext context, String description, String reading, double rate) {
+      super(context, description, "DFRA", "1", List.of(reading), List.of());
       this.rate = rate;
     }
 

@@ -53,7 +53,7 @@ public record RecruitmentSettings(
     positive("releaseEvery", releaseEvery);
     positive("margin", margin);
     if (offerWindow != null) {
-      positive("window", offerWindow);
+      positive("offer_window", offerWindow);
     }
     if (replaceAfter.compareTo(margin) <= 0) {
       throw new IllegalArgumentException(
@@ -61,11 +61,10 @@ public record RecruitmentSettings(
               + replaceAfter.toMillis()
               + " ms <= margin "
               + margin.toMillis()
-              + " ms; a robot could never come in time");
+              + " ms; choose a longer replace_after, since no robot could arrive in time");
     }
     if (roundsPerConversation < 1 || acceptSends < 1 || arrivalSends < 1) {
-      throw new IllegalArgumentException(
-          "what is never sent is never heard; send it once at least");
+      throw new IllegalArgumentException("a release must be sent at least once");
     }
   }
 

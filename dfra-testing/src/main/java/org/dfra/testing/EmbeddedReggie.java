@@ -1,5 +1,6 @@
 package org.dfra.testing;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.rmi.RemoteException;
 import java.time.Duration;
@@ -12,6 +13,7 @@ import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceRegistration;
 import org.dfra.persona.Attributes;
 import org.dfra.river.bootstrap.EmbeddedRegistrar;
+import org.dfra.river.call.DeadlineExceededException;
 import org.dfra.river.entry.Entries;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.jspecify.annotations.Nullable;
@@ -57,8 +59,13 @@ public final class EmbeddedReggie
   private static final Namespace NAMESPACE = Namespace.create(EmbeddedReggie.class);
 
   private final int wantedPort;
-  private @Nullable EmbeddedRegistrar reggie; // guarded by this
-  private String group = ""; // guarded by this; empty before the first start
+
+  @GuardedBy("this")
+  private @Nullable EmbeddedRegistrar reggie;
+
+  // empty before the first start
+  @GuardedBy("this")
+  private String group = "";
 
   /** A lookup service at a port that the system chooses. */
   public EmbeddedReggie() {
@@ -108,7 +115,9 @@ public final class EmbeddedReggie
   }
 
   /**
-   * Registers a service, as a module registers itself. The caller must renew its lease.
+   * Registers a service, as a module registers itself. The caller must renew its lease. If the
+   * answer is late, on a busy computer, it is registered once more: that replaces the first
+   * registration.
    *
    * @param id its service ID
    * @param service its proxy
@@ -119,13 +128,16 @@ public final class EmbeddedReggie
   public ServiceRegistration register(
       UUID id, Object service, List<? extends Attributes> attributes, long leaseMillis)
       throws RemoteException {
-    return registrar()
-        .register(
-            new ServiceItem(
-                new ServiceID(id.getMostSignificantBits(), id.getLeastSignificantBits()),
-                service,
-                Entries.toEntries(attributes)),
-            leaseMillis);
+    ServiceItem item =
+        new ServiceItem(
+            new ServiceID(id.getMostSignificantBits(), id.getLeastSignificantBits()),
+            service,
+            Entries.toEntries(attributes));
+    try {
+      return registrar().register(item, leaseMillis);
+    } catch (DeadlineExceededException e) {
+      return registrar().register(item, leaseMillis);
+    }
   }
 
   private synchronized EmbeddedRegistrar running() {

@@ -42,14 +42,14 @@ public final class InteractiveProcess implements AutoCloseable {
    *
    * @param classPath the class path
    * @param options options of the JVM, besides the boot class path, which is this one's ({@code
-   *     dfra.boot})
+   *     dfra.boot-class-path})
    */
   public static List<String> java(String classPath, List<String> options) {
     List<String> command =
         new ArrayList<>(
             List.of(
                 System.getProperty("java.home") + "/bin/java",
-                "-Xbootclasspath/a:" + System.getProperty("dfra.boot"),
+                "-Xbootclasspath/a:" + System.getProperty("dfra.boot-class-path"),
                 "-XX:TieredStopAtLevel=1",
                 "-XX:CompileThresholdScaling=3",
                 "-XX:+UseSerialGC",

@@ -9,13 +9,12 @@ import java.rmi.MarshalledObject;
 import java.rmi.activation.ActivationID;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
 import java.util.UUID;
 import java.util.stream.Collectors;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.Parameters;
-import org.dfra.core.config.Place;
 import org.dfra.core.config.RobotXml;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.module.Module;
 import org.dfra.river.proxy.ModuleProxy;
@@ -63,7 +62,7 @@ public record ServedModule<S extends ModuleServer<?>>(
             null,
             false,
             new Parameters("robot/module", Map.of()),
-            Place.CODE);
+            SourceLocation.CODE);
     return new ServedModule<>(
         server,
         new ModuleActivation(
@@ -153,73 +152,27 @@ public record ServedModule<S extends ModuleServer<?>>(
 
   /** A copy with another robot. */
   public ServedModule<S> on(String robot) {
-    ModuleDescription old = activation.module();
-    return withDescription(
-        new ModuleDescription(
-            robot,
-            old.name(),
-            old.serverClass(),
-            old.proxyClass(),
-            old.driverClass(),
-            old.configuration(),
-            old.restart(),
-            new Parameters(robot + "/" + old.name(), old.parameters().all()),
-            old.place()));
+    return withDescription(activation.module().withRobot(robot));
   }
 
   /** A copy with another name. */
   public ServedModule<S> named(String name) {
-    ModuleDescription old = activation.module();
-    return withDescription(
-        new ModuleDescription(
-            old.robot(),
-            name,
-            old.serverClass(),
-            old.proxyClass(),
-            old.driverClass(),
-            old.configuration(),
-            old.restart(),
-            new Parameters(old.robot() + "/" + name, old.parameters().all()),
-            old.place()));
+    return withDescription(activation.module().withName(name));
   }
 
   /** A copy with another driver, and without parameters, since they are specific to a driver. */
   public ServedModule<S> withDriver(Class<? extends ModuleImpl> driver) {
-    ModuleDescription old = activation.module();
-    return withDescription(
-        new ModuleDescription(
-            old.robot(),
-            old.name(),
-            old.serverClass(),
-            old.proxyClass(),
-            driver.getName(),
-            old.configuration(),
-            old.restart(),
-            Parameters.of(old.path(), Map.of()),
-            old.place()));
+    return withDescription(activation.module().withBareDriver(driver.getName()));
   }
 
   /** A copy with another parameter for its driver. */
   public ServedModule<S> with(String parameter, String value) {
-    return with(parameter, value, Place.CODE);
+    return with(parameter, value, SourceLocation.CODE);
   }
 
   /** A copy with another parameter for its driver, as if configured at that place. */
-  public ServedModule<S> with(String parameter, String value, Place place) {
-    ModuleDescription old = activation.module();
-    Map<String, Parameters.Value> values = new TreeMap<>(old.parameters().all());
-    values.put(parameter, new Parameters.Value(value, place));
-    return withDescription(
-        new ModuleDescription(
-            old.robot(),
-            old.name(),
-            old.serverClass(),
-            old.proxyClass(),
-            old.driverClass(),
-            old.configuration(),
-            old.restart(),
-            new Parameters(old.path(), values),
-            old.place()));
+  public ServedModule<S> with(String parameter, String value, SourceLocation place) {
+    return withDescription(activation.module().withParameter(parameter, value, place));
   }
 
   /** A copy with another description. */
@@ -288,19 +241,21 @@ public record ServedModule<S extends ModuleServer<?>>(
   /**
    * Serves it until the server is closed.
    *
-   * @throws Exception the exception of the server's constructor
+   * @throws Exception the exception of the server's constructor, or of its start
    */
   public S serve() throws Exception {
     Constructor<S> constructor =
         server.getDeclaredConstructor(ActivationID.class, MarshalledObject.class);
     constructor.setAccessible(true);
+    S made;
     try {
-      return constructor.newInstance(null, new MarshalledObject<>(activation));
+      made = constructor.newInstance(null, new MarshalledObject<>(activation));
     } catch (InvocationTargetException e) {
       if (e.getCause() instanceof Exception cause) {
         throw cause;
       }
       throw e;
     }
+    return ModuleServer.started(made);
   }
 }

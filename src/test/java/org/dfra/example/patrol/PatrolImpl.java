@@ -71,7 +71,7 @@ public final class PatrolImpl extends BehaviorImpl<PathGoal> implements FollowWa
           return GoalProgress.failed(status.activity(), (double) driven / legs);
         case CANCELLED:
           return GoalProgress.cancelled(status.activity(), (double) driven / legs);
-        case PAUSED: // as by a brake: whoever resumes the patrol begins the leg anew
+        case PAUSED: // as by a brake: a resumed patrol starts the leg again
           return GoalProgress.paused(status.activity(), (double) driven / legs);
         default:
           return going(status.activity());

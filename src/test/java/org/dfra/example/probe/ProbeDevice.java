@@ -9,7 +9,7 @@ import java.util.Locale;
 import org.dfra.sim.device.SerialDevice;
 
 /**
- * The probe emulated: it tells {@code T+021.50*hh\n} once in a period, and is set by {@code
+ * The probe emulated: it sends {@code T+021.50*hh\n} once in a period, and is set by {@code
  * P10.0\n}.
  */
 final class ProbeDevice implements SerialDevice {
@@ -24,7 +24,7 @@ final class ProbeDevice implements SerialDevice {
     this.celsius = celsius;
   }
 
-  /** From one line to the next, as it was last told; for any thread. */
+  /** From one line to the next, as it was last set; for any thread. */
   Duration period() {
     return period;
   }
@@ -34,7 +34,7 @@ final class ProbeDevice implements SerialDevice {
     silent = whether;
   }
 
-  /** The line that tells this temperature, degrees Celsius. */
+  /** The line that reports this temperature, degrees Celsius. */
   static byte[] line(double celsius) {
     return checked(String.format(Locale.ROOT, "T%+07.2f", celsius));
   }

@@ -7,7 +7,7 @@ import org.dfra.drivers.link.EventCounter;
 import org.dfra.drivers.link.LinkKeeper;
 
 /** What of the probe can be examined (test {@code readings}) and mended ({@code reopen_link}). */
-record ProbeExamination(LinkKeeper keeper, EventCounter heard, ProbePace pace) {
+record ProbeExamination(LinkKeeper keeper, EventCounter received, ProbePace pace) {
 
   static final String OPENING = "opening";
   static final String READING = "reading";
@@ -24,16 +24,16 @@ record ProbeExamination(LinkKeeper keeper, EventCounter heard, ProbePace pace) {
       return new DiagnosticFinding(false, "the link is not open: " + keeper.fault());
     }
     Duration patience = ProbePace.patience(pace.seconds());
-    return heard.await(READING, heard.total(READING), patience)
+    return received.await(READING, received.total(READING), patience)
         ? new DiagnosticFinding(true, "the probe tells its temperature")
         : new DiagnosticFinding(
             false, "no temperature has come within " + ProbePace.inWords(patience));
   }
 
   private DiagnosticFinding reopenLink() throws InterruptedException {
-    long before = heard.total(OPENING);
+    long before = received.total(OPENING);
     keeper.reopen();
-    return heard.await(OPENING, before, REOPENING)
+    return received.await(OPENING, before, REOPENING)
         ? readings()
         : new DiagnosticFinding(false, "the link could not be opened again: " + keeper.fault());
   }

@@ -6,7 +6,7 @@ import org.dfra.core.module.ParameterTable;
 import org.dfra.core.module.ParameterTable.NumberRange;
 
 /**
- * How often the probe tells its temperature: the parameters {@code period} and {@code idle_period}.
+ * How often the probe sends its temperature: the parameters {@code period} and {@code idle_period}.
  * Safe for use by several threads.
  */
 final class ProbePace {
@@ -15,7 +15,7 @@ final class ProbePace {
 
   private final double idlePeriod;
   private volatile double period;
-  private volatile boolean rests;
+  private volatile boolean isIdle;
 
   ProbePace(Parameters written) {
     period = written.number("period", 1, 1, 60);
@@ -26,13 +26,13 @@ final class ProbePace {
     table.declareNumber("period", "between readings", RANGE, () -> period, value -> period = value);
   }
 
-  void rest(boolean whether) {
-    rests = whether;
+  void setIdle(boolean isIdle) {
+    this.isIdle = isIdle;
   }
 
   /** Seconds from one reading to the next, as wanted now. */
   double seconds() {
-    return rests ? Math.max(period, idlePeriod) : period;
+    return isIdle ? Math.max(period, idlePeriod) : period;
   }
 
   /**

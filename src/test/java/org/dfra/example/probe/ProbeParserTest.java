@@ -24,14 +24,14 @@ class ProbeParserTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {21.5, 0, -0.25, -55, 125})
-  void readsWhatTheProbeTells(double celsius) {
+  void readsWhatTheProbeSends(double celsius) {
     feed(ProbeDevice.line(celsius));
     assertThat(reported).containsExactly(celsius);
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"T+125.01", "T-055.01", "T---.---", "T+1E1.00", "T+NaN.00", "T**--**T"})
-  void countsAnIntactLineThatTellsNoTemperature(String text) {
+  void countsAnIntactLineWithoutATemperature(String text) {
     feed(ProbeDevice.checked(text.substring(0, 8)));
     assertThat(reported).containsExactly(Double.NaN);
     assertThat(parser.counts()).isEqualTo(new StreamCounts(1, 0, 1));
@@ -76,7 +76,7 @@ class ProbeParserTest {
   }
 
   @Test
-  void tellsALineWithItsLastByte() {
+  void reportsALineWithItsLastByte() {
     byte[] line = ProbeDevice.line(21.5);
     parser.feed(line, 0, 11);
     assertThat(reported).isEmpty();

@@ -15,15 +15,15 @@ import org.dfra.drivers.link.SerialLink;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.example.thermometer.TemperatureReading;
 import org.dfra.example.thermometer.Thermometer;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Precondition;
-import org.dfra.module.Readiness;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A temperature probe on a serial line. Parameters: {@code link}, {@code reopen_first} and {@code
- * reopen_longest} as {@link LinkSettings}; {@code period} and {@code idle_period}, seconds from one
- * reading to the next, 1 to 60, with clients and when the last has gone, default 1 and 10.
+ * A temperature probe on a serial line. Parameters: {@code link}, {@code reopen_initial_delay} and
+ * {@code reopen_max_delay} as {@link LinkSettings}; {@code period} and {@code idle_period}, seconds
+ * from one reading to the next, 1 to 60, with clients and when the last has gone, default 1 and 10.
  *
  * <p>Threads: one reader, owned by a {@link LinkKeeper}; askers see what it wrote last.
  */
@@ -79,7 +79,7 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
 
   @Override
   protected void onClientCount(int number) {
-    pace.rest(number == 0); // the reader tells the probe
+    pace.setIdle(number == 0); // the reader sends it to the probe
   }
 
   @Override

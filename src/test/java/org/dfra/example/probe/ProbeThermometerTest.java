@@ -24,9 +24,9 @@ import org.dfra.event.Reading;
 import org.dfra.event.Subscription;
 import org.dfra.example.thermometer.TemperatureReading;
 import org.dfra.lease.ModuleLease;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Diagnosis;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.sim.device.DeviceEmulator;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -59,7 +59,7 @@ class ProbeThermometerTest {
   }
 
   @Test
-  void tellsHowWarmItIs() {
+  void reportsTheTemperature() {
     List<Reading> readings = new CopyOnWriteArrayList<>();
     try (ProbeThermometerImpl thermometer = started(Map.of("link", probe.url()));
         Subscription unused =

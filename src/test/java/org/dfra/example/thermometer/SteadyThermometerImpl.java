@@ -2,7 +2,7 @@ package org.dfra.example.thermometer;
 
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.SensorImpl;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 
 /**
  * A thermometer in a room whose temperature never changes. Parameter {@code celsius}: that

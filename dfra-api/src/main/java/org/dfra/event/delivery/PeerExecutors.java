@@ -1,5 +1,6 @@
 package org.dfra.event.delivery;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.util.ArrayDeque;
 import java.util.HashMap;
 import java.util.Iterator;
@@ -25,12 +26,20 @@ public final class PeerExecutors {
 
   private final Executor pool;
   private final TaskLimits limits;
-  private final Map<ProcessKey, ProcessQueue> lanes =
-      new HashMap<>(); // guarded by this; those with tasks
-  private final Map<Object, Integer> underWayByPeer = new HashMap<>(); // guarded by this
-  private final Set<ProcessQueue> waiting =
-      new LinkedHashSet<>(); // guarded by this; next one first
-  private int underWay; // guarded by this
+
+  // those with tasks
+  @GuardedBy("this")
+  private final Map<ProcessKey, ProcessQueue> lanes = new HashMap<>();
+
+  @GuardedBy("this")
+  private final Map<Object, Integer> underWayByPeer = new HashMap<>();
+
+  // next one first
+  @GuardedBy("this")
+  private final Set<ProcessQueue> waiting = new LinkedHashSet<>();
+
+  @GuardedBy("this")
+  private int underWay;
 
   /**
    * How many tasks may run at once.

@@ -91,7 +91,7 @@ public record EmergencyStopState(
 
   /** Since when and by which client it is stopped, as far as known; for operators. */
   public String inWords() {
-    return (since == null ? "since a time not known" : "since " + since)
+    return (since == null ? "since an unknown time" : "since " + since)
         + (requester == null ? "" : ", by " + requester);
   }
 }

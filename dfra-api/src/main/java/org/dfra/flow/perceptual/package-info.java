@@ -6,7 +6,7 @@
  *   Odometry, AngularRate, ---&gt; PositionEstimator - PoseEstimate -.  &gt;--&gt; motor schema
  *   GpsFix                                                        v /
  *                                              HeadingError - HeadingPercept
- *   PoseEstimate of all robots -> TeamTracker ---- TeamPositions --> recruitment, team displays
+ *   PoseEstimate of all robots -&gt; TeamTracker ---- TeamPositions --&gt; recruitment, team displays
  *   CameraImage (light, heat) -&gt; MineDetector ---- MinePercept ----&gt; script
  * </pre>
  *

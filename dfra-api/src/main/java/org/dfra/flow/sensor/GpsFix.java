@@ -64,6 +64,21 @@ public record GpsFix(
     return utc;
   }
 
+  /** The same solution at another time, UTC. */
+  public GpsFix withTime(Instant other) {
+    return copy(position, other);
+  }
+
+  /** The same solution with another position, frame WGS84. */
+  public GpsFix withPosition(GeoPosition other) {
+    return copy(other, utc);
+  }
+
+  private GpsFix copy(@Nullable GeoPosition at, Instant when) {
+    return new GpsFix(
+        mode, at, when, speed, course, dilutionOfPrecision, satellitesVisible, satellitesTracked);
+  }
+
   /** Height above the WGS84 ellipsoid in metres, where there is a position. */
   public OptionalDouble height() {
     return position == null ? OptionalDouble.empty() : OptionalDouble.of(position.height());

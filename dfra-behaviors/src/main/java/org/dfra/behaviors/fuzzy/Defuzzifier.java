@@ -1,5 +1,6 @@
 package org.dfra.behaviors.fuzzy;
 
+import org.dfra.behaviors.fuzzy.FuzzySystem.ToolboxCompatibility;
 import org.dfra.behaviors.fuzzy.Operators.Defuzzification;
 
 /** Defuzzifies a set sampled on a grid. */
@@ -35,7 +36,7 @@ final class Defuzzifier {
       case MOM -> meanOfMaximum(x, set);
       case SOM -> extreme(x, set, true);
       case LOM -> extreme(x, set, false);
-      case WTAVER, WTSUM -> throw new IllegalStateException(method + " is Sugeno's");
+      case WTAVER, WTSUM -> throw new IllegalStateException(method + " is for Sugeno systems only");
     };
   }
 

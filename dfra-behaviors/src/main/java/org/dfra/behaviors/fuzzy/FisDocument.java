@@ -9,7 +9,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.NearestName;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.jspecify.annotations.Nullable;
 
 /** The lines of a {@code .fis} file by section, without comments. */
@@ -31,7 +31,7 @@ final class FisDocument {
    * @param key text before the {@code =}; empty in a rule
    * @param value text after it, or the whole line
    */
-  record FisLine(String key, String value, Place place) {
+  record FisLine(String key, String value, SourceLocation place) {
 
     /** An error of this line. */
     ConfigurationException fault(String sentence) {
@@ -40,7 +40,7 @@ final class FisDocument {
   }
 
   /** A section. */
-  record Section(String name, Place place, List<FisLine> lines) {
+  record Section(String name, SourceLocation place, List<FisLine> lines) {
 
     /** The line of a key. */
     FisLine line(String key) {
@@ -59,9 +59,7 @@ final class FisDocument {
           lines.stream().filter(line -> line.key().matches(key + "\\d+")).toList();
       for (int i = 0; i < found.size(); i++) {
         if (!found.get(i).key().equals(key + (i + 1))) {
-          throw found
-              .get(i)
-              .fault(found.get(i).key() + " stands where " + key + (i + 1) + " belongs");
+          throw found.get(i).fault(found.get(i).key() + " is in the place of " + key + (i + 1));
         }
       }
       return found;
@@ -74,10 +72,10 @@ final class FisDocument {
           throw line.fault(
               "\""
                   + line.key()
-                  + "\" is no key of ["
+                  + "\" is not a key of ["
                   + name
                   + "]"
-                  + NearestName.hint(line.key(), keys, "; there is " + keys));
+                  + NearestName.hint(line.key(), keys, "; use one of " + keys));
         }
       }
     }
@@ -88,7 +86,7 @@ final class FisDocument {
     @Nullable Section section = null;
     int number = 0;
     for (String raw : text.lines().toList()) {
-      Place place = new Place(file, ++number);
+      SourceLocation place = new SourceLocation(file, ++number);
       String line = raw.strip().replaceFirst("^\uFEFF", "");
       if (line.isEmpty() || line.startsWith("%") || line.startsWith("#")) {
         continue;
@@ -98,7 +96,7 @@ final class FisDocument {
         section = sections.begin(heading.group(1), place);
       } else if (section == null) {
         throw new ConfigurationException(
-            place + ": \"" + line + "\" stands before the first heading; begin with [System]");
+            place + ": \"" + line + "\" is before the first heading; begin with [System]");
       } else {
         section.lines().add(entry(section, line, place));
       }
@@ -106,7 +104,7 @@ final class FisDocument {
     return sections;
   }
 
-  private Section begin(String name, Place place) {
+  private Section begin(String name, SourceLocation place) {
     Section section = new Section(name, place, new ArrayList<>());
     @Nullable Section former = sections.put(name, section);
     if (former != null) {
@@ -121,7 +119,7 @@ final class FisDocument {
     return section;
   }
 
-  private static FisLine entry(Section section, String line, Place place) {
+  private static FisLine entry(Section section, String line, SourceLocation place) {
     if (section.name().equals("Rules")) {
       return new FisLine("", line, place);
     }
@@ -143,7 +141,10 @@ final class FisDocument {
     @Nullable Section section = sections.get(name);
     if (section == null) {
       throw new ConfigurationException(
-          file + ": there is no [" + name + "]; is the file complete, and is it a .fis file?");
+          file
+              + ": the section ["
+              + name
+              + "] is missing; check that this is a complete .fis file");
     }
     return section;
   }
@@ -163,7 +164,7 @@ final class FisDocument {
             section.place()
                 + ": ["
                 + section.name()
-                + "] is one too many; the system has "
+                + "] is too many; the system has "
                 + inputs
                 + " inputs and "
                 + outputs

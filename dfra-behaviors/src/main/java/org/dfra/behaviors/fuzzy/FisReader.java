@@ -1,6 +1,7 @@
 package org.dfra.behaviors.fuzzy;
 
 import java.io.IOException;
+import java.math.BigDecimal;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.Charset;
@@ -16,12 +17,14 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import org.dfra.behaviors.fuzzy.FisDocument.FisLine;
 import org.dfra.behaviors.fuzzy.FisDocument.Section;
+import org.dfra.behaviors.fuzzy.FuzzySystem.Rule;
+import org.dfra.behaviors.fuzzy.Variable.Term;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.NearestName;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 
 /** Reads {@code .fis} files of MATLAB and other toolboxes. */
-public final class FisReader {
+final class FisReader {
 
   private static final String QUOTED = "\\s*'([^']*)'\\s*";
   private static final Pattern TEXT = Pattern.compile(QUOTED);
@@ -108,7 +111,7 @@ public final class FisReader {
           "NumRules is " + rules.value() + ", but there are " + read.size() + " rules");
     }
     return fitting(
-        new Place(file, 0),
+        new SourceLocation(file, 0),
         () ->
             new FuzzySystem(
                 matched(TEXT, system.line("Name"), "a name in quotes").group(1),
@@ -164,7 +167,7 @@ public final class FisReader {
                         "the membership function type \""
                             + word
                             + "\" is unknown"
-                            + NearestName.hint(word, words(), "; there is " + words())));
+                            + NearestName.hint(word, words(), "; use one of " + words())));
     int arity = type.parameters().size();
     boolean isPadded =
         numbers.size() > arity
@@ -184,7 +187,7 @@ public final class FisReader {
     } else if (word.equals(LinearFunction.CONSTANT)) {
       boolean isPadded = numbers.stream().skip(1).allMatch(each -> each == 0);
       if (numbers.isEmpty() || !isPadded) {
-        throw line.fault("constant wants one number, not " + numbers);
+        throw line.fault("constant takes one number, not " + numbers);
       }
       return LinearFunction.constant(numbers.get(0));
     }
@@ -205,7 +208,7 @@ public final class FisReader {
               + " is \""
               + word
               + "\", which is unknown"
-              + NearestName.hint(word, words, "; there is " + words));
+              + NearestName.hint(word, words, "; use one of " + words));
     }
     return type.getEnumConstants()[place];
   }
@@ -213,18 +216,115 @@ public final class FisReader {
   private static Matcher matched(Pattern pattern, FisLine line, String wanted) {
     Matcher matcher = pattern.matcher(line.value());
     if (!matcher.matches()) {
-      throw line.fault(line.key() + " is \"" + line.value().strip() + "\", not " + wanted);
+      throw line.fault(line.key() + " is \"" + line.value().strip() + "\", but must be " + wanted);
     }
     return matcher;
   }
 
-  private static <T> T fitting(Place place, Supplier<T> made) {
+  private static <T> T fitting(SourceLocation place, Supplier<T> made) {
     try {
       return made.get();
     } catch (ConfigurationException e) {
       throw e;
     } catch (IllegalArgumentException e) {
       throw new ConfigurationException(place + ": " + e.getMessage(), e);
+    }
+  }
+
+  /** Parses numbers of {@code .fis} files; integers may have zero decimals. */
+  static final class FisNumberParser {
+
+    private FisNumberParser() {}
+
+    /** Numbers separated by spaces or commas. */
+    static double[] list(FisLine line, String text) {
+      String stripped = text.strip();
+      return stripped.isEmpty()
+          ? new double[0]
+          : Arrays.stream(stripped.split("[\\s,]+"))
+              .mapToDouble(word -> number(line, word))
+              .toArray();
+    }
+
+    static double number(FisLine line, String word) {
+      if (word.matches("[-+]?Inf(inity)?")) {
+        return word.startsWith("-") ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
+      }
+      try {
+        // Not Double.parseDouble: it also accepts "0x1p3", "9f" and "NaN".
+        return new BigDecimal(word).doubleValue();
+      } catch (NumberFormatException e) {
+        throw line.fault("\"" + word + "\" is not a number");
+      }
+    }
+
+    static int integer(FisLine line, String text) {
+      double number = number(line, text.strip());
+      if (number != Math.rint(number) || Math.abs(number) > 1e6) {
+        throw line.fault("\"" + text.strip() + "\" is not a whole number");
+      }
+      return (int) number;
+    }
+  }
+
+  /** Reads the rules of a {@code .fis} file, {@code 1 -2, 3 (1) : 1} each. */
+  private static final class FisRuleParser {
+
+    private static final Pattern RULE =
+        Pattern.compile("([^,]+),([^(]*)\\(([^)]*)\\)\\s*:\\s*(\\S+)");
+
+    private final int inputs;
+    private final int outputs;
+
+    FisRuleParser(int inputs, int outputs) {
+      this.inputs = inputs;
+      this.outputs = outputs;
+    }
+
+    Rule rule(FisLine line) {
+      Matcher parts = RULE.matcher(line.value());
+      if (!parts.matches()) {
+        throw line.fault(
+            "\""
+                + line.value()
+                + "\" is not a rule; write: terms, terms (weight) : 1 (and) or 2 (or)");
+      }
+      List<Integer> antecedents = terms(line, parts.group(1), inputs, "inputs");
+      List<Integer> consequents = terms(line, parts.group(2), outputs, "outputs");
+      double weight = FisNumberParser.number(line, parts.group(3).strip());
+      int connective = FisNumberParser.integer(line, parts.group(4));
+      if (connective != 1 && connective != 2) {
+        throw line.fault("the connective \"" + parts.group(4) + "\" is neither 1 (and) nor 2 (or)");
+      }
+      try {
+        return new Rule(
+            antecedents,
+            consequents,
+            weight,
+            connective == 1 ? Rule.Connective.AND : Rule.Connective.OR);
+      } catch (IllegalArgumentException e) {
+        throw line.fault(String.valueOf(e.getMessage()));
+      }
+    }
+
+    private static List<Integer> terms(FisLine line, String text, int wanted, String what) {
+      List<Integer> terms =
+          Arrays.stream(text.strip().split("\\s+"))
+              .filter(word -> !word.isEmpty())
+              .map(word -> FisNumberParser.integer(line, word))
+              .toList();
+      if (terms.size() != wanted) {
+        throw line.fault(
+            "the rule \""
+                + line.value()
+                + "\" has terms of "
+                + terms.size()
+                + " "
+                + what
+                + "; the system has "
+                + wanted);
+      }
+      return terms;
     }
   }
 }

@@ -6,6 +6,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
+import org.dfra.behaviors.fuzzy.FuzzySystem.Rule;
+import org.dfra.behaviors.fuzzy.Variable.Term;
 
 /** Writes {@code .fis} files as MATLAB does; reading one gives an equal system. */
 public final class FisWriter {
@@ -103,7 +105,7 @@ public final class FisWriter {
       throw new IllegalArgumentException(
           "the name "
               + name
-              + " holds a quote or a line's end, which a .fis file cannot; rename it");
+              + " contains a quote or a line break, which a .fis file does not allow; rename it");
     }
     return "'" + name + "'";
   }

@@ -2,6 +2,9 @@ package org.dfra.behaviors.fuzzy;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.dfra.behaviors.fuzzy.Inference.MamdaniInference;
+import org.dfra.behaviors.fuzzy.Inference.SugenoInference;
+import org.dfra.behaviors.fuzzy.Variable.Term;
 
 /**
  * A fuzzy inference system. Immutable; {@link #inference()} evaluates it.
@@ -19,7 +22,7 @@ public record FuzzySystem(
     Operators operators,
     List<Variable> inputs,
     List<Variable> outputs,
-    List<Rule> rules) {
+    List<FuzzySystem.Rule> rules) {
 
   /** Type of inference, by the consequents of its rules. */
   public enum Type {
@@ -70,7 +73,7 @@ public record FuzzySystem(
                 + variable.name()
                 + " is "
                 + term.function().fisName()
-                + ", which is only for the outputs of a Sugeno system");
+                + ", which is allowed only in the outputs of a Sugeno system");
       }
     }
   }
@@ -85,7 +88,7 @@ public record FuzzySystem(
                 + output.name()
                 + " is "
                 + term.function().fisName()
-                + "; an output of a Sugeno system wants constant or linear");
+                + "; an output of a Sugeno system must be constant or linear");
       }
       int wanted = function.isConstant() ? 1 : inputs + 1;
       if (function.parameters().size() != wanted) {
@@ -96,7 +99,7 @@ public record FuzzySystem(
                 + output.name()
                 + " has "
                 + function.parameters().size()
-                + " parameters; linear wants one for each of the "
+                + " parameters; linear takes one for each of the "
                 + inputs
                 + " inputs and a constant");
       }
@@ -109,7 +112,7 @@ public record FuzzySystem(
     if (rule.antecedents().size() != inputs.size() || rule.consequents().size() != outputs.size()) {
       throw new IllegalArgumentException(
           where
-              + " names terms of "
+              + " has terms of "
               + rule.antecedents().size()
               + " inputs and "
               + rule.consequents().size()
@@ -125,7 +128,7 @@ public record FuzzySystem(
       requireTerm(where, rule.consequents().get(i), outputs.get(i));
       if (type == Type.SUGENO && rule.consequents().get(i) < 0) {
         throw new IllegalArgumentException(
-            where + " wants the opposite of a function, which a Sugeno system has not");
+            where + " has the complement of a function, which a Sugeno system does not allow");
       }
     }
   }
@@ -134,7 +137,7 @@ public record FuzzySystem(
     if (Math.abs(term) > variable.terms().size()) {
       throw new IllegalArgumentException(
           where
-              + " names term "
+              + " uses term "
               + Math.abs(term)
               + " of "
               + variable.name()
@@ -162,5 +165,44 @@ public record FuzzySystem(
     return type == Type.MAMDANI
         ? new MamdaniInference(this, engine)
         : new SugenoInference(this, engine);
+  }
+
+  /**
+   * A rule of a fuzzy system. Terms are numbered from 1; 0 means any, and a negative number the
+   * complement (NOT) of a term.
+   *
+   * @param antecedents a term of each input
+   * @param consequents a term of each output; 0 does not affect that output
+   * @param weight weight of the rule, from 0 to 1
+   * @param connective between the antecedents
+   */
+  public record Rule(
+      List<Integer> antecedents, List<Integer> consequents, double weight, Connective connective) {
+
+    /** Connective between antecedents. */
+    public enum Connective {
+      /** Conjunction. */
+      AND,
+      /** Disjunction. */
+      OR
+    }
+
+    public Rule {
+      antecedents = List.copyOf(antecedents);
+      consequents = List.copyOf(consequents);
+      if (!(weight >= 0 && weight <= 1)) {
+        throw new IllegalArgumentException("the weight " + weight + " is not from 0 to 1");
+      }
+    }
+  }
+
+  /**
+   * Selects the toolbox to follow where results differ: in the centroid, and where no rule fires.
+   */
+  public enum ToolboxCompatibility {
+    /** Σμx / Σμ over the grid; the middle of the range where no rule fires. */
+    MATLAB,
+    /** ∫μx / ∫μ by the trapezoidal rule; NaN where no rule fires. */
+    OCTAVE
   }
 }

@@ -2,6 +2,7 @@ package org.dfra.behaviors.fuzzy;
 
 import java.util.Arrays;
 import java.util.List;
+import org.dfra.behaviors.fuzzy.Variable.TermFunction;
 import org.jspecify.annotations.Nullable;
 
 /** The consequent of a Sugeno rule: a constant, or a weighted sum of the inputs. Immutable. */
@@ -20,7 +21,7 @@ public final class LinearFunction implements TermFunction {
     this.constant = constant;
     this.parameters = parameters.stream().mapToDouble(each -> each + 0.0).toArray(); // −0 is 0
     if (!Arrays.stream(this.parameters).allMatch(Double::isFinite)) {
-      throw new IllegalArgumentException(fisName() + " wants finite numbers, not " + parameters);
+      throw new IllegalArgumentException(fisName() + " takes finite numbers, not " + parameters);
     }
   }
 
@@ -37,7 +38,7 @@ public final class LinearFunction implements TermFunction {
   public static LinearFunction linear(List<Double> parameters) {
     if (parameters.isEmpty()) {
       throw new IllegalArgumentException(
-          "linear wants a weight for each input and a constant, not nothing");
+          "linear needs a weight for each input and a constant, but the list is empty");
     }
     return new LinearFunction(false, parameters);
   }

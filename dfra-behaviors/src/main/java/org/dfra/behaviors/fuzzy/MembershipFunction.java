@@ -3,6 +3,7 @@ package org.dfra.behaviors.fuzzy;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import org.dfra.behaviors.fuzzy.Variable.TermFunction;
 import org.jspecify.annotations.Nullable;
 
 /** A fuzzy set over the real numbers. Immutable. */
@@ -21,11 +22,11 @@ public final class MembershipFunction implements TermFunction {
     this.parameters = parameters.stream().mapToDouble(each -> each + 0.0).toArray(); // −0 is 0
     if (this.parameters.length != type.parameters().size()) {
       throw new IllegalArgumentException(
-          type.fisName() + " has the parameters " + type.parameters() + ", not " + parameters);
+          type.fisName() + " takes the parameters " + type.parameters() + ", not " + parameters);
     }
     if (!Arrays.stream(this.parameters).allMatch(Double::isFinite)) {
       throw new IllegalArgumentException(
-          type.fisName() + " wants finite numbers, not " + parameters);
+          type.fisName() + " takes finite numbers, not " + parameters);
     }
     @Nullable String complaint = type.validationError(this.parameters);
     if (complaint != null) {

@@ -24,7 +24,7 @@ public enum MembershipFunctionType {
 
     @Override
     @Nullable String validationError(double[] p) {
-      return p[0] <= p[1] && p[1] <= p[2] ? null : "wants a ≤ b ≤ c";
+      return p[0] <= p[1] && p[1] <= p[2] ? null : "requires a ≤ b ≤ c";
     }
   },
   /** A trapezium that rises from a to b and falls from c to d. */
@@ -38,7 +38,7 @@ public enum MembershipFunctionType {
 
     @Override
     @Nullable String validationError(double[] p) {
-      return p[0] <= p[1] && p[2] <= p[3] ? null : "wants a ≤ b and c ≤ d";
+      return p[0] <= p[1] && p[2] <= p[3] ? null : "requires a ≤ b and c ≤ d";
     }
   },
   /** A Gaussian around c. */
@@ -81,7 +81,7 @@ public enum MembershipFunctionType {
 
     @Override
     @Nullable String validationError(double[] p) {
-      return p[0] != 0 ? null : "wants an a other than 0";
+      return p[0] != 0 ? null : "requires a ≠ 0";
     }
   },
   /** A sigmoid centred at c; a is its slope; it falls where a is negative. */
@@ -127,7 +127,7 @@ public enum MembershipFunctionType {
     }
   };
 
-  private static final String NO_WIDTH = "wants a σ other than 0";
+  private static final String NO_WIDTH = "requires σ ≠ 0";
 
   private final String word;
   private final List<String> parameters;

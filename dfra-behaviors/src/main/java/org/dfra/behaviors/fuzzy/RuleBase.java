@@ -1,6 +1,8 @@
 package org.dfra.behaviors.fuzzy;
 
 import java.util.List;
+import org.dfra.behaviors.fuzzy.FuzzySystem.Rule;
+import org.dfra.behaviors.fuzzy.Variable.Term;
 
 /** The antecedents of a system's rules, stored for fast evaluation. */
 final class RuleBase {

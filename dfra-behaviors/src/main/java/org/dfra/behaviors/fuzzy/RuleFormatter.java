@@ -5,6 +5,8 @@ import java.util.Collections;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.dfra.behaviors.fuzzy.FuzzySystem.Rule;
+import org.dfra.behaviors.fuzzy.Variable.Term;
 
 /** Formats rules as sentences: {@code left is close and centre is not away: tr is slow}. */
 public final class RuleFormatter {

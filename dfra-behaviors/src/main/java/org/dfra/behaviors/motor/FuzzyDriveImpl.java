@@ -11,7 +11,7 @@ import org.dfra.flow.motor.DriveAdvice;
 import org.dfra.flow.motor.FuzzyDrive;
 import org.dfra.flow.perceptual.Clearance;
 import org.dfra.flow.perceptual.HeadingPercept;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.MotorSchemaAttributes;
 
@@ -24,7 +24,7 @@ import org.dfra.persona.MotorSchemaAttributes;
  * <ul>
  *   <li>{@code system_file}: the file, required
  *   <li>{@code max_speed}: metres per second at {@code tr} = 1, 0.01 to 10; default 0.7
- *   <li>{@code max_turn_rate}: radians per second at {@code rv} = 1, 0.01 to 10; default 1
+ *   <li>{@code max_yaw_rate}: radians per second at {@code rv} = 1, 0.01 to 10; default 1
  * </ul>
  */
 public final class FuzzyDriveImpl extends SchemaImpl implements FuzzyDrive {
@@ -47,7 +47,7 @@ public final class FuzzyDriveImpl extends SchemaImpl implements FuzzyDrive {
         List.of("DriveAdvice"));
     this.rules = new WaypointController(Path.of(settings().text("system_file")));
     this.maxSpeed = settings().number("max_speed", 0.7, 0.01, 10);
-    this.maxYawRate = settings().number("max_turn_rate", 1, 0.01, 10);
+    this.maxYawRate = settings().number("max_yaw_rate", 1, 0.01, 10);
   }
 
   @Override

@@ -72,11 +72,11 @@ final class WaypointController {
     if (!missing.isEmpty() || !others.isEmpty() || names.size() != wanted.size()) {
       throw new ConfigurationException(
           file
-              + ": a waypoint controller has the "
+              + ": a waypoint controller needs the "
               + what
               + " "
               + String.join(", ", wanted)
-              + ", each once; here they are "
+              + ", each once; this system has "
               + String.join(", ", names)
               + (missing.isEmpty() ? "" : ": add " + String.join(", ", missing))
               + (others.isEmpty() ? "" : ": remove or rename " + String.join(", ", others)));

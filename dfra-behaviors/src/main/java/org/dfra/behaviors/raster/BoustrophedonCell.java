@@ -3,6 +3,7 @@ package org.dfra.behaviors.raster;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import org.dfra.behaviors.raster.LaneSegmentSequence.LaneSegment;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Envelope;
 import org.locationtech.jts.geom.Geometry;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import org.dfra.behaviors.raster.LaneSegmentSequence.LaneSegment;
 
 /**
  * Optimizes the order of cells and the start corner of each, for short transit paths. The first is

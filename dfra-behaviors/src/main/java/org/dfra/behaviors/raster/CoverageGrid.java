@@ -3,6 +3,7 @@ package org.dfra.behaviors.raster;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.dfra.behaviors.raster.RasterPlan.Coverage;
 import org.dfra.geometry.LocalPosition;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Envelope;
@@ -42,7 +43,8 @@ final class CoverageGrid {
    */
   CoverageGrid(Polygon polygon, double swath, double fineness) {
     if (!(swath > 0 && Double.isFinite(swath))) {
-      throw new IllegalArgumentException("a swath of " + swath + " m sees nothing; give more");
+      throw new IllegalArgumentException(
+          "a swath of " + swath + " m is not above 0; give a greater one");
     }
     Envelope bounds = polygon.getEnvelopeInternal();
     this.range = swath / 2;

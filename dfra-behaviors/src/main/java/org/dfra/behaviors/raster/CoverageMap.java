@@ -31,7 +31,7 @@ public record CoverageMap(double west, double south, double cellSize, List<List<
     if (passes.size() != other.passes.size()
         || passes.get(0).size() != other.passes.get(0).size()
         || cellSize != other.cellSize) {
-      throw new IllegalArgumentException("these maps are not of one region and one swath");
+      throw new IllegalArgumentException("the maps differ in their region or their swath");
     }
     List<List<Integer>> both = new ArrayList<>();
     for (int row = 0; row < passes.size(); row++) {

@@ -86,7 +86,7 @@ final class InteriorPathFinder {
       }
     }
     if (best.first < 0) {
-      throw new IllegalStateException(a + " and " + b + " are not inside of one polygon");
+      throw new IllegalStateException(a + " and " + b + " are not inside one polygon");
     }
     return best;
   }

@@ -4,9 +4,11 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import org.dfra.behavior.RasterGoal;
+import org.dfra.behaviors.raster.LaneSegmentSequence.LaneSegment;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.Leg;
 import org.dfra.geometry.LocalPosition;
+import org.locationtech.jts.algorithm.Orientation;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Polygon;
 
@@ -189,4 +191,67 @@ public final class RasterPlan {
   public CoverageMap coverageMap(List<LocalPosition> driven, double seen) {
     return new CoverageGrid(region.polygon(), seen, CoverageGrid.COARSENESS).map(driven);
   }
+
+  /**
+   * The planner's axes: y along the lanes, x across them to the right, origin at the region's
+   * centre. These are east and north where the lanes run northward.
+   */
+  private static final class LaneAxes {
+
+    private final double sin;
+    private final double cos;
+
+    /**
+     * @param bearing of the lanes, radians, clockwise from north
+     */
+    LaneAxes(double bearing) {
+      this.sin = Math.sin(bearing);
+      this.cos = Math.cos(bearing);
+    }
+
+    /** An outline, east and north, in these axes, and counter-clockwise. */
+    Polygon of(Polygon outline) {
+      Coordinate[] ring = outline.getExteriorRing().getCoordinates().clone();
+      for (int i = 0; i < ring.length; i++) {
+        double east = ring[i].x;
+        double north = ring[i].y;
+        ring[i] = new Coordinate(east * cos - north * sin, east * sin + north * cos);
+      }
+      Polygon turned = outline.getFactory().createPolygon(ring);
+      boolean isCounterClockwise = Orientation.isCCW(turned.getCoordinates());
+      return isCounterClockwise ? turned : turned.reverse();
+    }
+
+    /** A point in these axes, in the region's frame. */
+    LocalPosition local(Coordinate point) {
+      return new LocalPosition(point.x * cos + point.y * sin, point.y * cos - point.x * sin, 0);
+    }
+  }
+
+  /**
+   * A straight lane of a raster, as it is driven.
+   *
+   * @param from start, in the region's frame, ENU, metres, up 0
+   * @param to end, likewise
+   * @param leg the same in WGS84, height 0
+   * @param waypoint index of the plan's waypoint at its start, from 0; it ends at the next
+   */
+  public record Lane(LocalPosition from, LocalPosition to, Leg leg, int waypoint) {
+
+    /** Metres. */
+    public double length() {
+      return Math.hypot(to.east() - from.east(), to.north() - from.north());
+    }
+  }
+
+  /**
+   * Coverage of a region.
+   *
+   * @param share of the region's area that was seen at least once, 0 to 1
+   * @param overlap share of the region's area that was seen on two passes or more, 0 to 1; a pass
+   *     over a point ends when the robot has driven a swath's width without seeing it
+   * @param cellSize side of the squares that were counted, metres; the error of the shares is about
+   *     one square along the edge of the seen area
+   */
+  public record Coverage(double share, double overlap, double cellSize) {}
 }

@@ -8,6 +8,7 @@ import org.dfra.behavior.FollowWaypoints;
 import org.dfra.behavior.GoalRefusedException;
 import org.dfra.behavior.PathGoal;
 import org.dfra.behaviors.raster.RasterSearchStore.DelegatedPath;
+import org.dfra.behaviors.waypoint.WaypointText;
 import org.dfra.core.behavior.DriveInterlock;
 import org.dfra.core.behavior.GoalDelegation;
 import org.dfra.core.behavior.GoalExecution;
@@ -83,8 +84,7 @@ final class RasterSearchExecution implements GoalExecution {
     try {
       inherit();
     } catch (RemoteException | NotReadyException e) { // it must stay stored meanwhile
-      return GoalProgress.inProgress(
-          "it waits to learn what became of its path: " + inWords(e), done());
+      return GoalProgress.inProgress("it waits for the status of its path: " + inWords(e), done());
     }
     Optional<BehaviorStatus> following = path.status();
     if (following.isEmpty()) {
@@ -117,7 +117,7 @@ final class RasterSearchExecution implements GoalExecution {
 
   private static String inWords(Exception reason) {
     return reason instanceof RemoteException
-        ? "what drives it does not answer"
+        ? "the behaviour that drives it does not answer"
         : String.valueOf(reason.getMessage());
   }
 
@@ -160,7 +160,7 @@ final class RasterSearchExecution implements GoalExecution {
     begun = reached;
     missedBefore = missed;
     path.goal().ifPresent(goal -> counter.recordPath(new DelegatedPath(goal, begun, missedBefore)));
-    return GoalProgress.inProgress(lane() + ", it begins", done());
+    return GoalProgress.inProgress(lane() + ", it starts", done());
   }
 
   private void note(BehaviorStatus status) {
@@ -184,8 +184,11 @@ final class RasterSearchExecution implements GoalExecution {
     return GoalProgress.reached(
         "the region is searched: "
             + (missed == 0
-                ? "it has been everywhere"
-                : missed + " of " + plan.waypoints().size() + " waypoints left out, barred"));
+                ? "it has reached all waypoints"
+                : missed
+                    + " of "
+                    + plan.waypoints().size()
+                    + " waypoints skipped, since they could not be reached"));
   }
 
   private String lane() {

@@ -1,5 +1,6 @@
 package org.dfra.behaviors.raster;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.rmi.RemoteException;
 import java.util.Objects;
@@ -10,6 +11,7 @@ import org.dfra.behavior.RasterGoal;
 import org.dfra.behavior.RasterSearch;
 import org.dfra.behaviors.raster.RasterSearchStore.DelegatedPath;
 import org.dfra.behaviors.raster.RasterSearchStore.StoredSearch;
+import org.dfra.behaviors.waypoint.WaypointDistanceLimit;
 import org.dfra.core.behavior.BehaviorImpl;
 import org.dfra.core.behavior.GoalDelegation;
 import org.dfra.core.behavior.GoalExecution;
@@ -30,11 +32,11 @@ import org.jspecify.annotations.Nullable;
  * <p>Parameters, read at the start:
  *
  * <ul>
- *   <li>{@code go_on}: whether it continues automatically after a crash of its process, {@code
- *       true} or {@code false}; default {@code true}
+ *   <li>{@code resume_after_crash}: whether it continues automatically after a crash of its
+ *       process, {@code true} or {@code false}; default {@code true}
  *   <li>{@code tolerance}: tolerance of waypoints, metres, 0.05 to 10; default 0.4
- *   <li>{@code farthest}: maximum distance between waypoints, and from the robot to the first,
- *       metres; a region beyond it is rejected, 1 to 100 000; default 2000
+ *   <li>{@code max_waypoint_distance}: maximum distance between waypoints, and from the robot to
+ *       the first, metres; a region beyond it is rejected, 1 to 100 000; default 2000
  *   <li>{@code follow_waypoints}, {@code position}, {@code drive}: names of the modules to use;
  *       default any suitable one of its robot
  * </ul>
@@ -51,11 +53,20 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
   /** Guards the stored state and its writes. */
   private final Object remembering = new Object();
 
-  private @Nullable RasterGoal goal; // guarded by remembering
-  private int reached; // guarded by remembering
-  private int missed; // guarded by remembering
-  private @Nullable DelegatedPath driven; // guarded by remembering
-  private Phase phase = Phase.IDLE; // guarded by remembering
+  @GuardedBy("remembering")
+  private @Nullable RasterGoal goal;
+
+  @GuardedBy("remembering")
+  private int reached;
+
+  @GuardedBy("remembering")
+  private int missed;
+
+  @GuardedBy("remembering")
+  private @Nullable DelegatedPath driven;
+
+  @GuardedBy("remembering")
+  private Phase phase = Phase.IDLE;
 
   /** See {@link org.dfra.core.module.ModuleImpl}. */
   public RasterSearchImpl(ModuleContext context) {
@@ -64,12 +75,14 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
     this.position = ModuleDependency.of(context, PositionEstimator.class, "position");
     this.reach =
         new WaypointDistanceLimit(
-            settings().number("farthest", WaypointDistanceLimit.DEFAULT.limit(), 1, 100_000));
+            settings()
+                .number(
+                    "max_waypoint_distance", WaypointDistanceLimit.DEFAULT.limit(), 1, 100_000));
     this.memory = new RasterSearchStore(context.state());
     this.tolerance = settings().number("tolerance", 0.4, 0.05, 10);
-    String text = settings().find("go_on").orElse("true").strip();
+    String text = settings().find("resume_after_crash").orElse("true").strip();
     if (!text.equals("true") && !text.equals("false")) {
-      throw settings().fault("go_on", "true or false", null);
+      throw settings().fault("resume_after_crash", "true or false", null);
     }
     this.goesOn = text.equals("true");
   }
@@ -96,7 +109,7 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
     try {
       here = position.resolve().estimate().position();
     } catch (NotReadyException e) {
-      log.debug("{}: it is not known yet how far the region is: {}", path(), e.getMessage());
+      log.debug("{}: the distance of the region is not known yet: {}", path(), e.getMessage());
       return;
     }
     reach.requireWithin(here, plan.waypoints());
@@ -153,6 +166,7 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
   }
 
   /** The caller holds the lock. */
+  @GuardedBy("remembering")
   private void keep() {
     @Nullable RasterGoal wanted = goal;
     try {
@@ -164,7 +178,10 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
         memory.forget();
       }
     } catch (IOException e) {
-      log.warn("{}: the next process would not know how far it is: {}", path(), e.toString());
+      log.warn(
+          "{}: the search's progress cannot be stored, so it is lost after a restart: {}",
+          path(),
+          e.toString());
       recordException(e);
     }
   }
@@ -178,7 +195,7 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
         goOn(begun.get());
       }
     } catch (IOException | IllegalArgumentException e) {
-      log.warn("{}: it does not go on with what it was at: {}", path(), e.toString());
+      log.warn("{}: the search from before the restart is not continued: {}", path(), e.toString());
       recordException(e);
     }
   }

@@ -55,7 +55,7 @@ final class RasterSearchStore {
                 + reached
                 + " waypoints done and "
                 + missed
-                + " of them left out is none");
+                + " of them skipped is invalid");
       }
     }
   }
@@ -72,7 +72,7 @@ final class RasterSearchStore {
     DelegatedPath {
       if (missed < 0 || reached < missed) {
         throw new IllegalArgumentException(
-            "a path after " + reached + " waypoints, " + missed + " of them left out, is none");
+            "a path after " + reached + " waypoints, " + missed + " of them skipped, is invalid");
       }
     }
   }
@@ -138,7 +138,7 @@ final class RasterSearchStore {
       text.load(new ByteArrayInputStream(kept.get()));
       return text.containsKey("region") ? Optional.of(begun(text)) : Optional.empty();
     } catch (IllegalArgumentException e) {
-      throw new IOException("the search that was begun cannot be read: " + e.getMessage(), e);
+      throw new IOException("the stored search cannot be read: " + e.getMessage(), e);
     }
   }
 
@@ -147,7 +147,7 @@ final class RasterSearchStore {
     for (String corner : wanted(text, "region").split(" ")) {
       String[] parts = corner.split(",");
       if (parts.length != 2) {
-        throw new IllegalArgumentException("\"" + corner + "\" is no corner");
+        throw new IllegalArgumentException("\"" + corner + "\" is not a corner");
       }
       region.add(new GeoPosition(Double.parseDouble(parts[0]), Double.parseDouble(parts[1]), 0));
     }
@@ -186,7 +186,7 @@ final class RasterSearchStore {
     try {
       return LastStop.known(since.equals(NEVER) ? null : Instant.parse(since));
     } catch (DateTimeParseException e) {
-      throw new IllegalArgumentException("\"" + since + "\" is no time", e);
+      throw new IllegalArgumentException("\"" + since + "\" is not a time", e);
     }
   }
 

@@ -64,8 +64,8 @@ public final class Region {
     if (seenFromFirst.getArea() < LEAST_AREA) {
       throw new GoalRefusedException(
           "the region at "
-              + RegionValidation.format(corners.get(0))
-              + " encloses no area to speak of; give corners that do not lie on one line");
+              + corners.get(0).latitudeAndLongitude()
+              + " encloses almost no area; give corners that do not lie on one line");
     }
     Coordinate middle = seenFromFirst.getCentroid().getCoordinate();
     LocalFrame frame = new LocalFrame(onGround(first, middle.x, middle.y));

@@ -59,9 +59,9 @@ public final class RegionFile {
     if (polygons.isEmpty()) {
       faults.add(
           file.place(),
-          "there is no polygon in it (its type is "
+          "it contains no polygon (its type is "
               + file.type()
-              + "); write a Polygon, or a Feature or FeatureCollection that holds one");
+              + "); write a Polygon, or a Feature or FeatureCollection that contains one");
     } else if (isRegion(meant.get(0))) {
       meant.stream()
           .skip(1)
@@ -71,7 +71,7 @@ public final class RegionFile {
           file.place(),
           "it has "
               + polygons.size()
-              + " polygons, and none says that it is the region; write \"kind\": \"region\" in the"
+              + " polygons, and none is marked as the region; write \"kind\": \"region\" in the"
               + " properties of one");
     }
   }

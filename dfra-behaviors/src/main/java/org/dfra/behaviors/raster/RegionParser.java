@@ -44,7 +44,7 @@ public final class RegionParser {
         || !NUMBER.matcher(both[0]).matches()
         || !NUMBER.matcher(both[1]).matches()) {
       throw new GoalRefusedException(
-          where + "is no position; write latitude,longitude in degrees, as in 48.0001,11.0002");
+          where + "is not a position; write latitude,longitude in degrees, as in 48.0001,11.0002");
     }
     double latitude = Double.parseDouble(both[0]);
     double longitude = Double.parseDouble(both[1]);

@@ -34,8 +34,8 @@ final class RegionValidation {
                       + " swapped",
                   j + 1,
                   i + 1,
-                  format(corners.get(j)),
-                  format(corners.get(i)),
+                  corners.get(j).latitudeAndLongitude(),
+                  corners.get(i).latitudeAndLongitude(),
                   through / 1000,
                   Region.WIDEST / 1000));
         }
@@ -63,7 +63,7 @@ final class RegionValidation {
       }
     }
     throw new GoalRefusedException(
-        "the outline of the region is no polygon ("
+        "the outline of the region is not a polygon ("
             + validity.getValidationError()
             + "); give the corners in their order around it");
   }
@@ -76,15 +76,10 @@ final class RegionValidation {
         Locale.ROOT,
         "the outline of the region crosses itself at %s, where the edge from corner %d to corner %d"
             + " meets that from corner %d to corner %d; give the corners in their order around it",
-        format(there),
+        there.latitudeAndLongitude(),
         i + 1,
         i + 2,
         j + 1,
         (j + 1) % n + 1);
-  }
-
-  /** Latitude and longitude in degrees, to a centimetre. */
-  static String format(GeoPosition position) {
-    return String.format(Locale.ROOT, "%.7f°,%.7f°", position.latitude(), position.longitude());
   }
 }

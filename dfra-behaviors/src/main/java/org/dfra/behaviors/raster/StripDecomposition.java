@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import org.dfra.behavior.GoalRefusedException;
+import org.dfra.behaviors.raster.LaneSegmentSequence.LaneSegment;
 import org.dfra.geometry.GeoPosition;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Envelope;
@@ -50,7 +51,7 @@ final class StripDecomposition {
               Locale.ROOT,
               "the region at %s is %.1f m wide, which makes %.0f lanes %s m apart, more than %d;"
                   + " give a greater spacing, or search it in parts",
-              RegionValidation.format(where),
+              where.latitudeAndLongitude(),
               bounds.getWidth(),
               count,
               spacing,

@@ -4,7 +4,6 @@ import java.rmi.RemoteException;
 import org.dfra.behavior.FollowWaypoints;
 import org.dfra.behavior.GoToWaypoint;
 import org.dfra.behavior.PathGoal;
-import org.dfra.behaviors.raster.WaypointDistanceLimit;
 import org.dfra.core.behavior.BehaviorImpl;
 import org.dfra.core.behavior.GoalExecution;
 import org.dfra.core.module.ModuleContext;
@@ -24,8 +23,8 @@ import org.dfra.flow.perceptual.PositionEstimator;
  *   <li>{@code go_to_waypoint}, {@code position}, {@code drive}: names of the modules to use;
  *       default any suitable one of its robot. It releases the drive's parking brake when a path is
  *       requested, and cancels the path where the drive is stopped
- *   <li>{@code farthest}: maximum distance between waypoints, and from the robot to the first,
- *       metres; a path beyond it is rejected, 1 to 100 000; default 2000
+ *   <li>{@code max_waypoint_distance}: maximum distance between waypoints, and from the robot to
+ *       the first, metres; a path beyond it is rejected, 1 to 100 000; default 2000
  *   <li>{@code rate}: as for every behaviour; default 10 Hz
  * </ul>
  */
@@ -37,12 +36,14 @@ public final class FollowWaypointsImpl extends BehaviorImpl<PathGoal> implements
 
   /** See {@link org.dfra.core.module.ModuleImpl}. */
   public FollowWaypointsImpl(ModuleContext context) {
-    super(context, "drives from waypoint to waypoint", "DFRA", "1", PathGoal.class, 10);
+    super(context, "drives along waypoints", "DFRA", "1", PathGoal.class, 10);
     this.goTo = ModuleDependency.of(context, GoToWaypoint.class, "go_to_waypoint");
     this.position = ModuleDependency.of(context, PositionEstimator.class, "position");
     this.reach =
         new WaypointDistanceLimit(
-            settings().number("farthest", WaypointDistanceLimit.DEFAULT.limit(), 1, 100_000));
+            settings()
+                .number(
+                    "max_waypoint_distance", WaypointDistanceLimit.DEFAULT.limit(), 1, 100_000));
   }
 
   @Override

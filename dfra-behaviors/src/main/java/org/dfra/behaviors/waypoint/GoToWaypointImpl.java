@@ -7,7 +7,6 @@ import java.util.UUID;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.behavior.GoToWaypoint;
 import org.dfra.behavior.LegGoal;
-import org.dfra.behaviors.raster.WaypointDistanceLimit;
 import org.dfra.core.behavior.BehaviorImpl;
 import org.dfra.core.behavior.GoalExecution;
 import org.dfra.core.module.ModuleContext;
@@ -31,13 +30,13 @@ import org.jspecify.annotations.Nullable;
  * <ul>
  *   <li>{@code range_filter}, {@code heading_error}, {@code fuzzy_drive}, {@code position}, {@code
  *       drive}: names of the modules to use, each of its robot; default any suitable one
- *   <li>{@code farthest}: maximum distance to a waypoint, metres, beyond which it rejects the goal,
- *       1 to 100 000; default 2000
- *   <li>{@code attempts}: number of recoveries on one leg, 0 to 100; default 6
- *   <li>{@code overshoot}: maximum distance beside its end at which a passed leg counts as reached,
- *       metres, 0 to 100; default 1
- *   <li>{@code peer_speed}: maximum speed of other robots, metres per second, 0 to 10; default 0.7;
- *       see {@link ClearanceMargin}
+ *   <li>{@code max_waypoint_distance}: maximum distance to a waypoint, metres, beyond which it
+ *       rejects the goal, 1 to 100 000; default 2000
+ *   <li>{@code max_recoveries}: number of recoveries on one leg, 0 to 100; default 6
+ *   <li>{@code passing_tolerance}: maximum distance beside its end at which a passed leg counts as
+ *       reached, metres, 0 to 100; default 1
+ *   <li>{@code max_peer_speed}: maximum speed of other robots, metres per second, 0 to 10; default
+ *       0.7; see {@link ClearanceMargin}
  *   <li>{@code rate}: as for every behaviour; default 10 Hz
  * </ul>
  */
@@ -62,10 +61,12 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
     this.position = ModuleDependency.of(context, PositionEstimator.class, "position");
     this.reach =
         new WaypointDistanceLimit(
-            settings().number("farthest", WaypointDistanceLimit.DEFAULT.limit(), 1, 100_000));
-    this.attempts = (int) settings().number("attempts", 6, 0, 100);
-    this.overshoot = settings().number("overshoot", 1, 0, 100);
-    this.peerSpeed = settings().number("peer_speed", 0.7, 0, 10);
+            settings()
+                .number(
+                    "max_waypoint_distance", WaypointDistanceLimit.DEFAULT.limit(), 1, 100_000));
+    this.attempts = (int) settings().number("max_recoveries", 6, 0, 100);
+    this.overshoot = settings().number("passing_tolerance", 1, 0, 100);
+    this.peerSpeed = settings().number("max_peer_speed", 0.7, 0, 10);
   }
 
   @Override

@@ -99,7 +99,8 @@ final class LegExecution implements GoalExecution {
     }
     if (isThere(heading)) {
       return GoalProgress.reached(
-          String.format(Locale.ROOT, "it is there, %.2f m off", heading.distance()));
+          String.format(
+              Locale.ROOT, "it has reached the waypoint, %.2f m from it", heading.distance()));
     }
     Clearance measured = by.rangeFilter().clearance();
     long now = means.nanos().getAsLong();
@@ -113,7 +114,7 @@ final class LegExecution implements GoalExecution {
         return GoalProgress.failed(
             String.format(
                 Locale.ROOT,
-                "it cannot get nearer than %.1f m; something is in the way",
+                "it cannot get nearer than %.1f m; an obstacle blocks the path",
                 heading.distance()),
             done(heading));
       }
@@ -171,9 +172,9 @@ final class LegExecution implements GoalExecution {
   private String doing(HeadingPercept heading) {
     String how =
         recovery != null
-            ? "it was stuck and gets itself out"
+            ? "it was stuck and recovers"
             : heading.headingSigma() > MAX_YAW_SIGMA
-                ? "it drives straight on to learn which way it faces"
+                ? "it drives straight on to determine its yaw"
                 : "it drives";
     return how + ", " + Math.round(heading.distance()) + " m to go";
   }

@@ -8,7 +8,6 @@ import org.dfra.behavior.GoToWaypoint;
 import org.dfra.behavior.GoalRefusedException;
 import org.dfra.behavior.LegGoal;
 import org.dfra.behavior.PathGoal;
-import org.dfra.behaviors.raster.WaypointText;
 import org.dfra.core.behavior.DriveInterlock;
 import org.dfra.core.behavior.GoalDelegation;
 import org.dfra.core.behavior.GoalExecution;
@@ -60,7 +59,7 @@ final class PathExecution implements GoalExecution {
       case SUCCEEDED:
         return reached(false);
       case FAILED:
-        log.warn("{}: waypoint {} is left out: {}", path, next + 1, status.activity());
+        log.warn("{}: waypoint {} is skipped: {}", path, next + 1, status.activity());
         return reached(true);
       case CANCELLED:
         return GoalProgress.cancelled("its leg was cancelled: " + status.activity(), done(0));
@@ -90,7 +89,7 @@ final class PathExecution implements GoalExecution {
       }
       return GoalProgress.failed(String.valueOf(e.getMessage()), done(0));
     }
-    return going("it begins a leg", 0);
+    return going("it starts a leg", 0);
   }
 
   private GoalProgress reached(boolean isMissed) throws RemoteException {
@@ -101,12 +100,15 @@ final class PathExecution implements GoalExecution {
       return begin();
     }
     if (missed == goal.waypoints().size()) {
-      return GoalProgress.failed("it could get to none of its waypoints", done(0));
+      return GoalProgress.failed("it could reach none of its waypoints", done(0));
     }
     return GoalProgress.reached(
         missed == 0
-            ? "it has been everywhere"
-            : missed + " of " + goal.waypoints().size() + " waypoints left out, barred");
+            ? "it has reached all waypoints"
+            : missed
+                + " of "
+                + goal.waypoints().size()
+                + " waypoints skipped, since they could not be reached");
   }
 
   private GoalProgress going(String doing, double ofLeg) {

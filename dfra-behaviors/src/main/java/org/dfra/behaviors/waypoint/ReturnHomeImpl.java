@@ -1,5 +1,6 @@
 package org.dfra.behaviors.waypoint;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -41,12 +42,16 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
 
   private final ModuleDependency<GoToWaypoint> goTo;
   private final Object place = new Object();
-  private @Nullable GeoPosition home; // guarded by place
-  private @Nullable GeoPosition here; // guarded by place
+
+  @GuardedBy("place")
+  private @Nullable GeoPosition home;
+
+  @GuardedBy("place")
+  private @Nullable GeoPosition here;
 
   /** See {@link org.dfra.core.module.ModuleImpl}. */
   public ReturnHomeImpl(ModuleContext context) {
-    super(context, "drives back to where the robot began", "DFRA", "1", HomeGoal.class, 5);
+    super(context, "drives back to the robot's home", "DFRA", "1", HomeGoal.class, 5);
     this.goTo = ModuleDependency.of(context, GoToWaypoint.class, "go_to_waypoint");
     settings()
         .find("home")
@@ -58,7 +63,7 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
                 throw settings().fault("home", EXPECTED, e);
               }
             });
-    parameterTable().declareText("home", "where home is", this::homeText, this::setHome);
+    parameterTable().declareText("home", "the position of home", this::homeText, this::setHome);
     declareInput(PositionEstimator.class, "position", PoseEstimate.class, this::take);
   }
 
@@ -106,12 +111,16 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
   }
 
   /** The caller holds the lock. */
+  @GuardedBy("place")
   private void storeHome(GeoPosition wanted) {
     home = wanted;
     try {
       context().state().write(DOCUMENT, homeText().getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
-      log.warn("{}: home is forgotten when this process ends: {}", path(), e.toString());
+      log.warn(
+          "{}: home cannot be stored, so it is lost when this process ends: {}",
+          path(),
+          e.toString());
       recordException(e);
     }
   }
@@ -126,6 +135,7 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
     super.onStart();
   }
 
+  @GuardedBy("place")
   private void loadHome() {
     try {
       context()
@@ -133,7 +143,10 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
           .read(DOCUMENT)
           .ifPresent(bytes -> home = parse(new String(bytes, StandardCharsets.UTF_8)));
     } catch (IOException | IllegalArgumentException e) {
-      log.warn("{}: where home was cannot be read and is found anew: {}", path(), e.toString());
+      log.warn(
+          "{}: the stored home cannot be read, so the next accurate position becomes home: {}",
+          path(),
+          e.toString());
       recordException(e);
     }
   }
@@ -149,7 +162,7 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
     synchronized (place) {
       if (home == null) {
         throw new GoalRefusedException(
-            path() + " does not know yet where home is; wait for a position, or set home");
+            path() + " has no home yet; wait for the robot's position, or set home");
       }
       return new PathExecution(
           path(),

@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.function.DoubleBinaryOperator;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
+import org.dfra.behaviors.fuzzy.FuzzySystem.Rule;
+import org.dfra.behaviors.fuzzy.Variable.Term;
 
 /**
  * Fuzzy inference written down as its definition says, point by point and rule by rule, with

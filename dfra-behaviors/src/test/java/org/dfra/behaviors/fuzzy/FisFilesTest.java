@@ -11,6 +11,8 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
+import org.dfra.behaviors.fuzzy.FuzzySystem.Rule;
+import org.dfra.behaviors.fuzzy.FuzzySystem.ToolboxCompatibility;
 import org.dfra.core.config.ConfigurationException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -146,36 +148,36 @@ class FisFilesTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "[System] | [Sistem] | small.fis: there is no [System]; is the file complete, and is it a .fis file?",
+        "[System] | [Sistem] | small.fis: the section [System] is missing; check that this is a complete .fis file",
         "Type='mamdani' | Type='mandani'"
             + " | small.fis:4: Type is \"mandani\", which is unknown; did you mean \"mamdani\"?",
         "Type='mamdani' | Tipe='mamdani'"
-            + " | small.fis:4: \"Tipe\" is no key of [System]; did you mean \"Type\"?",
+            + " | small.fis:4: \"Tipe\" is not a key of [System]; did you mean \"Type\"?",
         "NumInputs=1.000 | NumInputs=one | small.fis:5: \"one\" is not a number",
         "NumInputs=1.000 | NumInputs=1.5 | small.fis:5: \"1.5\" is not a whole number",
-        "NumInputs=1.000 | NumInputs=2 | small.fis: there is no [Input2]; is the file complete, and is it a .fis file?",
+        "NumInputs=1.000 | NumInputs=2 | small.fis: the section [Input2] is missing; check that this is a complete .fis file",
         "NumRules=2 | NumRules=3 | small.fis:7: NumRules is 3, but there are 2 rules",
         "'centroid' | 'wtaver'"
             + " | small.fis: the defuzzification wtaver is not for a system of type mamdani",
         "Range=[-1 1] | Range=[-1 1 3] | small.fis:16: the range of x has 3 ends; write [low high]",
         "Range=[-1 1] | Range=[1 -1]"
-            + " | small.fis:16: the range of x wants low ≤ high, not 1.0 and -1.0",
+            + " | small.fis:16: the range of x requires low ≤ high, not 1.0 and -1.0",
         "'trimf' | 'trinf' | small.fis:18: the membership function type \"trinf\" is unknown; did you mean \"trimf\"?",
         "[-1 -0.5 0 0] | [-1 -0.5 x] | small.fis:18: \"x\" is not a number",
-        "[-1 -0.5 0 0] | [-1 -0.5] | small.fis:18: trimf has the parameters [a, b, c], not [-1.0, -0.5]",
-        "[-1 -0.5 0 0] | [0 -0.5 0 0] | small.fis:18: trimf [a, b, c] wants a ≤ b ≤ c, not [0.0, -0.5, 0.0]",
-        "MF2='high' | MF3='high' | small.fis:19: MF3 stands where MF2 belongs",
+        "[-1 -0.5 0 0] | [-1 -0.5] | small.fis:18: trimf takes the parameters [a, b, c], not [-1.0, -0.5]",
+        "[-1 -0.5 0 0] | [0 -0.5 0 0] | small.fis:18: trimf [a, b, c] requires a ≤ b ≤ c, not [0.0, -0.5, 0.0]",
+        "MF2='high' | MF3='high' | small.fis:19: MF3 is in the place of MF2",
         "NumMFs=2 | NumMFs=4 | small.fis:17: NumMFs of x is 4, but there are 2",
-        "1, 1 (1) : 1 | 3, 1 (1) : 1 | small.fis: rule 1 names term 3 of x, which has 2",
-        "1, 1 (1) : 1 | 1 1, 1 (1) : 1 | small.fis:29: the rule \"1 1, 1 (1) : 1\" names terms of 2 inputs; the system has 1",
-        "1, 1 (1) : 1 | 1, 1 (1) : 3 | small.fis:29: the connective \"3\" is neither 1 for and nor 2 for or",
+        "1, 1 (1) : 1 | 3, 1 (1) : 1 | small.fis: rule 1 uses term 3 of x, which has 2",
+        "1, 1 (1) : 1 | 1 1, 1 (1) : 1 | small.fis:29: the rule \"1 1, 1 (1) : 1\" has terms of 2 inputs; the system has 1",
+        "1, 1 (1) : 1 | 1, 1 (1) : 3 | small.fis:29: the connective \"3\" is neither 1 (and) nor 2 (or)",
         "1, 1 (1) : 1 | 1, 1 (2) : 1 | small.fis:29: the weight 2.0 is not from 0 to 1",
-        "1, 1 (1) : 1 | if x then y | small.fis:29: \"if x then y\" is no rule; write terms, terms (weight) : 1 for and, 2 for or",
+        "1, 1 (1) : 1 | if x then y | small.fis:29: \"if x then y\" is not a rule; write: terms, terms (weight) : 1 (and) or 2 (or)",
         "# another | what is this | small.fis:21: \"what is this\" is neither key=value nor a [Heading] nor a comment",
         "# another | NumMFs=2 | small.fis:21: NumMFs is written twice in [Input1]; delete one",
         "# another | [Input1] | small.fis:21: [Input1] is written twice, first in line 14; delete one",
       })
-  void tellsWhatIsWrongAndWhere(String right, String wrong, String sentence) {
+  void reportsWhatIsWrongAndWhere(String right, String wrong, String sentence) {
     assertThat(SMALL).contains(right);
     String text = SMALL.replaceFirst(java.util.regex.Pattern.quote(right), wrong);
     assertThatThrownBy(() -> FisReader.parse(text, "small.fis"))
@@ -184,7 +186,7 @@ class FisFilesTest {
   }
 
   @Test
-  void tellsThatAFileIsMissing() {
+  void reportsThatAFileIsMissing() {
     Path missing = folder.resolve("nothing.fis");
     assertThatThrownBy(() -> FuzzySystem.read(missing))
         .hasMessage(missing + ": there is no such file; name the .fis file of a fuzzy system");
@@ -201,6 +203,6 @@ class FisFilesTest {
             small.inputs(),
             small.outputs(),
             small.rules());
-    assertThatThrownBy(() -> FisWriter.text(odd)).hasMessageContaining("holds a quote");
+    assertThatThrownBy(() -> FisWriter.text(odd)).hasMessageContaining("contains a quote");
   }
 }

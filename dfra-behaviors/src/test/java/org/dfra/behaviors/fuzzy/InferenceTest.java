@@ -7,7 +7,10 @@ import static org.assertj.core.api.Assertions.within;
 import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.Random;
+import org.dfra.behaviors.fuzzy.FuzzySystem.Rule;
+import org.dfra.behaviors.fuzzy.FuzzySystem.ToolboxCompatibility;
 import org.dfra.behaviors.fuzzy.Operators.Defuzzification;
+import org.dfra.behaviors.fuzzy.Variable.Term;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -167,7 +170,7 @@ class InferenceTest {
                     good.inputs(),
                     good.outputs(),
                     List.of(new Rule(List.of(1, 3), List.of(1), 1, Rule.Connective.AND))))
-        .hasMessage("rule 1 names term 3 of food, which has 2");
+        .hasMessage("rule 1 uses term 3 of food, which has 2");
     assertThatThrownBy(
             () ->
                 new FuzzySystem(
@@ -175,7 +178,7 @@ class InferenceTest {
         .hasMessage("the defuzzification wtaver is not for a system of type mamdani");
     assertThatThrownBy(
             () -> new MembershipFunction(MembershipFunctionType.TRIMF, List.of(1.0, 0.0, 2.0)))
-        .hasMessage("trimf [a, b, c] wants a ≤ b ≤ c, not [1.0, 0.0, 2.0]");
+        .hasMessage("trimf [a, b, c] requires a ≤ b ≤ c, not [1.0, 0.0, 2.0]");
     assertThatThrownBy(() -> new Rule(List.of(1), List.of(1), 1.5, Rule.Connective.AND))
         .hasMessage("the weight 1.5 is not from 0 to 1");
   }

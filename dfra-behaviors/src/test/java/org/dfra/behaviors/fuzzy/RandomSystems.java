@@ -5,7 +5,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
+import org.dfra.behaviors.fuzzy.FuzzySystem.Rule;
 import org.dfra.behaviors.fuzzy.Operators.Defuzzification;
+import org.dfra.behaviors.fuzzy.Variable.Term;
+import org.dfra.behaviors.fuzzy.Variable.TermFunction;
 
 /** Fuzzy systems of every kind, drawn by a seed. */
 final class RandomSystems {

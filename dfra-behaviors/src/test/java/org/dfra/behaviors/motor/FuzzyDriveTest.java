@@ -55,7 +55,7 @@ class FuzzyDriveTest {
         new FuzzyDriveImpl(
             robot.context(
                 "rules",
-                Map.of("system_file", file.toString(), "max_speed", "0.5", "max_turn_rate", "2"))));
+                Map.of("system_file", file.toString(), "max_speed", "0.5", "max_yaw_rate", "2"))));
   }
 
   private static Clearance room(double left, double centre, double right) {
@@ -134,17 +134,17 @@ class FuzzyDriveTest {
         .isInstanceOf(ConfigurationException.class)
         .hasMessage(
             renamed
-                + ": a waypoint controller has the inputs left, centre, right, heading_error, each"
-                + " once; here they are left, middle, right, heading_error: add centre: remove or"
+                + ": a waypoint controller needs the inputs left, centre, right, heading_error, each"
+                + " once; this system has left, middle, right, heading_error: add centre: remove or"
                 + " rename middle");
     Path twice =
         Files.writeString(folder.resolve("twice.fis"), whole.replace("'centre'", "'left'"));
     assertThatThrownBy(() -> drive(twice))
         .isInstanceOf(ConfigurationException.class)
-        .hasMessageContaining("here they are left, left, right, heading_error: add centre");
+        .hasMessageContaining("this system has left, left, right, heading_error: add centre");
     Path output = Files.writeString(folder.resolve("out.fis"), whole.replace("'tr'", "'speed'"));
     assertThatThrownBy(() -> drive(output))
-        .hasMessageContaining("has the outputs tr, rv, each once; here they are speed, rv");
+        .hasMessageContaining("needs the outputs tr, rv, each once; this system has speed, rv");
     Path none = folder.resolve("none.fis");
     assertThatThrownBy(() -> drive(none))
         .isInstanceOf(ConfigurationException.class)

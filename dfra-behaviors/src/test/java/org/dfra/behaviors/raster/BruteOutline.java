@@ -5,6 +5,7 @@ import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.DoubleStream;
+import org.dfra.behaviors.raster.RasterPlan.Lane;
 import org.dfra.geometry.LocalPosition;
 
 /** An outline that knows no library: what is inside is found by counting edges to the east. */

@@ -7,6 +7,8 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.dfra.behaviors.raster.RasterPlan.Coverage;
+import org.dfra.behaviors.raster.RasterPlan.Lane;
 import org.dfra.geometry.LocalPosition;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -136,7 +138,7 @@ class CoverageTest {
   @Test
   void refusesASwathThatIsNone() {
     assertThatThrownBy(() -> PLAN.coverage(PLAN.path(), 0))
-        .hasMessage("a swath of 0.0 m sees nothing; give more");
+        .hasMessage("a swath of 0.0 m is not above 0; give a greater one");
   }
 
   private static boolean isSeen(double[] point, List<LocalPosition> path, double swath) {

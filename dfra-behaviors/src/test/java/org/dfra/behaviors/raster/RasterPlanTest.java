@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import org.dfra.behavior.GoalRefusedException;
 import org.dfra.behavior.RasterGoal;
+import org.dfra.behaviors.raster.RasterPlan.Lane;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalPosition;
 import org.junit.jupiter.api.Test;

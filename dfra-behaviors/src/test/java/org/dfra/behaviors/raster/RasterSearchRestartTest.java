@@ -20,13 +20,13 @@ class RasterSearchRestartTest extends RasterSearchFixture {
   void goesOnWhereItWasWhenItsProcessHasDied() throws Exception {
     RasterSearchImpl first = addSearch(Map.of());
     UUID unused = first.pursue(FIELD);
-    assertThat(robot.hears(first, "lane 3 of ", LONG)).isTrue();
+    assertThat(robot.reachesActivity(first, "lane 3 of ", LONG)).isTrue();
     double done = first.status().completion();
     assertThat(done).isPositive();
     RasterSearchImpl second = crash(first);
     assertThat(second.status().phase()).isEqualTo(Phase.RUNNING);
     assertThat(second.status().completion()).isEqualTo(done);
-    assertThat(robot.hears(second, "lane 3 of ", 2)).as("%s", second.status()).isTrue();
+    assertThat(robot.reachesActivity(second, "lane 3 of ", 2)).as("%s", second.status()).isTrue();
     assertThat(robot.reaches(second, Phase.SUCCEEDED, LONG)).as("%s", second.status()).isTrue();
   }
 
@@ -39,7 +39,7 @@ class RasterSearchRestartTest extends RasterSearchFixture {
   void goesOnWithThePathThatItsDeadProcessBegan() throws Exception {
     RasterSearchImpl first = addSearch(Map.of());
     UUID unused = first.pursue(FIELD);
-    assertThat(robot.hears(first, "lane 2 of ", LONG)).isTrue();
+    assertThat(robot.reachesActivity(first, "lane 2 of ", LONG)).isTrue();
     UUID path = follow.status().goal();
     dieAlone(first);
     double done = follow.status().completion();
@@ -60,7 +60,7 @@ class RasterSearchRestartTest extends RasterSearchFixture {
   void doesNotDriveAgainWhatWasDrivenWhileItWasDead() throws Exception {
     RasterSearchImpl first = addSearch(Map.of());
     UUID unused = first.pursue(FIELD);
-    assertThat(robot.hears(first, "lane 2 of ", LONG)).isTrue();
+    assertThat(robot.reachesActivity(first, "lane 2 of ", LONG)).isTrue();
     UUID path = follow.status().goal();
     dieAlone(first);
     assertThat(robot.reaches(follow, Phase.SUCCEEDED, LONG)).isTrue();
@@ -73,7 +73,7 @@ class RasterSearchRestartTest extends RasterSearchFixture {
   void waitsToBeResumedWhereItsPathWasGivenUpWhileItWasDead() throws Exception {
     RasterSearchImpl first = addSearch(Map.of());
     UUID unused = first.pursue(FIELD);
-    assertThat(robot.hears(first, "lane 2 of ", LONG)).isTrue();
+    assertThat(robot.reachesActivity(first, "lane 2 of ", LONG)).isTrue();
     dieAlone(first);
     Object stopped = robot.drive.emergencyStop("a test");
     assertThat(robot.reaches(follow, Phase.CANCELLED, 2)).as("%s", stopped).isTrue();
@@ -118,7 +118,7 @@ class RasterSearchRestartTest extends RasterSearchFixture {
   void goesOnWithThePathOfItsDeadProcessThoughItFindsThatLate() throws Exception {
     RasterSearchImpl first = addSearch(Map.of());
     UUID unused = first.pursue(FIELD);
-    assertThat(robot.hears(first, "lane 2 of ", LONG)).isTrue();
+    assertThat(robot.reachesActivity(first, "lane 2 of ", LONG)).isTrue();
     UUID path = follow.status().goal();
     dieAlone(first);
     RasterSearchImpl second = startsBeforeItFindsItsPath();
@@ -131,7 +131,7 @@ class RasterSearchRestartTest extends RasterSearchFixture {
   void beginsNoPathThatSomebodyPausedOrCancelledBeforeItFindsThat() throws Exception {
     RasterSearchImpl search = addSearch(Map.of());
     UUID unused = search.pursue(FIELD);
-    assertThat(robot.hears(search, "lane 2 of ", LONG)).isTrue();
+    assertThat(robot.reachesActivity(search, "lane 2 of ", LONG)).isTrue();
     for (boolean isPaused : List.of(true, false)) {
       dieAlone(search);
       if (isPaused) {
@@ -145,7 +145,7 @@ class RasterSearchRestartTest extends RasterSearchFixture {
       robot.time.step(5);
       assertThat(robot.north).isEqualTo(stood);
       search.resume();
-      assertThat(robot.hears(search, "waypoint ", 2)).as("%s", search.status()).isTrue();
+      assertThat(robot.reachesActivity(search, "waypoint ", 2)).as("%s", search.status()).isTrue();
     }
   }
 
@@ -153,9 +153,9 @@ class RasterSearchRestartTest extends RasterSearchFixture {
   void endsThePathOfItsDeadProcessWhereItIsToWait() throws Exception {
     RasterSearchImpl first = addSearch(Map.of());
     UUID unused = first.pursue(FIELD);
-    assertThat(robot.hears(first, "lane 2 of ", LONG)).isTrue();
+    assertThat(robot.reachesActivity(first, "lane 2 of ", LONG)).isTrue();
     dieAlone(first);
-    RasterSearchImpl second = addSearch(Map.of("go_on", "false"));
+    RasterSearchImpl second = addSearch(Map.of("resume_after_crash", "false"));
     assertThat(second.status().phase()).isEqualTo(Phase.PAUSED);
     assertThat(follow.status().phase()).isEqualTo(Phase.CANCELLED);
     second.resume();
@@ -166,7 +166,7 @@ class RasterSearchRestartTest extends RasterSearchFixture {
   void goesOnBeforeItsNeighboursAreThere() throws Exception {
     RasterSearchImpl first = addSearch(Map.of());
     UUID unused = first.pursue(FIELD);
-    assertThat(robot.hears(first, "lane 2 of ", LONG)).isTrue();
+    assertThat(robot.reachesActivity(first, "lane 2 of ", LONG)).isTrue();
     robot.end(follow);
     byte[] kept = robot.states.get("raster_search").read("raster").orElseThrow();
     robot.end(first);
@@ -179,10 +179,10 @@ class RasterSearchRestartTest extends RasterSearchFixture {
   }
 
   @Test
-  void waitsToBeResumedAfterAnOrderlyEndOrWhereItIsToldTo() throws Exception {
+  void waitsToBeResumedAfterAnOrderlyEndOrWhereConfiguredTo() throws Exception {
     RasterSearchImpl first = addSearch(Map.of());
     UUID unused = first.pursue(FIELD);
-    assertThat(robot.hears(first, "lane 2 of ", LONG)).isTrue();
+    assertThat(robot.reachesActivity(first, "lane 2 of ", LONG)).isTrue();
     robot.end(first);
     RasterSearchImpl second = addSearch(Map.of());
     assertThat(second.status().phase()).isEqualTo(Phase.PAUSED);
@@ -190,12 +190,12 @@ class RasterSearchRestartTest extends RasterSearchFixture {
     robot.time.step(5);
     assertThat(robot.north).isEqualTo(stood);
     second.resume();
-    assertThat(robot.hears(second, "lane 2 of ", 2)).isTrue();
+    assertThat(robot.reachesActivity(second, "lane 2 of ", 2)).isTrue();
 
     byte[] kept = robot.states.get("raster_search").read("raster").orElseThrow();
     robot.end(second);
     robot.states.get("raster_search").write("raster", kept);
-    RasterSearchImpl third = addSearch(Map.of("go_on", "false"));
+    RasterSearchImpl third = addSearch(Map.of("resume_after_crash", "false"));
     assertThat(third.status().phase()).isEqualTo(Phase.PAUSED);
     third.resume();
     assertThat(robot.reaches(third, Phase.SUCCEEDED, LONG)).as("%s", third.status()).isTrue();
@@ -205,7 +205,7 @@ class RasterSearchRestartTest extends RasterSearchFixture {
   void doesNotGoOnWithWhatIsCancelled() throws Exception {
     RasterSearchImpl search = addSearch(Map.of());
     UUID unused = search.pursue(FIELD);
-    assertThat(robot.hears(search, "lane 2 of ", LONG)).isTrue();
+    assertThat(robot.reachesActivity(search, "lane 2 of ", LONG)).isTrue();
     search.cancel();
     assertThat(follow.status().phase()).isEqualTo(Phase.CANCELLED);
     robot.end(search);

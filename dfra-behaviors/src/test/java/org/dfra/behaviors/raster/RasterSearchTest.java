@@ -12,18 +12,18 @@ import org.dfra.behavior.GoalRefusedException;
 import org.dfra.behavior.RasterGoal;
 import org.junit.jupiter.api.Test;
 
-/** What a search does while its process lives. */
+/** What a search does in one process. */
 class RasterSearchTest extends RasterSearchFixture {
 
   @Test
   void searchesTheRegionLaneByLane() throws Exception {
     RasterSearchImpl search = addSearch(Map.of());
     UUID goal = search.pursue(FIELD);
-    assertThat(robot.hears(search, "lane 2 of ", LONG)).isTrue();
+    assertThat(robot.reachesActivity(search, "lane 2 of ", LONG)).isTrue();
     assertThat(robot.reaches(search, Phase.SUCCEEDED, LONG)).as("%s", search.status()).isTrue();
     assertThat(search.status().goal()).isEqualTo(goal);
     assertThat(search.status().activity())
-        .isEqualTo("the region is searched: it has been everywhere");
+        .isEqualTo("the region is searched: it has reached all waypoints");
     assertThat(goTo.status().phase()).isEqualTo(Phase.SUCCEEDED);
     robot.end(search);
     RasterSearchImpl next = addSearch(Map.of());
@@ -31,17 +31,17 @@ class RasterSearchTest extends RasterSearchFixture {
   }
 
   @Test
-  void remembersWhatItLeftOutThoughItsPathBeginsAnew() throws Exception {
+  void remembersWhatItSkippedThoughItsPathRestarts() throws Exception {
     giveUpAtOnce();
     RasterSearchImpl first = addSearch(Map.of());
     UUID unused = first.pursue(FIELD);
-    assertThat(robot.hears(first, "waypoint 3 of ", LONG)).isTrue();
+    assertThat(robot.reachesActivity(first, "waypoint 3 of ", LONG)).isTrue();
     robot.isHeld = true;
     assertThat(robot.time.until(() -> first.status().skippedParts() == 1, LONG)).isTrue();
     robot.isHeld = false;
     first.pause();
     first.resume();
-    assertThat(robot.hears(first, "waypoint 5 of " + WAYPOINTS, LONG))
+    assertThat(robot.reachesActivity(first, "waypoint 5 of " + WAYPOINTS, LONG))
         .as("counted through the whole search: %s", first.status())
         .isTrue();
     assertThat(first.status().skippedParts()).isEqualTo(1);
@@ -54,7 +54,10 @@ class RasterSearchTest extends RasterSearchFixture {
     assertThat(robot.reaches(second, Phase.SUCCEEDED, LONG)).as("%s", second.status()).isTrue();
     assertThat(second.status().skippedParts()).isEqualTo(1);
     assertThat(second.status().activity())
-        .isEqualTo("the region is searched: 1 of " + WAYPOINTS + " waypoints left out, barred");
+        .isEqualTo(
+            "the region is searched: 1 of "
+                + WAYPOINTS
+                + " waypoints skipped, since they could not be reached");
   }
 
   @Test
@@ -62,7 +65,7 @@ class RasterSearchTest extends RasterSearchFixture {
     giveUpAtOnce();
     RasterSearchImpl search = addSearch(Map.of());
     UUID unused = search.pursue(FIELD);
-    assertThat(robot.hears(search, "waypoint " + WAYPOINTS + " of ", LONG)).isTrue();
+    assertThat(robot.reachesActivity(search, "waypoint " + WAYPOINTS + " of ", LONG)).isTrue();
     search.pause();
     robot.isHeld = true;
     search.resume();
@@ -79,19 +82,19 @@ class RasterSearchTest extends RasterSearchFixture {
     UUID unused = search.pursue(FIELD);
     assertThat(robot.reaches(search, Phase.FAILED, LONG)).as("%s", search.status()).isTrue();
     assertThat(search.status().skippedParts()).isEqualTo(WAYPOINTS);
-    assertThat(search.status().activity()).isEqualTo("it could get to none of its waypoints");
+    assertThat(search.status().activity()).isEqualTo("it could reach none of its waypoints");
   }
 
   private void giveUpAtOnce() {
     robot.end(goTo);
-    goTo = robot.addGoTo(Map.of("attempts", "0"));
+    goTo = robot.addGoTo(Map.of("max_recoveries", "0"));
   }
 
   @Test
   void pausesAndKeepsWhatItHasAtAnEmergencyStop() throws Exception {
     RasterSearchImpl search = addSearch(Map.of());
     UUID goal = search.pursue(FIELD);
-    assertThat(robot.hears(search, "lane 2 of ", LONG)).isTrue();
+    assertThat(robot.reachesActivity(search, "lane 2 of ", LONG)).isTrue();
     Object stopped = robot.drive.emergencyStop("a test");
     assertThat(robot.reaches(search, Phase.PAUSED, 2)).as("%s", stopped).isTrue();
     assertThat(search.status().activity())
@@ -112,11 +115,11 @@ class RasterSearchTest extends RasterSearchFixture {
         new RasterGoal(List.of(at(1, 1), at(7, 9), at(7, 1), at(1, 9)), 2, 1.6, false);
     assertThatThrownBy(() -> search.pursue(crossed)).isInstanceOf(GoalRefusedException.class);
     assertThat(search.status().phase()).isEqualTo(Phase.IDLE);
-    assertThatThrownBy(() -> addSearch(Map.of("go_on", "perhaps")))
+    assertThatThrownBy(() -> addSearch(Map.of("resume_after_crash", "perhaps")))
         .hasMessage(
-            "code: atrv1/raster_search: parameter go_on is \"perhaps\", which is not true or"
+            "code: atrv1/raster_search: parameter resume_after_crash is \"perhaps\", which is not true or"
                 + " false");
-    assertThat(robot.drive.told).isEmpty();
+    assertThat(robot.drive.velocities).isEmpty();
   }
 
   private static RasterGoal onAnotherContinent() {
@@ -132,13 +135,13 @@ class RasterSearchTest extends RasterSearchFixture {
         .hasMessageContaining(" km from the robot at ");
     assertThat(search.status().phase()).isEqualTo(Phase.IDLE);
     robot.end(search);
-    RasterSearchImpl cautious = addSearch(Map.of("farthest", "5"));
+    RasterSearchImpl cautious = addSearch(Map.of("max_waypoint_distance", "5"));
     assertThatThrownBy(
             () ->
                 cautious.pursue(
                     new RasterGoal(List.of(at(9, 1), at(19, 1), at(19, 9)), 2, 1.6, false)))
         .hasMessageContaining("farther than 5.0 m");
-    assertThat(robot.drive.told).isEmpty();
+    assertThat(robot.drive.velocities).isEmpty();
   }
 
   @Test
@@ -147,6 +150,6 @@ class RasterSearchTest extends RasterSearchFixture {
     UUID unused = search.pursue(onAnotherContinent());
     assertThat(robot.reaches(search, Phase.FAILED, 2)).as("%s", search.status()).isTrue();
     assertThat(search.status().activity()).contains("km from the robot at");
-    assertThat(robot.drive.told).isEmpty();
+    assertThat(robot.drive.velocities).isEmpty();
   }
 }

@@ -51,20 +51,21 @@ class RegionFileTest {
         ":4: there is a second region; delete one");
     refuses(
         collection(feature(SQUARE, ""), feature(TRIANGLE, "")),
-        ": it has 2 polygons, and none says that it is the region; write \"kind\": \"region\" in"
+        ": it has 2 polygons, and none is marked as the region; write \"kind\": \"region\" in"
             + " the properties of one");
     refuses(
         collection(point()),
-        ": there is no polygon in it (its type is FeatureCollection); write a Polygon, or a"
-            + " Feature or FeatureCollection that holds one");
-    refuses("{\"type\": \"Topology\"}", ": there is no polygon in it (its type is Topology)");
+        ": it contains no polygon (its type is FeatureCollection); write a Polygon, or a"
+            + " Feature or FeatureCollection that contains one");
+    refuses("{\"type\": \"Topology\"}", ": it contains no polygon (its type is Topology)");
     refuses(
         polygon("[[11, 48], [11.001, 48], [11, 48.001]], [[11, 48]]"),
         ":1: a polygon has 2 rings; write one, since a polygon here has no holes");
     refuses(
         polygon("[[11, 48], [11.001, 98], [11, 48.001]]"),
-        ":1: [11.001,98] is no position; write [longitude, latitude] in degrees, longitude first");
-    refuses("{\n\"type\": \"Polygon\",\n\"coordinates\": [[[11 48]]]}", ":3: this is no JSON (");
+        ":1: [11.001,98] is not a position; write [longitude, latitude] in degrees, longitude"
+            + " first");
+    refuses("{\n\"type\": \"Polygon\",\n\"coordinates\": [[[11 48]]]}", ":3: this is not JSON (");
   }
 
   @Test

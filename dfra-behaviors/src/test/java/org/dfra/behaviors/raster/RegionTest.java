@@ -62,7 +62,7 @@ class RegionTest {
   void refusesWhatEnclosesNoArea() {
     refuses(
         Field.positions(0, 0, 20, 0, 10, 1e-4),
-        "the region at 48.0000000°,11.0000000° encloses no area to speak of; give corners that do"
+        "the region at 48.0000000°,11.0000000° encloses almost no area; give corners that do"
             + " not lie on one line");
     assertThatThrownBy(() -> Region.of(Field.positions(0, 0, 20, 20, 10, 10)))
         .isInstanceOf(GoalRefusedException.class);

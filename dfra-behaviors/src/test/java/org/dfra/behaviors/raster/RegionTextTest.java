@@ -32,12 +32,12 @@ class RegionTextTest {
       value = {
         "' ; '|the region is empty; write three corners or more, as in 48.0001,11.0002"
             + " 48.0003,11.0002 48.0003,11.0005",
-        "48,11 48.1 48.2,11|corner 2 of the region, \"48.1\", is no position; write"
+        "48,11 48.1 48.2,11|corner 2 of the region, \"48.1\", is not a position; write"
             + " latitude,longitude in degrees, as in 48.0001,11.0002",
-        "48,11,510|corner 1 of the region, \"48,11,510\", is no position; write latitude,longitude"
-            + " in degrees, as in 48.0001,11.0002",
-        "48,11 NaN,11|corner 2 of the region, \"NaN,11\", is no position; write latitude,longitude"
-            + " in degrees, as in 48.0001,11.0002",
+        "48,11,510|corner 1 of the region, \"48,11,510\", is not a position; write"
+            + " latitude,longitude in degrees, as in 48.0001,11.0002",
+        "48,11 NaN,11|corner 2 of the region, \"NaN,11\", is not a position; write"
+            + " latitude,longitude in degrees, as in 48.0001,11.0002",
         "151.2,-33.8|corner 1 of the region, \"151.2,-33.8\", has latitude and longitude swapped,"
             + " since no latitude is 151.2°; write latitude,longitude",
         "-33.8,451.2|corner 1 of the region, \"-33.8,451.2\", is not on the earth: longitude"

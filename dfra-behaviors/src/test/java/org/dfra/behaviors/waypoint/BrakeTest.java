@@ -28,7 +28,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A brake that is set, and a stop that is released, never have a robot drive by itself. */
+/** A brake that was set, or a stop that is released, never makes a robot drive by itself. */
 @Timeout(120)
 class BrakeTest {
 
@@ -96,7 +96,7 @@ class BrakeTest {
   }
 
   @Test
-  void whoeverReleasesTheBrakeDoesNotMoveTheRobotByThat() throws Exception {
+  void releasingTheBrakeDoesNotMoveTheRobot() throws Exception {
     UUID unused = goTo.pursue(TEN_METRES);
     drive();
     robot.drive.switchBrake(true);
@@ -119,7 +119,7 @@ class BrakeTest {
     UUID unused = goTo.pursue(TEN_METRES);
     drive();
     robot.drive.switchOff();
-    assertThat(robot.hears(goTo, "it waits: atrv1/drive is INITIALIZING", 2)).isTrue();
+    assertThat(robot.reachesActivity(goTo, "it waits: atrv1/drive is INITIALIZING", 2)).isTrue();
     robot.drive.switchOn();
     staysPausedByTheBrake(goTo);
   }
@@ -143,7 +143,7 @@ class BrakeTest {
     UUID unused = goTo.pursue(TEN_METRES);
     assertThat(robot.drive.braked).containsExactly(false);
     robot.drive.braked.clear();
-    assertThat(robot.hears(goTo, "it waits: atrv1/range_filter", 1)).isTrue();
+    assertThat(robot.reachesActivity(goTo, "it waits: atrv1/range_filter", 1)).isTrue();
     robot.drive.switchBrake(true);
     robot.seesRoom = true;
     staysPausedByTheBrake(goTo);
@@ -154,7 +154,7 @@ class BrakeTest {
     UUID unused = goTo.pursue(TEN_METRES);
     drive();
     robot.seesRoom = false;
-    assertThat(robot.hears(goTo, "it waits: atrv1/range_filter", 1)).isTrue();
+    assertThat(robot.reachesActivity(goTo, "it waits: atrv1/range_filter", 1)).isTrue();
     Object stopped = robot.drive.emergencyStop("a test");
     Object released = robot.drive.releaseEmergencyStop("a test");
     robot.time.step(1);
@@ -176,7 +176,7 @@ class BrakeTest {
     UUID unused = follow.pursue(PATH);
     drive();
     robot.end(goTo);
-    assertThat(robot.hears(follow, "it waits: atrv1/go_to_waypoint", 1)).isTrue();
+    assertThat(robot.reachesActivity(follow, "it waits: atrv1/go_to_waypoint", 1)).isTrue();
     Object stopped = robot.drive.emergencyStop("a test");
     Object released = robot.drive.releaseEmergencyStop("a test");
     goTo = robot.addGoTo(Map.of());
@@ -207,7 +207,7 @@ class BrakeTest {
     UUID unused = search.pursue(FIELD);
     assertThat(robot.drive.braked).containsExactly(false);
     robot.drive.braked.clear();
-    assertThat(robot.hears(search, "lane 2 of ", 300)).isTrue();
+    assertThat(robot.reachesActivity(search, "lane 2 of ", 300)).isTrue();
     robot.drive.switchBrake(true);
     staysPausedByTheBrake(search);
     assertThat(follow.status().phase()).isEqualTo(Phase.CANCELLED);
@@ -222,7 +222,7 @@ class BrakeTest {
     FollowWaypointsImpl follow = addFollow();
     RasterSearchImpl first = addSearch();
     UUID unused = first.pursue(FIELD);
-    assertThat(robot.hears(first, "lane 2 of ", 300)).isTrue();
+    assertThat(robot.reachesActivity(first, "lane 2 of ", 300)).isTrue();
     byte[] kept = robot.states.get("raster_search").read("raster").orElseThrow();
     robot.end(first);
     robot.end(follow); // all of its group
@@ -238,7 +238,7 @@ class BrakeTest {
     FollowWaypointsImpl follow = addFollow();
     RasterSearchImpl first = addSearch();
     UUID unused = first.pursue(FIELD);
-    assertThat(robot.hears(first, "lane 2 of ", 300)).isTrue();
+    assertThat(robot.reachesActivity(first, "lane 2 of ", 300)).isTrue();
     byte[] kept = robot.states.get("raster_search").read("raster").orElseThrow();
     robot.end(first);
     robot.end(follow);
@@ -374,7 +374,7 @@ class BrakeTest {
   }
 
   @Test
-  void theBrakeIsLeftToWhoeverCommandsTheWheels() throws Exception {
+  void theBrakeIsLeftToTheClientThatCommandsTheWheels() throws Exception {
     robot.drive.switchBrake(true);
     try (CommandLease other = robot.drive.acquireCommandLease(java.time.Duration.ofSeconds(10))) {
       UUID unused = goTo.pursue(TEN_METRES);

@@ -36,11 +36,11 @@ class FollowWaypointsTest {
   }
 
   @Test
-  void goesToAllInOrderAndTellsHowManyAreDone() throws Exception {
+  void goesToAllInOrderAndReportsHowManyAreDone() throws Exception {
     GoToWaypointImpl goTo = robot.addGoTo(Map.of());
     FollowWaypointsImpl follow = addFollow();
     UUID goal = follow.pursue(THREE);
-    assertThat(robot.hears(follow, "waypoint 2 of 3", 60)).isTrue();
+    assertThat(robot.reachesActivity(follow, "waypoint 2 of 3", 60)).isTrue();
     assertThat(robot.distanceTo(6, 0)).isLessThan(0.5);
     assertThat(follow.status().completion()).isBetween(1 / 3.0, 0.5);
     assertThat(follow.status().completedParts()).isEqualTo(1);
@@ -48,34 +48,37 @@ class FollowWaypointsTest {
     assertThat(robot.reaches(follow, Phase.SUCCEEDED, 90)).as("%s", follow.status()).isTrue();
     assertThat(follow.status().goal()).isEqualTo(goal);
     assertThat(follow.status().completedParts()).isEqualTo(3);
-    assertThat(follow.status().activity()).isEqualTo("it has been everywhere");
+    assertThat(follow.status().activity()).isEqualTo("it has reached all waypoints");
     assertThat(robot.distanceTo(0, 6)).isLessThanOrEqualTo(0.4);
     assertThat(goTo.status().phase()).isEqualTo(Phase.SUCCEEDED);
   }
 
   @Test
   void leavesOutAWaypointThatIsBarredAndCountsIt() throws Exception {
-    GoToWaypointImpl goTo = robot.addGoTo(Map.of("attempts", "0"));
+    GoToWaypointImpl goTo = robot.addGoTo(Map.of("max_recoveries", "0"));
     FollowWaypointsImpl follow = addFollow();
     UUID unused = follow.pursue(THREE);
-    assertThat(robot.hears(follow, "waypoint 2 of 3", 60)).as("%s", goTo.status()).isTrue();
+    assertThat(robot.reachesActivity(follow, "waypoint 2 of 3", 60))
+        .as("%s", goTo.status())
+        .isTrue();
     robot.isHeld = true;
-    assertThat(robot.hears(follow, "waypoint 3 of 3", 60)).isTrue();
+    assertThat(robot.reachesActivity(follow, "waypoint 3 of 3", 60)).isTrue();
     robot.isHeld = false;
     assertThat(robot.reaches(follow, Phase.SUCCEEDED, 90)).as("%s", follow.status()).isTrue();
-    assertThat(follow.status().activity()).isEqualTo("1 of 3 waypoints left out, barred");
+    assertThat(follow.status().activity())
+        .isEqualTo("1 of 3 waypoints skipped, since they could not be reached");
     assertThat(follow.status().skippedParts()).isEqualTo(1);
     assertThat(robot.distanceTo(0, 6)).isLessThanOrEqualTo(0.4);
   }
 
   @Test
   void failsWhereItCanGetToNone() throws Exception {
-    GoToWaypointImpl goTo = robot.addGoTo(Map.of("attempts", "0"));
+    GoToWaypointImpl goTo = robot.addGoTo(Map.of("max_recoveries", "0"));
     FollowWaypointsImpl follow = addFollow();
     robot.isHeld = true;
     UUID unused = follow.pursue(THREE);
     assertThat(robot.reaches(follow, Phase.FAILED, 90)).as("%s", goTo.status()).isTrue();
-    assertThat(follow.status().activity()).isEqualTo("it could get to none of its waypoints");
+    assertThat(follow.status().activity()).isEqualTo("it could reach none of its waypoints");
     assertThat(follow.status().skippedParts()).isEqualTo(3);
   }
 
@@ -86,17 +89,18 @@ class FollowWaypointsTest {
     UUID goal = follow.pursue(THREE);
     assertThat(robot.time.until(() -> robot.north > 2, 60)).isTrue();
     robot.end(first);
-    assertThat(robot.hears(follow, "it waits: atrv1/go_to_waypoint", 1))
+    assertThat(robot.reachesActivity(follow, "it waits: atrv1/go_to_waypoint", 1))
         .as("%s", follow.status())
         .isTrue();
-    assertThat(robot.hears(follow, "and there is none; add one to the robot's XML", 1)).isTrue();
+    assertThat(robot.reachesActivity(follow, "and there is none; add one to the robot's XML", 1))
+        .isTrue();
     double stood = robot.north;
     robot.time.step(5);
     assertThat(robot.north).isEqualTo(stood);
     GoToWaypointImpl second = robot.addGoTo(Map.of());
     assertThat(robot.reaches(follow, Phase.SUCCEEDED, 90)).as("%s", follow.status()).isTrue();
     assertThat(follow.status().goal()).isEqualTo(goal);
-    assertThat(follow.status().activity()).isEqualTo("it has been everywhere");
+    assertThat(follow.status().activity()).isEqualTo("it has reached all waypoints");
     assertThat(second.status().phase()).isEqualTo(Phase.SUCCEEDED);
   }
 
@@ -106,7 +110,8 @@ class FollowWaypointsTest {
     FollowWaypointsImpl follow = addFollow();
     UUID mine = goTo.pursue(new LegGoal(null, at(0, -8), 0.4));
     UUID unused = follow.pursue(THREE);
-    assertThat(robot.hears(follow, "it waits: atrv1/go_to_waypoint is at another goal", 1))
+    assertThat(
+            robot.reachesActivity(follow, "it waits: atrv1/go_to_waypoint pursues another goal", 1))
         .as("%s", follow.status())
         .isTrue();
     assertThat(robot.time.until(() -> robot.distanceTo(0, -8) < 0.5, 60)).isTrue();
@@ -122,14 +127,15 @@ class FollowWaypointsTest {
     robot.time.step(2);
     goTo.cancel(); // and in the same instant, before follow_waypoints has looked:
     UUID mine = goTo.pursue(new LegGoal(null, at(3, -3), 0.4));
-    assertThat(robot.hears(follow, "it waits: atrv1/go_to_waypoint is at another goal", 1))
+    assertThat(
+            robot.reachesActivity(follow, "it waits: atrv1/go_to_waypoint pursues another goal", 1))
         .isTrue();
     assertThat(goTo.status().goal()).isEqualTo(mine);
     assertThat(robot.reaches(follow, Phase.SUCCEEDED, 120)).as("%s", follow.status()).isTrue();
   }
 
   @Test
-  void isCancelledWithItsLegAndTellsWhy() throws Exception {
+  void isCancelledWithItsLegAndReportsWhy() throws Exception {
     GoToWaypointImpl goTo = robot.addGoTo(Map.of());
     FollowWaypointsImpl follow = addFollow();
     UUID unused = follow.pursue(THREE);
@@ -137,7 +143,7 @@ class FollowWaypointsTest {
     goTo.cancel();
     assertThat(robot.reaches(follow, Phase.CANCELLED, 1)).isTrue();
     assertThat(follow.status().activity())
-        .isEqualTo("its leg was cancelled: it was told to give up");
+        .isEqualTo("its leg was cancelled: a client cancelled it");
   }
 
   @Test
@@ -167,7 +173,7 @@ class FollowWaypointsTest {
         .hasMessageContaining("km from the one before it, 48.0000000°,11.000080")
         .hasMessageEndingWith("see that latitude and longitude are not swapped");
     robot.time.step(2);
-    assertThat(robot.drive.told).as("%s", goTo.status()).isEmpty();
+    assertThat(robot.drive.velocities).as("%s", goTo.status()).isEmpty();
     assertThat(follow.status().phase()).isEqualTo(Phase.IDLE);
   }
 

@@ -12,7 +12,7 @@ import org.dfra.behavior.GoalRefusedException;
 import org.dfra.behavior.LegGoal;
 import org.dfra.behaviors.ScriptedRobot;
 import org.dfra.core.config.Parameters;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.geometry.GeoPosition;
@@ -96,7 +96,7 @@ class GoToWaypointTest {
     UUID unused = goTo.pursue(TEN_METRES);
     assertThat(robot.time.until(() -> robot.east > 2, 30)).isTrue();
     robot.seesRoom = false;
-    assertThat(robot.hears(goTo, "it waits: atrv1/range_filter", 1)).isTrue();
+    assertThat(robot.reachesActivity(goTo, "it waits: atrv1/range_filter", 1)).isTrue();
     double stood = robot.east;
     robot.time.step(20);
     assertThat(robot.east).isEqualTo(stood);
@@ -116,7 +116,7 @@ class GoToWaypointTest {
     robot.time.step(2);
     assertThat(robot.east).as("0.3 s old counts").isGreaterThan(2.5);
     robot.roomDelay = Duration.ofSeconds(2); // they come as often as ever
-    assertThat(robot.hears(goTo, "it waits: atrv1/range_filter", 1)).isTrue();
+    assertThat(robot.reachesActivity(goTo, "it waits: atrv1/range_filter", 1)).isTrue();
     double stood = robot.east;
     robot.time.step(5);
     assertThat(robot.east).isEqualTo(stood);
@@ -130,7 +130,7 @@ class GoToWaypointTest {
     UUID unused = goTo.pursue(TEN_METRES);
     assertThat(robot.time.until(() -> robot.east > 2, 30)).isTrue();
     robot.seesPlace = false;
-    assertThat(robot.hears(goTo, "it waits: atrv1/heading_error", 1)).isTrue();
+    assertThat(robot.reachesActivity(goTo, "it waits: atrv1/heading_error", 1)).isTrue();
     double stood = robot.east;
     robot.time.step(5);
     assertThat(robot.east).isEqualTo(stood);
@@ -139,7 +139,7 @@ class GoToWaypointTest {
   }
 
   @Test
-  void takesTheWheelsAnewWhenItsLeaseIsRevoked() throws Exception {
+  void acquiresTheWheelsAgainWhenItsLeaseIsRevoked() throws Exception {
     GoToWaypointImpl goTo = robot.addGoTo(Map.of());
     UUID unused = goTo.pursue(TEN_METRES);
     assertThat(robot.time.until(() -> robot.east > 2, 30)).isTrue();
@@ -194,10 +194,10 @@ class GoToWaypointTest {
 
   @Test
   void getsItselfOutAndGivesUpAfterSoManyAttempts() throws Exception {
-    GoToWaypointImpl goTo = robot.addGoTo(Map.of("attempts", "2"));
+    GoToWaypointImpl goTo = robot.addGoTo(Map.of("max_recoveries", "2"));
     robot.isHeld = true;
     UUID unused = goTo.pursue(TEN_METRES);
-    assertThat(robot.hears(goTo, "it was stuck and gets itself out", 8)).isTrue();
+    assertThat(robot.reachesActivity(goTo, "it was stuck and recovers", 8)).isTrue();
     robot.time.step(0.5);
     assertThat(robot.drive.turning).as("back first").isEqualTo(new Velocity(-0.25, 0));
     robot.time.step(1.5);
@@ -205,8 +205,8 @@ class GoToWaypointTest {
     double firstTurn = robot.drive.turning.yawRate();
     assertThat(robot.reaches(goTo, Phase.FAILED, 60)).as("%s", goTo.status()).isTrue();
     assertThat(goTo.status().activity())
-        .isEqualTo("it cannot get nearer than 10.0 m; something is in the way");
-    assertThat(robot.drive.told)
+        .isEqualTo("it cannot get nearer than 10.0 m; an obstacle blocks the path");
+    assertThat(robot.drive.velocities)
         .as("the second time it turns to the other side")
         .contains(new Velocity(0, -firstTurn));
     assertThat(robot.drive.turning).isEqualTo(Velocity.ZERO);
@@ -219,7 +219,7 @@ class GoToWaypointTest {
     robot.time.step(0.3);
     UUID unused = goTo.pursue(new LegGoal(null, at(0, 10), 0.4)); // to its left
     assertThat(robot.time.until(() -> robot.east > 1.5, 10)).isTrue();
-    assertThat(goTo.status().activity()).startsWith("it drives straight on to learn which way");
+    assertThat(goTo.status().activity()).startsWith("it drives straight on to determine its yaw");
     assertThat(Math.abs(robot.north)).isLessThan(0.05);
     robot.yawSigma = 0.05;
     assertThat(robot.reaches(goTo, Phase.SUCCEEDED, 60)).as("%s", goTo.status()).isTrue();
@@ -236,7 +236,7 @@ class GoToWaypointTest {
         .isInstanceOf(GoalRefusedException.class);
     robot.time.step(2);
     assertThat(goTo.status().phase()).isEqualTo(Phase.IDLE);
-    assertThat(robot.drive.told).isEmpty();
+    assertThat(robot.drive.velocities).isEmpty();
   }
 
   @Test
@@ -247,12 +247,12 @@ class GoToWaypointTest {
     GoToWaypointImpl goTo = robot.addGoTo(Map.of());
     UUID unused = goTo.pursue(new LegGoal(at(0, 0), at(10, 0), 0.1));
     assertThat(robot.reaches(goTo, Phase.SUCCEEDED, 0.5)).as("%s", goTo.status()).isTrue();
-    assertThat(goTo.status().activity()).isEqualTo("it is there, 0.71 m off");
+    assertThat(goTo.status().activity()).isEqualTo("it has reached the waypoint, 0.71 m from it");
   }
 
   @Test
   void drivesToAPlaceThatIsALineOfNoLengthWithoutThinkingItIsStuck() throws Exception {
-    GoToWaypointImpl goTo = robot.addGoTo(Map.of("attempts", "0"));
+    GoToWaypointImpl goTo = robot.addGoTo(Map.of("max_recoveries", "0"));
     UUID unused = goTo.pursue(new LegGoal(at(10, 0), at(10, 0), 0.4));
     assertThat(robot.reaches(goTo, Phase.SUCCEEDED, 60)).as("%s", goTo.status()).isTrue();
   }
@@ -263,7 +263,8 @@ class GoToWaypointTest {
         new Parameters(
             "atrv1/go_to_waypoint",
             Map.of(
-                "range_filter", new Parameters.Value("sonar_filter", new Place("atrv1.xml", 71))));
+                "range_filter",
+                new Parameters.Value("sonar_filter", new SourceLocation("atrv1.xml", 71))));
     GoToWaypointImpl goTo =
         robot.add(new GoToWaypointImpl(robot.context("go_to_waypoint", parameters)));
     assertThatThrownBy(() -> goTo.pursue(TEN_METRES))
@@ -271,7 +272,7 @@ class GoToWaypointTest {
         .hasMessage(
             "atrv1/go_to_waypoint is INITIALIZING: it needs a RangeFilter named sonar_filter on"
                 + " atrv1, and there is none; atrv1.xml:71 names it");
-    assertThat(robot.drive.told).isEmpty();
+    assertThat(robot.drive.velocities).isEmpty();
   }
 
   @Test
@@ -281,7 +282,7 @@ class GoToWaypointTest {
     assertThat(robot.time.until(() -> robot.east > 2, 30)).isTrue();
     robot.seesRoom = false;
     robot.end(robot.room);
-    assertThat(robot.hears(goTo, "it waits: ", 1)).isTrue();
+    assertThat(robot.reachesActivity(goTo, "it waits: ", 1)).isTrue();
     ScriptedRobot.Room other = robot.add(robot.new Room("other_filter"));
     robot.seesRoom = true;
     robot.seer = other;

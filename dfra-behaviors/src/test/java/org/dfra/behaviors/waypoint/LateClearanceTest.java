@@ -30,7 +30,7 @@ class LateClearanceTest {
   private static final double LEAST = 0.3;
 
   /** Between their bumpers at the beginning, metres. */
-  private static final double APART = 7;
+  private static final double INITIAL_GAP = 7;
 
   private static final double TICK = 0.1; // seconds
   private static final LegGoal TEN_METRES = new LegGoal(null, at(10, 0), 0.4);
@@ -111,18 +111,18 @@ class LateClearanceTest {
   void twoThatMeetKeepTheirClearanceThoughTheySeeEachOtherLate(int ticks) throws Exception {
     Path rules = Files.writeString(folder.resolve("stops.fis"), STOPS_AT_80_CM);
     for (ScriptedRobot robot : robots) {
-      robot.ahead = APART;
+      robot.ahead = INITIAL_GAP;
       robot.roomDelay = Duration.ofMillis(100L * ticks);
       begin(robot, rules);
     }
-    List<Double> gaps = new ArrayList<>(List.of(APART));
+    List<Double> gaps = new ArrayList<>(List.of(INITIAL_GAP));
     for (int i = 0; i < 70; i++) {
       double seen = gaps.get(Math.max(0, gaps.size() - ticks));
       for (ScriptedRobot robot : robots) {
         robot.ahead = seen;
         robot.time.step(TICK);
       }
-      gaps.add(APART - robots.get(0).east - robots.get(1).east);
+      gaps.add(INITIAL_GAP - robots.get(0).east - robots.get(1).east);
     }
     assertThat(gaps)
         .as("metres between them, %.1f s late", ticks * TICK)

@@ -103,7 +103,7 @@ class ReturnHomeTest {
     assertThatThrownBy(() -> back.pursue(new HomeGoal(0.4)))
         .as("%s", goTo)
         .isInstanceOf(GoalRefusedException.class)
-        .hasMessageContaining("does not know yet where home is");
+        .hasMessageContaining("has no home yet");
     assertThatThrownBy(() -> back.setParameter("home", "here"))
         .hasMessageEndingWith(
             "parameter home cannot be \"here\", which is not known yet; wait for the robot's"
@@ -111,7 +111,7 @@ class ReturnHomeTest {
   }
 
   @Test
-  void findsHomeAnewWhereWhatWasKeptIsGarbled() throws Exception {
+  void findsHomeAgainWhereTheStoredOneIsCorrupt() throws Exception {
     ReturnHomeImpl first = addReturn(Map.of());
     robot.end(first);
     robot.states.get("return_home").write("home", "48.0 \u0000\u00ff".getBytes(UTF_8));

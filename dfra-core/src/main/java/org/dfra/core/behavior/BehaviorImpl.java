@@ -17,8 +17,8 @@ import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleDependency;
 import org.dfra.core.module.SchemaImpl;
 import org.dfra.flow.effector.DriveEffector;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.BehaviorAttributes;
 
@@ -36,7 +36,7 @@ import org.dfra.persona.BehaviorAttributes;
  *
  * <p>Parameters {@code rate}: cycles per second, 1 to 50 Hz; {@code drive}: name of the drive that
  * its goals move, by default any of its robot. Read-only: {@code lateness_p99}, the 99th percentile
- * of the lateness of the last 600 cycles, seconds; {@code turns_missed}, the number of missed
+ * of the lateness of the last 600 cycles, seconds; {@code missed_cycles}, the number of missed
  * cycles.
  *
  * @param <G> its type of goals
@@ -86,8 +86,8 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
             () -> String.format(Locale.ROOT, "%.4f", executor.lateness(0.99)));
     parameterTable()
         .declareReadOnly(
-            "turns_missed",
-            "turns that were left out, since others took too long",
+            "missed_cycles",
+            "cycles that were skipped, since others took too long",
             () -> Long.toString(executor.missedCycles()));
   }
 
@@ -104,14 +104,13 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
    * thread. Not called if a goal continues automatically. If the behaviour {@linkplain #movesWheels
    * moves the wheels}, it releases their parking brake.
    *
-   * @param isAttended whether an operator who knows that the robot may move has requested it, so
-   *     that a parking brake may be released
+   * @param requester decides whether a parking brake may be released
    * @throws NotReadyException if it cannot be executed now; a new goal is then refused, but a
    *     paused one resumes
    */
-  protected void prepare(boolean isAttended) throws RemoteException {
+  protected void prepare(RequestedBy requester) throws RemoteException {
     if (movesWheels()) {
-      interlock.prepare(isAttended);
+      interlock.prepare(requester);
     }
   }
 
@@ -192,20 +191,20 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
 
   @Override
   public final UUID pursue(G goal) throws RemoteException {
-    return pursue(goal, true);
+    return pursue(goal, RequestedBy.OPERATOR);
   }
 
   @Override
   public final UUID pursueUnattended(G goal) throws RemoteException {
-    return pursue(goal, false);
+    return pursue(goal, RequestedBy.PROGRAM);
   }
 
-  private UUID pursue(G goal, boolean isAttended) throws RemoteException {
+  private UUID pursue(G goal, RequestedBy requester) throws RemoteException {
     return executor.accept(
         this::requireReady,
         () -> {
           GoalExecution begun = startGoal(goal);
-          prepare(isAttended);
+          prepare(requester);
           return begun;
         });
   }
@@ -242,44 +241,44 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
 
   @Override
   public final void pause() {
-    executor.stop(Phase.PAUSED, "it was told to pause", null, true);
+    executor.stop(Phase.PAUSED, "a client paused it", null, RequestedBy.OPERATOR);
   }
 
   @Override
   public final void pauseUnattended() {
-    executor.stop(Phase.PAUSED, "it was told to pause by a program", null, false);
+    executor.stop(Phase.PAUSED, "a program paused it", null, RequestedBy.PROGRAM);
   }
 
   @Override
   public final void cancel() {
-    executor.stop(Phase.CANCELLED, "it was told to give up", null, true);
+    executor.stop(Phase.CANCELLED, "a client cancelled it", null, RequestedBy.OPERATOR);
   }
 
   @Override
   public final void cancel(UUID goal) {
-    executor.stop(Phase.CANCELLED, "it was told to give up", goal, true);
+    executor.stop(Phase.CANCELLED, "a client cancelled it", goal, RequestedBy.OPERATOR);
   }
 
   @Override
   public final void cancelUnattended(UUID goal) {
-    executor.stop(Phase.CANCELLED, "it was told to give up by a program", goal, false);
+    executor.stop(Phase.CANCELLED, "a program cancelled it", goal, RequestedBy.PROGRAM);
   }
 
   @Override
   public final void resume() {
     if (!executor.isClosed() && status.phase() == Phase.PAUSED) {
       try {
-        prepare(true);
+        prepare(RequestedBy.OPERATOR);
       } catch (RemoteException | NotReadyException e) { // the next cycle reports the cause
         log.info("{}: it goes on without preparation: {}", path(), e.toString());
       }
     }
-    executor.resume(true);
+    executor.resume(RequestedBy.OPERATOR);
   }
 
   @Override
   public final void resumeUnattended() {
-    executor.resume(false);
+    executor.resume(RequestedBy.PROGRAM);
   }
 
   /** Called when the phase changes. Never called by two threads at once; must not block. */
@@ -288,5 +287,16 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   private void changed(Phase from, BehaviorStatus fresh) {
     log.info("{}: {} -> {}: {}", path(), from, fresh.phase(), fresh.activity());
     onPhase(fresh.phase());
+  }
+
+  /** Who requests that a behaviour starts, goes on or stops. */
+  public enum RequestedBy {
+    /**
+     * An operator who knows that the robot may move: a parking brake may be released, and a goal
+     * that is stopped is {@linkplain org.dfra.behavior.BehaviorStatus#heldSince held}.
+     */
+    OPERATOR,
+    /** A program: no brake is released, and a goal that is stopped is not held. */
+    PROGRAM
   }
 }

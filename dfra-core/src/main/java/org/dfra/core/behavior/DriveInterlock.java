@@ -4,6 +4,7 @@ import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Objects;
+import org.dfra.core.behavior.BehaviorImpl.RequestedBy;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleDependency;
 import org.dfra.core.time.BootId;
@@ -15,8 +16,8 @@ import org.dfra.flow.effector.DriveCommand.Brake;
 import org.dfra.flow.effector.DriveEffector;
 import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.lease.LeaseRefusedException;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
@@ -108,24 +109,24 @@ public final class DriveInterlock {
    * Called when a goal starts, or is resumed on request. If a program requests it, and the drive is
    * not found yet, every stop from now on counts.
    *
-   * @param isAttended whether the brake may be released
+   * @param requester an operator, if the brake may be released
    * @throws NotReadyException if the brake may be released, and the drive is not found or not
    *     ready, so that the brake's state is unknown; if it is not found, the previously read state
    *     still counts
    */
-  void prepare(boolean isAttended) throws RemoteException {
+  void prepare(RequestedBy requester) throws RemoteException {
     DriveEffector wheels;
     try {
       wheels = drive.resolve();
     } catch (NotReadyException e) {
-      if (isAttended) {
+      if (requester == RequestedBy.OPERATOR) {
         throw e;
       }
       seen = LastStop.unknown(now());
       return;
     }
     seen = LastStop.known(wheels.emergencyStopState().since());
-    if (!isAttended) {
+    if (requester == RequestedBy.PROGRAM) {
       return;
     }
     Readiness readiness = wheels.readiness();

@@ -1,5 +1,6 @@
 package org.dfra.core.behavior;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.rmi.RemoteException;
 import java.util.Objects;
 import java.util.Optional;
@@ -64,15 +65,25 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
   private final ModuleDependency<B> needed;
   private final DelayedTaskExecutor taskExecutor;
   private final Logger log;
-  private @Nullable B worker; // guarded by this
-  private @Nullable UUID goal; // guarded by this
-  private @Nullable UnresolvedGoal<B> unresolvedGoal; // guarded by this
-  private GoalLoss loss = GoalLoss.NONE; // guarded by this
+
+  @GuardedBy("this")
+  private @Nullable B worker;
+
+  @GuardedBy("this")
+  private @Nullable UUID goal;
+
+  @GuardedBy("this")
+  private @Nullable UnresolvedGoal<B> unresolvedGoal;
+
+  @GuardedBy("this")
+  private GoalLoss loss = GoalLoss.NONE;
 
   /** Cancelled here while the worker did not answer; guarded by this. */
   private @Nullable UUID unresolved;
 
-  private boolean isRetryScheduled; // guarded by this; for an unresolved goal
+  // for an unresolved goal
+  @GuardedBy("this")
+  private boolean isRetryScheduled;
 
   /**
    * @param path path of the delegating behaviour, for messages
@@ -113,6 +124,7 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
     loss = GoalLoss.NONE;
   }
 
+  @GuardedBy("this")
   private void requireNotHeld(BehaviorStatus found) {
     @Nullable UnresolvedGoal<B> lost = unresolvedGoal;
     @Nullable UUID left = unresolved;
@@ -127,7 +139,7 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
           path
               + (isHeld
                   ? ": what it uses was stopped while it did not answer: " + found.activity()
-                  : ": what it uses forgot its goal, so nobody knows whether somebody stopped it"));
+                  : ": what it uses lost its goal, so it is not known whether it was stopped"));
     }
   }
 
@@ -152,6 +164,7 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
     return adopt(begun, true);
   }
 
+  @GuardedBy("this")
   private boolean adopt(UUID begun, boolean isEndedWanted) throws RemoteException {
     B chosen = needed.resolve();
     BehaviorStatus status = chosen.status();
@@ -212,6 +225,7 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
   }
 
   /** The status from the worker's next process, if its proxy does not find that automatically. */
+  @GuardedBy("this")
   private BehaviorStatus status(B by) throws RemoteException {
     try {
       return by.status();
@@ -298,6 +312,7 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
   }
 
   /** Holds the lock. */
+  @GuardedBy("this")
   private void cut() {
     @Nullable UnresolvedGoal<B> left = unresolvedGoal;
     if (left == null) {
@@ -320,7 +335,7 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
       unresolved = left.goal();
       if (!isRetryScheduled) {
         isRetryScheduled = true;
-        log.warn("{}: {} cannot be told to stop yet: {}", path, left.worker(), e.toString());
+        log.warn("{}: {} cannot be stopped yet: {}", path, left.worker(), e.toString());
         taskExecutor.schedule(RETRY_NANOS, this::again);
       }
     }

@@ -1,5 +1,6 @@
 package org.dfra.core.behavior;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.rmi.RemoteException;
 import java.util.EnumSet;
 import java.util.Set;
@@ -10,8 +11,8 @@ import java.util.function.Consumer;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.GoalRefusedException;
+import org.dfra.core.behavior.BehaviorImpl.RequestedBy;
 import org.dfra.core.behavior.BehaviorStatusTracker.Completion;
-import org.dfra.core.chain.ControlLoop;
 import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -47,8 +48,12 @@ final class GoalExecutor implements AutoCloseable {
   /** Held during every cycle and while a goal is started; other modules are called under it. */
   private final ReentrantLock cycling = new ReentrantLock();
 
-  private @Nullable GoalExecution execution; // guarded by cycling; the last that was started
-  private boolean isSuspended; // guarded by cycling
+  // the last that was started
+  @GuardedBy("cycling")
+  private @Nullable GoalExecution execution;
+
+  @GuardedBy("cycling")
+  private boolean isSuspended;
 
   /** Its lock is taken after {@link #cycling}. */
   private final BehaviorStatusTracker status;
@@ -107,7 +112,7 @@ final class GoalExecutor implements AutoCloseable {
       if (status.phase().isUnderWay()) {
         throw GoalRefusedException.busy(
             path
-                + " is at another goal ("
+                + " pursues another goal ("
                 + status.status().activity()
                 + "); cancel that first, or wait for its end");
       }
@@ -127,6 +132,7 @@ final class GoalExecutor implements AutoCloseable {
     }
   }
 
+  @GuardedBy("cycling")
   private UUID begin(GoalExecution begun, Phase phase, String doing, Completion extent) {
     UUID id = UUID.randomUUID();
     status.begin(id, phase, doing, extent);
@@ -141,13 +147,13 @@ final class GoalExecutor implements AutoCloseable {
   /**
    * Resumes a paused goal.
    *
-   * @param isAttended whether an operator requests it; a program can only resume a goal that is not
-   *     {@linkplain BehaviorStatus#heldSince held}
+   * @param requester a program can only resume a goal that is not {@linkplain
+   *     BehaviorStatus#heldSince held}
    */
-  void resume(boolean isAttended) {
+  void resume(RequestedBy requester) {
     synchronized (status) { // a later pause must find the loop that it stops
       if (!isOver
-          && (isAttended || status.status().heldSince() == null)
+          && (requester == RequestedBy.OPERATOR || status.status().heldSince() == null)
           && status.transition(EnumSet.of(Phase.PAUSED), Phase.RUNNING, "it goes on", false)) {
         loop.start();
       }
@@ -160,9 +166,9 @@ final class GoalExecutor implements AutoCloseable {
    *
    * @param wanted {@link Phase#PAUSED} or {@link Phase#CANCELLED}
    * @param only the goal to stop; null for any
-   * @param isAttended false if a program stops it, so that it is not held
+   * @param requester the goal is held if an operator stops it
    */
-  void stop(Phase wanted, String why, @Nullable UUID only, boolean isAttended) {
+  void stop(Phase wanted, String why, @Nullable UUID only, RequestedBy requester) {
     Set<Phase> from =
         wanted == Phase.CANCELLED
             ? EnumSet.of(Phase.RUNNING, Phase.PAUSED)
@@ -171,7 +177,7 @@ final class GoalExecutor implements AutoCloseable {
     try {
       synchronized (status) { // no other goal is started between the check and the stop
         BehaviorStatus now = status.status();
-        if (!(only == null || only.equals(now.goal())) || stopAgain(now, wanted, isAttended)) {
+        if (!(only == null || only.equals(now.goal())) || stopAgain(now, wanted, requester)) {
           return;
         }
         if (!from.contains(now.phase())) {
@@ -179,12 +185,12 @@ final class GoalExecutor implements AutoCloseable {
         }
         loop.stop();
         if (!isIdle) {
-          boolean unused = status.transition(from, wanted, why, isAttended);
+          boolean unused = status.transition(from, wanted, why, requester == RequestedBy.OPERATOR);
         }
       }
       if (isIdle) {
         suspend();
-        boolean unused = status.transition(from, wanted, why, isAttended);
+        boolean unused = status.transition(from, wanted, why, requester == RequestedBy.OPERATOR);
       }
     } finally {
       if (isIdle) {
@@ -197,15 +203,15 @@ final class GoalExecutor implements AutoCloseable {
    * Pauses a goal that is already paused, or stops a goal of the previous process: nothing moves,
    * and the goal no longer continues automatically.
    */
-  private boolean stopAgain(BehaviorStatus now, Phase wanted, boolean isAttended) {
-    if (now.phase() == Phase.IDLE && now.goal() != null && isAttended) {
+  private boolean stopAgain(BehaviorStatus now, Phase wanted, RequestedBy requester) {
+    if (now.phase() == Phase.IDLE && now.goal() != null && requester == RequestedBy.OPERATOR) {
       return status.transition(
           EnumSet.of(Phase.IDLE), Phase.CANCELLED, "it was stopped after its process ended", true);
     }
     return now.phase() == Phase.PAUSED
         && wanted == Phase.PAUSED
-        && isAttended
-        && status.transition(EnumSet.of(Phase.PAUSED), Phase.PAUSED, "it was told to pause", true);
+        && requester == RequestedBy.OPERATOR
+        && status.transition(EnumSet.of(Phase.PAUSED), Phase.PAUSED, "a client paused it", true);
   }
 
   /** Ends the executor; the goal is suspended, and its status stays. */
@@ -264,6 +270,7 @@ final class GoalExecutor implements AutoCloseable {
     }
   }
 
+  @GuardedBy("cycling")
   private void take(StepResult result) {
     if (result instanceof StepResult.Advanced advanced) {
       take(advanced.progress());
@@ -284,6 +291,7 @@ final class GoalExecutor implements AutoCloseable {
     }
   }
 
+  @GuardedBy("cycling")
   private void take(GoalProgress progress) {
     Completion extent = Completion.of(progress).notBelow(status.status().completion());
     switch (progress.outcome()) {
@@ -296,6 +304,7 @@ final class GoalExecutor implements AutoCloseable {
   }
 
   /** A cycle has ended or paused the goal. */
+  @GuardedBy("cycling")
   private void end(Phase phase, String why, Completion extent) {
     loop.stop();
     suspend();
@@ -303,6 +312,7 @@ final class GoalExecutor implements AutoCloseable {
   }
 
   /** Called with the lock of cycles held. */
+  @GuardedBy("cycling")
   private void suspend() {
     @Nullable GoalExecution now = execution;
     if (now == null || isSuspended) {
@@ -312,7 +322,7 @@ final class GoalExecutor implements AutoCloseable {
     try {
       now.suspend();
     } catch (RuntimeException e) { // a fault; its commands end with its leases
-      log.error("{}: it could not come to rest", path, e);
+      log.error("{}: it could not stop", path, e);
       faults.accept(e);
     }
   }

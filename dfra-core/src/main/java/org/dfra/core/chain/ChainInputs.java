@@ -1,5 +1,6 @@
 package org.dfra.core.chain;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.rmi.RemoteException;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -83,7 +84,9 @@ public final class ChainInputs implements AutoCloseable {
   private final Logger log;
   private final List<InputDeclaration<?, ?>> inputs = new ArrayList<>();
   private volatile List<Feed<?, ?>> feeds = List.of(); // written with the lock of this held
-  private boolean closed; // guarded by this
+
+  @GuardedBy("this")
+  private boolean closed;
 
   /**
    * @param module the module of these inputs, {@code robot/name}
@@ -99,21 +102,25 @@ public final class ChainInputs implements AutoCloseable {
   }
 
   /**
-   * Declares the next input; before any is wired.
+   * Declares the next input, one of the modules that qualify; before any is wired.
    *
    * @param query the modules that qualify
-   * @param isMany whether it subscribes to all of them, rather than to one
    * @param origin states where the module is named, to complete a clause that it is missing; or
    *     empty
    * @param type the type of readings that it consumes
    */
-  public <M extends Module, R extends Reading> void declare(
+  public <M extends Module, R extends Reading> void declareOne(
       ModuleQuery<M> query,
-      boolean isMany,
       String origin,
       Class<R> type,
       SequencedReadingConsumer<? super R> consumer) {
-    inputs.add(new InputDeclaration<>(query, isMany, origin, type, consumer));
+    inputs.add(new InputDeclaration<>(query, false, origin, type, consumer));
+  }
+
+  /** The same with all modules that qualify. */
+  public <M extends Module, R extends Reading> void declareAll(
+      ModuleQuery<M> query, Class<R> type, SequencedReadingConsumer<? super R> consumer) {
+    inputs.add(new InputDeclaration<>(query, true, "", type, consumer));
   }
 
   /** The types of the inputs, by the simple names of their classes. */
@@ -161,7 +168,7 @@ public final class ChainInputs implements AutoCloseable {
     ModuleQuery<M> query = ModuleQuery.of(kind).robot(robot(path)).name(name(path));
     if (directory.get().find(query).isEmpty()) {
       throw new IllegalArgumentException(
-          module + " cannot be wired to " + path + ": it is no " + kind.getSimpleName());
+          module + " cannot be wired to " + path + ": it is not of type " + kind.getSimpleName());
     }
     return query;
   }
@@ -196,12 +203,16 @@ public final class ChainInputs implements AutoCloseable {
 
     private final InputDeclaration<M, R> input;
     private final String wanted; // the wanted modules, for messages
-    private final Map<UUID, Tie> ties = new HashMap<>(); // guarded by this
+
+    @GuardedBy("this")
+    private final Map<UUID, Tie> ties = new HashMap<>();
 
     /** The further candidates, in order of discovery; guarded by this. */
     private final Map<UUID, ModuleListing<M>> inLine = new LinkedHashMap<>();
 
-    private boolean over; // guarded by this
+    @GuardedBy("this")
+    private boolean over;
+
     private volatile @Nullable DirectoryRegistration watch;
 
     Feed(InputDeclaration<M, R> input, String wanted) {
@@ -297,8 +308,13 @@ public final class ChainInputs implements AutoCloseable {
     /** A subscription, established or pending. */
     private final class Tie {
       private final ModuleListing<M> source;
-      private @Nullable Subscription subscription; // guarded by this
-      private boolean cut; // guarded by this
+
+      @GuardedBy("this")
+      private @Nullable Subscription subscription;
+
+      @GuardedBy("this")
+      private boolean cut;
+
       private boolean isFailureLogged; // of a failure; used by the subscribing thread only
 
       Tie(ModuleListing<M> source) {

@@ -9,14 +9,14 @@ import java.util.stream.Collectors;
 /** Collects all faults of a description, so that one pass reports them all. */
 public final class ConfigurationFaults {
 
-  private record Fault(Place place, String sentence) {}
+  private record Fault(SourceLocation place, String sentence) {}
 
   private final Set<Fault> faults = new LinkedHashSet<>();
 
   /**
    * @param sentence the fault; the remedy
    */
-  public void add(Place place, String sentence) {
+  public void add(SourceLocation place, String sentence) {
     faults.add(new Fault(place, sentence));
   }
 

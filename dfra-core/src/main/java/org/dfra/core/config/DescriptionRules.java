@@ -36,7 +36,7 @@ public final class DescriptionRules {
   private DescriptionRules() {}
 
   /** Throws the error message, if there is one, with its place. */
-  public static void require(Place place, @Nullable String complaint) {
+  public static void require(SourceLocation place, @Nullable String complaint) {
     if (complaint != null) {
       throw new ConfigurationException(place + ": " + complaint);
     }
@@ -61,7 +61,7 @@ public final class DescriptionRules {
         + "\" is not lower_snake_case; write "
         + (SNAKE.matcher(snake).matches()
             ? "\"" + snake + "\""
-            : "small letters, digits and single underscores, a letter first");
+            : "lower-case letters, digits and single underscores, beginning with a letter");
   }
 
   /**
@@ -76,7 +76,7 @@ public final class DescriptionRules {
             + label
             + " is \""
             + name
-            + "\", which is no class name; write the full name of a Java class";
+            + "\", which is not a class name; write the full name of a Java class";
   }
 
   static @Nullable String host(String host) {

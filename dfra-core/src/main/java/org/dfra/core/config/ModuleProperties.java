@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
  * @param source the file that was read
  * @param values the values by key, with variables substituted, in file order
  */
-public record ModuleProperties(Path source, Map<String, Parameters.Value> values) {
+record ModuleProperties(Path source, Map<String, Parameters.Value> values) {
 
   /** Key of the module server's class. */
   public static final String SERVER = "server";
@@ -27,7 +27,7 @@ public record ModuleProperties(Path source, Map<String, Parameters.Value> values
   public static final String PROXY = "proxy";
 
   /** Key of the driver's class. */
-  public static final String IMPLEMENTATION = "driver";
+  public static final String IMPLEMENTATION = "implementation";
 
   /** Key of the module's Jini configuration, a path relative to the properties file. */
   public static final String CONFIGURATION = "configuration";
@@ -36,7 +36,7 @@ public record ModuleProperties(Path source, Map<String, Parameters.Value> values
    * Key of the jars that clients without the module's classes download, paths relative to the
    * properties file, separated by commas.
    */
-  public static final String CODEBASE = "download";
+  public static final String CODEBASE = "codebase";
 
   /** Prefix of a parameter's key; the parameter's name follows. */
   public static final String PARAMETER = "parameter.";

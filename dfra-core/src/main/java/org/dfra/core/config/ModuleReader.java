@@ -10,6 +10,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Function;
+import org.dfra.core.config.RobotXml.RobotXmlSchema;
 import org.jdom2.Element;
 import org.jspecify.annotations.Nullable;
 
@@ -56,17 +57,17 @@ final class ModuleReader {
   Optional<ModuleDescription> module(@Nullable String robot) {
     String server = className(ModuleProperties.SERVER);
     String proxy = className(ModuleProperties.PROXY);
-    String driver = className(ModuleProperties.IMPLEMENTATION);
+    String implementation = className(ModuleProperties.IMPLEMENTATION);
     String configuration = configuration();
-    List<String> download = download();
+    List<String> codebase = codebase();
     boolean restart = values.restart(element);
-    Map<String, Parameters.Value> parameters = parameters();
+    Map<String, Parameters.Value> parameters = parameters(implementation);
     if (!faults.isEmpty()
         || robot == null
         || name == null
         || server == null
         || proxy == null
-        || driver == null) {
+        || implementation == null) {
       return Optional.empty();
     }
     return Optional.of(
@@ -75,9 +76,9 @@ final class ModuleReader {
             name,
             server,
             proxy,
-            driver,
+            implementation,
             configuration,
-            download,
+            codebase,
             restart,
             new Parameters(robot + "/" + name, parameters),
             values.place(element)));
@@ -93,7 +94,7 @@ final class ModuleReader {
     if (text == null && !inXml && !mayHold(key)) {
       values.check(element, missing(key));
     } else if (text != null) {
-      Place place = inXml ? values.place(element) : inProperties.orElseThrow().place();
+      SourceLocation place = inXml ? values.place(element) : inProperties.orElseThrow().place();
       String fault = DescriptionRules.className(label, key, text);
       if (fault != null) {
         faults.add(place, fault);
@@ -124,7 +125,7 @@ final class ModuleReader {
     return named.isEmpty() ? null : named.get(0);
   }
 
-  private List<String> download() {
+  private List<String> codebase() {
     return files(
         ModuleProperties.CODEBASE,
         text ->
@@ -152,7 +153,7 @@ final class ModuleReader {
       return List.of();
     }
     Path base = inXml ? file : properties.source();
-    Place place = inXml ? values.place(element) : inProperties.orElseThrow().place();
+    SourceLocation place = inXml ? values.place(element) : inProperties.orElseThrow().place();
     return names.apply(text).stream()
         .map(name -> existing(key, name, base, place))
         .filter(Objects::nonNull)
@@ -164,12 +165,18 @@ final class ModuleReader {
    * A file named relative to another one; null if it is not named, or missing, which is reported as
    * a fault.
    */
-  private @Nullable Path existing(String what, @Nullable String text, Path base, Place place) {
+  private @Nullable Path existing(
+      String what, @Nullable String text, Path base, SourceLocation place) {
     if (text == null) {
       return null;
     }
     try {
       Path path = base.resolveSibling(text).normalize();
+      if (!Files.isRegularFile(path) && path.getFileName() != null) {
+        String old = path.getFileName().toString();
+        path =
+            path.resolveSibling(RenamedNames.resolve(RenamedNames.FILES, place, "the file", old));
+      }
       if (Files.isRegularFile(path)) {
         return path;
       }
@@ -182,12 +189,13 @@ final class ModuleReader {
   }
 
   /** The parameters; a file's name is made absolute, since the module runs elsewhere. */
-  private Map<String, Parameters.Value> parameters() {
+  private Map<String, Parameters.Value> parameters(@Nullable String implementation) {
+    String scope = implementation == null ? "" : implementation;
     Map<String, Parameters.Value> parameters = new TreeMap<>();
-    properties
-        .parameters()
+    RenamedNames.resolveParameters(scope, properties.parameters(), faults)
         .forEach((name, value) -> parameters.put(name, found(name, value, properties.source())));
     XmlValues.UniqueNames names = values.uniqueNames();
+    Map<String, Parameters.Value> inXml = new TreeMap<>();
     for (Element child : element.getChildren("parameter", RobotXmlSchema.NAMESPACE)) {
       String parameter = values.name(child);
       String value = values.attribute(child, "value");
@@ -195,11 +203,12 @@ final class ModuleReader {
         names.requireFirst(
             child, parameter, "parameter " + parameter + " of " + label, "delete one");
         if (value != null) {
-          Parameters.Value written = new Parameters.Value(value, values.place(child));
-          parameters.put(parameter, found(parameter, written, file));
+          inXml.put(parameter, new Parameters.Value(value, values.place(child)));
         }
       }
     }
+    RenamedNames.resolveParameters(scope, inXml, faults)
+        .forEach((name, value) -> parameters.put(name, found(name, value, file)));
     return parameters;
   }
 

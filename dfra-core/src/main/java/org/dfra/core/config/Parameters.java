@@ -28,7 +28,7 @@ public final class Parameters implements Serializable {
    * @param text the configured value, after substitution
    * @param place its place in the configuration
    */
-  public record Value(String text, Place place) implements Serializable {}
+  public record Value(String text, SourceLocation place) implements Serializable {}
 
   /** Is notified of a driver's accesses. */
   public interface ParameterAccessListener {
@@ -69,10 +69,12 @@ public final class Parameters implements Serializable {
     this.listener = listener;
   }
 
-  /** Parameters given in code, for tests and examples; their place is {@link Place#CODE}. */
+  /**
+   * Parameters given in code, for tests and examples; their place is {@link SourceLocation#CODE}.
+   */
   public static Parameters of(String owner, Map<String, String> texts) {
     Map<String, Value> values = new TreeMap<>();
-    texts.forEach((name, text) -> values.put(name, new Value(text, Place.CODE)));
+    texts.forEach((name, text) -> values.put(name, new Value(text, SourceLocation.CODE)));
     return new Parameters(owner, values);
   }
 
@@ -86,6 +88,15 @@ public final class Parameters implements Serializable {
     TreeMap<String, Value> others = new TreeMap<>(values);
     others.remove(name);
     return new Parameters(owner, others, listener);
+  }
+
+  /** These parameters by their new names, for the module's implementation class. */
+  Parameters withoutOldNames(String implementation) {
+    ConfigurationFaults faults = new ConfigurationFaults();
+    TreeMap<String, Value> resolved =
+        new TreeMap<>(RenamedNames.resolveParameters(implementation, values, faults));
+    faults.throwIfAny();
+    return resolved.equals(values) ? this : new Parameters(owner, resolved, listener);
   }
 
   /** The parameter's text. */
@@ -107,7 +118,7 @@ public final class Parameters implements Serializable {
   }
 
   /** The parameter's place in the configuration. */
-  public Optional<Place> place(String name) {
+  public Optional<SourceLocation> place(String name) {
     return Optional.ofNullable(values.get(name)).map(Value::place);
   }
 

@@ -22,7 +22,7 @@ final class PropertiesReader {
   private final Path file;
   private final Substitution substitution;
   private final ConfigurationFaults faults;
-  private final Map<String, Place> written = new HashMap<>();
+  private final Map<String, SourceLocation> places = new HashMap<>();
   private final Map<String, Parameters.Value> values = new LinkedHashMap<>();
   private boolean readable;
 
@@ -39,12 +39,12 @@ final class PropertiesReader {
 
   /** Whether the key was present, perhaps with an invalid value. */
   boolean hasKey(String key) {
-    return written.containsKey(key);
+    return places.containsKey(key);
   }
 
   /** The valid entries; the others are among the faults. */
   ModuleProperties read() {
-    Place whole = new Place(file.toString(), 0);
+    SourceLocation whole = new SourceLocation(file.toString(), 0);
     try {
       String text = Files.readString(file);
       readable = true;
@@ -62,7 +62,7 @@ final class PropertiesReader {
   private void lines(String text) {
     List<String> lines = text.lines().toList();
     for (int i = 0; i < lines.size(); i++) {
-      Place place = new Place(file.toString(), i + 1);
+      SourceLocation place = new SourceLocation(file.toString(), i + 1);
       StringBuilder logical = new StringBuilder(lines.get(i));
       if (!isComment(lines.get(i))) {
         while (isContinued(lines.get(i)) && i + 1 < lines.size()) {
@@ -73,7 +73,7 @@ final class PropertiesReader {
     }
   }
 
-  private void line(String logical, Place place) {
+  private void line(String logical, SourceLocation place) {
     Properties properties = new Properties();
     try {
       properties.load(new StringReader(logical));
@@ -87,19 +87,21 @@ final class PropertiesReader {
     properties.stringPropertyNames().forEach(key -> key(key, properties.getProperty(key), place));
   }
 
-  private void key(String key, String text, Place place) {
-    Place first = written.putIfAbsent(key, place);
+  private void key(String written, String text, SourceLocation place) {
+    String key = RenamedNames.resolve(RenamedNames.PROPERTIES, place, "the key", written);
+    SourceLocation first = places.putIfAbsent(key, place);
     boolean isParameter = key.startsWith(ModuleProperties.PARAMETER);
     if (first != null) {
       faults.add(
           place,
           "the key \""
               + key
-              + "\" is written twice, first in line "
+              + (key.equals(written) ? "\"" : "\" (" + written + " is its old name)")
+              + " is written twice, first in line "
               + first.line()
               + "; delete one");
     } else if (!isParameter && !ModuleProperties.KEYS.contains(key)) {
-      faults.add(place, "\"" + key + "\" is no key of a module" + hint(key));
+      faults.add(place, "\"" + key + "\" is not a key of a module" + hint(key));
     } else {
       String fault =
           isParameter
@@ -125,9 +127,9 @@ final class PropertiesReader {
     return NearestName.hint(
         key,
         ModuleProperties.KEYS,
-        "; write server, proxy, driver or configuration, or parameter."
+        "; write server, proxy, implementation or configuration, or parameter."
             + key
-            + " for what the driver is told");
+            + " for a parameter");
   }
 
   private static boolean isComment(String line) {

@@ -8,16 +8,16 @@ import java.util.List;
  *
  * @param port TCP port for unicast discovery, 0 to 65535; 0 lets the system choose, so that only
  *     multicast finds it
- * @param classes TCP port of the class server beside it, 1 to 65535; {@link #NO_CLASS_SERVER} for
- *     none
+ * @param classServerPort TCP port of the class server beside it, 1 to 65535; {@link
+ *     #NO_CLASS_SERVER} for none
  * @param restart whether it is restarted at once after a crash, rather than at the next call
- * @param from addresses, ranges as {@code 10.0.0.0/24}, and host names of the robot's further
- *     computers, whose registrations of the robot's modules it accepts; they are not resolved here;
- *     empty for its own computer only
+ * @param moduleHosts addresses, ranges as {@code 10.0.0.0/24}, and host names of the robot's
+ *     further computers, whose registrations of the robot's modules it accepts; they are not
+ *     resolved here; empty for its own computer only
  * @param place its place in the configuration
  */
 public record RegistrarDescription(
-    int port, int classes, boolean restart, List<String> from, Place place)
+    int port, int classServerPort, boolean restart, List<String> moduleHosts, SourceLocation place)
     implements Serializable {
 
   /** The default port of unicast discovery. */
@@ -36,22 +36,23 @@ public record RegistrarDescription(
     DescriptionRules.require(place, DescriptionRules.registrarPort(Integer.toString(port)));
     DescriptionRules.require(
         place,
-        classes == NO_CLASS_SERVER
+        classServerPort == NO_CLASS_SERVER
             ? null
-            : DescriptionRules.classServerPort(Integer.toString(classes)));
-    from = List.copyOf(from);
-    for (String each : from) {
+            : DescriptionRules.classServerPort(Integer.toString(classServerPort)));
+    moduleHosts = List.copyOf(moduleHosts);
+    for (String each : moduleHosts) {
       DescriptionRules.require(place, DescriptionRules.moduleHost(each));
     }
   }
 
   /** The registrar of a robot whose modules all run on the registrar's computer. */
-  public RegistrarDescription(int port, int classes, boolean restart, Place place) {
-    this(port, classes, restart, List.of(), place);
+  public RegistrarDescription(
+      int port, int classServerPort, boolean restart, SourceLocation place) {
+    this(port, classServerPort, restart, List.of(), place);
   }
 
   /** Whether the robot runs a class server. */
   public boolean hasClassServer() {
-    return classes != NO_CLASS_SERVER;
+    return classServerPort != NO_CLASS_SERVER;
   }
 }

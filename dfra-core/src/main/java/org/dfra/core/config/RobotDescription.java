@@ -27,13 +27,13 @@ public record RobotDescription(
     String host,
     List<String> lookupGroups,
     List<String> locators,
-    AdministrationDescription administration,
+    RobotDescription.AdministrationDescription administration,
     Optional<PersonaAttributes> persona,
-    List<GroupDescription> groups,
+    List<RobotDescription.GroupDescription> groups,
     Path source) {
 
   public RobotDescription {
-    Place whole = new Place(source.toString(), 0);
+    SourceLocation whole = new SourceLocation(source.toString(), 0);
     DescriptionRules.require(whole, DescriptionRules.name("robot", name));
     DescriptionRules.require(whole, DescriptionRules.host(host));
     lookupGroups.forEach(
@@ -111,6 +111,12 @@ public record RobotDescription(
         name, host, lookupGroups, registrars, administration, persona, groups, source);
   }
 
+  /** A copy with other groups. */
+  public RobotDescription withGroups(List<GroupDescription> others) {
+    return new RobotDescription(
+        name, host, lookupGroups, locators, administration, persona, others, source);
+  }
+
   /** The robot's own lookup service, if one of its groups hosts it. */
   public Optional<RegistrarDescription> registrar() {
     return groups.stream().flatMap(group -> group.registrar().stream()).findFirst();
@@ -126,7 +132,7 @@ public record RobotDescription(
   }
 
   private static <T> void requireUnique(
-      String what, Stream<T> things, Function<T, String> name, Function<T, Place> place) {
+      String what, Stream<T> things, Function<T, String> name, Function<T, SourceLocation> place) {
     Set<String> seen = new HashSet<>();
     things.forEach(
         thing -> {
@@ -140,5 +146,53 @@ public record RobotDescription(
                     + "; rename or delete one");
           }
         });
+  }
+
+  /**
+   * The hosts that may administer a robot besides its own computer.
+   *
+   * @param administratorHosts addresses, ranges as {@code 10.0.0.0/24}, and host names, which are
+   *     not resolved here; empty for the robot's own computer only
+   * @param place its place in the configuration
+   */
+  public record AdministrationDescription(List<String> administratorHosts, SourceLocation place) {
+
+    /** The robot's own computer only. */
+    public static final AdministrationDescription LOCAL =
+        new AdministrationDescription(List.of(), SourceLocation.CODE);
+
+    public AdministrationDescription {
+      administratorHosts = List.copyOf(administratorHosts);
+      for (String each : administratorHosts) {
+        DescriptionRules.require(place, DescriptionRules.administrator(each));
+      }
+    }
+  }
+
+  /**
+   * One service group: the modules that share one JVM, and fail together when it fails.
+   *
+   * @param name name of the group, unique on its robot, in lower_snake_case
+   * @param jvmOptions options of the group's JVM, in the order written, e.g. {@code -Xmx64m}
+   * @param registrar the robot's own lookup service, if this group hosts it
+   * @param modules the group's modules, in the order written
+   * @param place its place in the configuration
+   */
+  public record GroupDescription(
+      String name,
+      List<String> jvmOptions,
+      Optional<RegistrarDescription> registrar,
+      List<ModuleDescription> modules,
+      SourceLocation place) {
+
+    public GroupDescription {
+      jvmOptions = jvmOptions.stream().map(String::strip).toList();
+      modules = List.copyOf(modules);
+      DescriptionRules.require(place, DescriptionRules.name("group", name));
+      if (jvmOptions.stream().anyMatch(String::isEmpty)) {
+        throw new ConfigurationException(
+            place + ": group " + name + " has an empty JVM option; write one or leave it out");
+      }
+    }
   }
 }

@@ -6,6 +6,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.dfra.core.config.RobotDescription.AdministrationDescription;
+import org.dfra.core.config.RobotDescription.GroupDescription;
+import org.dfra.core.config.RobotXml.RobotXmlSchema;
 import org.dfra.persona.PersonaAttributes;
 import org.jdom2.Element;
 import org.jspecify.annotations.Nullable;
@@ -76,7 +79,7 @@ final class RobotReader {
 
   private AdministrationDescription administration(Element element) {
     return new AdministrationDescription(
-        from(element, DescriptionRules::administrator), values.place(element));
+        hosts(element, "from", DescriptionRules::administrator), values.place(element));
   }
 
   /** Returns the fault of a text; null if there is none. */
@@ -85,9 +88,9 @@ final class RobotReader {
   }
 
   /** The addresses from which an element accepts calls; invalid ones are omitted. */
-  private List<String> from(Element element, Rule rule) {
+  private List<String> hosts(Element element, String attribute, Rule rule) {
     List<String> right = new ArrayList<>();
-    for (String each : list(element, "from")) {
+    for (String each : list(element, attribute)) {
       @Nullable String fault = rule.fault(each);
       values.check(element, fault);
       if (fault == null) {
@@ -160,21 +163,27 @@ final class RobotReader {
         values.attribute(element, "port", Integer.toString(RegistrarDescription.DEFAULT_PORT));
     String fault = port == null ? null : DescriptionRules.registrarPort(port);
     values.check(element, fault);
-    Integer classes = classes(element);
+    Integer classServerPort = classServerPort(element);
     boolean restart = values.restart(element);
-    List<String> from = from(element, DescriptionRules::moduleHost);
-    return port == null || fault != null || classes == null
+    List<String> moduleHosts = hosts(element, "module-hosts", DescriptionRules::moduleHost);
+    return port == null || fault != null || classServerPort == null
         ? Optional.empty()
         : Optional.of(
             new RegistrarDescription(
-                Integer.parseInt(port), classes, restart, from, values.place(element)));
+                Integer.parseInt(port),
+                classServerPort,
+                restart,
+                moduleHosts,
+                values.place(element)));
   }
 
   /** The class server's port; null, with a fault, if it is invalid. */
-  private @Nullable Integer classes(Element element) {
+  private @Nullable Integer classServerPort(Element element) {
     String written =
         values.attribute(
-            element, "classes", Integer.toString(RegistrarDescription.DEFAULT_CLASS_SERVER_PORT));
+            element,
+            "class-server-port",
+            Integer.toString(RegistrarDescription.DEFAULT_CLASS_SERVER_PORT));
     if (written == null || written.equals(RegistrarDescription.OFF)) {
       return written == null ? null : RegistrarDescription.NO_CLASS_SERVER;
     }

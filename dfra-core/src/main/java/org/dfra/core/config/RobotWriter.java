@@ -1,5 +1,7 @@
 package org.dfra.core.config;
 
+import org.dfra.core.config.RobotDescription.GroupDescription;
+import org.dfra.core.config.RobotXml.RobotXmlSchema;
 import org.dfra.persona.PersonaAttributes;
 import org.jdom2.Document;
 import org.jdom2.Element;
@@ -61,13 +63,13 @@ final class RobotWriter {
     set(element, "port", Integer.toString(registrar.port()));
     set(
         element,
-        "classes",
+        "class-server-port",
         registrar.hasClassServer()
-            ? Integer.toString(registrar.classes())
+            ? Integer.toString(registrar.classServerPort())
             : RegistrarDescription.OFF);
     set(element, "restart", Boolean.toString(registrar.restart()));
-    if (!registrar.from().isEmpty()) {
-      set(element, "from", String.join(",", registrar.from()));
+    if (!registrar.moduleHosts().isEmpty()) {
+      set(element, "module-hosts", String.join(",", registrar.moduleHosts()));
     }
     return element;
   }
@@ -79,8 +81,8 @@ final class RobotWriter {
     set(element, ModuleProperties.PROXY, module.proxyClass());
     set(element, ModuleProperties.IMPLEMENTATION, module.driverClass());
     set(element, ModuleProperties.CONFIGURATION, module.configuration());
-    if (!module.download().isEmpty()) {
-      set(element, ModuleProperties.CODEBASE, String.join(",", module.download()));
+    if (!module.codebase().isEmpty()) {
+      set(element, ModuleProperties.CODEBASE, String.join(",", module.codebase()));
     }
     set(element, "restart", Boolean.toString(module.restart()));
     module

@@ -44,7 +44,7 @@ final class SchemaErrorMessage {
       case "cvc-complex-type.4" ->
           "<" + second + "> lacks its " + first + "; write " + first + "=\"…\" in it";
       case "cvc-complex-type.2.1" ->
-          "<" + first + "> must be empty; delete what stands between its two tags";
+          "<" + first + "> must be empty; delete what is between its two tags";
       case "cvc-complex-type.2.3" -> "<" + first + "> holds text beside its elements; delete it";
       case "cvc-type.3.1.1" -> "<" + first + "> takes no attribute; delete those it has";
       case "cvc-type.3.1.2" -> "<" + first + "> takes text only; delete the elements in it";

@@ -41,7 +41,7 @@ public final class Substitution {
   }
 
   /** The text with its variables substituted; null, with a recorded fault, if that fails. */
-  @Nullable String apply(String text, Place place) {
+  @Nullable String apply(String text, SourceLocation place) {
     Scan scan = new Scan(text);
     String result = scan.text(false);
     scan.complaints.forEach(complaint -> faults.add(place, complaint));
@@ -86,7 +86,7 @@ public final class Substitution {
         return value == null ? unset(name.group()) : value;
       }
       if (!taken(":-")) {
-        return complain("\"" + text.substring(start) + "\" is no variable", "$$ for a dollar");
+        return complain("\"" + text.substring(start) + "\" is not a variable", "$$ for a dollar");
       }
       int before = complaints.size();
       String otherwise = text(true);

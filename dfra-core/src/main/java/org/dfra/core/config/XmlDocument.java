@@ -33,12 +33,14 @@ final class XmlDocument {
    * @throws ConfigurationException if the text is not well-formed, is larger than 16 MiB or nested
    *     deeper than 64 elements, or it has another root
    */
-  static Element parseRoot(byte[] text, Place whole, XmlSchema schema) {
+  static Element parseRoot(
+      byte[] text, SourceLocation whole, XmlSchema schema, ConfigurationFaults faults) {
     if (text.length > MAX_BYTES) {
       throw new ConfigurationException(
           whole + ": the file has " + text.length + " bytes, at most " + MAX_BYTES + " are read");
     }
     SAXBuilder builder = new SAXBuilder(XMLReaders.NONVALIDATING, null, new LocatedJDOMFactory());
+    builder.setXMLFilter(schema.renamedAttributes(whole, faults));
     // Without a document type there are no entities, so nothing outside the text is read.
     builder.setFeature(NO_DOCTYPE, true);
     builder.setExpandEntities(false);
@@ -49,7 +51,7 @@ final class XmlDocument {
       requireRoot(root, whole, schema);
       return root;
     } catch (JDOMParseException e) {
-      Place place = new Place(whole.file(), Math.max(0, e.getLineNumber()));
+      SourceLocation place = new SourceLocation(whole.file(), Math.max(0, e.getLineNumber()));
       throw new ConfigurationException(place + ": " + sentence(e), e);
     } catch (JDOMException | IOException e) {
       throw new ConfigurationException(
@@ -57,7 +59,7 @@ final class XmlDocument {
     }
   }
 
-  private static void requireRoot(Element root, Place whole, XmlSchema schema) {
+  private static void requireRoot(Element root, SourceLocation whole, XmlSchema schema) {
     Namespace namespace = schema.namespace();
     if (root.getName().equals(schema.root()) && root.getNamespace().equals(namespace)) {
       return;

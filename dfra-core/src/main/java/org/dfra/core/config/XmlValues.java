@@ -23,12 +23,12 @@ public final class XmlValues {
   }
 
   /** The end of an element's start tag, which is all that the parser reports. */
-  static Place place(String file, Element element) {
-    return new Place(file, element instanceof Located located ? located.getLine() : 0);
+  static SourceLocation place(String file, Element element) {
+    return new SourceLocation(file, element instanceof Located located ? located.getLine() : 0);
   }
 
   /** The end of an element's start tag. */
-  public Place place(Element element) {
+  public SourceLocation place(Element element) {
     return place(file, element);
   }
 
@@ -78,7 +78,7 @@ public final class XmlValues {
 
   /** Records the first place of each name. */
   public final class UniqueNames {
-    private final Map<String, Place> first = new HashMap<>();
+    private final Map<String, SourceLocation> first = new HashMap<>();
 
     private UniqueNames() {}
 
@@ -86,7 +86,7 @@ public final class XmlValues {
      * @param what the named object, with its name, for the error message about a duplicate
      */
     public void requireFirst(Element element, String name, String what, String remedy) {
-      Place earlier = first.putIfAbsent(name, place(element));
+      SourceLocation earlier = first.putIfAbsent(name, place(element));
       if (earlier != null) {
         faults.add(
             place(element),

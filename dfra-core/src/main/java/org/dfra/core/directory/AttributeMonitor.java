@@ -94,7 +94,7 @@ public final class AttributeMonitor implements DirectoryRegistration {
         publisher.accept(published);
       }
     } catch (RuntimeException e) {
-      LOG.warn("A module's attributes cannot be told: {}", e.toString(), e);
+      LOG.warn("A module's attributes cannot be published: {}", e.toString(), e);
     }
   }
 

@@ -1,5 +1,6 @@
 package org.dfra.core.directory;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.lang.reflect.Proxy;
 import java.time.Duration;
 import java.time.InstantSource;
@@ -58,8 +59,12 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
   private final Condition changed;
   private final Executor notifiers;
   private final Scheduler scheduler;
-  private final List<ListenerNotifier<?>> feeds = new ArrayList<>(); // guarded by lock
-  private boolean closed; // guarded by lock
+
+  @GuardedBy("lock")
+  private final List<ListenerNotifier<?>> feeds = new ArrayList<>();
+
+  @GuardedBy("lock")
+  private boolean closed;
 
   /**
    * @param clock the clock by which staleness is measured
@@ -197,8 +202,11 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
   /** The result of a query; re-evaluated only when the table has changed. */
   private <M extends Module> Supplier<List<ModuleListing<M>>> remembered(ModuleQuery<M> query) {
     return new Supplier<>() {
-      private long version = -1; // guarded by this
-      private List<ModuleListing<M>> found = List.of(); // guarded by this
+      @GuardedBy("this")
+      private long version = -1;
+
+      @GuardedBy("this")
+      private List<ModuleListing<M>> found = List.of();
 
       @Override
       public synchronized List<ModuleListing<M>> get() {

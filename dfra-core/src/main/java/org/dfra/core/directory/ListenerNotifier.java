@@ -1,5 +1,6 @@
 package org.dfra.core.directory;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Duration;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
@@ -38,9 +39,15 @@ final class ListenerNotifier<M extends Module> implements DirectoryRegistration,
   private final Runnable onClose;
   private final Map<UUID, ModuleListing<M>> notified =
       new HashMap<>(); // used by the draining thread only
-  private final Set<UUID> waiting = new LinkedHashSet<>(); // guarded by this
-  private boolean draining; // guarded by this
-  private boolean closed; // guarded by this
+
+  @GuardedBy("this")
+  private final Set<UUID> waiting = new LinkedHashSet<>();
+
+  @GuardedBy("this")
+  private boolean draining;
+
+  @GuardedBy("this")
+  private boolean closed;
 
   /**
    * @param look returns the current listing of a matching module, or null

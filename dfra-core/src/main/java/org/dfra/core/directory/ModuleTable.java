@@ -1,5 +1,6 @@
 package org.dfra.core.directory;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
@@ -33,9 +34,15 @@ public final class ModuleTable {
   private final Map<UUID, ModuleListing<Module>> modules = new ConcurrentHashMap<>();
   private final Map<UUID, RobotEntry> robots = new ConcurrentHashMap<>();
   private final List<Consumer<UUID>> observers = new CopyOnWriteArrayList<>();
-  private final Set<UUID> unsorted = new HashSet<>(); // guarded by this
+
+  @GuardedBy("this")
+  private final Set<UUID> unsorted = new HashSet<>();
+
   private volatile @Nullable List<ModuleListing<Module>> sorted = List.of(); // null: to be sorted
-  private List<ModuleListing<Module>> lastSorted = List.of(); // guarded by this
+
+  @GuardedBy("this")
+  private List<ModuleListing<Module>> lastSorted = List.of();
+
   private volatile long version; // written with the lock of this held
   private volatile Places places = new Places(-1, Map.of());
 
@@ -250,6 +257,7 @@ public final class ModuleTable {
   }
 
   /** Called with the lock held. */
+  @GuardedBy("this")
   private void changed(UUID id) {
     unsorted.add(id);
     sorted = null;

@@ -1,5 +1,6 @@
 package org.dfra.core.effector;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.UUID;
@@ -49,7 +50,9 @@ public final class CommandArbiter {
   private final ReentrantLock acting = new ReentrantLock();
 
   private volatile @Nullable Commander commander; // written with the lock of this held
-  private @Nullable UUID lease; // guarded by this
+
+  @GuardedBy("this")
+  private @Nullable UUID lease;
 
   /**
    * A stop is pending: a commander was lost, and the device has not stopped since; cleared under
@@ -134,7 +137,7 @@ public final class CommandArbiter {
               + other.name()
               + " since "
               + other.since()
-              + "; wait until it lets go, or have its lease"
+              + "; wait until it releases its lease, or have its lease"
               + (lease == null ? "" : " " + LeaseHandle.of(lease))
               + " revoked");
     }
@@ -171,15 +174,15 @@ public final class CommandArbiter {
     if (key.equals(stopped)) {
       throw new CommandRefusedByEmergencyStopException(
           module
-              + " was stopped for an emergency while this key commanded it, and was released since;"
-              + " whoever is to move it again asks it for a new command lease");
+              + " was stopped for an emergency while this key commanded it, and was released"
+              + " since; to move it again, request a new command lease");
     }
     if (!isHeldBy(key)) {
       @Nullable Commander other = commander;
       throw new CommandRefusedException(
           module
               + (other == null
-                  ? " has no commander, and this key counts no longer; ask it for a command lease"
+                  ? " has no commander, and this key is not valid any more; request a command lease"
                   : " is commanded by "
                       + other.name()
                       + " since "

@@ -1,5 +1,6 @@
 package org.dfra.core.effector;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongConsumer;
 import org.dfra.core.time.SerialExecutor;
@@ -33,8 +34,9 @@ final class CommandTimeout {
   /** Written with the lock of this held. A timer with another number does nothing. */
   private final AtomicLong timerNumber = new AtomicLong();
 
-  private @Nullable ScheduledTask
-      timerTask; // guarded by this; the first task with the current number
+  /** The first task with the current number. */
+  @GuardedBy("this")
+  private @Nullable ScheduledTask timerTask;
 
   /**
    * @param thread runs {@code whenOver}
@@ -111,6 +113,7 @@ final class CommandTimeout {
     return nanos() - (scheduler.nanos() - lastNanos);
   }
 
+  @GuardedBy("this")
   private void restart(long nanos) {
     cancel();
     timerTask = lookAfter(nanos, timerNumber.get());

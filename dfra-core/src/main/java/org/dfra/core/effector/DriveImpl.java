@@ -31,8 +31,8 @@ import org.dfra.persona.EffectorAttributes;
  * <ul>
  *   <li>{@code max_speed}: metres per second; can be set while it runs, not above the drive's
  *       maximum
- *   <li>{@code max_turn_rate}: radians per second; likewise
- *   <li>{@code longest_silence}: the command timeout: seconds without a new velocity after which
+ *   <li>{@code max_yaw_rate}: radians per second; likewise
+ *   <li>{@code command_timeout}: the command timeout: seconds without a new velocity after which
  *       the wheels are halted; at least {@value #MIN_COMMAND_TIMEOUT}, at most {@value
  *       DriveEffector#MAX_COMMAND_TIMEOUT} s minus the braking time; default {@value
  *       #DEFAULT_COMMAND_TIMEOUT}, or less if that is too long; can be set while it runs
@@ -118,14 +118,14 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
           path()
               + " needs "
               + brakingTime
-              + " s to stand, more than "
+              + " s to stop, more than "
               + (MAX_COMMAND_TIMEOUT - MIN_COMMAND_TIMEOUT)
               + " s; brake harder or drive slower");
     }
     double silence =
         settings()
             .number(
-                "longest_silence",
+                "command_timeout",
                 Math.min(DEFAULT_COMMAND_TIMEOUT, mostSilence),
                 MIN_COMMAND_TIMEOUT,
                 mostSilence);
@@ -135,24 +135,24 @@ public abstract class DriveImpl extends EffectorImpl<DriveCommand> implements Dr
 
   private void declareLimits() {
     maxSpeed = settings().number("max_speed", most.maxSpeed(), SLOWEST, most.maxSpeed());
-    maxYawRate = settings().number("max_turn_rate", most.maxYawRate(), SLOWEST, most.maxYawRate());
+    maxYawRate = settings().number("max_yaw_rate", most.maxYawRate(), SLOWEST, most.maxYawRate());
     parameterTable()
         .declareNumber(
             "max_speed",
-            "faster velocities are made slower",
+            "velocities are limited to this",
             NumberRange.of(SLOWEST, most.maxSpeed(), "m/s"),
             () -> maxSpeed,
             value -> maxSpeed = value);
     parameterTable()
         .declareNumber(
-            "max_turn_rate",
-            "faster velocities are made slower",
+            "max_yaw_rate",
+            "velocities are limited to this",
             NumberRange.of(SLOWEST, most.maxYawRate(), "rad/s"),
             () -> maxYawRate,
             value -> maxYawRate = value);
     parameterTable()
         .declareNumber(
-            "longest_silence",
+            "command_timeout",
             "without a new velocity for so long, the wheels are halted",
             NumberRange.of(MIN_COMMAND_TIMEOUT, mostSilence, "s"),
             () -> timeout.seconds(),

@@ -1,9 +1,12 @@
 package org.dfra.core.effector;
 
 import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
 import java.util.List;
 import java.util.Locale;
 import java.util.UUID;
+import org.dfra.core.lease.LeaseRegistry;
 import org.dfra.core.module.DeviceImpl;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.time.BootId;
@@ -15,10 +18,10 @@ import org.dfra.flow.effector.Effector;
 import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.LeaseRole;
-import org.dfra.module.Incident;
+import org.dfra.lifecycle.Incident;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Precondition;
-import org.dfra.module.Readiness;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.EmergencyStopAttributes;
 import org.dfra.time.Scheduler;
@@ -126,11 +129,11 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
   }
 
   private void commanderLost() {
-    log.info("{}: it has no commander any more and comes to rest", path());
+    log.info("{}: it has no commander any more and stops", path());
     try {
       stopSafely();
     } catch (RuntimeException e) { // a driver's exception must not prevent the rest of the shutdown
-      log.error("{}: it could not be told to come to rest", path(), e);
+      log.error("{}: it could not be stopped", path(), e);
       recordException(e);
     }
   }
@@ -175,7 +178,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
     arbiter.close();
     if (arbiter.awaitFree()) { // and stays so: who commands from now on is refused
       if (!haltWithin(this::endLeasesAndSettle, DRIVER_TIMEOUT)) {
-        log.warn("{}: its driver does not come to rest, and is closed nevertheless", path());
+        log.warn("{}: its driver does not stop, and is closed nevertheless", path());
       }
       return;
     }
@@ -293,7 +296,7 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
           String.format(
               Locale.ROOT,
               "%s was held up by an earlier command for %.1f s, so %s is too old and was not"
-                  + " executed; command anew",
+                  + " executed; send a new command",
               path(),
               waited / 1e9,
               command));
@@ -308,5 +311,29 @@ public abstract class EffectorImpl<C extends Command> extends DeviceImpl impleme
   /** The commander's name, for display; null while there is none. */
   protected final @Nullable String commander() {
     return arbiter.commander();
+  }
+
+  /**
+   * The lease of a commander in the effector's own virtual machine: it is valid until it is closed
+   * or revoked, or the module ends.
+   */
+  private record LocalCommandLease(
+      LeaseRegistry registry, UUID id, CommandKey key, Duration duration, InstantSource clock)
+      implements CommandLease {
+
+    @Override
+    public Instant expiration() {
+      return clock.instant().plus(duration);
+    }
+
+    @Override
+    public boolean isLive() {
+      return registry.contains(id);
+    }
+
+    @Override
+    public void close() {
+      boolean unused = registry.cancel(id);
+    }
   }
 }

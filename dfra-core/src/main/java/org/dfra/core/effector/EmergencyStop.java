@@ -1,11 +1,12 @@
 package org.dfra.core.effector;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Duration;
 import java.util.UUID;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.dfra.flow.effector.EmergencyStopState;
-import org.dfra.module.Incident;
+import org.dfra.lifecycle.Incident;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -46,7 +47,9 @@ final class EmergencyStop {
   private final Actions ends;
 
   private final Object halting = new Object();
-  private @Nullable Halt last; // guarded by halting
+
+  @GuardedBy("halting")
+  private @Nullable Halt last;
 
   EmergencyStop(String module, EmergencyStopLatch latch, CommandArbiter arbiter, Actions ends) {
     this.module = module;
@@ -58,22 +61,22 @@ final class EmergencyStop {
   /** One stop of the driver. */
   private final class Halt implements Runnable {
     final CountDownLatch over = new CountDownLatch(1);
-    boolean begun; // guarded by halting
+    boolean begun; // guarded by halting, which the compiler cannot check here
     volatile @Nullable String fault;
 
     @Override
     public void run() {
       try {
-        arbiter.runBetweenCommands(this::rest, ends::stopDuringCommand);
+        arbiter.runBetweenCommands(this::stopEffector, ends::stopDuringCommand);
       } catch (RuntimeException | Error e) { // a driver's fault; the stop's state reports it
-        fault = "its driver could not be told to come to rest (" + e + "); switch it off by hand";
+        fault = "its driver could not be stopped (" + e + "); switch it off by hand";
         ends.recordIncident(Incident.Kind.EXCEPTION, "stopped for an emergency, " + fault);
       } finally {
         over.countDown();
       }
     }
 
-    private void rest() {
+    private void stopEffector() {
       synchronized (halting) {
         begun = true; // a stop requested from now on requires another halt
       }
@@ -83,7 +86,7 @@ final class EmergencyStop {
 
     @Nullable String fault() {
       return over.getCount() > 0
-          ? "its driver is held up, and comes to rest as soon as it goes on"
+          ? "its driver is blocked, and stops as soon as it continues"
           : fault;
     }
   }

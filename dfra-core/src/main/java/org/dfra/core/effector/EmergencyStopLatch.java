@@ -188,7 +188,7 @@ public final class EmergencyStopLatch {
                 + state
                 + " ("
                 + e
-                + "), so the next life of this module would not know of it";
+                + "), so the module would not know of it after a restart";
         log.error("{}: of its emergency stop: {}", module, persistFault);
         return false;
       }
@@ -201,7 +201,7 @@ public final class EmergencyStopLatch {
     return module
         + " is stopped for an emergency "
         + now.stop().inWords()
-        + ", and obeys nobody; when it is safe, release it: ./dfra stop --release "
+        + ", and executes no commands; when it is safe, release it: ./dfra stop --release "
         + (slash < 0 ? module : module.substring(0, slash));
   }
 

@@ -1,5 +1,6 @@
 package org.dfra.core.event;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -24,7 +25,10 @@ public final class EventHub {
   private final InstantSource clock;
   private final DeliveryPool pool;
   private final Scheduler scheduler;
-  private final EventSequences numbers; // guarded by this
+
+  @GuardedBy("this")
+  private final EventSequences numbers;
+
   private final List<ListenerEntry> entries = new CopyOnWriteArrayList<>();
 
   /**

@@ -74,7 +74,7 @@ final class EventSequences {
       return kept;
     } catch (IOException | UncheckedIOException e) {
       LOG.error(
-          "the numbers of a module's events cannot be kept in {}, so they begin anew with each"
+          "the numbers of a module's events cannot be kept in {}, so they begin again with each"
               + " activation: {}",
           state,
           e.toString());

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.dfra.core.config.ConfigurationFaults;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.geometry.GeoPosition;
 
 /**
@@ -15,7 +15,7 @@ import org.dfra.geometry.GeoPosition;
  * @param properties its properties; a missing node if it has none
  * @param geometry its shape; a missing node if it has none
  */
-public record GeoJsonFeature(Place place, JsonNode properties, JsonNode geometry) {
+public record GeoJsonFeature(SourceLocation place, JsonNode properties, JsonNode geometry) {
 
   /** The type of its geometry, such as Polygon; {@code none} if it has none. */
   public String type() {
@@ -64,7 +64,8 @@ public record GeoJsonFeature(Place place, JsonNode properties, JsonNode geometry
         || !(Math.abs(longitude.asDouble()) <= 180)
         || !(Math.abs(latitude.asDouble()) <= 90)) {
       faults.add(
-          place, pair + " is no position; write [longitude, latitude] in degrees, longitude first");
+          place,
+          pair + " is not a position; write [longitude, latitude] in degrees, longitude first");
       return Optional.empty();
     }
     return Optional.of(new GeoPosition(latitude.asDouble(), longitude.asDouble(), 0));

@@ -11,8 +11,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.dfra.core.config.ConfigurationFaults;
-import org.dfra.core.config.Place;
 import org.dfra.core.config.SourceFile;
+import org.dfra.core.config.SourceLocation;
 
 /**
  * The content of a GeoJSON file.
@@ -23,7 +23,7 @@ import org.dfra.core.config.SourceFile;
  * @param features the features of a FeatureCollection; of a Feature or a bare geometry that one;
  *     otherwise empty
  */
-public record GeoJsonFile(Place place, String type, List<GeoJsonFeature> features) {
+public record GeoJsonFile(SourceLocation place, String type, List<GeoJsonFeature> features) {
 
   /** The type of a root with several features. */
   public static final String COLLECTION = "FeatureCollection";
@@ -76,7 +76,7 @@ public record GeoJsonFile(Place place, String type, List<GeoJsonFeature> feature
       int line = 1;
       try (JsonParser parser = MAPPER.createParser(text)) {
         if (parser.nextToken() != JsonToken.START_OBJECT) {
-          faults.add(place(1), "this is no JSON object; write a FeatureCollection of GeoJSON");
+          faults.add(place(1), "this is not a JSON object; write a FeatureCollection of GeoJSON");
           return result(BROKEN, 1);
         }
         line = parser.currentTokenLocation().getLineNr();
@@ -85,7 +85,7 @@ public record GeoJsonFile(Place place, String type, List<GeoJsonFeature> feature
         }
       } catch (JsonProcessingException e) {
         int at = e.getLocation() == null ? 0 : Math.max(0, e.getLocation().getLineNr());
-        faults.add(place(at), "this is no JSON (" + e.getOriginalMessage() + "); correct it here");
+        faults.add(place(at), "this is not JSON (" + e.getOriginalMessage() + "); correct it here");
         return result(BROKEN, line);
       } catch (IOException e) {
         throw new IllegalStateException("bytes in memory cannot be read", e);
@@ -104,7 +104,7 @@ public record GeoJsonFile(Place place, String type, List<GeoJsonFeature> feature
       }
       hasFeatures = true;
       while (parser.nextToken() != JsonToken.END_ARRAY) {
-        Place place = place(parser.currentTokenLocation().getLineNr());
+        SourceLocation place = place(parser.currentTokenLocation().getLineNr());
         JsonNode feature = MAPPER.readTree(parser);
         features.add(
             new GeoJsonFeature(place, feature.path("properties"), feature.path("geometry")));
@@ -112,7 +112,7 @@ public record GeoJsonFile(Place place, String type, List<GeoJsonFeature> feature
     }
 
     private GeoJsonFile result(String type, int line) {
-      Place place = place(line);
+      SourceLocation place = place(line);
       if (type.equals(BROKEN) || type.equals(COLLECTION) && hasFeatures) {
         return new GeoJsonFile(place(0), type, features);
       }
@@ -129,8 +129,8 @@ public record GeoJsonFile(Place place, String type, List<GeoJsonFeature> feature
       return new GeoJsonFile(place(0), type.equals(COLLECTION) ? "none" : type, List.of());
     }
 
-    private Place place(int line) {
-      return new Place(file, line);
+    private SourceLocation place(int line) {
+      return new SourceLocation(file, line);
     }
   }
 }

@@ -11,7 +11,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
-import org.dfra.module.Incident;
+import org.dfra.lifecycle.Incident;
 import org.dfra.module.ModuleHistory;
 
 /** Encodes a history as bytes. */

@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import org.dfra.core.state.StateStore;
-import org.dfra.module.Incident;
-import org.dfra.module.Incident.Kind;
+import org.dfra.lifecycle.Incident;
+import org.dfra.lifecycle.Incident.Kind;
 import org.dfra.module.ModuleHistory;
 import org.dfra.time.Scheduler;
 import org.slf4j.Logger;
@@ -84,8 +84,7 @@ public final class IncidentLog {
     since = clock.instant();
     restore();
     if (!recent.isEmpty() && recent.getLast().kind() != Kind.DEACTIVATION) {
-      record(
-          Kind.FAILURE, "its last life ended without being closed: killed, crashed or powered off");
+      record(Kind.FAILURE, "it ended without being closed: killed, crashed or powered off");
     }
     record(Kind.ACTIVATION, "it was activated, no. " + (activations + 1));
   }
@@ -104,7 +103,7 @@ public final class IncidentLog {
       }
     } catch (IOException e) {
       log.warn(
-          "{}: its history in {} cannot be read and begins anew: {}", module, state, e.toString());
+          "{}: its history in {} cannot be read and begins again: {}", module, state, e.toString());
     }
   }
 

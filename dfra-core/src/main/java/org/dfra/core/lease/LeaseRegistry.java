@@ -1,6 +1,8 @@
 package org.dfra.core.lease;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Duration;
+import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -42,13 +44,19 @@ public final class LeaseRegistry implements AutoCloseable {
   private final Function<LeaseRole, Executor> expiries;
 
   private final Map<UUID, LeaseEntry> entries = new HashMap<>(); // guarded by itself
-  private final Set<UUID> revoked = new HashSet<>(); // guarded by entries; the latest only
-  private boolean closed; // guarded by entries
+
+  // the latest only
+  @GuardedBy("entries")
+  private final Set<UUID> revoked = new HashSet<>();
+
+  @GuardedBy("entries")
+  private boolean closed;
 
   /** Taken before {@link #entries}; keeps notifications in order. */
   private final Object publishLock = new Object();
 
-  private int lastPublished; // guarded by publishLock
+  @GuardedBy("publishLock")
+  private int lastPublished;
 
   /**
    * @param module the module's path, {@code robot/name}
@@ -162,6 +170,7 @@ public final class LeaseRegistry implements AutoCloseable {
         id, holder, host, clock.instant(), scheduler.nanos(), whenOver, whenCancelled);
   }
 
+  @GuardedBy("entries")
   private void refuseIfClosed() throws LeaseRefusedException {
     if (closed) {
       throw new LeaseRefusedException(module + " grants no leases any more; it has ended");
@@ -237,6 +246,7 @@ public final class LeaseRegistry implements AutoCloseable {
   }
 
   /** Keeps the ID long enough that a failed renewal can report the reason. */
+  @GuardedBy("entries")
   private void remember(UUID id) {
     revoked.add(id);
     ScheduledTask unused =
@@ -370,4 +380,13 @@ public final class LeaseRegistry implements AutoCloseable {
       }
     }
   }
+
+  /**
+   * A granted or renewed lease.
+   *
+   * @param id its identity: a secret of holder and grantor
+   * @param duration its duration from now
+   * @param expiration when it expires, by the module's clock
+   */
+  public record LeaseGrant(UUID id, Duration duration, Instant expiration) {}
 }

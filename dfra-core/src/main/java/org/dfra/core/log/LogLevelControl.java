@@ -33,6 +33,6 @@ public interface LogLevelControl {
                 new IllegalStateException(
                     "log levels cannot be set here: no "
                         + LogLevelControl.class.getName()
-                        + " is on the class path; add dfra-app, which has one for Logback"));
+                        + " is on the class path; add dfra-cli, which has one for Logback"));
   }
 }

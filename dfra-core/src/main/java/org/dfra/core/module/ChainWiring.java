@@ -1,5 +1,6 @@
 package org.dfra.core.module;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.util.HashSet;
 import java.util.List;
 import java.util.function.Consumer;
@@ -7,7 +8,7 @@ import java.util.function.Supplier;
 import java.util.regex.Pattern;
 
 /** The current wiring of a module in its chain. */
-public final class ChainWiring {
+final class ChainWiring {
 
   private static final Pattern PATH = Pattern.compile("[a-z][a-z0-9_]*/[a-z][a-z0-9_]*");
 
@@ -15,7 +16,10 @@ public final class ChainWiring {
   private final Supplier<List<String>> inputTypes;
   private final List<String> outputTypes;
   private final Consumer<List<String>> rewired;
-  private List<String> inputs = List.of(); // guarded by this
+
+  @GuardedBy("this")
+  private List<String> inputs = List.of();
+
   private volatile List<String> outputs = List.of();
 
   /**
@@ -98,7 +102,7 @@ public final class ChainWiring {
           module
               + " cannot be wired to \""
               + path
-              + "\", which is no module's path; write robot/name");
+              + "\", which is not the path of a module; write robot/name");
     }
     if (path.equals(module)) {
       throw new IllegalArgumentException(module + " cannot be wired to itself");

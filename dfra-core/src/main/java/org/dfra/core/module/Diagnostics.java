@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.core.config.NearestName;
+import org.dfra.core.config.RenamedNames;
 import org.dfra.module.Diagnosis;
 import org.dfra.time.Scheduler;
 import org.slf4j.Logger;
@@ -82,7 +83,8 @@ public final class Diagnostics {
 
   private DiagnosticProcedure find(
       String what, String name, Map<String, DiagnosticProcedure> known) {
-    DiagnosticProcedure check = known.get(name);
+    DiagnosticProcedure check =
+        known.get(RenamedNames.resolve(module, "the " + what, name, known.keySet()));
     if (check == null) {
       throw new IllegalArgumentException(
           module

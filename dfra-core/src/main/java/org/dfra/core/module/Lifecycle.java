@@ -1,5 +1,6 @@
 package org.dfra.core.module;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
@@ -8,8 +9,8 @@ import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.core.event.EventHub;
 import org.dfra.core.history.IncidentLog;
 import org.dfra.event.ModuleEvent;
-import org.dfra.module.Incident;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Incident;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -31,12 +32,26 @@ final class Lifecycle {
 
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition readinessChanged;
-  private Readiness readiness = Readiness.CREATED; // guarded by lock
-  private @Nullable String why; // the reason for the last transition, if given; guarded by lock
-  private boolean started; // guarded by lock
-  private boolean closed; // guarded by lock
-  private boolean lapsed; // guarded by lock: it has stopped serving, and not resumed since
-  private int clients; // guarded by lock
+
+  @GuardedBy("lock")
+  private Readiness readiness = Readiness.CREATED;
+
+  // the reason for the last transition, if given
+  @GuardedBy("lock")
+  private @Nullable String why;
+
+  @GuardedBy("lock")
+  private boolean started;
+
+  @GuardedBy("lock")
+  private boolean closed;
+
+  // it has stopped serving, and not resumed since
+  @GuardedBy("lock")
+  private boolean lapsed;
+
+  @GuardedBy("lock")
+  private int clients;
 
   /**
    * @param module the module's path, {@code robot/name}
@@ -181,6 +196,7 @@ final class Lifecycle {
     }
   }
 
+  @GuardedBy("lock")
   private void remember(Readiness last, Readiness next, String incident) {
     if (next == Readiness.FAILED || (last.serves() && next == Readiness.INITIALIZING)) {
       lapsed = true;

@@ -1,6 +1,10 @@
 package org.dfra.core.module;
 
+import java.time.Instant;
+import java.util.Optional;
 import java.util.UUID;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
 import org.dfra.core.event.EventHub;
 import org.dfra.core.lease.LeaseRegistry;
 import org.dfra.event.DeliveryPolicy;
@@ -9,7 +13,7 @@ import org.dfra.event.Subscription;
 import org.dfra.event.delivery.DeliveryCounter;
 import org.dfra.event.delivery.ListenerQueue;
 import org.dfra.lease.LeaseRefusedException;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -60,6 +64,52 @@ final class LocalListeners {
   private void revoked(EventHub.ListenerEntry entry) {
     if (lifecycle.readiness() != Readiness.STOPPED) {
       events.remove(entry);
+    }
+  }
+
+  /** The subscription of a listener in the module's own virtual machine. */
+  private static final class LocalSubscription implements Subscription {
+
+    private final DeliveryCounter tally;
+    private final BooleanSupplier held;
+    private final Runnable end;
+    private final AtomicBoolean closed = new AtomicBoolean();
+
+    /**
+     * @param held whether the listener's lease is still live
+     * @param end run once when it is closed
+     */
+    LocalSubscription(DeliveryCounter tally, BooleanSupplier held, Runnable end) {
+      this.tally = tally;
+      this.held = held;
+      this.end = end;
+    }
+
+    @Override
+    public long received() {
+      return tally.received();
+    }
+
+    @Override
+    public long lost() {
+      return tally.lost();
+    }
+
+    @Override
+    public Optional<Instant> interruptedSince() {
+      return Optional.empty();
+    }
+
+    @Override
+    public boolean isOpen() {
+      return !closed.get() && held.getAsBoolean();
+    }
+
+    @Override
+    public void close() {
+      if (closed.compareAndSet(false, true)) {
+        end.run();
+      }
     }
   }
 }

@@ -2,6 +2,8 @@ package org.dfra.core.module;
 
 import java.lang.reflect.InvocationTargetException;
 import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import org.dfra.core.config.ConfigurationException;
@@ -52,7 +54,7 @@ public final class ModuleClassFactory {
       throw fault(
           "driver "
               + type.getName()
-              + " is no "
+              + " is not a subclass of "
               + base.getSimpleName()
               + " that implements "
               + kind.getName(),
@@ -70,15 +72,14 @@ public final class ModuleClassFactory {
    * @param what it is, for messages
    */
   public Class<?> load(String what, String name) {
+    ClassLoader loader = Thread.currentThread().getContextClassLoader();
     try {
-      return Class.forName(name, true, Thread.currentThread().getContextClassLoader());
+      return Class.forName(name, true, loader);
     } catch (ClassNotFoundException e) {
-      throw fault(
-          what
-              + " class "
-              + name
-              + " is not on the group's class path; add its jar or mend the name",
-          e);
+      String why =
+          OptionalDrivers.missing(name, loader)
+              .orElse("is not on the group's class path; add its jar or correct the name");
+      throw fault(what + " class " + name + " " + why, e);
     } catch (LinkageError e) {
       throw fault(
           what + " class " + name + " cannot be loaded (" + e + "); add the jar that it needs", e);
@@ -127,5 +128,46 @@ public final class ModuleClassFactory {
     return cause == null
         ? new ConfigurationException(message)
         : new ConfigurationException(message, cause);
+  }
+
+  /**
+   * The drivers of DFRA that are in modules of their own, which a robot may lack. They are known
+   * here only for the message that such a module is missing.
+   */
+  private static final class OptionalDrivers {
+
+    /**
+     * A module of the source.
+     *
+     * @param packages how the names of its classes begin
+     * @param member one of its classes: if that is missing, the module is
+     * @param remedy what to do about it
+     */
+    private record Optionally(String name, String packages, String member, String remedy) {}
+
+    private static final List<Optionally> MODULES =
+        List.of(
+            new Optionally(
+                "dfra-flight",
+                "org.dfra.drivers.uav.",
+                "org.dfra.drivers.uav.mavlink.MavlinkFlightImpl",
+                "\"dist --flight\" packs it"));
+
+    private OptionalDrivers() {}
+
+    /**
+     * Why a class is not there.
+     *
+     * @param className name of a class that the loader does not find
+     * @return the end of a sentence that begins with the class; empty if the class does not belong
+     *     to an optional module, or the module is installed and lacks only that class
+     */
+    static Optional<String> missing(String className, ClassLoader loader) {
+      return MODULES.stream()
+          .filter(each -> className.startsWith(each.packages()))
+          .filter(each -> loader.getResource(each.member().replace('.', '/') + ".class") == null)
+          .map(each -> "is in " + each.name() + ", which is not installed; " + each.remedy())
+          .findFirst();
+    }
   }
 }

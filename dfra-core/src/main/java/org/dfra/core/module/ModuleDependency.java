@@ -3,9 +3,9 @@ package org.dfra.core.module;
 import java.util.List;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Module;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 
 /**
  * A module that another needs for its work: any of that kind on its own robot, or the one that a

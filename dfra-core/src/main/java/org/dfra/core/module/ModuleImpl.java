@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.core.config.Parameters;
+import org.dfra.core.config.RenamedNames;
 import org.dfra.core.event.EventHub;
 import org.dfra.core.history.HistoryExecutor;
 import org.dfra.core.history.IncidentLog;
@@ -22,13 +23,13 @@ import org.dfra.event.delivery.DeliveryPool;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.LeaseRole;
 import org.dfra.lease.ModuleLease;
+import org.dfra.lifecycle.Incident;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Identification;
-import org.dfra.module.Incident;
 import org.dfra.module.LogLevel;
 import org.dfra.module.Module;
 import org.dfra.module.ModuleHistory;
 import org.dfra.module.Parameter;
-import org.dfra.module.Readiness;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -306,9 +307,12 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
 
   @Override
   public final void setParameter(String name, String text) {
-    String now = declared.set(name, text);
-    log.info("{}: parameter {} is now {}", path(), name, now);
-    events.publish(new ModuleEvent.ParameterChanged(name, now));
+    String present = RenamedNames.resolve(path(), "the parameter", name, declared.names());
+    String now =
+        declared.set(
+            present, RenamedNames.resolveValue(getClass().getName(), path(), present, text));
+    log.info("{}: parameter {} is now {}", path(), present, now);
+    events.publish(new ModuleEvent.ParameterChanged(present, now));
   }
 
   /**

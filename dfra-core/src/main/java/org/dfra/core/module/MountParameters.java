@@ -1,5 +1,6 @@
 package org.dfra.core.module;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import org.dfra.core.config.Parameters;
 import org.dfra.geometry.Transform;
 
@@ -11,18 +12,23 @@ final class MountParameters {
   private static final double FARTHEST = 100;
   private static final double MAX_ANGLE = 2 * Math.PI;
 
-  private final double[] values = new double[6]; // guarded by this
-  private String frame; // guarded by this
+  @GuardedBy("this")
+  private final double[] values = new double[6];
+
+  @GuardedBy("this")
+  private String frame;
+
   private volatile Transform transform;
 
   MountParameters(String robot, Parameters written, ParameterTable table) {
     frame = written.find("mount_frame").orElse(robot + "/base_link");
     declareNumbers(written, table, OFFSETS, 0, FARTHEST, "m");
     declareNumbers(written, table, ANGLES, 3, MAX_ANGLE, "rad");
-    table.declareText("mount_frame", "the frame it stands in", this::frame, this::setFrame);
+    table.declareText("mount_frame", "the frame it is mounted in", this::frame, this::setFrame);
     transform = computed();
   }
 
+  @GuardedBy("this")
   private void declareNumbers(
       Parameters written,
       ParameterTable table,
@@ -66,6 +72,7 @@ final class MountParameters {
     transform = computed();
   }
 
+  @GuardedBy("this")
   private Transform computed() {
     return Transform.of(values[0], values[1], values[2], values[3], values[4], values[5]);
   }

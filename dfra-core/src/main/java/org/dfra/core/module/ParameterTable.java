@@ -162,7 +162,8 @@ public final class ParameterTable {
     return parameter.get().get();
   }
 
-  private List<String> names() {
+  /** The names of all parameters, in alphabetical order. */
+  List<String> names() {
     return list().stream().map(Parameter::name).toList();
   }
 

@@ -1,5 +1,6 @@
 package org.dfra.core.module;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Duration;
 import java.util.List;
 import org.dfra.core.module.ParameterTable.NumberRange;
@@ -15,8 +16,8 @@ import org.jspecify.annotations.Nullable;
  * Base of every perceptual schema. It serves while percepts are produced. Otherwise it reports that
  * none are produced and which input module is missing.
  *
- * <p>Parameter {@code longest_age}: maximum age of a valid percept in seconds, 0.05 to 60; can be
- * set while it runs.
+ * <p>Parameter {@code max_age}: maximum age of a valid percept in seconds, 0.05 to 60; can be set
+ * while it runs.
  *
  * @param <P> the percept that it stores to answer queries: its output, or the percept that its
  *     output is based on
@@ -32,15 +33,19 @@ public abstract class PerceptualSchemaImpl<P extends Percept> extends SchemaImpl
   private final LatestReading<P> latest; // modified with its own lock held
   private volatile double longestAge;
   private volatile String lack;
-  private @Nullable ScheduledTask ageCheck; // guarded by this
-  private boolean over; // guarded by this
+
+  @GuardedBy("this")
+  private @Nullable ScheduledTask ageCheck;
+
+  @GuardedBy("this")
+  private boolean over;
 
   /**
    * See {@link ModuleImpl#ModuleImpl}.
    *
    * @param perceptType the percept that it stores
    * @param outputType its output type, by the simple name of its class
-   * @param defaultMaxAge the default of {@code longest_age}, seconds
+   * @param defaultMaxAge the default of {@code max_age}, seconds
    */
   protected PerceptualSchemaImpl(
       ModuleContext context,
@@ -54,12 +59,12 @@ public abstract class PerceptualSchemaImpl<P extends Percept> extends SchemaImpl
     this.percept = perceptType.getSimpleName();
     this.lack = "it awaits its first " + percept;
     this.time = context.robotTime();
-    this.longestAge = settings().number("longest_age", defaultMaxAge, 0.05, 60);
+    this.longestAge = settings().number("max_age", defaultMaxAge, 0.05, 60);
     this.latest =
         new LatestReading<>(this.percept, this, this::transitionTo, time::nanos, this::longestAge);
     parameterTable()
         .declareNumber(
-            "longest_age",
+            "max_age",
             "how long a percept counts",
             NumberRange.of(0.05, 60, "s"),
             () -> longestAge,

@@ -59,9 +59,8 @@ public abstract class SchemaImpl extends ChainableImpl implements Schema {
   protected final <M extends Module, R extends Reading> void declareInput(
       Class<M> kind, String parameter, Class<R> type, ReadingConsumer<? super R> consumer) {
     ModuleQuery<M> any = ModuleQuery.of(kind).robot(context.robot());
-    inputs.declare(
+    inputs.declareOne(
         context.parameters().moduleName(parameter, kind).map(any::name).orElse(any),
-        false,
         context
             .parameters()
             .place(parameter)
@@ -74,10 +73,8 @@ public abstract class SchemaImpl extends ChainableImpl implements Schema {
   /** The same with all modules of that type on its own robot. */
   protected final <M extends Module, R extends Reading> void declareInputFromAll(
       Class<M> kind, Class<R> type, ReadingConsumer<? super R> taker) {
-    inputs.declare(
+    inputs.declareAll(
         ModuleQuery.of(kind).robot(context.robot()),
-        true,
-        "",
         type,
         (source, sequence, reading) -> taker.accept(source, reading));
   }
@@ -85,7 +82,7 @@ public abstract class SchemaImpl extends ChainableImpl implements Schema {
   /** The same with all modules that match, on any robot. */
   protected final <M extends Module, R extends Reading> void declareInputFromTeam(
       ModuleQuery<M> which, Class<R> type, SequencedReadingConsumer<? super R> taker) {
-    inputs.declare(which, true, "", type, taker);
+    inputs.declareAll(which, type, taker);
   }
 
   /** The missing input modules, as a clause; empty if all are available. */

@@ -90,7 +90,7 @@ public final class QueryParser {
       }
       if (!said.add(first.text()) && !first.is("with")) {
         throw new QuerySyntaxException(
-            first, "\"" + first.text() + "\" stands here a second time; leave one out");
+            first, "\"" + first.text() + "\" occurs here a second time; leave one out");
       }
       return switch (first.text()) {
         case "named" -> query.name(tokens.expectText("the module's name").text());
@@ -106,7 +106,8 @@ public final class QueryParser {
       if (dot <= 0) {
         throw new QuerySyntaxException(
             attribute,
-            attribute.quoted() + " is no attribute; write one with a dot, such as Sensor.maxRate");
+            attribute.quoted()
+                + " is not an attribute; write one with a dot, such as Sensor.maxRate");
       }
       Class<? extends Attributes> type =
           vocabulary.attributes(attribute, attribute.text().substring(0, dot));

@@ -38,7 +38,7 @@ final class QueryValueParser {
     if (!tokens.accept("[")) {
       Token token = tokens.peek();
       throw new QuerySyntaxException(
-          token, "a list must stand here, such as [\"2D\", \"3D\"], not " + token.quoted());
+          token, "a list is expected here, such as [\"2D\", \"3D\"], not " + token.quoted());
     }
     List<String> texts = new ArrayList<>();
     if (tokens.accept("]")) {
@@ -54,7 +54,8 @@ final class QueryValueParser {
   private boolean truth() {
     Token token = tokens.next();
     if (!token.is("true") && !token.is("false")) {
-      throw new QuerySyntaxException(token, "true or false must stand here, not " + token.quoted());
+      throw new QuerySyntaxException(
+          token, "true or false is expected here, not " + token.quoted());
     }
     return token.is("true");
   }
@@ -72,7 +73,7 @@ final class QueryValueParser {
     throw new QuerySyntaxException(
         token,
         token.quoted()
-            + " is no "
+            + " is not a value of "
             + type.getSimpleName()
             + NearestName.hint(
                 token.text().toUpperCase(Locale.ROOT),
@@ -86,7 +87,7 @@ final class QueryValueParser {
       return Instant.parse(token.text());
     } catch (DateTimeParseException e) {
       throw new QuerySyntaxException(
-          token, token.quoted() + " is no instant in UTC; write it like 2026-11-21T12:00:00Z");
+          token, token.quoted() + " is not an instant in UTC; write it like 2026-11-21T12:00:00Z");
     }
   }
 

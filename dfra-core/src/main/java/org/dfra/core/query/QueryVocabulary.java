@@ -8,58 +8,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.dfra.agent.RecruitmentAgent;
-import org.dfra.agent.RecruitmentControl;
-import org.dfra.behavior.Behavior;
-import org.dfra.behavior.FollowWaypoints;
-import org.dfra.behavior.GoToWaypoint;
-import org.dfra.behavior.RasterSearch;
-import org.dfra.behavior.ReturnHome;
-import org.dfra.behavior.Script;
 import org.dfra.core.config.NearestName;
-import org.dfra.flow.Device;
-import org.dfra.flow.Schema;
-import org.dfra.flow.effector.DriveEffector;
-import org.dfra.flow.effector.Effector;
-import org.dfra.flow.effector.FlightEffector;
-import org.dfra.flow.effector.PanTiltEffector;
-import org.dfra.flow.motor.FuzzyDrive;
-import org.dfra.flow.motor.MotorSchema;
-import org.dfra.flow.perceptual.HeadingError;
-import org.dfra.flow.perceptual.MineDetector;
-import org.dfra.flow.perceptual.PerceptualSchema;
-import org.dfra.flow.perceptual.PositionEstimator;
-import org.dfra.flow.perceptual.RangeFilter;
-import org.dfra.flow.perceptual.TeamTracker;
-import org.dfra.flow.sensor.AngularRateSensor;
-import org.dfra.flow.sensor.BatterySensor;
-import org.dfra.flow.sensor.CameraSensor;
-import org.dfra.flow.sensor.GPSSensor;
-import org.dfra.flow.sensor.LocalGPSSensor;
-import org.dfra.flow.sensor.LocationSensor;
-import org.dfra.flow.sensor.OdometrySensor;
-import org.dfra.flow.sensor.RangeSensor;
-import org.dfra.flow.sensor.Sensor;
-import org.dfra.flow.sensor.TimeSensor;
 import org.dfra.module.Module;
 import org.dfra.persona.Attributes;
-import org.dfra.persona.BehaviorAttributes;
-import org.dfra.persona.CameraAttributes;
-import org.dfra.persona.ChainAttributes;
-import org.dfra.persona.DriveAttributes;
-import org.dfra.persona.EffectorAttributes;
-import org.dfra.persona.EmergencyStopAttributes;
-import org.dfra.persona.FlightAttributes;
-import org.dfra.persona.GpsReceiverAttributes;
-import org.dfra.persona.LocationAttributes;
-import org.dfra.persona.ModuleAttributes;
-import org.dfra.persona.MotorSchemaAttributes;
-import org.dfra.persona.PanTiltAttributes;
-import org.dfra.persona.PerceptualSchemaAttributes;
-import org.dfra.persona.PoseAttributes;
-import org.dfra.persona.RangeAttributes;
-import org.dfra.persona.RecruitmentAttributes;
-import org.dfra.persona.SensorAttributes;
+import org.dfra.persona.PersonaAttributes;
 
 /**
  * The kinds of modules and of attributes that a query may name. Immutable.
@@ -73,62 +25,12 @@ public final class QueryVocabulary {
 
   private static final String SUFFIX = "Attributes";
 
-  private static final QueryVocabulary USUAL =
-      new QueryVocabulary(
-          new LinkedHashSet<>(
-              List.of(
-                  Module.class,
-                  Device.class,
-                  Sensor.class,
-                  LocationSensor.class,
-                  TimeSensor.class,
-                  GPSSensor.class,
-                  LocalGPSSensor.class,
-                  RangeSensor.class,
-                  OdometrySensor.class,
-                  AngularRateSensor.class,
-                  CameraSensor.class,
-                  BatterySensor.class,
-                  Effector.class,
-                  DriveEffector.class,
-                  PanTiltEffector.class,
-                  FlightEffector.class,
-                  Schema.class,
-                  PerceptualSchema.class,
-                  RangeFilter.class,
-                  PositionEstimator.class,
-                  HeadingError.class,
-                  MineDetector.class,
-                  TeamTracker.class,
-                  MotorSchema.class,
-                  FuzzyDrive.class,
-                  Behavior.class,
-                  Script.class,
-                  GoToWaypoint.class,
-                  FollowWaypoints.class,
-                  ReturnHome.class,
-                  RasterSearch.class,
-                  RecruitmentControl.class,
-                  RecruitmentAgent.class)),
-          new LinkedHashSet<>(
-              List.of(
-                  ModuleAttributes.class,
-                  ChainAttributes.class,
-                  SensorAttributes.class,
-                  PoseAttributes.class,
-                  LocationAttributes.class,
-                  GpsReceiverAttributes.class,
-                  RangeAttributes.class,
-                  CameraAttributes.class,
-                  EffectorAttributes.class,
-                  EmergencyStopAttributes.class,
-                  DriveAttributes.class,
-                  PanTiltAttributes.class,
-                  FlightAttributes.class,
-                  PerceptualSchemaAttributes.class,
-                  MotorSchemaAttributes.class,
-                  BehaviorAttributes.class,
-                  RecruitmentAttributes.class)));
+  private static final QueryVocabulary STANDARD =
+      new QueryVocabulary(Set.of(), Set.of())
+          .with(
+              TypeFinder.besides(Module.class).stream()
+                  .filter(type -> type != PersonaAttributes.class) // of a robot, not of a module
+                  .toList());
 
   private final Set<Class<? extends Module>> kinds;
   private final Set<Class<? extends Attributes>> attributes;
@@ -139,9 +41,9 @@ public final class QueryVocabulary {
     this.attributes = attributes;
   }
 
-  /** The vocabulary of dfra-api. */
+  /** The vocabulary of dfra-api: all its module interfaces and attribute records. */
   public static QueryVocabulary standard() {
-    return USUAL;
+    return STANDARD;
   }
 
   /**

@@ -40,7 +40,7 @@ final class TokenStream {
     Token token = next();
     if (!token.is(text)) {
       throw new QuerySyntaxException(
-          token, "\"" + text + "\" must stand here, not " + token.quoted());
+          token, "\"" + text + "\" is expected here, not " + token.quoted());
     }
   }
 
@@ -52,7 +52,7 @@ final class TokenStream {
   Token expectText(String what) {
     Token token = next();
     if (token.type() != TokenType.WORD && token.type() != TokenType.TEXT) {
-      throw new QuerySyntaxException(token, what + " must stand here, not " + token.quoted());
+      throw new QuerySyntaxException(token, what + " is expected here, not " + token.quoted());
     }
     return token;
   }
@@ -73,7 +73,7 @@ final class TokenStream {
   }
 
   private static QuerySyntaxException noNumber(Token token) {
-    return new QuerySyntaxException(token, "a number must stand here, not " + token.quoted());
+    return new QuerySyntaxException(token, "a number is expected here, not " + token.quoted());
   }
 
   /** An angle in degrees; the second direction negates it. */

@@ -1,5 +1,6 @@
 package org.dfra.core.robot;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
@@ -30,8 +31,12 @@ public final class LocalRobot implements AutoCloseable {
   private final String name;
   private final InMemoryModuleDirectory directory;
   private final List<ModuleImpl> modules = new ArrayList<>();
-  private final List<DirectoryRegistration> listed = new ArrayList<>(); // guarded by this
-  private boolean started; // guarded by this
+
+  @GuardedBy("this")
+  private final List<DirectoryRegistration> listed = new ArrayList<>();
+
+  @GuardedBy("this")
+  private boolean started;
 
   /**
    * Creates its modules.

@@ -1,5 +1,6 @@
 package org.dfra.core.robot;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -15,7 +16,9 @@ import java.util.stream.Collectors;
 public final class ResourceCloser {
 
   private final String whose;
-  private final List<Throwable> failures = new ArrayList<>(); // guarded by this
+
+  @GuardedBy("this")
+  private final List<Throwable> failures = new ArrayList<>();
 
   /**
    * @param owner the owner of the resources, for the message, e.g. {@code robot atrv1}

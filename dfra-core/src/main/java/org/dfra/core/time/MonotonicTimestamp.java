@@ -66,7 +66,7 @@ public record MonotonicTimestamp(String bootId, long nanos) {
   public static MonotonicTimestamp parse(String text) {
     int blank = text.indexOf(' ');
     if (blank < 0) {
-      throw new IllegalArgumentException("\"" + text + "\" is no moment of a boot");
+      throw new IllegalArgumentException("\"" + text + "\" is not a time since a boot");
     }
     return new MonotonicTimestamp(
         text.substring(blank + 1), Long.parseLong(text.substring(0, blank)));

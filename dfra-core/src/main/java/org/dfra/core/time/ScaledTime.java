@@ -93,7 +93,7 @@ public final class ScaledTime implements InstantSource, Scheduler {
       }
     }
     throw new IllegalArgumentException(
-        "\"" + text + "\" is no time; write it like 4x since 2026-11-21T16:00:00Z");
+        "\"" + text + "\" is not a time; write it like 4x since 2026-11-21T16:00:00Z");
   }
 
   /** Seconds of this time per real second. */

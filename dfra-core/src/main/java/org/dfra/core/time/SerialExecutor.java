@@ -1,5 +1,6 @@
 package org.dfra.core.time;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.Queue;
@@ -202,8 +203,12 @@ public final class SerialExecutor implements Executor, AutoCloseable {
     private final Runnable task;
     private final CountDownLatch begun = new CountDownLatch(1);
     private final CountDownLatch over = new CountDownLatch(1);
-    private @Nullable Throwable failure; // guarded by this
-    private boolean isAbandoned; // guarded by this
+
+    @GuardedBy("this")
+    private @Nullable Throwable failure;
+
+    @GuardedBy("this")
+    private boolean isAbandoned;
 
     Awaited(Runnable task) {
       this.task = task;

@@ -41,7 +41,7 @@ public record Timing(Duration took, Duration stalled, double load, Duration stol
    * The system property that is {@code true} if {@code ./dfra test} reports bounds that were missed
    * during an overload. Otherwise load excuses nothing.
    */
-  public static final String REPEATS = "dfra.repeats";
+  public static final String REPEATS = "dfra.test.repeats-overloaded";
 
   /** Below this sum of stalls the computer is assumed to have run its programs on time. */
   private static final Duration STALL = Duration.ofMillis(100);

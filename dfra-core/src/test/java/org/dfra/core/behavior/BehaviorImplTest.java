@@ -12,37 +12,37 @@ import org.dfra.module.NotReadyException;
 import org.dfra.persona.BehaviorAttributes;
 import org.junit.jupiter.api.Test;
 
-/** What a behaviour does for those who ask it for a goal. */
+/** What a behaviour does for the clients that give it goals. */
 class BehaviorImplTest extends GenieFixture {
 
   @Test
-  void reachesAGoalAndTellsHowFarItIs() throws Exception {
+  void reachesAGoalAndReportsItsProgress() throws Exception {
     assertThat(genie.status().phase()).isEqualTo(Phase.IDLE);
     UUID goal = genie.pursue(new Wish("gold"));
     turns.add(GoalProgress.inProgress("it digs", 0.4));
-    awaitTold("it digs");
+    awaitPublished("it digs");
     turns.add(GoalProgress.inProgress("it digs on", 0.3)); // never falls
-    awaitTold("it digs on");
+    awaitPublished("it digs on");
     assertThat(genie.status().completion()).isEqualTo(0.4);
     turns.add(GoalProgress.reached("here it is"));
     awaitPhase(genie, Phase.SUCCEEDED);
-    awaitTold("here it is");
+    awaitPublished("here it is");
     assertThat(genie.status().goal()).isEqualTo(goal);
     assertThat(genie.status().completion()).isEqualTo(1);
-    assertThat(rests.get()).as("comes to rest").isEqualTo(1);
-    assertThat(told).allMatch(status -> goal.equals(status.goal()));
+    assertThat(rests.get()).as("it is suspended once").isEqualTo(1);
+    assertThat(published).allMatch(status -> goal.equals(status.goal()));
   }
 
   @Test
   void countsThePartsOfItsGoal() throws Exception {
     UUID unused = genie.pursue(new Wish("three wishes"));
     turns.add(GoalProgress.inProgress("it grants", 0.4).withSkippedParts(1).withParts(1, 3));
-    awaitTold("it grants");
+    awaitPublished("it grants");
     turns.add(
         GoalProgress.inProgress("it grants", 0.4)
             .withSkippedParts(1)
-            .withParts(2, 3)); // same words: news
-    await().atMost(PATIENCE).until(() -> told.get(told.size() - 1).completedParts() == 2);
+            .withParts(2, 3)); // the same activity, and yet a new status
+    await().atMost(PATIENCE).until(() -> published.get(published.size() - 1).completedParts() == 2);
     genie.pause();
     BehaviorStatus paused = genie.status();
     assertThat(paused.completedParts()).isEqualTo(2);
@@ -54,7 +54,7 @@ class BehaviorImplTest extends GenieFixture {
   void pausesKeepsTheGoalAndGoesOn() throws Exception {
     UUID goal = genie.pursue(new Wish("gold"));
     turns.add(GoalProgress.inProgress("it digs", 0.4));
-    awaitTold("it digs");
+    awaitPublished("it digs");
 
     genie.pause();
     int paused = steps.get();
@@ -65,7 +65,7 @@ class BehaviorImplTest extends GenieFixture {
     assertThatThrownBy(() -> genie.pursue(new Wish("silver")))
         .isInstanceOf(GoalRefusedException.class)
         .hasMessage(
-            "atrv1/genie is at another goal (it was told to pause); cancel that first, or wait for"
+            "atrv1/genie pursues another goal (a client paused it); cancel that first, or wait for"
                 + " its end");
     assertThat(steps.get()).as("no turns while it is paused").isEqualTo(paused);
 
@@ -139,7 +139,7 @@ class BehaviorImplTest extends GenieFixture {
   }
 
   @Test
-  void tellsItsPhaseInItsPersona() throws Exception {
+  void publishesItsPhaseInItsPersona() throws Exception {
     assertThat(genie.attributes()).contains(new BehaviorAttributes("Wish", false, "IDLE", 50));
     UUID unused = genie.pursue(new Wish("gold"));
     assertThat(genie.attributes()).contains(new BehaviorAttributes("Wish", false, "RUNNING", 50));

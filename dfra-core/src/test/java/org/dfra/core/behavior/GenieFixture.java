@@ -39,10 +39,10 @@ abstract class GenieFixture {
   private final InMemoryModuleDirectory directory = new InMemoryModuleDirectory();
   final Genie genie = new Genie("genie");
 
-  /** What the next turns come to; the last goes for all that follow. */
+  /** The results of the next cycles; the last one holds for all later cycles. */
   final LinkedBlockingQueue<Object> turns = genie.script;
 
-  final List<BehaviorStatus> told = new CopyOnWriteArrayList<>();
+  final List<BehaviorStatus> published = new CopyOnWriteArrayList<>();
 
   final class Genie extends BehaviorImpl<Wish> {
 
@@ -105,7 +105,7 @@ abstract class GenieFixture {
         genie.subscribe(
             delivery -> {
               if (delivery.event() instanceof ModuleEvent.NewReading fresh) {
-                told.add((BehaviorStatus) fresh.reading());
+                published.add((BehaviorStatus) fresh.reading());
               }
             },
             DeliveryPolicy.keepLast(1000));
@@ -121,9 +121,9 @@ abstract class GenieFixture {
     await().atMost(PATIENCE).until(() -> genie.status().phase() == phase);
   }
 
-  void awaitTold(String doing) {
+  void awaitPublished(String doing) {
     await()
         .atMost(PATIENCE)
-        .until(() -> told.stream().anyMatch(status -> status.activity().equals(doing)));
+        .until(() -> published.stream().anyMatch(status -> status.activity().equals(doing)));
   }
 }

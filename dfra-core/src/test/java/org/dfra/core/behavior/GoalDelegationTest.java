@@ -22,7 +22,7 @@ import org.dfra.core.directory.InMemoryModuleDirectory;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleDependency;
 import org.dfra.directory.Locality;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
@@ -139,7 +139,7 @@ class GoalDelegationTest {
   }
 
   @Test
-  void tellsHowFarTheOtherIsAndHasItGiveUp() throws Exception {
+  void reportsTheStatusOfTheDelegateAndCancelsIt() throws Exception {
     assertThat(delegation.status()).isEmpty();
     delegation.start(new Wish());
     assertThat(delegation.status()).map(BehaviorStatus::goal).contains(goal);
@@ -154,14 +154,14 @@ class GoalDelegationTest {
     UUID begun = delegation.goal().orElseThrow();
     delegation.forget(); // as a process does that dies
     assertThat(delegation.status()).isEmpty();
-    assertThat(delegation.adopt(UUID.randomUUID())).as("it is at something else").isFalse();
+    assertThat(delegation.adopt(UUID.randomUUID())).as("it pursues another goal").isFalse();
     delegation.cancel();
     assertThat(phase).isEqualTo(Phase.RUNNING);
     assertThat(delegation.adopt(begun)).isTrue();
     assertThat(delegation.status()).map(BehaviorStatus::goal).contains(begun);
     delegation.cancel();
     assertThat(phase).isEqualTo(Phase.CANCELLED);
-    assertThat(delegation.adopt(begun)).as("it is at it no more").isFalse();
+    assertThat(delegation.adopt(begun)).as("it does not pursue it any more").isFalse();
     isCutOff = true;
     assertThatThrownBy(() -> delegation.adopt(begun)).isInstanceOf(RemoteException.class);
   }
@@ -205,7 +205,7 @@ class GoalDelegationTest {
     losesAnswers = true;
     assertThatThrownBy(() -> delegation.start(new Wish())).isInstanceOf(RemoteException.class);
     assertThat(phase).isEqualTo(Phase.RUNNING);
-    delegation.cancel(); // as the behaviour does that comes to rest
+    delegation.cancel(); // as a behaviour does that is suspended
     assertThat(phase).isEqualTo(Phase.CANCELLED);
   }
 
@@ -225,7 +225,7 @@ class GoalDelegationTest {
   }
 
   @Test
-  void whoCannotBeToldToStopIsToldAgainUntilItAnswers() throws Exception {
+  void aCancellationThatFailsIsRepeatedUntilItIsAnswered() throws Exception {
     delegation.start(new Wish());
     isCutOff = true;
     delegation.cancel();
@@ -235,22 +235,22 @@ class GoalDelegationTest {
   }
 
   @Test
-  void whatSomebodyStoppedWhileItDidNotAnswerIsNotBegunAnewByItself() throws Exception {
+  void whatSomebodyStoppedWhileItDidNotAnswerIsNotRestartedByItself() throws Exception {
     delegation.start(new Wish());
     isCutOff = true;
-    delegation.cancel(); // as the behaviour does that comes to rest
+    delegation.cancel(); // as a behaviour does that is suspended
     stopped();
     isCutOff = false;
     assertThatThrownBy(() -> delegation.start(new Wish()))
         .isInstanceOf(DelegateHeldException.class)
         .hasMessageContaining("was stopped while it did not answer");
     assertThat(phase).isEqualTo(Phase.CANCELLED);
-    delegation.start(new Wish()); // a person has the behaviour go on
+    delegation.start(new Wish()); // a person resumes the behaviour
     assertThat(phase).isEqualTo(Phase.RUNNING);
   }
 
   @Test
-  void whatSomebodyStoppedWhoseAnswerWasLostIsNotBegunAnewByItself() {
+  void whatSomebodyStoppedWhoseAnswerWasLostIsNotRestartedByItself() {
     losesAnswers = true;
     assertThatThrownBy(() -> delegation.start(new Wish())).isInstanceOf(RemoteException.class);
     stopped();
@@ -260,7 +260,7 @@ class GoalDelegationTest {
   }
 
   @Test
-  void whatNobodyKnowsAnyMoreIsNotBegunAnewByItself() throws Exception {
+  void aGoalThatTheDelegateLostIsNotRestartedByItself() throws Exception {
     delegation.start(new Wish());
     isCutOff = true;
     delegation.cancel();
@@ -269,7 +269,7 @@ class GoalDelegationTest {
     isCutOff = false;
     assertThatThrownBy(() -> delegation.start(new Wish()))
         .isInstanceOf(DelegateHeldException.class)
-        .hasMessageContaining("forgot its goal");
+        .hasMessageContaining("lost its goal");
   }
 
   private void stopped() {

@@ -15,11 +15,11 @@ import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.behavior.GoalRefusedException;
 import org.dfra.flow.effector.BrakeEngagedException;
 import org.dfra.flow.effector.CommandRefusedByEmergencyStopException;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.junit.jupiter.api.Test;
 
-/** What the steps of a goal come to, also where one is held up or fails. */
+/** The results of the steps of a goal, also where one is held up or fails. */
 class GoalExecutorTest extends GenieFixture {
 
   @Test
@@ -34,14 +34,14 @@ class GoalExecutorTest extends GenieFixture {
   void waitsAtRestForWhatIsMissingAndGoesOn() throws Exception {
     UUID goal = genie.pursue(new Wish("gold"));
     turns.add(GoalProgress.inProgress("it digs", 0.4));
-    awaitTold("it digs");
+    awaitPublished("it digs");
     turns.add(new NotReadyException("atrv1/laser", Readiness.INITIALIZING, "no scan has come yet"));
-    awaitTold("it waits: atrv1/laser is INITIALIZING: no scan has come yet");
+    awaitPublished("it waits: atrv1/laser is INITIALIZING: no scan has come yet");
     assertThat(rests.get()).isGreaterThan(0);
     turns.add(new RemoteException("it is out of reach"));
-    awaitTold("it waits: it is out of reach");
+    awaitPublished("it waits: it is out of reach");
     turns.add(new RemoteException("the link broke", new java.io.IOException("reset")));
-    awaitTold("it waits: a call failed: the link broke");
+    awaitPublished("it waits: a call failed: the link broke");
     assertThat(genie.status().phase()).isEqualTo(Phase.RUNNING);
     turns.add(GoalProgress.reached("here it is"));
     awaitPhase(genie, Phase.SUCCEEDED);
@@ -57,12 +57,12 @@ class GoalExecutorTest extends GenieFixture {
     awaitPhase(genie, Phase.CANCELLED);
     assertThat(genie.status().activity()).isEqualTo("atrv1/drive is stopped for an emergency");
     assertThat(rests.get()).isPositive();
-    turns.add(GoalProgress.inProgress("it digs", 0.4)); // it is released: a turn would take this
+    turns.add(GoalProgress.inProgress("it digs", 0.4)); // it is released: a cycle would take this
     int stepped = steps.get();
     UUID again = genie.pursue(new Wish("silver"));
-    awaitTold("it digs");
-    assertThat(steps.get()).as("only for who asked anew").isGreaterThan(stepped);
-    assertThat(told)
+    awaitPublished("it digs");
+    assertThat(steps.get()).as("only for the new goal").isGreaterThan(stepped);
+    assertThat(published)
         .filteredOn(each -> each.activity().equals("it digs"))
         .allMatch(each -> again.equals(each.goal()));
   }
@@ -99,7 +99,7 @@ class GoalExecutorTest extends GenieFixture {
   }
 
   @Test
-  void whoPausesOrCancelsIsObeyedThoughATurnIsHeldUp() throws Exception {
+  void pausingAndCancellingTakeEffectThoughACycleIsHeldUp() throws Exception {
     UUID goal = genie.pursue(new Wish("gold"));
     CountDownLatch mayEnd = new CountDownLatch(1);
     CountDownLatch held = hold(mayEnd);
@@ -112,18 +112,18 @@ class GoalExecutorTest extends GenieFixture {
             "atrv1/genie waits for a module that does not answer; ask again in a few seconds");
     genie.cancel();
     assertThat(genie.status().phase()).isEqualTo(Phase.CANCELLED);
-    assertThat(rests.get()).as("the turn is under way still").isZero();
+    assertThat(rests.get()).as("the cycle still runs").isZero();
     mayEnd.countDown();
     await().atMost(PATIENCE).until(() -> rests.get() == 1);
     assertThat(genie.status().phase())
-        .as("what the turn came to is late")
+        .as("the result of the cycle comes too late")
         .isEqualTo(Phase.CANCELLED);
     assertThat(genie.status().goal()).isEqualTo(goal);
     assertThat(genie.pursue(new Wish("silver"))).isNotEqualTo(goal);
   }
 
   @Test
-  void closesThoughATurnIsHeldUpAndTellsWhoAsks() throws Exception {
+  void closesThoughACycleIsHeldUpAndReportsThatToCallers() throws Exception {
     UUID unused = genie.pursue(new Wish("gold"));
     CountDownLatch held = hold(new CountDownLatch(1)); // it is interrupted
     assertThat(held.await(20, TimeUnit.SECONDS)).isTrue();
@@ -140,7 +140,7 @@ class GoalExecutorTest extends GenieFixture {
                     .noneMatch(thread -> thread.getName().endsWith(" atrv1/genie")));
   }
 
-  /** The next turn waits; the answer is counted down when it does. */
+  /** The next cycle waits; the latch that is returned is counted down when it does. */
   private CountDownLatch hold(CountDownLatch mayEnd) {
     CountDownLatch held = new CountDownLatch(1);
     turns.add(
@@ -185,8 +185,8 @@ class GoalExecutorTest extends GenieFixture {
   @Test
   void waitsWhereAnotherIsBusyAndFailsWhereItRefuses() throws Exception {
     UUID unused = genie.pursue(new Wish("gold"));
-    turns.add(GoalRefusedException.busy("atrv1/lamp is at another goal"));
-    awaitTold("it waits: atrv1/lamp is at another goal");
+    turns.add(GoalRefusedException.busy("atrv1/lamp pursues another goal"));
+    awaitPublished("it waits: atrv1/lamp pursues another goal");
     turns.add(new GoalRefusedException("there is no gold"));
     awaitPhase(genie, Phase.FAILED);
     assertThat(genie.status().activity()).contains("there is no gold");

@@ -30,14 +30,14 @@ import org.dfra.event.ModuleListener;
 import org.dfra.event.Reading;
 import org.dfra.event.Subscription;
 import org.dfra.flow.sensor.Sensor;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ModuleAttributes;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A chain in one virtual machine: two thermometers, and a schema that tells Kelvin. */
+/** A chain in one virtual machine: two thermometers, and a schema that reports Kelvin. */
 @Timeout(60)
 class ChainTest {
 
@@ -179,14 +179,15 @@ class ChainTest {
     ToKelvin other = new ToKelvin("again");
     directory.add(other);
     assertThatThrownBy(() -> schema.setInputs(List.of("atrv1/again")))
-        .hasMessage("atrv1/to_kelvin cannot be wired to atrv1/again: it is no TemperatureSensor");
+        .hasMessage(
+            "atrv1/to_kelvin cannot be wired to atrv1/again: it is not of type TemperatureSensor");
     assertThat(schema.inputs()).containsExactly("atrv1/indoors");
     awaitClient(indoors);
     other.close();
   }
 
   @Test
-  void listensAnewToAModuleThatWasStartedAgainWhereItWas() {
+  void subscribesAgainToAModuleThatWasRestartedInPlace() {
     UUID id = UUID.randomUUID();
     AtomicReference<Thermometer> behind = new AtomicReference<>(indoors);
     TemperatureSensor proxy = proxy(behind, new AtomicInteger());
@@ -197,7 +198,7 @@ class ChainTest {
     Thermometer reborn = new Thermometer("atrv1", "indoors");
     reborn.start();
     behind.set(reborn);
-    directory.put(id, proxy, attributes("second life"), Locality.SAME_VM); // it is listed anew
+    directory.put(id, proxy, attributes("second life"), Locality.SAME_VM); // it is listed again
     awaitClient(reborn);
     reborn.measure(20);
     await().atMost(PATIENCE).until(() -> reported.contains(293.15));

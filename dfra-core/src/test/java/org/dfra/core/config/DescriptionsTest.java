@@ -13,12 +13,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.dfra.core.config.RobotDescription.GroupDescription;
 import org.junit.jupiter.api.Test;
 
-/** The records check themselves, whoever makes them. */
+/** The records validate themselves, whatever creates them. */
 class DescriptionsTest {
 
-  private static final Place PLACE = new Place("robot.xml", 7);
+  private static final SourceLocation PLACE = new SourceLocation("robot.xml", 7);
 
   private static ModuleDescription module(String name) {
     return new ModuleDescription(
@@ -45,10 +46,10 @@ class DescriptionsTest {
   @Test
   void aPlaceIsWrittenAsCompilersWriteIt() {
     assertThat(PLACE).hasToString("robot.xml:7");
-    assertThat(new Place("robot.xml", 0)).hasToString("robot.xml");
-    assertThatThrownBy(() -> new Place("robot.xml", -1))
+    assertThat(new SourceLocation("robot.xml", 0)).hasToString("robot.xml");
+    assertThatThrownBy(() -> new SourceLocation("robot.xml", -1))
         .hasMessage("line -1 of robot.xml is below 0");
-    assertThatThrownBy(() -> new Place(" ", 1)).hasMessage("a place names no file");
+    assertThatThrownBy(() -> new SourceLocation(" ", 1)).hasMessage("a place names no file");
   }
 
   @Test
@@ -86,7 +87,7 @@ class DescriptionsTest {
                     Parameters.of("x", Map.of()),
                     PLACE))
         .hasMessage(
-            "robot.xml:7: the proxy of module gps is \"a.\", which is no class name;"
+            "robot.xml:7: the proxy of module gps is \"a.\", which is not a class name;"
                 + " write the full name of a Java class");
     assertThatThrownBy(
             () ->

@@ -50,7 +50,7 @@ class ModulePropertiesTest {
                 + "  ! another\r\n"
                 + "proxy:a.\\\n"
                 + "    Proxy\n"
-                + "driver a.Driver\r"
+                + "implementation a.Driver\r"
                 + "parameter.rate=${RATE}\n"
                 + "parameter.path=C:\\\\\n"
                 + "parameter.note=caf\u00e9 \\u00fc $$\n");
@@ -85,7 +85,7 @@ class ModulePropertiesTest {
 
   @Test
   void anotherEncoding() {
-    assertThat(complaints("driver=caf\u00e9".getBytes(StandardCharsets.ISO_8859_1)))
+    assertThat(complaints("implementation=caf\u00e9".getBytes(StandardCharsets.ISO_8859_1)))
         .containsExactly("m.properties: the file is not UTF-8; save it in that encoding");
   }
 
@@ -93,19 +93,19 @@ class ModulePropertiesTest {
   void unknownKey() {
     assertThat(complaints("sevrer=a.B\nparamater.link=x\nlink=x\nparameter=x"))
         .containsExactly(
-            "m.properties:1: \"sevrer\" is no key of a module; did you mean \"server\"?",
-            "m.properties:2: \"paramater.link\" is no key of a module;"
+            "m.properties:1: \"sevrer\" is not a key of a module; did you mean \"server\"?",
+            "m.properties:2: \"paramater.link\" is not a key of a module;"
                 + " did you mean \"parameter.link\"?",
-            "m.properties:3: \"link\" is no key of a module; write server, proxy, driver or"
-                + " configuration, or parameter.link for what the driver is told",
-            "m.properties:4: \"parameter\" is no key of a module; did you mean \"parameter.\"?");
+            "m.properties:3: \"link\" is not a key of a module; write server, proxy,"
+                + " implementation or configuration, or parameter.link for a parameter",
+            "m.properties:4: \"parameter\" is not a key of a module; did you mean \"parameter.\"?");
   }
 
   @Test
   void duplicateKey() {
-    assertThat(complaints("driver=a.B\n\ndriver=a.C"))
+    assertThat(complaints("implementation=a.B\n\nimplementation=a.C"))
         .containsExactly(
-            "m.properties:3: the key \"driver\" is written twice, first in line 1; delete one");
+            "m.properties:3: the key \"implementation\" is written twice, first in line 1; delete one");
   }
 
   @Test
@@ -113,7 +113,8 @@ class ModulePropertiesTest {
     assertThat(complaints("parameter.=x\nparameter.updateRate=1"))
         .containsExactly(
             "m.properties:1: the parameter name \"\" is not lower_snake_case;"
-                + " write small letters, digits and single underscores, a letter first",
+                + " write lower-case letters, digits and single underscores, beginning with a"
+                + " letter",
             "m.properties:2: the parameter name \"updateRate\" is not lower_snake_case;"
                 + " write \"update_rate\"");
   }

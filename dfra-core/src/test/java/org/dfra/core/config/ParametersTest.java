@@ -13,7 +13,7 @@ class ParametersTest {
 
   private static Parameters parameters(String name, String text) {
     return new Parameters(
-        "atrv1/gps", Map.of(name, new Parameters.Value(text, new Place("robot.xml", 9))));
+        "atrv1/gps", Map.of(name, new Parameters.Value(text, new SourceLocation("robot.xml", 9))));
   }
 
   @Test
@@ -82,7 +82,7 @@ class ParametersTest {
     assertThat(parameters.all().keySet()).containsExactly("a", "b", "c");
     assertThatThrownBy(() -> parameters.all().clear())
         .isInstanceOf(UnsupportedOperationException.class);
-    assertThat(parameters.all().get("a")).isEqualTo(new Parameters.Value("1", Place.CODE));
+    assertThat(parameters.all().get("a")).isEqualTo(new Parameters.Value("1", SourceLocation.CODE));
   }
 
   @Test

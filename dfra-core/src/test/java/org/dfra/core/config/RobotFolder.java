@@ -16,7 +16,7 @@ final class RobotFolder {
   static final String CLASSES =
       "server=org.dfra.river.server.sensor.GPSServer\n"
           + "proxy=org.dfra.river.proxy.sensor.GPSProxy\n"
-          + "driver=org.dfra.drivers.gps.m12.M12PlusImpl\n";
+          + "implementation=org.dfra.drivers.gps.m12.M12PlusImpl\n";
 
   final Map<String, String> variables = new HashMap<>();
 

@@ -12,6 +12,7 @@ import java.util.TreeMap;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.dfra.core.config.RobotXml.RobotXmlSchema;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -72,7 +73,9 @@ class RobotReferenceTest {
         .contains("`" + RobotXmlSchema.NAMESPACE.getURI() + "`")
         .contains("| `port` | default `" + RegistrarDescription.DEFAULT_PORT + "` |")
         .contains(
-            "| `classes` | default `" + RegistrarDescription.DEFAULT_CLASS_SERVER_PORT + "` |");
+            "| `class-server-port` | default `"
+                + RegistrarDescription.DEFAULT_CLASS_SERVER_PORT
+                + "` |");
   }
 
   @Test

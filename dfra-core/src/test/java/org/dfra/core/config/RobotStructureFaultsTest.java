@@ -117,7 +117,7 @@ class RobotStructureFaultsTest {
                     "<jvm-option>-Xmx64<parameter/></jvm-option></group>")
                 .complaints())
         .containsExactly(
-            "robot.xml:2: <lookup> must be empty; delete what stands between its two tags",
+            "robot.xml:2: <lookup> must be empty; delete what is between its two tags",
             "robot.xml:3: <group> holds text beside its elements; delete it",
             "robot.xml:5: <jvm-option> takes no attribute; delete those it has",
             "robot.xml:6: <jvm-option> takes text only; delete the elements in it");

@@ -96,7 +96,7 @@ class RobotValueFaultsTest {
             folder()
                 .xml(
                     "<group name=\"a\">"
-                        + "<registrar from=\"10.0.0.256, 10.0.0.0/24, base\"/></group>")
+                        + "<registrar module-hosts=\"10.0.0.256, 10.0.0.0/24, base\"/></group>")
                 .complaints())
         .containsExactly(
             "robot.xml:2: the registrar's module host \"10.0.0.256\" is not understood; write an"
@@ -123,7 +123,8 @@ class RobotValueFaultsTest {
             "robot.xml:1: the robot name \"ATRV-1\" is not lower_snake_case; write \"atrv_1\"",
             "robot.xml:2: the group name \"GpsFront\" is not lower_snake_case; write \"gps_front\"",
             "robot.xml:3: the module name \"42\" is not lower_snake_case;"
-                + " write small letters, digits and single underscores, a letter first",
+                + " write lower-case letters, digits and single underscores, beginning with a"
+                + " letter",
             "robot.xml:5: the parameter name \"updateRate\" is not lower_snake_case;"
                 + " write \"update_rate\"");
   }
@@ -234,14 +235,14 @@ class RobotValueFaultsTest {
         .containsExactly(
             "robot.xml:3: module gps_front has no server; write server=<class name> in"
                 + " gps.properties",
-            "robot.xml:3: module gps_front has no driver; write driver=<class name> in"
+            "robot.xml:3: module gps_front has no implementation; write implementation=<class name> in"
                 + " gps.properties");
     assertThat(
             folder()
                 .xml("<group name=\"a\"><module name=\"m\" server=\"S\" proxy=\"P\"/></group>")
                 .complaints())
         .containsExactly(
-            "robot.xml:2: module m has no driver; write driver=\"<class name>\" in it,"
+            "robot.xml:2: module m has no implementation; write implementation=\"<class name>\" in it,"
                 + " or name properties that hold it");
   }
 
@@ -250,8 +251,8 @@ class RobotValueFaultsTest {
     assertThat(
             folder().properties(RobotFolder.CLASSES.replace(".M12", "/M12")).module().complaints())
         .containsExactly(
-            "gps.properties:3: the driver of module gps_front is"
-                + " \"org.dfra.drivers.gps.m12/M12PlusImpl\", which is no class name;"
+            "gps.properties:3: the implementation of module gps_front is"
+                + " \"org.dfra.drivers.gps.m12/M12PlusImpl\", which is not a class name;"
                 + " write the full name of a Java class");
   }
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.dfra.core.config.RobotDescription.GroupDescription;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -24,7 +25,7 @@ class RobotXmlTest {
                 <robot xmlns="urn:dfra:robot:1" name="atrv1" host="${DFRA_HOST:-auto}">
                   <lookup groups="field, north" locators="base, jini://relay:4161/"/>
                   <group name="lookup">
-                    <registrar port="${DFRA_PORT:-4170}" classes="8090" restart="false"/>
+                    <registrar port="${DFRA_PORT:-4170}" class-server-port="8090" restart="false"/>
                   </group>
                   <group name="gps">
                     <jvm-option>-Xmx64m</jvm-option>
@@ -47,7 +48,7 @@ class RobotXmlTest {
     assertThat(robot.source()).isEqualTo(folder.path("robot.xml"));
     String xml = folder.path("robot.xml").toString();
     assertThat(robot.registrar())
-        .contains(new RegistrarDescription(4170, 8090, false, new Place(xml, 4)));
+        .contains(new RegistrarDescription(4170, 8090, false, new SourceLocation(xml, 4)));
     GroupDescription gps = robot.groups().get(1);
     assertThat(gps.name()).isEqualTo("gps");
     assertThat(gps.jvmOptions()).containsExactly("-Xmx64m", "-Dx=10.0.0.7");
@@ -59,12 +60,14 @@ class RobotXmlTest {
     assertThat(module.driverClass()).isEqualTo("org.dfra.drivers.gps.m12.M12PlusImpl");
     assertThat(module.configuration()).isNull();
     assertThat(module.restart()).isFalse();
-    assertThat(module.place()).isEqualTo(new Place(xml, 9));
+    assertThat(module.place()).isEqualTo(new SourceLocation(xml, 9));
     assertThat(module.parameters().all())
-        .containsEntry("link", new Parameters.Value("tcp://10.0.0.7:4001", new Place(xml, 10)))
+        .containsEntry(
+            "link", new Parameters.Value("tcp://10.0.0.7:4001", new SourceLocation(xml, 10)))
         .containsEntry(
             "period",
-            new Parameters.Value("1", new Place(folder.path("gps.properties").toString(), 5)));
+            new Parameters.Value(
+                "1", new SourceLocation(folder.path("gps.properties").toString(), 5)));
   }
 
   @Test
@@ -80,9 +83,9 @@ class RobotXmlTest {
     assertThat(robot.lookupGroups()).isEmpty();
     assertThat(robot.locators()).isEmpty();
     assertThat(robot.registrar()).map(RegistrarDescription::port).contains(4160);
-    assertThat(robot.registrar()).map(RegistrarDescription::classes).contains(8085);
+    assertThat(robot.registrar()).map(RegistrarDescription::classServerPort).contains(8085);
     assertThat(robot.registrar()).map(RegistrarDescription::restart).contains(true);
-    assertThat(robot.modules()).allMatch(module -> module.download().isEmpty());
+    assertThat(robot.modules()).allMatch(module -> module.codebase().isEmpty());
     assertThat(robot.modules()).allMatch(ModuleDescription::restart);
   }
 
@@ -114,8 +117,8 @@ class RobotXmlTest {
         folder()
             .xml(
                 "<group name=\"all\">",
-                "<module name=\"gps\" properties=\"gps.properties\" driver=\"a.Other\"/>",
-                "<module name=\"own\" server=\"S\" proxy=\"P\" driver=\"D\"/></group>")
+                "<module name=\"gps\" properties=\"gps.properties\" implementation=\"a.Other\"/>",
+                "<module name=\"own\" server=\"S\" proxy=\"P\" implementation=\"D\"/></group>")
             .readModule();
 
     assertThat(module.driverClass()).isEqualTo("a.Other");
@@ -137,26 +140,27 @@ class RobotXmlTest {
     RobotFolder folder = folder();
     folder.write("a.jar", "");
     folder.write("b.jar", "");
-    folder.properties(RobotFolder.CLASSES + "download=a.jar, b.jar,a.jar,\n").module();
-    assertThat(folder.readModule().download())
+    folder.properties(RobotFolder.CLASSES + "codebase=a.jar, b.jar,a.jar,\n").module();
+    assertThat(folder.readModule().codebase())
         .containsExactly(
             folder.path("a.jar").toAbsolutePath().toString(),
             folder.path("b.jar").toAbsolutePath().toString());
 
-    folder.properties(RobotFolder.CLASSES + "download=b.jar,c.jar\n");
+    folder.properties(RobotFolder.CLASSES + "codebase=b.jar,c.jar\n");
     assertThat(folder.complaints())
         .containsExactly(
-            "gps.properties:4: the download file \"c.jar\" of module gps_front does not exist;"
+            "gps.properties:4: the codebase file \"c.jar\" of module gps_front does not exist;"
                 + " name one, relative to gps.properties");
   }
 
   @Test
   void aRobotMayRunNoClassServer() {
-    RobotFolder folder = folder().xml("<group name=\"a\"><registrar classes=\"off\"/></group>");
+    RobotFolder folder =
+        folder().xml("<group name=\"a\"><registrar class-server-port=\"off\"/></group>");
     assertThat(folder.read().registrar().orElseThrow().hasClassServer()).isFalse();
 
     for (String wrong : List.of("0", "x", "")) {
-      folder.xml("<group name=\"a\"><registrar classes=\"" + wrong + "\"/></group>");
+      folder.xml("<group name=\"a\"><registrar class-server-port=\"" + wrong + "\"/></group>");
       assertThat(folder.complaints())
           .containsExactly(
               "robot.xml:2: the class server's port is \""

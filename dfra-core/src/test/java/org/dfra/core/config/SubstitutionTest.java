@@ -10,7 +10,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class SubstitutionTest {
 
-  private static final Place PLACE = new Place("robot.xml", 3);
+  private static final SourceLocation PLACE = new SourceLocation("robot.xml", 3);
 
   private final ConfigurationFaults faults = new ConfigurationFaults();
   private final Substitution substitution =
@@ -51,8 +51,8 @@ class SubstitutionTest {
         "100$ | the dollar in \"100$\" begins no variable",
         "x${} | \"${}\" names no variable",
         "${1A} | \"${1A}\" names no variable",
-        "x${HOST | \"${HOST\" is no variable",
-        "${HOST-x} | \"${HOST-x}\" is no variable",
+        "x${HOST | \"${HOST\" is not a variable",
+        "${HOST-x} | \"${HOST-x}\" is not a variable",
         "${NONE:-x | \"${NONE:-x\" lacks its closing brace",
       })
   void refusesABadEscape(String text, String sentence) {

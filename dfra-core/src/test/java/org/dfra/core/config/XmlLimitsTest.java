@@ -4,13 +4,16 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 class XmlLimitsTest {
 
   @TempDir Path temp;
 
+  /** Without the limit the parser needs minutes, and does not notice an interruption. */
   @Test
+  @Timeout(value = 30, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
   void refusesElementsThatAreNestedDeeperThanAnyRobot() {
     RobotFolder folder = nested(200_000);
 

@@ -60,12 +60,12 @@ class CommandArbiterTest {
   }
 
   @Test
-  void obeysItsCommanderAndNobodyElse() throws Exception {
+  void executesCommandsOfItsCommanderAndOfNobodyElse() throws Exception {
     CommandKey stranger = new CommandKey(UUID.randomUUID());
     assertThatThrownBy(() -> arbiter.execute(stranger, () -> reported.add("done")))
         .isInstanceOf(CommandRefusedException.class)
         .hasMessage(
-            "atrv1/wheels has no commander, and this key counts no longer; ask it for a command"
+            "atrv1/wheels has no commander, and this key is not valid any more; request a command"
                 + " lease");
     CommandKey key = take("a client at 192.0.2.7");
     assertThat(arbiter.isHeldBy(key)).isTrue();
@@ -87,14 +87,14 @@ class CommandArbiterTest {
         .isInstanceOf(LeaseRefusedException.class)
         .hasMessage(
             "atrv1/wheels is commanded by a client at 192.0.2.7 since 1970-01-01T00:00:00Z; wait"
-                + " until it lets go, or have its lease "
+                + " until it releases its lease, or have its lease "
                 + LeaseHandle.of(LEASE)
                 + " revoked");
     assertThat(arbiter.isHeldBy(first)).isTrue();
   }
 
   @Test
-  void anEndedLeaseIsToldOnceAndDoesNotEndTheNext() throws Exception {
+  void anEndedLeaseIsReportedOnceAndDoesNotEndTheNext() throws Exception {
     CommandKey first = take("the first");
     Runnable firstOver = over;
     firstOver.run();
@@ -109,7 +109,7 @@ class CommandArbiterTest {
   }
 
   @Test
-  void aLeaseThatIsNotGrantedLeavesTheHelmFreeAndNothingComesToRest() throws Exception {
+  void aLeaseThatIsNotGrantedLeavesTheEffectorFreeAndHaltsNothing() throws Exception {
     assertThatThrownBy(
             () ->
                 arbiter.acquire(
@@ -168,18 +168,18 @@ class CommandArbiterTest {
   }
 
   @Test
-  void tellsNobodyTheSecret() throws Exception {
+  void revealsTheSecretToNobody() throws Exception {
     CommandKey key = take("a client");
     assertThat(key.toString()).doesNotContain(key.secret().toString());
     assertThatThrownBy(() -> take("another")).hasMessageNotContaining(key.secret().toString());
   }
 
   private static final String REFUSAL =
-      "atrv1/wheels is stopped for an emergency since 1970-01-01T00:00:00Z, by ops, and obeys"
-          + " nobody; when it is safe, release it: ./dfra stop --release atrv1";
+      "atrv1/wheels is stopped for an emergency since 1970-01-01T00:00:00Z, by ops, and executes"
+          + " no commands; when it is safe, release it: ./dfra stop --release atrv1";
 
   @Test
-  void obeysNobodyWhileItIsStopped() throws Exception {
+  void executesNothingWhileItIsStopped() throws Exception {
     CommandKey key = take("a client");
     assertThat(stop.engage("ops")).isTrue();
     assertThatThrownBy(() -> arbiter.execute(key, () -> reported.add("done")))
@@ -200,7 +200,7 @@ class CommandArbiterTest {
     assertThat(arbiter.isHeldBy(next)).isFalse();
   }
 
-  /** As where the driver came to rest, and executes the next commander's command by now. */
+  /** As where the driver has stopped, and now executes the next commander's command. */
   @Test
   void aCommandIsNotCalledOffForARestThatIsNotOwedAnyMore() throws Exception {
     List<String> struck = new CopyOnWriteArrayList<>();

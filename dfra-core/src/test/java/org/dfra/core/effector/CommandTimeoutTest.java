@@ -60,7 +60,7 @@ class CommandTimeoutTest {
   private CompletableFuture<Void> holdUp(CommandKey key) {
     heldUp.turnHeldUp = write;
     CompletableFuture<Void> writing = command(key, AHEAD);
-    await().atMost(PATIENCE).until(() -> heldUp.told.contains(TURNED));
+    await().atMost(PATIENCE).until(() -> heldUp.commands.contains(TURNED));
     return writing;
   }
 
@@ -79,7 +79,7 @@ class CommandTimeoutTest {
       await()
           .pollInterval(Duration.ofMillis(5))
           .atMost(PATIENCE)
-          .until(() -> other.told.contains("halt"));
+          .until(() -> other.commands.contains("halt"));
       Timing halted = begun.stop();
       assertThat(writing).as("the first is held up all the while").isNotDone();
       assertThat(other.driveState().commandTimeouts()).isEqualTo(1);
@@ -93,7 +93,7 @@ class CommandTimeoutTest {
     CompletableFuture<Void> writing = holdUp(key);
     CompletableFuture<Void> waiting = command(key, LATER);
     long asked = System.nanoTime();
-    await().atMost(PATIENCE).until(() -> heldUp.told.contains("halt"));
+    await().atMost(PATIENCE).until(() -> heldUp.commands.contains("halt"));
     assertThat(writing).isNotDone();
     await()
         .atMost(PATIENCE)
@@ -102,26 +102,26 @@ class CommandTimeoutTest {
     write.countDown();
     writing.get(20, TimeUnit.SECONDS);
     assertThatThrownBy(() -> waiting.get(20, TimeUnit.SECONDS))
-        .as("whoever commanded it has given up on it long ago")
+        .as("its sender gave up on it long ago")
         .isInstanceOf(ExecutionException.class)
         .hasCauseInstanceOf(CommandRefusedException.class)
         .hasMessageContaining("was held up by an earlier command for ")
         .hasMessageContaining("is too old and was not executed");
-    assertThat(heldUp.told.subList(0, 3)).containsExactly(TURNED, "halt", "halt");
-    assertThat(heldUp.told).doesNotContain("turn 0.7 0.0");
+    assertThat(heldUp.commands.subList(0, 3)).containsExactly(TURNED, "halt", "halt");
+    assertThat(heldUp.commands).doesNotContain("turn 0.7 0.0");
     assertThat(heldUp.driveState().velocity()).isEqualTo(Velocity.ZERO);
     heldUp.execute(key, LATER);
-    assertThat(heldUp.told).as("what is fresh is executed").contains("turn 0.7 0.0");
+    assertThat(heldUp.commands).as("what is fresh is executed").contains("turn 0.7 0.0");
   }
 
   @Test
   void anotherIsStoppedForAnEmergencyWhileADriverIsHeldUp() throws Exception {
     CompletableFuture<Void> writing = holdUp(heldUp.acquireCommandLease(LEASE).key());
-    await().atMost(PATIENCE).until(() -> heldUp.told.contains("halt")); // its time-out has come
+    await().atMost(PATIENCE).until(() -> heldUp.commands.contains("halt")); // its time-out has come
     other.execute(other.acquireCommandLease(LEASE).key(), AHEAD);
     EmergencyStopState stopped = other.emergencyStop("a test");
     assertThat(stopped.haltCommanded()).isTrue();
-    assertThat(other.told).contains("halt");
+    assertThat(other.commands).contains("halt");
     assertThat(writing).isNotDone();
   }
 
@@ -129,7 +129,7 @@ class CommandTimeoutTest {
   void theEndOfALeaseOnADriverThatIsHeldUpHoldsUpNoTimer() throws Exception {
     CommandKey key = heldUp.commandArbiter().acquire("a test", over -> grant(over));
     CompletableFuture<Void> writing = holdUp(key);
-    await().atMost(PATIENCE).until(() -> heldUp.told.contains("halt"));
+    await().atMost(PATIENCE).until(() -> heldUp.commands.contains("halt"));
     CountDownLatch timer = new CountDownLatch(1);
     Object unused =
         Scheduler.system().after(TimeUnit.SECONDS.toNanos(3), timer::countDown); // after its end

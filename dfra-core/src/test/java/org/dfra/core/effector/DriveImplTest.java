@@ -16,7 +16,7 @@ import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.DriveCommand.Brake;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.lease.LeaseRefusedException;
-import org.dfra.module.Incident;
+import org.dfra.lifecycle.Incident;
 import org.dfra.module.NotReadyException;
 import org.dfra.persona.DriveAttributes;
 import org.junit.jupiter.api.AfterEach;
@@ -51,28 +51,28 @@ class DriveImplTest {
   void haltsExactlyWhenTheSilenceIsTooLong() throws Exception {
     wheels.execute(key(), AHEAD);
     time.step(Duration.ofMillis(300).minusNanos(1));
-    assertThat(wheels.told).containsExactly("turn 0.5 0.0");
+    assertThat(wheels.commands).containsExactly("turn 0.5 0.0");
     time.step(Duration.ofNanos(1));
-    assertThat(wheels.told).containsExactly("turn 0.5 0.0", "halt");
+    assertThat(wheels.commands).containsExactly("turn 0.5 0.0", "halt");
     assertThat(wheels.driveState().velocity()).isEqualTo(Velocity.ZERO);
     assertThat(wheels.driveState().commandTimeouts()).isEqualTo(1);
     time.step(Duration.ofSeconds(10));
-    assertThat(wheels.told).as("said once").hasSize(2);
+    assertThat(wheels.commands).as("said once").hasSize(2);
     assertThat(time.waiting()).as("only the history's own tasks").isLessThanOrEqualTo(1);
   }
 
   @Test
-  void everyVelocityWindsTheWatchUpAnew() throws Exception {
+  void everyVelocityRestartsTheCommandTimeout() throws Exception {
     CommandKey key = key();
     for (int i = 0; i < 50; i++) {
       wheels.execute(key, AHEAD);
       time.step(Duration.ofMillis(250));
     }
-    assertThat(wheels.told).hasSize(50).doesNotContain("halt");
+    assertThat(wheels.commands).hasSize(50).doesNotContain("halt");
     time.step(Duration.ofMillis(50).minusNanos(1));
-    assertThat(wheels.told).doesNotContain("halt");
+    assertThat(wheels.commands).doesNotContain("halt");
     time.step(Duration.ofNanos(1));
-    assertThat(wheels.told).endsWith("halt");
+    assertThat(wheels.commands).endsWith("halt");
   }
 
   @Test
@@ -81,7 +81,7 @@ class DriveImplTest {
     wheels.execute(key, AHEAD);
     wheels.execute(key, Velocity.ZERO);
     time.step(Duration.ofSeconds(1));
-    assertThat(wheels.told).containsExactly("turn 0.5 0.0", "turn 0.0 0.0");
+    assertThat(wheels.commands).containsExactly("turn 0.5 0.0", "turn 0.0 0.0");
     assertThat(wheels.driveState().commandTimeouts()).isZero();
   }
 
@@ -89,20 +89,28 @@ class DriveImplTest {
   void aShorterSilenceCountsAtOnce() throws Exception {
     wheels.execute(key(), AHEAD);
     time.step(Duration.ofMillis(100));
-    wheels.setParameter("longest_silence", "0.2");
+    wheels.setParameter("command_timeout", "0.2");
     time.step(Duration.ofMillis(100).minusNanos(1));
-    assertThat(wheels.told).doesNotContain("halt");
+    assertThat(wheels.commands).doesNotContain("halt");
     time.step(Duration.ofNanos(1));
-    assertThat(wheels.told).endsWith("halt");
+    assertThat(wheels.commands).endsWith("halt");
+  }
+
+  @Test
+  void theOldNameOfAParameterCanStillBeSet() {
+    wheels.setParameter("longest_silence", "0.2");
+    assertThat(wheels.parameters())
+        .anyMatch(each -> each.name().equals("command_timeout") && each.value().equals("0.2"))
+        .noneMatch(each -> each.name().equals("longest_silence"));
   }
 
   @Test
   void aSilenceThatIsOverByTheNewMeasureHaltsAtOnce() throws Exception {
     wheels.execute(key(), AHEAD);
     time.step(Duration.ofMillis(200));
-    wheels.setParameter("longest_silence", "0.1");
+    wheels.setParameter("command_timeout", "0.1");
     time.step(Duration.ZERO);
-    assertThat(wheels.told).endsWith("halt");
+    assertThat(wheels.commands).endsWith("halt");
   }
 
   @ParameterizedTest
@@ -122,7 +130,7 @@ class DriveImplTest {
     assertThat(got.speed()).isCloseTo(most, within(1e-12));
     assertThat(got.yawRate()).isCloseTo(mostTurn, within(1e-12));
     assertThat(got.yawRate() * speed).as("radius").isCloseTo(got.speed() * turnRate, within(1e-9));
-    assertThat(wheels.told).containsExactly("turn " + got.speed() + " " + got.yawRate());
+    assertThat(wheels.commands).containsExactly("turn " + got.speed() + " " + got.yawRate());
   }
 
   @Test
@@ -134,22 +142,22 @@ class DriveImplTest {
     assertThat(wheels.attributes()).contains(new DriveAttributes(0.2, 2, 0.78, 0.64));
     assertThatThrownBy(() -> wheels.setParameter("max_speed", "1.5"))
         .hasMessageContaining("which is not a number from 0.01 to 1 m/s");
-    assertThatThrownBy(() -> wheels.setParameter("longest_silence", "0.4"))
+    assertThatThrownBy(() -> wheels.setParameter("command_timeout", "0.4"))
         .hasMessageContaining("which is not a number from 0.05 to 0.35 s");
   }
 
   @Test
   void whatItNeedsForBrakingLimitsTheSilence() {
-    assertThatThrownBy(() -> new ScriptedWheels(time, Map.of("longest_silence", "0.36")))
+    assertThatThrownBy(() -> new ScriptedWheels(time, Map.of("command_timeout", "0.36")))
         .isInstanceOf(ConfigurationException.class)
-        .hasMessageContaining("longest_silence is \"0.36\", which is not a number from 0.05 to");
+        .hasMessageContaining("command_timeout is \"0.36\", which is not a number from 0.05 to");
     assertThatThrownBy(() -> new ScriptedWheels(time, Map.of(), 0.46))
         .hasMessage(
-            "atrv1/wheels needs 0.46 s to stand, more than 0.45 s; brake harder or drive"
+            "atrv1/wheels needs 0.46 s to stop, more than 0.45 s; brake harder or drive"
                 + " slower");
     try (ScriptedWheels heavy = new ScriptedWheels(time, Map.of(), 0.4)) {
       assertThat(heavy.parameters())
-          .anyMatch(each -> each.name().equals("longest_silence") && each.value().equals("0.1"));
+          .anyMatch(each -> each.name().equals("command_timeout") && each.value().equals("0.1"));
     }
   }
 
@@ -166,7 +174,7 @@ class DriveImplTest {
     wheels.execute(key, Velocity.ZERO);
     wheels.execute(key, new Brake(false));
     wheels.execute(key, AHEAD);
-    assertThat(wheels.told)
+    assertThat(wheels.commands)
         .containsExactly(
             "turn 0.5 0.0", "halt", "brake true", "turn 0.0 0.0", "brake false", "turn 0.5 0.0");
   }
@@ -176,10 +184,10 @@ class DriveImplTest {
     CommandKey key = key();
     wheels.execute(key, AHEAD);
     wheels.switched(true);
-    assertThat(wheels.told).endsWith("halt");
+    assertThat(wheels.commands).endsWith("halt");
     assertThatThrownBy(() -> wheels.execute(key, AHEAD)).hasMessageContaining("brake set");
     wheels.switched(false);
-    assertThat(wheels.told).containsExactly("turn 0.5 0.0", "halt");
+    assertThat(wheels.commands).containsExactly("turn 0.5 0.0", "halt");
     time.step(Duration.ofSeconds(1));
     assertThat(wheels.driveState().commandTimeouts()).isZero();
   }
@@ -192,7 +200,7 @@ class DriveImplTest {
       lease.close();
       lease.close();
       assertThat(lease.isLive()).isFalse();
-      assertThat(wheels.told).containsExactly("turn 0.5 0.0", "halt");
+      assertThat(wheels.commands).containsExactly("turn 0.5 0.0", "halt");
       assertThat(wheels.driveState().commander()).isNull();
       assertThatThrownBy(() -> wheels.execute(lease.key(), AHEAD))
           .isInstanceOf(CommandRefusedException.class);
@@ -204,7 +212,7 @@ class DriveImplTest {
     CommandLease lease = wheels.acquireCommandLease(LEASE);
     wheels.execute(lease.key(), AHEAD);
     assertThat(wheels.leases().revoke(wheels.leases().leases().get(0).handle())).isTrue();
-    assertThat(wheels.told).endsWith("halt");
+    assertThat(wheels.commands).endsWith("halt");
     assertThat(lease.isLive()).isFalse();
     try (CommandLease next = wheels.acquireCommandLease(LEASE)) {
       lease.close();
@@ -217,7 +225,7 @@ class DriveImplTest {
   void restsBeforeItsDeviceIsClosed() throws Exception {
     wheels.execute(key(), AHEAD);
     wheels.close();
-    assertThat(wheels.told).containsExactly("turn 0.5 0.0", "halt", "closed");
+    assertThat(wheels.commands).containsExactly("turn 0.5 0.0", "halt", "closed");
   }
 
   @Test
@@ -225,7 +233,7 @@ class DriveImplTest {
     wheels.execute(key(), AHEAD);
     wheels.haltFails = new IllegalStateException("no such wire");
     wheels.close();
-    assertThat(wheels.told).containsExactly("turn 0.5 0.0", "halt", "closed");
+    assertThat(wheels.commands).containsExactly("turn 0.5 0.0", "halt", "closed");
     assertThat(wheels.history().recent())
         .anyMatch(
             each ->
@@ -238,12 +246,12 @@ class DriveImplTest {
     CommandKey key = key();
     wheels.turnFails = new IllegalStateException("the line is full");
     assertThatThrownBy(() -> wheels.execute(key, AHEAD)).hasMessage("the line is full");
-    assertThat(wheels.told).containsExactly("turn 0.5 0.0", "halt");
+    assertThat(wheels.commands).containsExactly("turn 0.5 0.0", "halt");
     assertThat(wheels.driveState().velocity()).isEqualTo(Velocity.ZERO);
   }
 
   @Test
-  void doesNotObeyWhileItDoesNotServe() throws Exception {
+  void executesNothingWhileItDoesNotServe() throws Exception {
     CommandKey key = key();
     wheels.execute(key, AHEAD);
     wheels.restart(true);
@@ -252,12 +260,14 @@ class DriveImplTest {
         .hasMessageStartingWith("atrv1/wheels is INITIALIZING: it cannot execute Velocity[");
     assertThat(wheels.driveState().velocity()).isEqualTo(Velocity.ZERO);
     time.step(Duration.ofSeconds(1));
-    assertThat(wheels.told).as("there is nobody to tell").containsExactly("turn 0.5 0.0");
+    assertThat(wheels.commands)
+        .as("there is no controller to command")
+        .containsExactly("turn 0.5 0.0");
     wheels.serveAgain();
     assertThatThrownBy(() -> wheels.execute(key, AHEAD)).hasMessageContaining("brake set");
     wheels.execute(key, new Brake(false));
     wheels.execute(key, AHEAD);
-    assertThat(wheels.told).containsExactly("turn 0.5 0.0", "brake false", "turn 0.5 0.0");
+    assertThat(wheels.commands).containsExactly("turn 0.5 0.0", "brake false", "turn 0.5 0.0");
   }
 
   @Test
@@ -268,7 +278,7 @@ class DriveImplTest {
         .isInstanceOf(CommandRefusedException.class);
     assertThatThrownBy(() -> wheels.acquireCommandLease(LEASE))
         .isInstanceOf(LeaseRefusedException.class);
-    assertThat(wheels.told).containsExactly("halt", "closed");
+    assertThat(wheels.commands).containsExactly("halt", "closed");
   }
 
   @Test

@@ -71,7 +71,7 @@ class EmergencyStopLatchTest {
   }
 
   @Test
-  void tellsHowLongAgoItWasWhateverIsDoneToTheClock() throws Exception {
+  void reportsHowLongAgoItWasWhateverIsDoneToTheClock() throws Exception {
     StateStore state = StateStore.inMemory();
     BootId boot = boot("one");
     EmergencyStopLatch first = latch(state, boot);
@@ -166,8 +166,8 @@ class EmergencyStopLatchTest {
                 + " is damaged, so it is taken to be stopped");
     assertThat(latch().refusalMessage())
         .isEqualTo(
-            "atrv1/drive is stopped for an emergency since a time not known, and obeys nobody; when"
-                + " it is safe, release it: ./dfra stop --release atrv1");
+            "atrv1/drive is stopped for an emergency since an unknown time, and executes no"
+                + " commands; when it is safe, release it: ./dfra stop --release atrv1");
   }
 
   @Test
@@ -201,8 +201,8 @@ class EmergencyStopLatchTest {
     assertThat(latch.isLatched()).isTrue();
     assertThat(latch.state().fault())
         .isEqualTo(
-            "it cannot be written to a full disk (java.io.IOException: No space left on device), so"
-                + " the next life of this module would not know of it");
+            "it cannot be written to a full disk (java.io.IOException: No space left on device),"
+                + " so the module would not know of it after a restart");
     disk.full = false;
     assertThat(latch.persist()).isTrue();
     assertThat(latch.state().fault()).isNull();

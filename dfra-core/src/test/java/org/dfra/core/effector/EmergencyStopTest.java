@@ -18,7 +18,7 @@ import org.dfra.flow.effector.CommandRefusedException;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.lease.LeaseRefusedException;
-import org.dfra.module.Incident;
+import org.dfra.lifecycle.Incident;
 import org.dfra.persona.EmergencyStopAttributes;
 import org.dfra.time.Scheduler;
 import org.junit.jupiter.api.AfterEach;
@@ -62,7 +62,7 @@ class EmergencyStopTest {
   /** Stops them, and waits for what a busy machine may not get done in half a second. */
   private static EmergencyStopState stop(ScriptedWheels wheels, String by) {
     EmergencyStopState now = wheels.emergencyStop(by);
-    if (now.haltCommanded()) { // as it is thousands of times here, and looking again takes a while
+    if (now.haltCommanded()) { // as it is thousands of times here, and polling takes a while
       return now;
     }
     await().atMost(PATIENCE).until(() -> wheels.emergencyStopState().haltCommanded());
@@ -74,9 +74,9 @@ class EmergencyStopTest {
     EmergencyStopState stopped = stop(wheels, "ops");
     assertThat(stopped.latched()).isTrue();
     assertThat(stopped.fault()).isNull();
-    assertThat(wheels.told).containsExactly("halt");
+    assertThat(wheels.commands).containsExactly("halt");
     stop(wheels, "another");
-    assertThat(wheels.told).as("once more does no harm").containsExactly("halt", "halt");
+    assertThat(wheels.commands).as("once more does no harm").containsExactly("halt", "halt");
     assertThat(wheels.emergencyStopState()).isEqualTo(stopped);
     assertThat(noted()).containsExactly(Incident.Kind.ACTIVATION, Incident.Kind.EMERGENCY_STOP);
   }
@@ -85,7 +85,7 @@ class EmergencyStopTest {
   void haltsTheWheelsAlsoWhereNobodyIsNamed() {
     assertThat(wheels.emergencyStop(null).latched()).isTrue();
     await().atMost(PATIENCE).until(() -> wheels.emergencyStopState().haltCommanded());
-    assertThat(wheels.told).containsExactly("halt");
+    assertThat(wheels.commands).containsExactly("halt");
     assertThat(wheels.emergencyStopState().requester()).isEqualTo("somebody");
     assertThat(EmergencyStopLatch.loadState(state).latched()).as("of the next life").isTrue();
   }
@@ -97,14 +97,14 @@ class EmergencyStopTest {
     wheels.turnHeldUp = holder;
     CompletableFuture<Void> heldUp =
         CompletableFuture.runAsync(() -> wheels.execute(lease.key(), AHEAD));
-    await().atMost(PATIENCE).until(() -> wheels.told.contains(TURNED));
+    await().atMost(PATIENCE).until(() -> wheels.commands.contains(TURNED));
 
     EmergencyStopState stopped = wheels.emergencyStop("ops");
     assertThat(stopped.latched()).isTrue();
     assertThat(stopped.haltCommanded()).isFalse();
     assertThat(stopped.fault())
-        .isEqualTo("its driver is held up, and comes to rest as soon as it goes on");
-    assertThat(wheels.told)
+        .isEqualTo("its driver is blocked, and stops as soon as it continues");
+    assertThat(wheels.commands)
         .as("the wheels are halted all the same")
         .containsExactly(TURNED, "halt");
     assertThat(EmergencyStopLatch.loadState(state).latched()).as("of the next life").isTrue();
@@ -119,12 +119,12 @@ class EmergencyStopTest {
     holder.countDown();
     heldUp.get(20, TimeUnit.SECONDS);
     await().atMost(PATIENCE).until(() -> wheels.emergencyStopState().haltCommanded());
-    assertThat(wheels.told).as("and once more").containsExactly(TURNED, "halt", "halt");
+    assertThat(wheels.commands).as("and once more").containsExactly(TURNED, "halt", "halt");
     assertThat(wheels.driveState().velocity()).isEqualTo(Velocity.ZERO);
   }
 
   @Test
-  void aDriverThatCannotBeToldIsLatchedAndSaysSo() {
+  void aDriverThatCannotBeHaltedIsLatchedAndReportsIt() {
     wheels.haltFails = new IllegalStateException("no such wire");
     EmergencyStopState unused = wheels.emergencyStop("ops");
     await().atMost(PATIENCE).until(() -> fault().contains("no such wire"));
@@ -133,7 +133,7 @@ class EmergencyStopTest {
     assertThat(stopped.haltCommanded()).isFalse();
     assertThat(stopped.fault())
         .isEqualTo(
-            "its driver could not be told to come to rest (java.lang.IllegalStateException: no such"
+            "its driver could not be stopped (java.lang.IllegalStateException: no such"
                 + " wire); switch it off by hand");
     assertThat(EmergencyStopLatch.loadState(state).latched()).isTrue();
     wheels.haltFails = null;
@@ -152,7 +152,7 @@ class EmergencyStopTest {
       EmergencyStopState stopped = stop(others, "ops");
       assertThat(stopped.latched()).isTrue();
       assertThat(stopped.fault()).contains("No space left on device");
-      assertThat(others.told).containsExactly("halt");
+      assertThat(others.commands).containsExactly("halt");
       assertThatThrownBy(() -> others.acquireCommandLease(LEASE))
           .isInstanceOf(LeaseRefusedException.class);
       assertThat(others.history().recent())
@@ -160,7 +160,7 @@ class EmergencyStopTest {
               each ->
                   each.kind() == Incident.Kind.EXCEPTION
                       && each.description()
-                          .contains("the next life of this module would not know"));
+                          .contains("the module would not know of it after a restart"));
       disk.full = false;
       assertThat(others.emergencyStop("ops").fault()).as("written at last").isNull();
     } finally {
@@ -169,7 +169,7 @@ class EmergencyStopTest {
   }
 
   @Test
-  void aNextLifeBeginsStoppedAndObeysOnceItIsReleased() throws Exception {
+  void theNextIncarnationStartsStoppedAndExecutesCommandsOnceItIsReleased() throws Exception {
     wheels.emergencyStop("ops");
     wheels.close();
     wheels = wheels(state);
@@ -178,11 +178,11 @@ class EmergencyStopTest {
     assertThatThrownBy(() -> wheels.acquireCommandLease(LEASE))
         .isInstanceOf(LeaseRefusedException.class);
     assertThat(wheels.releaseEmergencyStop("the chief").latched()).isFalse();
-    assertThat(wheels.told).as("releasing moves nothing").isEmpty();
+    assertThat(wheels.commands).as("releasing moves nothing").isEmpty();
     assertThat(noted()).endsWith(Incident.Kind.RELEASE);
     try (CommandLease lease = wheels.acquireCommandLease(LEASE)) {
       wheels.execute(lease.key(), AHEAD);
-      assertThat(wheels.told).containsExactly(TURNED);
+      assertThat(wheels.commands).containsExactly(TURNED);
     }
     wheels.releaseEmergencyStop("another");
     assertThat(wheels.emergencyStopState().requester())
@@ -214,7 +214,7 @@ class EmergencyStopTest {
   }
 
   @Test
-  void whoeverIsInterruptedStopsItAllTheSame() {
+  void anInterruptedCallerStopsItAllTheSame() {
     Thread.currentThread().interrupt();
     EmergencyStopState unused = wheels.emergencyStop("ops");
     assertThat(Thread.interrupted()).as("it is still to be interrupted").isTrue();
@@ -223,7 +223,7 @@ class EmergencyStopTest {
   }
 
   @Test
-  void noCommandIsObeyedOnceItIsStopped() throws Exception {
+  void noCommandIsExecutedOnceItIsStopped() throws Exception {
     long seed = Long.getLong("dfra.seed", new Random().nextLong());
     Random random = new Random(seed);
     ScriptedWheels busy = new ScriptedWheels(Scheduler.system(), Map.of());
@@ -231,16 +231,16 @@ class EmergencyStopTest {
     try {
       for (int round = 0; round < ROUNDS; round++) {
         String which = "-Ddfra.seed=" + seed + ", round " + round;
-        busy.told.clear();
+        busy.commands.clear();
         CompletableFuture<Void> commanding = CompletableFuture.runAsync(() -> commandOn(busy));
         for (int i = random.nextInt(2000); i > 0; i--) {
           Thread.onSpinWait();
         }
         assertThat(stop(busy, "ops").latched()).as(which).isTrue();
-        int size = busy.told.size(); // whatever comes now would be obeyed while it is stopped
-        assertThat(busy.told.get(size - 1)).as(which).isEqualTo("halt");
+        int size = busy.commands.size(); // any further one was executed while it is stopped
+        assertThat(busy.commands.get(size - 1)).as(which).isEqualTo("halt");
         commanding.get(20, TimeUnit.SECONDS);
-        assertThat(busy.told).as(which).hasSize(size);
+        assertThat(busy.commands).as(which).hasSize(size);
         assertThat(busy.leases().leases()).as(which).isEmpty();
         busy.releaseEmergencyStop("ops");
       }

@@ -14,7 +14,7 @@ import org.dfra.core.module.ModuleContext;
 import org.dfra.core.state.StateStore;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.DriveCommand.Velocity;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.persona.DriveAttributes;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;

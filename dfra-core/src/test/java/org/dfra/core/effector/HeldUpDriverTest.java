@@ -64,7 +64,7 @@ class HeldUpDriverTest {
   private CompletableFuture<Void> holdUpAWrite(CommandKey key) {
     wheels.turnHeldUp = release;
     CompletableFuture<Void> writing = beside(() -> wheels.execute(key, AHEAD));
-    await().atMost(PATIENCE).until(() -> wheels.told.contains(TURNED));
+    await().atMost(PATIENCE).until(() -> wheels.commands.contains(TURNED));
     return writing;
   }
 
@@ -78,7 +78,7 @@ class HeldUpDriverTest {
   }
 
   @Test
-  void whoeverCommandsHasAThreadThatCanHaltTheDeviceLater() throws Exception {
+  void aCommanderHasAThreadThatCanHaltTheDeviceLater() throws Exception {
     Set<Thread> before = Thread.getAllStackTraces().keySet();
     wheels.execute(key(), new Brake(true)); // which no time-out follows
     Set<Thread> begun = new HashSet<>(Thread.getAllStackTraces().keySet());
@@ -91,7 +91,7 @@ class HeldUpDriverTest {
     wheels.execute(key(), AHEAD);
     wheels.haltHeldUp = release;
     beside(wheels::close).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
-    assertThat(wheels.told).containsSubsequence(TURNED, "halt", "closed");
+    assertThat(wheels.commands).containsSubsequence(TURNED, "halt", "closed");
   }
 
   @Test
@@ -99,7 +99,7 @@ class HeldUpDriverTest {
     CompletableFuture<Void> writing = holdUpAWrite(key());
     wheels.haltHeldUp = release;
     beside(wheels::close).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
-    assertThat(wheels.told).contains("closed");
+    assertThat(wheels.commands).contains("closed");
     assertThat(writing).isNotDone();
   }
 
@@ -109,7 +109,7 @@ class HeldUpDriverTest {
     wheels.execute(key, AHEAD);
     wheels.haltHeldUp = release;
     beside(() -> wheels.switched(true)).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
-    assertThat(wheels.told).contains("halt");
+    assertThat(wheels.commands).contains("halt");
     DriveState now = answer(wheels::driveState);
     assertThat(now.parkingBrakeEngaged()).isTrue();
     assertThat(now.velocity()).isEqualTo(Velocity.ZERO);
@@ -117,16 +117,18 @@ class HeldUpDriverTest {
 
   @Test
   void aBrakeThatIsFoundSetWhileAWriteHangsHaltsPastItAndOnceMoreAfterIt() throws Exception {
-    wheels.setParameter("longest_silence", "0.35");
+    wheels.setParameter("command_timeout", "0.35");
     CommandKey key = key();
     CompletableFuture<Void> writing = holdUpAWrite(key);
     beside(() -> wheels.switched(true)).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
-    await().atMost(PATIENCE).until(() -> wheels.told.contains("halt"));
+    await().atMost(PATIENCE).until(() -> wheels.commands.contains("halt"));
     assertThat(writing).isNotDone();
     assertThat(wheels.driveState().parkingBrakeEngaged()).isTrue();
     release.countDown();
     writing.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
-    await().atMost(PATIENCE).until(() -> wheels.told.stream().filter("halt"::equals).count() >= 2);
+    await()
+        .atMost(PATIENCE)
+        .until(() -> wheels.commands.stream().filter("halt"::equals).count() >= 2);
     assertThatThrownBy(() -> wheels.execute(key, AHEAD)).isInstanceOf(BrakeEngagedException.class);
     assertThat(wheels.driveState().commandTimeouts()).as("the brake was first").isZero();
   }
@@ -145,7 +147,7 @@ class HeldUpDriverTest {
   @Test
   void settingAParameterDoesNotWaitForAWrite() throws Exception {
     CompletableFuture<Void> writing = holdUpAWrite(key());
-    for (String name : List.of("max_speed", "max_turn_rate", "longest_silence")) {
+    for (String name : List.of("max_speed", "max_yaw_rate", "command_timeout")) {
       beside(() -> wheels.setParameter(name, "0.2")).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
     }
     assertThat(answer(wheels::attributes)).contains(new DriveAttributes(0.2, 0.2, 0.78, 0.64));
@@ -162,13 +164,13 @@ class HeldUpDriverTest {
     wheels.turnHeldUp = null;
     release.countDown();
     writing.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
-    assertThat(wheels.told).as("it may have reached the new link").endsWith("halt");
+    assertThat(wheels.commands).as("it may have reached the new link").endsWith("halt");
     wheels.serveAgain();
-    wheels.told.clear();
+    wheels.commands.clear();
     wheels.execute(key, AHEAD);
     await("and the next velocity is watched")
         .atMost(PATIENCE)
-        .until(() -> wheels.told.equals(List.of(TURNED, "halt")));
+        .until(() -> wheels.commands.equals(List.of(TURNED, "halt")));
   }
 
   @Test
@@ -178,7 +180,9 @@ class HeldUpDriverTest {
     beside(lease::close).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
     assertThat(writing).isNotDone();
     assertThat(wheels.commandArbiter().commander()).isNull();
-    await("it is halted past the write").atMost(PATIENCE).until(() -> wheels.told.contains("halt"));
+    await("it is halted past the write")
+        .atMost(PATIENCE)
+        .until(() -> wheels.commands.contains("halt"));
     assertThat(writing).isNotDone();
   }
 
@@ -188,7 +192,7 @@ class HeldUpDriverTest {
     CommandLease first = wheels.acquireCommandLease(LEASE);
     CompletableFuture<Void> writing = holdUpAWrite(first.key());
     beside(first::close).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
-    await().atMost(PATIENCE).until(() -> wheels.told.contains("halt"));
+    await().atMost(PATIENCE).until(() -> wheels.commands.contains("halt"));
     CompletableFuture<CommandKey> second = new CompletableFuture<>();
     beside(
         () -> {
@@ -205,13 +209,13 @@ class HeldUpDriverTest {
     release.countDown();
     released.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
     writing.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
-    List<String> reported = List.copyOf(wheels.told);
-    assertThat(reported.subList(0, 3)).containsExactly(TURNED, "halt", "halt");
-    assertThat(reported).endsWith("brake false");
+    List<String> commands = List.copyOf(wheels.commands);
+    assertThat(commands.subList(0, 3)).containsExactly(TURNED, "halt", "halt");
+    assertThat(commands).endsWith("brake false");
     assertThat(wheels.driveState().velocity()).isEqualTo(Velocity.ZERO);
   }
 
-  /** A client's lease ends, and whoever is to note that does not return before the release. */
+  /** A client's lease ends, and its callback does not return before the release. */
   private void holdUpTheEndOfALease() throws Exception {
     CountDownLatch noted = new CountDownLatch(1);
     Runnable slow =
@@ -236,7 +240,7 @@ class HeldUpDriverTest {
       await()
           .pollInterval(Duration.ofMillis(5))
           .atMost(PATIENCE)
-          .until(() -> wheels.told.contains("halt"));
+          .until(() -> wheels.commands.contains("halt"));
       begun.stop().requireWithin("the halt after the last velocity", HALTED);
     }
     assertThat(wheels.driveState().commandTimeouts()).isEqualTo(1);
@@ -256,6 +260,6 @@ class HeldUpDriverTest {
                         .grant(Duration.ofMillis(100), LeaseRole.COMMANDER, null, over)
                         .id());
     await().atMost(PATIENCE).until(() -> wheels.commandArbiter().commander() == null);
-    assertThat(wheels.told).contains("halt");
+    assertThat(wheels.commands).contains("halt");
   }
 }

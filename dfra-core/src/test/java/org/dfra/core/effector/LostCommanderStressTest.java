@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Timeout;
 
 /**
  * Commanders come and go while all of their threads command as fast as they can. Each commands a
- * speed of its own, so the wheels can tell whose command it was.
+ * speed of its own, so the wheels show whose command it was.
  */
 @Timeout(120)
 class LostCommanderStressTest {
@@ -43,7 +43,7 @@ class LostCommanderStressTest {
   private volatile boolean over;
 
   @Test
-  void noCommandOfAnOldKeyIsObeyedAfterTheLeaseHasEnded() throws Exception {
+  void noCommandOfAnOldKeyIsExecutedAfterTheLeaseHasEnded() throws Exception {
     long seed = Long.getLong("dfra.seed", new Random().nextLong());
     Random random = new Random(seed);
     wheels.start();
@@ -83,26 +83,26 @@ class LostCommanderStressTest {
   }
 
   private void command(double speed, Random random, String which) throws Exception {
-    wheels.told.clear();
+    wheels.commands.clear();
     CommandLease lease = wheels.acquireCommandLease(Duration.ofSeconds(30));
     current = new Command(lease.key(), speed);
     String mine = "turn " + speed + " 0.0";
     long begun = System.nanoTime();
-    while (!wheels.told.contains(mine)) {
+    while (!wheels.commands.contains(mine)) {
       assertThat(System.nanoTime() - begun).as(which).isLessThan(TimeUnit.SECONDS.toNanos(20));
       Thread.yield();
     }
     end(lease, random);
-    // Who gives the command up does not wait for long for a command that has begun.
+    // Closing a lease does not wait for long for a command that has begun.
     awaitARefusalOfEach(which);
     awaitRest(which);
-    int size = wheels.told.size(); // whatever comes now would be obeyed after the end
-    assertThat(wheels.told.get(size - 1)).as(which).isEqualTo("halt");
+    int size = wheels.commands.size(); // any further one was executed after the end
+    assertThat(wheels.commands.get(size - 1)).as(which).isEqualTo("halt");
     assertThat(wheels.driveState().velocity()).as(which).isEqualTo(Velocity.ZERO);
     for (int i = 0; i < 50; i++) {
       Thread.onSpinWait();
     }
-    assertThat(wheels.told).as(which).hasSize(size);
+    assertThat(wheels.commands).as(which).hasSize(size);
   }
 
   /** From then on no command that began with the old key is under way. */
@@ -119,7 +119,7 @@ class LostCommanderStressTest {
 
   private void awaitRest(String which) {
     long begun = System.nanoTime();
-    while (!wheels.told.get(wheels.told.size() - 1).equals("halt")
+    while (!wheels.commands.get(wheels.commands.size() - 1).equals("halt")
         || !wheels.driveState().velocity().isZero()) {
       assertThat(System.nanoTime() - begun).as(which).isLessThan(TimeUnit.SECONDS.toNanos(20));
       Thread.yield();

@@ -11,26 +11,26 @@ import org.dfra.core.lease.LeaseTerms;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.state.StateStore;
 import org.dfra.flow.effector.DriveCommand.Velocity;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.persona.DriveAttributes;
 import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
-/** Wheels that write down what they are told. */
+/** Wheels that record the commands that they receive. */
 final class ScriptedWheels extends DriveImpl {
 
   static final String PATH = "atrv1/wheels";
 
   /** {@code turn 0.5 -0.1}, {@code halt}, {@code brake true}; in order. */
-  final List<String> told = new CopyOnWriteArrayList<>();
+  final List<String> commands = new CopyOnWriteArrayList<>();
 
   volatile @Nullable RuntimeException turnFails;
   volatile @Nullable RuntimeException haltFails;
 
-  /** Who turns the wheels waits for it while it is not null. */
+  /** Setting a velocity waits for it while it is not null. */
   volatile @Nullable CountDownLatch turnHeldUp;
 
-  /** Who halts the wheels waits for it while it is not null. */
+  /** A halt waits for it while it is not null. */
   volatile @Nullable CountDownLatch haltHeldUp;
 
   ScriptedWheels(Scheduler scheduler, Map<String, String> parameters) {
@@ -67,26 +67,26 @@ final class ScriptedWheels extends DriveImpl {
 
   @Override
   protected void onClose() {
-    told.add("closed");
+    commands.add("closed");
   }
 
   @Override
   protected void setVelocity(Velocity wanted) {
-    told.add("turn " + wanted.speed() + " " + wanted.yawRate());
+    commands.add("turn " + wanted.speed() + " " + wanted.yawRate());
     await(turnHeldUp);
     fail(turnFails);
   }
 
   @Override
   protected void halt() {
-    told.add("halt");
+    commands.add("halt");
     await(haltHeldUp);
     fail(haltFails);
   }
 
   @Override
   protected void brake(boolean set) {
-    told.add("brake " + set);
+    commands.add("brake " + set);
   }
 
   private static void await(@Nullable CountDownLatch holder) {

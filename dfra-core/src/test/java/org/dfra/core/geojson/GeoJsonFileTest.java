@@ -60,7 +60,7 @@ class GeoJsonFileTest {
     assertThat(read("{", "\"type\": \"Feature\",", "oops}").isBroken()).isTrue();
     assertThatThrownBy(faults::throwIfAny)
         .isInstanceOf(ConfigurationException.class)
-        .hasMessageContaining("some.geojson:3: this is no JSON (");
+        .hasMessageContaining("some.geojson:3: this is not JSON (");
   }
 
   @Test

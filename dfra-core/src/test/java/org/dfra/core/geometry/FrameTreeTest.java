@@ -56,7 +56,7 @@ class FrameTreeTest {
     tree.put("y", "x", Transform.IDENTITY);
     assertThatThrownBy(() -> tree.put("a", "b", Transform.IDENTITY))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessage("frame a cannot stand in b, which stands in it");
+        .hasMessage("frame a cannot have the parent b, which is its descendant");
     assertThatThrownBy(() -> tree.transform("b", "y"))
         .hasMessage("nothing connects frame b (in a) and frame y (in x)");
     assertThatThrownBy(() -> tree.transform("q", "a"))

@@ -7,7 +7,7 @@ import java.time.Instant;
 import java.time.InstantSource;
 import org.dfra.core.lease.SteppedScheduler;
 import org.dfra.core.state.StateStore;
-import org.dfra.module.Incident.Kind;
+import org.dfra.lifecycle.Incident.Kind;
 import org.dfra.module.ModuleHistory;
 import org.junit.jupiter.api.Test;
 import org.slf4j.helpers.NOPLogger;
@@ -67,7 +67,7 @@ class IncidentLogTest {
   }
 
   @Test
-  void beginsAnewWhereWhatIsKeptIsDamaged() throws Exception {
+  void startsEmptyWhereTheStoredLogIsDamaged() throws Exception {
     state.write("history", new byte[] {1, 2, 3});
     IncidentLog book = book();
     book.beginLife();

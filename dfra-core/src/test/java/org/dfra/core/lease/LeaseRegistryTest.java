@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.UUID;
 import java.util.concurrent.atomic.AtomicReference;
+import org.dfra.core.lease.LeaseRegistry.LeaseGrant;
 import org.dfra.lease.LeaseHandle;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.LeaseRole;
@@ -26,7 +27,7 @@ class LeaseRegistryTest {
           "atrv1/gps", LeaseTerms.DEFAULT, InstantSource.fixed(Instant.EPOCH), time, reported::add);
 
   @Test
-  void tellsTheFirstClientAndTheLast() throws Exception {
+  void reportsTheFirstClientAndTheLast() throws Exception {
     LeaseGrant first =
         book.grant(Duration.ofSeconds(10), LeaseRole.CLIENT, null, () -> over.add("first"));
     LeaseGrant second =
@@ -78,7 +79,7 @@ class LeaseRegistryTest {
   }
 
   @Test
-  void tellsWhoHoldsWhat() throws Exception {
+  void listsWhoHoldsWhat() throws Exception {
     LeaseGrant far = book.grant(Duration.ofSeconds(10), LeaseRole.OBSERVER, "192.0.2.7", () -> {});
     UUID near = book.grantLocal(LeaseRole.CLIENT, () -> {});
     time.step(Duration.ofSeconds(4));
@@ -104,7 +105,7 @@ class LeaseRegistryTest {
   }
 
   @Test
-  void theOldestIsToldFirstWhateverIsDoneToTheClock() throws Exception {
+  void theOldestIsListedFirstWhateverIsDoneToTheClock() throws Exception {
     AtomicReference<Instant> wall = new AtomicReference<>(Instant.EPOCH);
     try (LeaseRegistry stepped =
         new LeaseRegistry("atrv1/gps", LeaseTerms.DEFAULT, wall::get, time, clients -> {})) {
@@ -158,7 +159,7 @@ class LeaseRegistryTest {
   }
 
   @Test
-  void tellsAnEndApartFromALeaseThatIsGivenBack() throws Exception {
+  void distinguishesAnEndFromALeaseThatIsGivenBack() throws Exception {
     LeaseGrant given =
         book.grant(
             Duration.ofSeconds(10),
@@ -179,7 +180,7 @@ class LeaseRegistryTest {
   }
 
   @Test
-  void anEndIsToldOnceWhicheverComesFirst() throws Exception {
+  void anEndIsReportedOnceWhicheverComesFirst() throws Exception {
     Runnable cancelled = () -> over.add("cancelled");
     LeaseGrant expired =
         book.grant(
@@ -194,7 +195,7 @@ class LeaseRegistryTest {
   }
 
   @Test
-  void whoeverFailsToHearOfAnEndKeepsNobodyElseFromIt() throws Exception {
+  void aCallbackThatFailsDoesNotPreventThoseOfOtherLeases() throws Exception {
     IllegalStateException deaf = new IllegalStateException("deaf");
     for (int i = 0; i < 3; i++) {
       UUID unused =
@@ -211,7 +212,7 @@ class LeaseRegistryTest {
   }
 
   @Test
-  void anEndIsToldEvenWhereTheCountIsNot() throws Exception {
+  void anEndIsReportedEvenWhereTheCountIsNot() throws Exception {
     LeaseRegistry broken =
         new LeaseRegistry(
             "atrv1/gps",

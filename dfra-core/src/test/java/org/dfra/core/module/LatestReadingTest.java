@@ -8,8 +8,8 @@ import java.time.Instant;
 import java.util.Map;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.lease.SteppedScheduler;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -67,7 +67,7 @@ class LatestReadingTest {
     assertThat(module.latest.get()).as("slower now").isEqualTo("20 °C");
     module.latest.set("21 °C");
     ticker.step(Duration.ofSeconds(3));
-    assertThat(module.latest.get()).as("aged anew").isEqualTo("21 °C");
+    assertThat(module.latest.get()).as("the age is that of the new one").isEqualTo("21 °C");
   }
 
   @Test

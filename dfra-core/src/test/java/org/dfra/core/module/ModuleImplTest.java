@@ -17,8 +17,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.FutureTask;
 import org.dfra.core.config.Parameters;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Identification;
-import org.dfra.module.Readiness;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -212,7 +212,7 @@ class ModuleImplTest {
   }
 
   @Test
-  void aDriverThatHearsOfTheCloseTooLateIsNotBlamed() {
+  void aDriverThatLearnsOfTheCloseTooLateIsNotBlamed() {
     lamp.start();
     lamp.close();
 

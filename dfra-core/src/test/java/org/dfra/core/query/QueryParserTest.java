@@ -11,8 +11,8 @@ import org.dfra.directory.ModuleQuery;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.flow.sensor.LocationSensor;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Module;
-import org.dfra.module.Readiness;
 import org.dfra.persona.GpsReceiverAttributes;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.persona.SensorAttributes;
@@ -98,7 +98,7 @@ class QueryParserTest {
       delimiter = '|',
       quoteCharacter = '`',
       value = {
-        "`` | at the end: a kind of module, such as GPSSensor, must stand here, not the end",
+        "`` | at the end: a kind of module, such as GPSSensor, is expected here, not the end",
         "GPSSensr | at character 1: there is no kind of module \"GPSSensr\"; did you mean"
             + " \"GPSSensor\"?",
         "Toaster | at character 1: there is no kind of module \"Toaster\"; there is"
@@ -111,10 +111,10 @@ class QueryParserTest {
         "Sensor wiht x | at character 8: \"wiht\" begins no condition; did you mean \"with\"?",
         "Sensor near here | at character 8: \"near\" begins no condition; go on with named, on,"
             + " with or within",
-        "Sensor on | at the end: the robot's name must stand here, not the end",
-        "Sensor on a on b | at character 13: \"on\" stands here a second time; leave one out",
-        "Sensor with maxRate >= 1 | at character 13: \"maxRate\" is no attribute; write one with a"
-            + " dot, such as Sensor.maxRate",
+        "Sensor on | at the end: the robot's name is expected here, not the end",
+        "Sensor on a on b | at character 13: \"on\" occurs here a second time; leave one out",
+        "Sensor with maxRate >= 1 | at character 13: \"maxRate\" is not an attribute; write one"
+            + " with a dot, such as Sensor.maxRate",
         "Sensor with Senso.maxRate >= 1 | at character 13: there are no attributes \"Senso\"; did"
             + " you mean \"Sensor\"?",
         "Sensor with laser.maxRate >= 1 | at character 13: there are no attributes \"laser\";"
@@ -127,27 +127,27 @@ class QueryParserTest {
             + " \"volume\"; it has reading, modes, minRate, maxRate, power, preconditions",
         "Sensor with sensor.maxRate > 1 | at character 28: \">\" compares nothing; write >=, <=,"
             + " =, from … to or contains after SensorAttributes.maxRate",
-        "Sensor with sensor.maxRate >= fast | at character 31: a number must stand here, not"
+        "Sensor with sensor.maxRate >= fast | at character 31: a number is expected here, not"
             + " \"fast\"",
-        "Sensor with sensor.maxRate from 1 until 2 | at character 35: \"to\" must stand here, not"
+        "Sensor with sensor.maxRate from 1 until 2 | at character 35: \"to\" is expected here, not"
             + " \"until\"",
         "Sensor with sensor.maxRate from 2 to 1 | at character 28: no number is at least 2.0 and at"
             + " most 1.0; exchange the two",
         "Sensor with sensor.reading >= 1 | at character 28: SensorAttributes.reading is a String"
             + " and has no range; only numbers do",
-        "Sensor with module.state = redy | at character 28: \"redy\" is no Readiness; did you mean"
-            + " \"READY\"?",
-        "Sensor with module.created = today | at character 30: \"today\" is no instant in UTC;"
+        "Sensor with module.state = redy | at character 28: \"redy\" is not a value of Readiness;"
+            + " did you mean \"READY\"?",
+        "Sensor with module.created = today | at character 30: \"today\" is not an instant in UTC;"
             + " write it like 2026-11-21T12:00:00Z",
-        "Sensor with gps_receiver.fixModes = 3D | at character 37: a list must stand here, such as"
+        "Sensor with gps_receiver.fixModes = 3D | at character 37: a list is expected here, such as"
             + " [\"2D\", \"3D\"], not \"3D\"",
         "Sensor with sensor.reading = \"Gps | at character 30: the quotation mark is never closed;"
             + " write \"…\"",
-        "Sensor within 50 of 1, 2 | at character 18: \"m\" must stand here, not \"of\"",
+        "Sensor within 50 of 1, 2 | at character 18: \"m\" is expected here, not \"of\"",
         "Sensor within 50 m of 91, 2 | at character 15: latitude 91.0° is outside −90° to 90°",
         "Sensor within -1 m of 1, 2 | at character 15: no module is within -1.0 m; ask for 0 m or"
             + " more",
-        "Sensor within 50 m of 1 | at the end: a number must stand here, not the end",
+        "Sensor within 50 m of 1 | at the end: a number is expected here, not the end",
       })
   void saysWhereAndWhatIsWrong(String query, String sentence) {
     assertThatThrownBy(() -> parser.parse(query))

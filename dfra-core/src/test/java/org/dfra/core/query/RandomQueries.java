@@ -8,8 +8,8 @@ import java.util.Random;
 import org.dfra.directory.Condition;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Module;
-import org.dfra.module.Readiness;
 import org.dfra.persona.Attributes;
 
 /** Every query there is, sooner or later. */
@@ -32,7 +32,7 @@ final class RandomQueries {
   static final QueryVocabulary VOCABULARY =
       QueryVocabulary.standard().with(List.of(EverythingAttributes.class));
 
-  private static final String LETTERS =
+  private static final String CHARACTERS =
       "abcXYZ019_-./ \"\\'=<>≥≤,[]°!\t\näßé−and within to of m 3D";
 
   private final Random random;
@@ -108,7 +108,7 @@ final class RandomQueries {
     }
     StringBuilder text = new StringBuilder();
     for (int length = random.nextInt(12); length > 0; length--) {
-      text.append(LETTERS.charAt(random.nextInt(LETTERS.length())));
+      text.append(CHARACTERS.charAt(random.nextInt(CHARACTERS.length())));
     }
     return text.toString();
   }

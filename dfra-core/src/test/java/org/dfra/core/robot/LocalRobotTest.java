@@ -19,8 +19,8 @@ import org.dfra.core.module.ModuleImpl;
 import org.dfra.core.state.StateStore;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Module;
-import org.dfra.module.Readiness;
 import org.dfra.persona.DriveAttributes;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -143,6 +143,18 @@ class LocalRobotTest {
         .isInstanceOf(ConfigurationException.class)
         .hasMessageStartingWith(folder.resolve("robot.xml") + ":4: module atrv1/m1: driver class")
         .hasMessageContaining("org.dfra.core.robot.Lantern is not on the group's class path");
+  }
+
+  /** No driver of dfra-flight is on this class path. */
+  @Test
+  void namesTheModuleThatHasTheDriverWhereThatIsNotInstalled() throws Exception {
+    RobotDescription description = robot("org.dfra.drivers.uav.mavlink.MavlinkGpsImpl");
+    assertThatThrownBy(() -> make(description))
+        .isInstanceOf(ConfigurationException.class)
+        .hasMessage(
+            folder.resolve("robot.xml")
+                + ":3: module atrv1/m0: driver class org.dfra.drivers.uav.mavlink.MavlinkGpsImpl is"
+                + " in dfra-flight, which is not installed; \"dist --flight\" packs it");
   }
 
   /** Shines while it lives. */

@@ -29,7 +29,7 @@ class RobotDryRunTest {
         + name
         + "\""
         + CLASSES
-        + " driver=\""
+        + " implementation=\""
         + driver.getName().replace("$", "$$")
         + "\">"
         + parameters

@@ -38,7 +38,7 @@ class RobotTimeTest {
     assertThatThrownBy(RobotTime::clock)
         .isInstanceOf(ConfigurationException.class)
         .hasMessage(
-            "DFRA_TIME (or -Ddfra.time): \"fast\" is no time; write it like 4x since"
+            "DFRA_TIME (or -Ddfra.time): \"fast\" is not a time; write it like 4x since"
                 + " 2026-11-21T16:00:00Z, or write real");
   }
 }

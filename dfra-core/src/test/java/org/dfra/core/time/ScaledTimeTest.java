@@ -74,7 +74,7 @@ class ScaledTimeTest {
   }
 
   @Test
-  void agreesWithAnotherVirtualMachineThatWasToldOfItLater() {
+  void agreesWithAnotherVirtualMachineThatReceivedItLater() {
     ScaledTime early = new ScaledTime(2.5, BEGIN, () -> BEGIN, real);
     real.nanos += 2_000_000_000;
     ScaledTime late = new ScaledTime(2.5, BEGIN, () -> BEGIN.plusSeconds(2), real);
@@ -144,7 +144,7 @@ class ScaledTimeTest {
   void refusesWhatIsNoTime(String text) {
     assertThatThrownBy(() -> ScaledTime.parse(text))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessage("\"" + text + "\" is no time; write it like 4x since 2026-11-21T16:00:00Z");
+        .hasMessage("\"" + text + "\" is not a time; write it like 4x since 2026-11-21T16:00:00Z");
   }
 
   @Test

@@ -127,7 +127,7 @@ class SerialExecutorTest {
   }
 
   @Test
-  void whatATaskThrowsReachesWhoeverWaitsForIt() {
+  void whatATaskThrowsReachesTheThreadThatWaitsForIt() {
     Runnable faulty =
         () -> {
           throw new IllegalStateException("no such wire");

@@ -16,6 +16,7 @@ import org.dfra.drivers.link.LinkDiagnostics;
 import org.dfra.drivers.link.LinkHandler;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.LinkSettings;
+import org.dfra.drivers.link.ReopeningLink;
 import org.dfra.drivers.link.SerialLink;
 import org.dfra.drivers.link.Ticker;
 import org.jspecify.annotations.Nullable;
@@ -24,15 +25,15 @@ import org.slf4j.Logger;
 /**
  * A link to a device. It is kept open, and reopened when the device gives no sign of life.
  *
- * <p>Parameters that it reads: {@code link}, {@code reopen_first} and {@code reopen_longest}, see
- * {@link LinkSettings}. Parameters that it publishes, by {@link #declareIn}: {@code frames}, {@code
- * dropped_bytes}, {@code malformed_frames}. Tests: {@code link}, {@code readings}; recovery: {@code
- * reopen_link}.
+ * <p>Parameters that it reads: {@code link}, {@code reopen_initial_delay} and {@code
+ * reopen_max_delay}, see {@link LinkSettings}. Parameters that it publishes, by {@link #declareIn}:
+ * {@code frames}, {@code dropped_bytes}, {@code malformed_frames}. Tests: {@code link}, {@code
+ * readings}; recovery: {@code reopen_link}.
  *
  * <p>Threads: one reader ({@code name reader}), owned from {@link #start} to {@link #close}, calls
  * the protocol. Any thread may call {@link #send} and the queries.
  */
-public final class DeviceLink implements AutoCloseable {
+public final class DeviceLink implements ReopeningLink {
 
   private static final String LIFE = "sign of life";
 
@@ -104,6 +105,7 @@ public final class DeviceLink implements AutoCloseable {
   }
 
   /** Starts to open the link; does nothing when already started. */
+  @Override
   public void start() {
     keeper.start();
   }
@@ -219,7 +221,7 @@ public final class DeviceLink implements AutoCloseable {
       protocol.periodic(open);
       Duration longest = protocol.livenessTimeout();
       return ticker.nanos() - lifeNanos > longest.toNanos()
-          ? "no " + protocol.expected() + " for " + LatestReading.seconds(longest)
+          ? protocol.silenceReason(longest)
           : null;
     }
 

@@ -2,6 +2,7 @@ package org.dfra.drivers.device;
 
 import java.io.IOException;
 import java.time.Duration;
+import org.dfra.core.module.LatestReading;
 import org.dfra.drivers.frame.StreamParser;
 import org.dfra.drivers.link.SerialLink;
 
@@ -44,6 +45,16 @@ public interface DeviceProtocol {
 
   /** Human-readable name of the expected message: {@code scan}, {@code report}. */
   String expected();
+
+  /**
+   * Why a silent device is lost, as a clause: no expected message for that long. A protocol
+   * overrides it if it knows the reason for the silence.
+   *
+   * @param timeout the exceeded {@link #livenessTimeout}
+   */
+  default String silenceReason(Duration timeout) {
+    return "no " + expected() + " for " + LatestReading.seconds(timeout);
+  }
 
   /**
    * The device is lost; the link will be reopened after the back-off.

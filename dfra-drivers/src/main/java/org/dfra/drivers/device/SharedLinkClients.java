@@ -1,5 +1,6 @@
 package org.dfra.drivers.device;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -19,8 +20,11 @@ public final class SharedLinkClients<M extends SharedLinkClient> {
   /** Held during notifications, so that a client that has left receives no more of them. */
   private final ReentrantLock dispatchLock = new ReentrantLock();
 
-  private final Set<M> clients = new LinkedHashSet<>(); // guarded by dispatchLock
-  private final Set<M> connected = new LinkedHashSet<>(); // guarded by dispatchLock
+  @GuardedBy("dispatchLock")
+  private final Set<M> clients = new LinkedHashSet<>();
+
+  @GuardedBy("dispatchLock")
+  private final Set<M> connected = new LinkedHashSet<>();
 
   void add(M client) {
     dispatchLock.lock();

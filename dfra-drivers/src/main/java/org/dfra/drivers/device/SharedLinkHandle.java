@@ -10,6 +10,7 @@ import org.dfra.core.module.Diagnostics.DiagnosticProcedure;
 import org.dfra.core.module.LatestReading;
 import org.dfra.core.module.ParameterTable;
 import org.dfra.drivers.frame.StreamCounts;
+import org.dfra.drivers.link.ReopeningLink;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -22,7 +23,8 @@ import org.jspecify.annotations.Nullable;
  * @param <M> interface through which the protocol notifies and queries the module
  * @param <S> the protocol's shared link
  */
-public abstract class SharedLinkHandle<M extends SharedLinkClient, S extends SharedDeviceLink<M>> {
+public abstract class SharedLinkHandle<M extends SharedLinkClient, S extends SharedDeviceLink<M>>
+    implements ReopeningLink {
 
   /** Maximum wait for an answer, or for the next unsolicited message. */
   public static final Duration ANSWER = Duration.ofSeconds(3);
@@ -68,11 +70,13 @@ public abstract class SharedLinkHandle<M extends SharedLinkClient, S extends Sha
   }
 
   /** Joins the shared link; opens it for the first module. */
+  @Override
   public final void start() {
     joined = joining.apply(client);
   }
 
   /** Leaves the shared link; closes it after the last module. */
+  @Override
   public final void close() {
     @Nullable S now = joined;
     joined = null;

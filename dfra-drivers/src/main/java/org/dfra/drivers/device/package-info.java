@@ -6,7 +6,8 @@
  *              &lt;--bytes--            &lt;--send--                                        driver
  * </pre>
  *
- * <p>Enter at {@link org.dfra.drivers.device.DeviceLink}; a driver supplies its {@link
+ * <p>Enter at {@link org.dfra.drivers.device.DeviceLink}; a sensor extends {@link
+ * org.dfra.drivers.device.LinkedSensorImpl}. A driver supplies its {@link
  * org.dfra.drivers.device.DeviceProtocol}. A {@link org.dfra.core.module.LatestReading} keeps the
  * last reading and the readiness that follows from it. Where several modules share one link, enter
  * at {@link org.dfra.drivers.device.SharedDeviceLink}.

@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.dfra.core.module.LatestReading;
 import org.dfra.drivers.frame.StreamCounts;
+import org.dfra.drivers.gps.GpsReceiverProtocol.GpsSolution;
 import org.dfra.drivers.link.LinkHandler;
 import org.dfra.drivers.link.SerialLink;
 import org.dfra.drivers.link.Ticker;

@@ -9,6 +9,7 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.dfra.core.module.Diagnostics;
 import org.dfra.core.module.Diagnostics.DiagnosticFinding;
+import org.dfra.drivers.gps.GpsReceiverProtocol.SatelliteInView;
 import org.dfra.drivers.link.EventCounter;
 import org.dfra.drivers.link.LinkDiagnostics;
 import org.dfra.drivers.link.LinkKeeper;
@@ -115,14 +116,14 @@ public final class GpsReceiverDiagnostics {
   /** {@code 11 in view, 9 tracked, 9 used: G14 41° up, …}. */
   static String inWords(List<SatelliteInView> seen) {
     if (seen.isEmpty()) {
-      return "the receiver has told of no satellite";
+      return "the receiver has reported no satellites";
     }
     long trackedOnes = seen.stream().filter(SatelliteInView::isTracked).count();
     long used = seen.stream().filter(SatelliteInView::used).count();
     return seen.size()
         + " in view, "
         + trackedOnes
-        + " heard, "
+        + " tracked, "
         + used
         + " used: "
         + seen.stream().map(SatelliteInView::toString).collect(Collectors.joining("; "));

@@ -1,18 +1,21 @@
 package org.dfra.drivers.gps;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
-import org.dfra.core.module.LatestReading;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.core.module.SensorImpl;
 import org.dfra.drivers.device.DeviceLink;
+import org.dfra.drivers.device.LinkedSensorImpl;
 import org.dfra.drivers.frame.StreamCounts;
+import org.dfra.drivers.gps.GpsReceiverProtocol.GpsSolution;
+import org.dfra.drivers.gps.GpsReceiverProtocol.SatelliteInView;
 import org.dfra.drivers.link.EventCounter;
 import org.dfra.drivers.link.LinkAddress;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.LinkSettings;
+import org.dfra.drivers.link.ReopeningLink;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.flow.sensor.GpsFix;
@@ -32,9 +35,10 @@ import org.jspecify.annotations.Nullable;
  * <ul>
  *   <li>{@code link}: where the receiver is, a {@link LinkAddress}, e.g. {@code
  *       serial:/dev/ttyS0?baud=9600}; required
- *   <li>{@code reopen_first}, {@code reopen_longest}: initial and maximum wait before a lost link
- *       is reopened, seconds; default 0.5 and 8
- *   <li>{@code mount_frame}, {@code mount_x} and so on: the antenna's pose, see {@link SensorImpl}
+ *   <li>{@code reopen_initial_delay}, {@code reopen_max_delay}: initial and maximum wait before a
+ *       lost link is reopened, seconds; default 0.5 and 8
+ *   <li>{@code mount_frame}, {@code mount_x} and so on: the antenna's pose, see {@link
+ *       org.dfra.core.module.SensorImpl}
  *   <li>read-only: {@code satellites}, {@code accuracy}, {@code frames}, {@code dropped_bytes},
  *       {@code malformed_frames}
  * </ul>
@@ -49,8 +53,8 @@ import org.jspecify.annotations.Nullable;
  *
  * @param <P> the receiver's protocol
  */
-public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends SensorImpl
-    implements GPSSensor {
+public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol>
+    extends LinkedSensorImpl<GpsReceiverImpl.Snapshot> implements GPSSensor {
 
   /**
    * The receiver's last reports; immutable.
@@ -60,7 +64,7 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends Sen
    * @param time the time of that position
    * @param utcUnconfirmedReason why UTC is unconfirmed; null when it is confirmed
    */
-  private record Snapshot(
+  record Snapshot(
       GpsSolution solution,
       LocationReading location,
       TimeReading time,
@@ -68,7 +72,6 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends Sen
 
   private final GpsReceiverType kind;
   private final ReportingPeriod pace;
-  private final LatestReading<Snapshot> latest; // its age is the position's age
   private final P protocol;
   private final GpsLinkHandler dialogue;
   private final LinkKeeper keeper;
@@ -103,15 +106,13 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends Sen
     super(
         context,
         kind.description(),
-        "DFRA",
-        "1.0",
         List.of("GpsFix", "LocationReading", "TimeReading"),
-        kind.preconditions());
+        kind.preconditions(),
+        "position",
+        ticker);
     LinkAddress address = LinkSettings.address(settings());
     this.kind = kind;
     this.pace = pace;
-    this.latest =
-        new LatestReading<>("position", this, this::transitionTo, ticker::nanos, pace::longestAge);
     this.eventCounter = new EventCounter(ticker);
     this.attributes = new GpsReceiverPersona(kind.sensor());
     this.rollover = WeekRollover.of(context.clock(), address);
@@ -145,9 +146,9 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends Sen
   }
 
   private String accuracy() {
-    Snapshot last = latest.peek();
+    Snapshot last = latest().peek();
     return last == null || Double.isNaN(last.solution().horizontalAccuracy())
-        ? "not told"
+        ? "not reported"
         : String.format(
             Locale.ROOT,
             "horizontal %.2f m, vertical %.2f m",
@@ -156,15 +157,14 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends Sen
   }
 
   @Override
-  protected void onStart() {
-    latest.setMissing("its link is being opened");
-    keeper.start();
+  protected final ReopeningLink link() {
+    return keeper;
   }
 
+  /** {@inheritDoc} The age of the position. */
   @Override
-  protected void onClose() {
-    keeper.close();
-    latest.clear("it has ended");
+  protected final Duration longestAge() {
+    return pace.longestAge();
   }
 
   /** {@inheritDoc} The currently configured rate. */
@@ -180,7 +180,7 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends Sen
    */
   @Override
   public final GpsFix fix() {
-    return latest.get().solution().fix();
+    return latest().get().solution().fix();
   }
 
   /**
@@ -190,7 +190,7 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends Sen
    */
   @Override
   public final LocationReading location() {
-    return latest.get().location();
+    return latest().get().location();
   }
 
   /**
@@ -200,7 +200,7 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends Sen
    */
   @Override
   public final TimeReading time() {
-    Snapshot current = latest.get();
+    Snapshot current = latest().get();
     String unconfirmedReason = current.utcUnconfirmedReason();
     if (unconfirmedReason != null) {
       throw new NotReadyException(
@@ -260,23 +260,25 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends Sen
       eventCounter.increment(GpsReceiverDiagnostics.SOLUTION);
       Instant now = clock().instant();
       GpsFix fix = solution.fix();
-      Snapshot last = latest.peek();
+      Snapshot last = latest().peek();
       if (fix.position() != null) {
         LocationReading location = new LocationReading(fix.position(), path(), fix.utc());
         attributes.located(location);
-        latest.set(
-            new Snapshot(
-                solution,
-                location,
-                new TimeReading(fix.utc(), now),
-                solution.utcUnconfirmedReason()));
+        latest()
+            .set(
+                new Snapshot(
+                    solution,
+                    location,
+                    new TimeReading(fix.utc(), now),
+                    solution.utcUnconfirmedReason()));
         publish(fix);
       } else if (last != null) {
-        latest.amend(
-            new Snapshot(solution, last.location(), last.time(), last.utcUnconfirmedReason()));
+        latest()
+            .amend(
+                new Snapshot(solution, last.location(), last.time(), last.utcUnconfirmedReason()));
         publish(fix);
       } else {
-        latest.setMissing("the receiver has no position yet, it is " + solution.state());
+        latest().setMissing("the receiver has no position yet, it is " + solution.state());
       }
     }
 
@@ -305,7 +307,7 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends Sen
       } else {
         malformedReported = true;
         log.warn(
-            "malformed {}: {}; more of them until the link is opened again are told at DEBUG",
+            "malformed {}: {}; more of them until the link is opened again are logged at DEBUG",
             what,
             reason);
       }
@@ -330,7 +332,7 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol> extends Sen
 
     @Override
     public void positionLost(String reason) {
-      latest.markLost(reason);
+      latest().markLost(reason);
     }
   }
 }

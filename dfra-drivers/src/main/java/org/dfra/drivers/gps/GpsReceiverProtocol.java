@@ -1,10 +1,13 @@
 package org.dfra.drivers.gps;
 
 import java.io.IOException;
+import java.time.Instant;
 import java.util.List;
 import org.dfra.drivers.frame.FrameParser;
 import org.dfra.drivers.link.SerialLink;
+import org.dfra.flow.sensor.GpsFix;
 import org.dfra.persona.GpsReceiverAttributes;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The protocol of one type of receiver: how to parse its bytes, and what to send to it. Everything
@@ -55,4 +58,85 @@ public interface GpsReceiverProtocol {
    * @throws IOException if the link is lost
    */
   default void periodic(SerialLink link) throws IOException {}
+
+  /**
+   * A receiver's solution for one epoch.
+   *
+   * @param fix the fix, with a position or without
+   * @param utcUnconfirmedReason why UTC is unconfirmed for the fix's time, a clause ({@code it does
+   *     not tell the date}); null when it is confirmed
+   * @param state the receiver's state, completing "the receiver is …"
+   * @param horizontalAccuracy estimated horizontal accuracy, metres, one sigma; NaN where it is not
+   *     reported
+   * @param verticalAccuracy the same for the height
+   * @param reportsDate whether the fix's date is the receiver's, confirmed or not; false where it
+   *     is from the computer's clock
+   */
+  record GpsSolution(
+      GpsFix fix,
+      @Nullable String utcUnconfirmedReason,
+      String state,
+      double horizontalAccuracy,
+      double verticalAccuracy,
+      boolean reportsDate) {
+
+    /** A copy with another time, UTC. */
+    GpsSolution withTime(Instant utc) {
+      return new GpsSolution(
+          fix.withTime(utc),
+          utcUnconfirmedReason,
+          state,
+          horizontalAccuracy,
+          verticalAccuracy,
+          reportsDate);
+    }
+
+    /** For a receiver that reports the date only together with UTC. */
+    public GpsSolution(
+        GpsFix fix,
+        @Nullable String utcDoubt,
+        String state,
+        double horizontalAccuracy,
+        double verticalAccuracy) {
+      this(fix, utcDoubt, state, horizontalAccuracy, verticalAccuracy, utcDoubt == null);
+    }
+
+    /** For a receiver that does not report its accuracy. */
+    public GpsSolution(GpsFix fix, @Nullable String utcDoubt, String state) {
+      this(fix, utcDoubt, state, Double.NaN, Double.NaN);
+    }
+  }
+
+  /**
+   * A satellite in a receiver's view.
+   *
+   * @param name system and number in RINEX notation: {@code G14}; G is GPS, R GLONASS, E Galileo, C
+   *     BeiDou, J QZSS, I NavIC, S an augmentation satellite
+   * @param elevation above the horizon, degrees, −90 to 90; null where it is not reported
+   * @param azimuth from true north, clockwise, degrees, 0 to 360; null where it is not reported
+   * @param signal carrier to noise density, dB-Hz; null where it is not tracked
+   * @param used whether it is used for the position
+   */
+  record SatelliteInView(
+      String name,
+      @Nullable Integer elevation,
+      @Nullable Integer azimuth,
+      @Nullable Integer signal,
+      boolean used) {
+
+    /** Whether the receiver tracks it. */
+    public boolean isTracked() {
+      return signal != null;
+    }
+
+    /** {@code G14 41° up, 60° from north, 47 dB-Hz, used}. */
+    @Override
+    public String toString() {
+      return name
+          + (elevation == null ? "" : " " + elevation + "° up,")
+          + (azimuth == null ? "" : " " + azimuth + "° from north,")
+          + (signal == null ? " not tracked" : " " + signal + " dB-Hz")
+          + (used ? ", used" : "");
+    }
+  }
 }

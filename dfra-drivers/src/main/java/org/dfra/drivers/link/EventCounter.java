@@ -1,5 +1,6 @@
 package org.dfra.drivers.link;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Duration;
 import java.util.HashMap;
 import java.util.Map;
@@ -15,7 +16,9 @@ public final class EventCounter {
   private final Ticker ticker;
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed;
-  private final Map<String, Long> counts = new HashMap<>(); // guarded by lock
+
+  @GuardedBy("lock")
+  private final Map<String, Long> counts = new HashMap<>();
 
   /**
    * @param ticker the clock for waits

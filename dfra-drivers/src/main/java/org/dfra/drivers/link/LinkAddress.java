@@ -1,6 +1,7 @@
 package org.dfra.drivers.link;
 
 import java.io.IOException;
+import org.dfra.drivers.link.SimLinkRegistry.SimAddress;
 
 /**
  * The address of a device: a parsed and checked link URL. {@code toString} is the URL as

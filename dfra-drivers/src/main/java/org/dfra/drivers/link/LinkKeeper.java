@@ -1,5 +1,6 @@
 package org.dfra.drivers.link;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.concurrent.locks.Condition;
@@ -18,7 +19,7 @@ import org.slf4j.Logger;
  * <p>It logs changes, not attempts: once when the device answers, and once for each new reason why
  * it does not.
  */
-public final class LinkKeeper implements AutoCloseable {
+public final class LinkKeeper implements ReopeningLink {
 
   /** Opens the link. */
   @FunctionalInterface
@@ -45,9 +46,16 @@ public final class LinkKeeper implements AutoCloseable {
 
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition closing;
-  private boolean started; // guarded by lock
-  private @Nullable SerialLink link; // guarded by lock
-  private boolean hurried; // guarded by lock
+
+  @GuardedBy("lock")
+  private boolean started;
+
+  @GuardedBy("lock")
+  private @Nullable SerialLink link;
+
+  private boolean
+      hurried; // guarded by lock; the compiler does not see that a finally block holds it
+
   private volatile boolean closed;
   private volatile String fault = "it has not been opened yet";
 
@@ -75,6 +83,7 @@ public final class LinkKeeper implements AutoCloseable {
   }
 
   /** Starts the reader and returns at once. */
+  @Override
   public void start() {
     lock.lock();
     try {
@@ -234,6 +243,36 @@ public final class LinkKeeper implements AutoCloseable {
     } finally {
       hurried = false;
       lock.unlock();
+    }
+  }
+
+  /**
+   * How long to wait before the next attempt: the initial wait, doubled each time, up to the
+   * maximum.
+   *
+   * @param initial the initial wait, longer than 0
+   * @param max the maximum wait, at least {@code initial}
+   */
+  public record BackOff(Duration initial, Duration max) {
+
+    public BackOff {
+      if (initial.isNegative() || initial.isZero()) {
+        throw new IllegalArgumentException("first wait " + initial + " is not longer than 0");
+      }
+      if (max.compareTo(initial) < 0) {
+        throw new IllegalArgumentException("longest wait " + max + " < first wait " + initial);
+      }
+    }
+
+    /**
+     * The wait after a number of consecutive failures.
+     *
+     * @param failures failures since the last success, at least 1
+     */
+    public Duration after(int failures) {
+      int doublings = Math.min(Math.max(0, failures - 1), 30);
+      long nanos = initial.toNanos();
+      return nanos > max.toNanos() >> doublings ? max : Duration.ofNanos(nanos << doublings);
     }
   }
 }

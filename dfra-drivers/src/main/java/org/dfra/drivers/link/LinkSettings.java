@@ -2,6 +2,7 @@ package org.dfra.drivers.link;
 
 import java.time.Duration;
 import org.dfra.core.config.Parameters;
+import org.dfra.drivers.link.LinkKeeper.BackOff;
 
 /** Reads the common parameters of the drivers of devices behind a link. */
 public final class LinkSettings {
@@ -22,24 +23,28 @@ public final class LinkSettings {
   }
 
   /**
-   * {@code reopen_first}, {@code reopen_longest}: initial and maximum wait before a lost link is
-   * reopened, seconds, 0.01 to 3600; default 0.5 and 8.
+   * {@code reopen_initial_delay}, {@code reopen_max_delay}: initial and maximum wait before a lost
+   * link is reopened, seconds, 0.01 to 3600; default 0.5 and 8.
    *
    * @throws org.dfra.core.config.ConfigurationException if they are set to anything else
    */
   public static BackOff backOff(Parameters parameters) {
     Duration shortest = Duration.ofMillis(10);
     Duration hour = Duration.ofHours(1);
-    Duration first = parameters.seconds("reopen_first", Duration.ofMillis(500), shortest, hour);
-    Duration longest = parameters.seconds("reopen_longest", Duration.ofSeconds(8), shortest, hour);
+    Duration first =
+        parameters.seconds("reopen_initial_delay", Duration.ofMillis(500), shortest, hour);
+    Duration longest =
+        parameters.seconds("reopen_max_delay", Duration.ofSeconds(8), shortest, hour);
     if (longest.compareTo(first) < 0) {
       String set =
-          parameters.find("reopen_longest").isPresent() ? "reopen_longest" : "reopen_first";
+          parameters.find("reopen_max_delay").isPresent()
+              ? "reopen_max_delay"
+              : "reopen_initial_delay";
       throw parameters.fault(
           set,
-          "in order: reopen_first is "
+          "in order: reopen_initial_delay is "
               + first.toMillis() / 1e3
-              + " s and reopen_longest "
+              + " s and reopen_max_delay "
               + longest.toMillis() / 1e3
               + " s, but it must be at least as long",
           null);

@@ -1,6 +1,8 @@
 package org.dfra.drivers.link;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
+import java.util.Set;
 import java.util.TreeMap;
 
 /**
@@ -29,7 +31,9 @@ public final class SimLinkRegistry {
   }
 
   private final String whenEmpty;
-  private final TreeMap<String, LinkFactory> ports = new TreeMap<>(); // guarded by this
+
+  @GuardedBy("this")
+  private final TreeMap<String, LinkFactory> ports = new TreeMap<>();
 
   /**
    * Makes a registry without devices.
@@ -88,5 +92,33 @@ public final class SimLinkRegistry {
                     + String.join(", ", ports.keySet())
                     + ": name one of them, or have the simulation start "
                     + address.name()));
+  }
+
+  /**
+   * A simulated device in this virtual machine: {@code sim:name}. Device, link and driver use the
+   * same clock, in lock-step, so that runs are bit-for-bit repeatable.
+   *
+   * @param url the URL as configured
+   * @param name the device's name in the {@link SimLinkRegistry} of the driver's clock
+   */
+  public record SimAddress(String url, String name) implements LinkAddress {
+
+    static SimAddress of(LinkUrl parts) {
+      parts.allow(Set.of());
+      if (parts.target().isBlank()) {
+        throw parts.fault("it names no simulated device; write sim:name");
+      }
+      return new SimAddress(parts.url(), parts.target());
+    }
+
+    @Override
+    public SerialLink open(Ticker ticker) throws IOException {
+      return ticker.simLinks().open(this);
+    }
+
+    @Override
+    public String toString() {
+      return url;
+    }
   }
 }

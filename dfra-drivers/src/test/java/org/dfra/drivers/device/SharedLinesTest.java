@@ -18,7 +18,7 @@ import org.dfra.drivers.link.SerialLink;
 import org.dfra.drivers.link.Ticker;
 import org.junit.jupiter.api.Test;
 
-/** Who shares a line, and what they are told; no line of these is ever open. */
+/** Which clients share a line, and their notifications. No line of these is ever open. */
 class SharedLinesTest {
 
   private final SharedLinkRegistry<Member, Line> lines = new SharedLinkRegistry<>();
@@ -67,7 +67,7 @@ class SharedLinesTest {
   }
 
   @Test
-  void tellsThoseWhoWereGreetedUntilTheyLeave() {
+  void notifiesConnectedClientsUntilTheyLeave() {
     Line line = join(first, "port");
     line.clients().dispatch(member -> member.reported.add("too early"));
     line.clients().notifyConnected(member -> member.reported.add("hello"));

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
 import java.util.stream.IntStream;
+import org.dfra.drivers.link.LinkKeeper.BackOff;
 import org.junit.jupiter.api.Test;
 
 class BackOffTest {

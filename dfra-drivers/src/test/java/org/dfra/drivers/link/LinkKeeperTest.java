@@ -15,6 +15,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.dfra.drivers.fixture.Modules;
 import org.dfra.drivers.fixture.ScriptedLink;
 import org.dfra.drivers.fixture.StepTicker;
+import org.dfra.drivers.link.LinkKeeper.BackOff;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -90,7 +91,7 @@ class LinkKeeperTest {
     ticker.step(Duration.ofSeconds(2));
     link.say("one".getBytes());
     link.say("two".getBytes());
-    Modules.await().until(() -> talk.heard.size() == 2);
+    Modules.await().until(() -> talk.texts.size() == 2);
     link.unplug();
     Modules.await().until(() -> talk.reasons.size() == 3);
     ticker.awaitWaiting();
@@ -134,7 +135,7 @@ class LinkKeeperTest {
   }
 
   @Test
-  void opensAnewWhenTheUserComplains() {
+  void opensTheLinkAgainWhenItsHandlerComplains() {
     ScriptedLink silent = new ScriptedLink("tcp://here:1");
     links.add(silent);
     keeper.start();
@@ -157,7 +158,7 @@ class LinkKeeperTest {
     ticker.awaitWaiting();
     ticker.step(FIRST);
     second.say("fine".getBytes());
-    Modules.await().until(() -> talk.heard.contains("fine"));
+    Modules.await().until(() -> talk.texts.contains("fine"));
   }
 
   @Test
@@ -203,7 +204,7 @@ class LinkKeeperTest {
   private static final class Talk implements LinkHandler {
 
     final List<SerialLink> opened = new CopyOnWriteArrayList<>();
-    final List<String> heard = new CopyOnWriteArrayList<>();
+    final List<String> texts = new CopyOnWriteArrayList<>();
     final List<String> reasons = new CopyOnWriteArrayList<>();
     volatile @Nullable String complaint;
     volatile String throwOn = "";
@@ -225,7 +226,7 @@ class LinkKeeperTest {
       if (text.equals(throwOn)) {
         throw new IllegalStateException("a fault in the driver");
       }
-      heard.add(text);
+      texts.add(text);
       return true;
     }
 

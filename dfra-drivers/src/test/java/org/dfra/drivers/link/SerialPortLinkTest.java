@@ -91,7 +91,7 @@ class SerialPortLinkTest {
   }
 
   @Test
-  void tellsThatTheDeviceIsLost() throws Exception {
+  void reportsThatTheDeviceIsLost() throws Exception {
     try (SerialLink link = LinkAddress.open("serial:" + here)) {
       socat.destroy();
       socat.waitFor();

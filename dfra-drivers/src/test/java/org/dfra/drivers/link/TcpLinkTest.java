@@ -64,7 +64,7 @@ class TcpLinkTest {
   }
 
   @Test
-  void tellsThatThePeerHasGone() throws IOException {
+  void reportsThatThePeerHasGone() throws IOException {
     peer.close();
     assertThat(link.read(buffer, 0, 10, LONG)).isEqualTo(-1);
     assertThat(link.isOpen()).isFalse();
@@ -75,7 +75,7 @@ class TcpLinkTest {
   }
 
   @Test
-  void tellsThatThePeerHasReset() throws IOException {
+  void reportsThatThePeerHasReset() throws IOException {
     peer.setSoLinger(true, 0);
     peer.close();
     assertThat(link.read(buffer, 0, 10, LONG)).isEqualTo(-1);

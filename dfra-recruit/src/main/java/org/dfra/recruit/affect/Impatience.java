@@ -43,7 +43,7 @@ public final class Impatience implements Affect {
               + maxWaitSeconds
               + " s at "
               + etaReference
-              + " s is none");
+              + " s is invalid");
     }
     this.fastest = minWaitSeconds;
     this.slowest = maxWaitSeconds;

@@ -152,14 +152,17 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
     if (place.get() > WAITING) {
       brought(robot);
       log.warn(
-          "{}: {} does not take letters; {} is lost", context.path(), robot, envelope.message());
+          "{}: {} does not accept messages of agents; {} is lost",
+          context.path(),
+          robot,
+          envelope.message());
       return;
     }
     try {
       route.taskExecutor.execute(() -> deliverAndCount(robot, envelope));
     } catch (OutOfMemoryError e) { // no thread could be created; the next message retries
       brought(robot);
-      log.warn("{}: a letter to {} is lost: {}", context.path(), robot, e.toString());
+      log.warn("{}: a message to {} is lost: {}", context.path(), robot, e.toString());
     }
   }
 
@@ -198,7 +201,7 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
     if (ambiguity.isPresent()) {
       if (!ambiguity.get().equals(warned.put(robot, ambiguity.get()))) {
         log.warn(
-            "{}: nothing is sent to {}: {}; give each a name of its own in its XML",
+            "{}: no message is sent to {}: {}; give each robot a different name in its XML",
             context.path(),
             robot,
             ambiguity.get());
@@ -207,15 +210,15 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
     }
     warned.remove(robot);
     if (found.isEmpty()) {
-      log.debug("{}: {} is not there any more", context.path(), robot);
+      log.debug("{}: {} is no longer registered", context.path(), robot);
       return;
     }
     try {
       found.get(0).module().receive(envelope);
     } catch (RemoteException | NotReadyException e) {
-      log.debug("{}: a letter to {} is lost: {}", context.path(), robot, e.toString());
+      log.debug("{}: a message to {} is lost: {}", context.path(), robot, e.toString());
     } catch (IllegalArgumentException e) { // another version; a lost message like any other
-      log.warn("{}: {} does not understand a letter: {}", context.path(), robot, e.toString());
+      log.warn("{}: {} rejected a message: {}", context.path(), robot, e.toString());
     }
   }
 

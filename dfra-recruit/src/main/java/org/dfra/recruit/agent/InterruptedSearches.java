@@ -38,7 +38,10 @@ final class InterruptedSearches {
       Optional<byte[]> kept = context.state().read(DOCUMENT);
       kept.ifPresent(text -> new String(text, StandardCharsets.UTF_8).lines().forEach(left::add));
     } catch (IOException e) {
-      log.warn("{}: it does not know what it has left: {}", context.path(), e.toString());
+      log.warn(
+          "{}: the stored list of interrupted searches cannot be read: {}",
+          context.path(),
+          e.toString());
     }
   }
 
@@ -51,7 +54,10 @@ final class InterruptedSearches {
     try {
       context.state().write(DOCUMENT, String.join("\n", left).getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
-      log.warn("{}: its next process would not go on: {}", context.path(), e.toString());
+      log.warn(
+          "{}: the list of interrupted searches cannot be stored, so they are not resumed after a restart: {}",
+          context.path(),
+          e.toString());
     }
   }
 
@@ -83,7 +89,7 @@ final class InterruptedSearches {
           left.remove(search.path());
           keep();
         } catch (RemoteException | NotReadyException e) {
-          log.warn("{}: {} cannot go on yet: {}", context.path(), search.path(), e.toString());
+          log.warn("{}: {} cannot be resumed yet: {}", context.path(), search.path(), e.toString());
         }
       }
     }
@@ -93,7 +99,8 @@ final class InterruptedSearches {
   /** Resumes none of them automatically: an operator has stopped the robot, and resumes them. */
   void handOverToOperator() {
     if (!left.isEmpty()) {
-      log.info("{}: these wait until somebody resumes them: {}", context.path(), left);
+      log.info(
+          "{}: these searches are paused until an operator resumes them: {}", context.path(), left);
       left.clear();
       keep();
     }

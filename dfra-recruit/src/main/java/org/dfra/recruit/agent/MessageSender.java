@@ -2,7 +2,7 @@ package org.dfra.recruit.agent;
 
 import org.dfra.recruit.message.MessageEnvelope;
 import org.dfra.recruit.message.RecruitmentMessage;
-import org.dfra.recruit.transport.MessageMode;
+import org.dfra.recruit.transport.Transport.MessageMode;
 
 /**
  * Sends an agent's messages, with a number and a timestamp each. It runs only inside the agent's

@@ -109,7 +109,8 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
     if (!hold.isSettled()) {
       work.handOverToOperator();
       hold.settleByPerson();
-      trip.giveUp("a person let the robot go on, which moves nothing; it waits for the next call");
+      trip.giveUp(
+          "an operator ended the hold, which starts no motion; the robot waits for the next call");
     }
   }
 

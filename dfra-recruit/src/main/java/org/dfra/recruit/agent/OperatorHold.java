@@ -12,8 +12,8 @@ import org.dfra.behavior.Behavior;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.directory.ModuleListing;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.persona.EmergencyStopAttributes;
 import org.dfra.recruit.agent.OperatorHoldStore.HoldReason;
 import org.jspecify.annotations.Nullable;
@@ -152,7 +152,7 @@ final class OperatorHold {
     try {
       Optional<String> unused = queryBehaviors();
     } catch (RemoteException | NotReadyException e) {
-      log.debug("{}: it does not know yet whether somebody stopped it", context.path(), e);
+      log.debug("{}: it is not known yet whether the robot was stopped", context.path(), e);
     }
   }
 
@@ -164,19 +164,19 @@ final class OperatorHold {
     Set<String> missing = missing();
     if (!missing.isEmpty()) {
       return Optional.of(
-          "its agent's new process does not find "
+          "the agent was restarted and does not find "
               + String.join(", ", missing)
-              + ", so nobody knows whether somebody stopped it; where that was removed, have it go"
-              + " on by ./dfra recruit resume "
+              + ", so it is unknown whether the robot was stopped; if that was removed, end the hold"
+              + " with ./dfra recruit resume "
               + context.robot());
     }
     return Optional.ofNullable(silent) // otherwise it is settled at the next query
         .map(
             path ->
                 path
-                    + " does not answer its agent's new process, so nobody knows whether somebody"
-                    + " stopped it; where its computer is in reach, have its group start anew there"
-                    + " by ./dfra module kill "
+                    + " does not answer the restarted agent, so it is unknown whether the robot was"
+                    + " stopped; if its computer can be reached, restart its service group with"
+                    + " ./dfra module kill "
                     + path);
   }
 
@@ -235,7 +235,7 @@ final class OperatorHold {
     return since == null || since.toString().equals(memory.endedStop(path))
         ? Optional.empty()
         : Optional.of(
-            new HoldReason(path, "somebody or something stopped " + path + " at " + since));
+            new HoldReason(path, "an operator or a program stopped " + path + " at " + since));
   }
 
   /**
@@ -308,7 +308,7 @@ final class OperatorHold {
   private String unsettled() {
     Set<String> missing = missing();
     return missing.isEmpty()
-        ? "it does not know yet whether it has found all that may have been stopped"
+        ? "it has not found all modules yet that may have been stopped"
         : "it does not find " + String.join(", ", missing) + " yet";
   }
 
@@ -333,7 +333,7 @@ final class OperatorHold {
    */
   synchronized void endedByGoal(String by, Instant time) {
     if (reason().isPresent() && end(time)) {
-      log.info("{}: it is held no more, since {} has a goal", context.path(), by);
+      log.info("{}: the hold has ended, since {} has a goal", context.path(), by);
     }
   }
 
@@ -346,7 +346,8 @@ final class OperatorHold {
     memory.retain(listed());
     boolean unused = end(Instant.MAX);
     memory.save();
-    log.info("{}: a person lets it go on; now: {}", context.path(), reason().orElse("not held"));
+    log.info(
+        "{}: an operator ended the hold; now: {}", context.path(), reason().orElse("not held"));
   }
 
   /** The waiting work was cancelled: ending the hold moves nothing. */

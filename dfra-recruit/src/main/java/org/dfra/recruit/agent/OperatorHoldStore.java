@@ -62,7 +62,9 @@ final class OperatorHoldStore {
           .filter(line -> line.length == 2)
           .forEach(this::take);
     } catch (IOException e) {
-      unknown = "it cannot read whether somebody stopped it: " + e.getMessage();
+      unknown =
+          "the stored hold cannot be read, so it is unknown whether the robot was stopped: "
+              + e.getMessage();
       log.warn("{}: {}", context.path(), unknown);
     }
   }
@@ -86,7 +88,9 @@ final class OperatorHoldStore {
       context.state().write(DOCUMENT, text().getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
       log.warn(
-          "{}: its next process would not know how it is held: {}", context.path(), e.toString());
+          "{}: the hold cannot be stored, so it is lost after a restart: {}",
+          context.path(),
+          e.toString());
     }
   }
 

@@ -1,11 +1,15 @@
 package org.dfra.recruit.agent;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayDeque;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.dfra.agent.HelpCall;
 import org.dfra.agent.HelpCallRejectedException;
+import org.dfra.agent.HelpCallRejectedException.Reason;
 import org.dfra.agent.RecruitmentStatus;
 import org.dfra.agent.RequesterPhase;
 import org.dfra.agent.ResponderPhase;
@@ -17,7 +21,9 @@ import org.dfra.recruit.message.RecruitmentMessage;
 import org.dfra.recruit.requester.RequesterMachine;
 import org.dfra.recruit.requester.RequesterState;
 import org.dfra.recruit.strategy.RecruitmentStrategy;
-import org.dfra.recruit.transport.MessageMode;
+import org.dfra.recruit.transport.Transport.MessageMode;
+import org.dfra.time.Scheduler.ScheduledTask;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The agent of one robot: it calls other robots for help, and helps. A timer wakes it when a
@@ -130,7 +136,9 @@ public final class Recruiter implements AutoCloseable {
     turns.run(
         () -> {
           if (isOver) {
-            throw new HelpCallRejectedException(robot + "'s agent has ended; ask the next one");
+            throw new HelpCallRejectedException(
+                Reason.NOT_READY,
+                robot + "'s agent has ended; call again when it has been restarted");
           }
           happen(() -> caller.call(call));
         });
@@ -258,5 +266,89 @@ public final class Recruiter implements AutoCloseable {
   @Override
   public String toString() {
     return "agent of " + robot;
+  }
+
+  /**
+   * Wakes an agent at one future time. Except for the wake-up, it runs only inside the agent's
+   * event queue.
+   */
+  private static final class WakeTimer {
+
+    private final RecruiterPorts ports;
+    private final Runnable wake;
+    private @Nullable ScheduledTask task;
+    private Instant at = Instant.MAX;
+
+    WakeTimer(RecruiterPorts ports, Runnable wake) {
+      this.ports = ports;
+      this.wake = wake;
+    }
+
+    /** Sets the time; {@link Instant#MAX} means never. */
+    void set(Instant then) {
+      if (then.equals(at)) {
+        return;
+      }
+      if (task != null) {
+        task.cancel();
+      }
+      at = then;
+      task =
+          then.equals(Instant.MAX)
+              ? null
+              : ports
+                  .scheduler()
+                  .after(Duration.between(ports.monotonicClock().instant(), then).toNanos(), wake);
+    }
+
+    /**
+     * Handles the wake-up; if it was early by the clock, the timer is set to the same time again.
+     */
+    void fired() {
+      task = null;
+      at = Instant.MAX;
+    }
+  }
+
+  /**
+   * Runs one event after the other. An event submitted by the running event, such as the end of a
+   * lease that it cancels, runs next.
+   */
+  private static final class RunToCompletionQueue {
+
+    @GuardedBy("this")
+    private final ArrayDeque<Runnable> waiting = new ArrayDeque<>();
+
+    @GuardedBy("this")
+    private boolean isTaken;
+
+    /** Runs an event before this returns, unless the running event calls it. */
+    synchronized void run(Runnable turn) {
+      waiting.add(turn);
+      if (isTaken) {
+        return;
+      }
+      isTaken = true;
+      @Nullable RuntimeException failure = null;
+      try {
+        for (Runnable next = waiting.poll(); next != null; next = waiting.poll()) {
+          try {
+            next.run();
+          } catch (RuntimeException e) { // events submitted meanwhile must run nevertheless
+            failure = failure == null ? e : failure;
+          }
+        }
+      } finally {
+        isTaken = false;
+      }
+      if (failure != null) {
+        throw failure;
+      }
+    }
+
+    /** Reads state between two events. */
+    synchronized <T> T query(Supplier<T> look) {
+      return look.get();
+    }
   }
 }

@@ -16,20 +16,20 @@ import org.dfra.core.lease.LeaseTerms;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.core.time.BootId;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.persona.AttributeProvider;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.RecruitmentAttributes;
 import org.dfra.recruit.RecruitmentSettings;
-import org.dfra.recruit.affect.ShameSettings;
+import org.dfra.recruit.affect.Shame.ShameSettings;
 import org.dfra.recruit.message.MessageEnvelope;
 import org.dfra.recruit.message.SentMessage;
 import org.dfra.recruit.requester.RequesterAction;
 import org.dfra.recruit.responder.ResponderAction;
 import org.dfra.recruit.strategy.RecruitmentStrategy;
 import org.dfra.recruit.strategy.StrategyRegistry;
-import org.dfra.recruit.transport.MessageMode;
+import org.dfra.recruit.transport.Transport.MessageMode;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -44,27 +44,27 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code strategy}: {@code affective}, {@code greedy}, {@code random}, {@code contract-net},
  *       or the name of a class ({@link StrategyRegistry}); default {@code affective}. {@code
  *       affect}: {@code shame} or {@code impatience}; default {@code shame}
- *   <li>{@code shame_gain}, {@code shame_exponent}, {@code shame_floor}, {@code shame_idle}, {@code
- *       shame_busy}: the constants of {@link ShameSettings}, 0.01 to 100, 0.01 to 10, 0.001 to 1,
- *       and 0.01 to 10 twice. {@code eta_reference}: ETA from which on a place counts as farthest,
- *       seconds, 0.1 to 86400; default the field's diagonal divided by {@code speed}
- *   <li>{@code impatience_fastest}, {@code impatience_slowest}: time after which an unanswered call
- *       motivates an idle robot at the place, and one at {@code eta_reference}, seconds, 0.1 to
- *       3600; default 5 and 30
- *   <li>{@code random_chance}: probability that a free robot offers with the random strategy, 0.01
- *       to 1; default 0.5
- *   <li>{@code window}: wait for other offers after the first, seconds, 0.1 to 10 and below {@code
- *       replace_after} less {@code margin}; default the strategy's own
- *   <li>{@code messages}: {@code broadcast} or {@code unicast}; default {@code broadcast}
- *   <li>{@code speed}: travel speed, metres per second, 0.01 to 50; default 0.5. {@code detour}:
- *       ratio of path length to straight distance, 1 to 10; default 1.2. ETA is the straight
- *       distance times {@code detour}, divided by {@code speed}: give realistic values, otherwise
- *       it withdraws as late
+ *   <li>{@code shame_gain}, {@code shame_exponent}, {@code shame_floor}, {@code shame_idle_factor},
+ *       {@code shame_busy_factor}: the constants of {@link ShameSettings}, 0.01 to 100, 0.01 to 10,
+ *       0.001 to 1, and 0.01 to 10 twice. {@code eta_reference}: ETA from which on a place counts
+ *       as farthest, seconds, 0.1 to 86400; default the field's diagonal divided by {@code speed}
+ *   <li>{@code impatience_min_wait}, {@code impatience_max_wait}: time after which an unanswered
+ *       call motivates an idle robot at the place, and one at {@code eta_reference}, seconds, 0.1
+ *       to 3600; default 5 and 30
+ *   <li>{@code random_offer_probability}: probability that a free robot offers with the random
+ *       strategy, 0.01 to 1; default 0.5
+ *   <li>{@code offer_window}: wait for other offers after the first, seconds, 0.1 to 10 and below
+ *       {@code replace_after} less {@code margin}; default the strategy's own
+ *   <li>{@code message_mode}: {@code broadcast} or {@code unicast}; default {@code broadcast}
+ *   <li>{@code speed}: travel speed, metres per second, 0.01 to 50; default 0.5. {@code
+ *       detour_factor}: ratio of path length to straight distance, 1 to 10; default 1.2. ETA is the
+ *       straight distance times {@code detour_factor}, divided by {@code speed}: give realistic
+ *       values, otherwise it withdraws as late
  *   <li>{@code field}: two corners, south-west and north-east, latitude,longitude each; it neither
  *       travels nor calls outside of it. Default unlimited
  *   <li>{@code tolerance}: tolerance of arrival, metres, 0.05 to 20; default 1
- *   <li>{@code reserve}: charge below which it does not help, 0 to 0.99; default 0.1
- *   <li>{@code longest_stay}: maximum time of help for one call, seconds, 1 to 86400; default 600
+ *   <li>{@code battery_reserve}: charge below which it does not help, 0 to 0.99; default 0.1
+ *   <li>{@code max_stay}: maximum time of help for one call, seconds, 1 to 86400; default 600
  *   <li>{@code go_to_waypoint}: name of the module that drives it; default any of its robot
  *   <li>{@code help_every}, {@code help_rounds}, {@code replace_after}, {@code margin}, {@code
  *       repeat_every}, {@code accept_sends}, {@code arrival_sends}, {@code agree_every}, {@code
@@ -84,7 +84,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl
   private final MessageMode mode;
   private final ModuleRobotPort body;
   private final DirectoryTransport transport;
-  private final AgentMemory memory;
+  private final AgentSnapshotStore memory;
   private final TimeoutConsistencyMonitor agreement;
   private final RecruiterListener observer;
   private volatile @Nullable Recruiter recruiter;
@@ -105,7 +105,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl
 
   /** For tests: on another computer. */
   RecruitmentAgentImpl(ModuleContext context, RecruiterListener extra, BootId boot) {
-    super(lasting(context), "asks other robots for help, and helps", "DFRA", "1");
+    super(lasting(context), "requests help from other robots, and helps them", "DFRA", "1");
     this.context = context;
     this.observer = extra;
     this.traits = RobotTraits.of(settings());
@@ -116,19 +116,19 @@ public final class RecruitmentAgentImpl extends ModuleImpl
             traits,
             recruitmentSettings.helpEvery(),
             new SplittableRandom(context.path().hashCode() ^ clock().millis()));
-    String messages = settings().find("messages").orElse("broadcast").strip();
+    String messages = settings().find("message_mode").orElse("broadcast").strip();
     if (!messages.equals("broadcast") && !messages.equals("unicast")) {
-      throw settings().fault("messages", "broadcast or unicast", null);
+      throw settings().fault("message_mode", "broadcast or unicast", null);
     }
     this.mode = messages.equals("unicast") ? MessageMode.UNICAST : MessageMode.BROADCAST;
     this.body = new ModuleRobotPort(context, traits, log);
     this.transport = new DirectoryTransport(context, log);
-    this.memory = new AgentMemory(context, boot);
+    this.memory = new AgentSnapshotStore(context, boot);
     this.agreement = new TimeoutConsistencyMonitor(context, said(null), log);
     parameterTable()
         .declareReadOnly(
             "disagreements",
-            "robots of the team that wait for another time before they replace a helper",
+            "robots of the team whose replace_after or margin differs from this agent's",
             () -> String.join("; ", new TreeMap<>(agreement.disagreements()).values()));
   }
 
@@ -137,7 +137,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl
     Duration stay =
         context
             .parameters()
-            .seconds("longest_stay", Duration.ofMinutes(10), SHORTEST_STAY, Duration.ofDays(1));
+            .seconds("max_stay", Duration.ofMinutes(10), SHORTEST_STAY, Duration.ofDays(1));
     LeaseTerms terms = context.leases();
     Duration usual = terms.defaultDuration().compareTo(stay) < 0 ? terms.defaultDuration() : stay;
     return context.with(new LeaseTerms(stay, usual));
@@ -179,7 +179,10 @@ public final class RecruitmentAgentImpl extends ModuleImpl
     try {
       return memory.load();
     } catch (IOException e) {
-      log.warn("{}: it does not go on with what it was at: {}", path(), e.toString());
+      log.warn(
+          "{}: its call or help from before the restart is not continued: {}",
+          path(),
+          e.toString());
       recordException(e);
     }
     return memory.loadWithoutTimers();
@@ -192,15 +195,15 @@ public final class RecruitmentAgentImpl extends ModuleImpl
    */
   private void fail(IOException why) {
     body.stop();
-    log.error("{}: it does not start: {}", path(), why.toString(), why);
+    log.error("{}: the agent does not start: {}", path(), why.toString(), why);
     String first =
-        why instanceof AgentMemory.DamagedException
-            ? "move that file away, by which it forgets its call and its promises, and restart it"
-            : "restart it when it can be read";
+        why instanceof AgentSnapshotStore.DamagedException
+            ? "move that file away, which discards its call and its promises, and restart it"
+            : "restart it when the file can be read";
     transitionTo(
         Readiness.FAILED,
         why.getMessage()
-            + ", so it neither calls nor helps anybody; "
+            + ", so it neither calls for help nor helps; "
             + first
             + ": ./dfra module stop "
             + path()
@@ -222,7 +225,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl
   private Recruiter serving() {
     Recruiter made = recruiter;
     if (made == null || !readiness().serves()) {
-      throw new NotReadyException(path(), readiness(), "it cannot recruit anybody now");
+      throw new NotReadyException(path(), readiness(), "it cannot call for help now");
     }
     return made;
   }
@@ -255,7 +258,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl
             ResponderPhase.FREE,
             null,
             0,
-            notReadyReason().orElse("it has not begun yet"))
+            notReadyReason().orElse("it has not started yet"))
         : made.status();
   }
 
@@ -263,7 +266,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl
   public void receive(AgentMessage message) {
     if (!(message instanceof MessageEnvelope envelope)) {
       throw new IllegalArgumentException(
-          path() + " takes letters of recruitment, not " + message.getClass().getName());
+          path() + " accepts recruitment messages, not " + message.getClass().getName());
     }
     serving().receive(envelope);
   }
@@ -291,7 +294,10 @@ public final class RecruitmentAgentImpl extends ModuleImpl
       try {
         memory.save(snapshot);
       } catch (IOException e) {
-        log.warn("{}: the next process would not know what it is at: {}", path(), e.toString());
+        log.warn(
+            "{}: its state cannot be stored, so it is lost after a restart: {}",
+            path(),
+            e.toString());
         recordException(e);
       }
       observer.snapshotChanged(snapshot);

@@ -55,12 +55,13 @@ final class RecruitmentSettingsParser {
    * @param tooLong limit from which on a robot that offered could not arrive in time
    */
   private @Nullable Duration window(Duration tooLong) {
-    if (settings.find("window").isEmpty()) {
+    if (settings.find("offer_window").isEmpty()) {
       return null;
     }
-    Duration window = settings.seconds("window", SHORTEST, SHORTEST, LONGEST_WINDOW);
+    Duration window = settings.seconds("offer_window", SHORTEST, SHORTEST, LONGEST_WINDOW);
     if (window.compareTo(tooLong) >= 0) {
-      throw settings.fault("window", "below replace_after less margin, " + seconds(tooLong), null);
+      throw settings.fault(
+          "offer_window", "below replace_after less margin, " + seconds(tooLong), null);
     }
     return window;
   }

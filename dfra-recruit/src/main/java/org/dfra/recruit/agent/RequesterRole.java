@@ -1,11 +1,13 @@
 package org.dfra.recruit.agent;
 
 import java.time.Instant;
+import java.time.InstantSource;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.dfra.agent.HelpCall;
 import org.dfra.agent.HelpCallRejectedException;
+import org.dfra.agent.HelpCallRejectedException.Reason;
 import org.dfra.agent.RequesterPhase;
 import org.dfra.lease.ModuleLease;
 import org.dfra.recruit.TransitionResult;
@@ -28,7 +30,7 @@ final class RequesterRole {
   private RequesterState state;
   private @Nullable ArrivalLease lease;
   private String replacementReason = ""; // robot that does not come after all, and why
-  private String ended = "it has asked for nothing yet";
+  private String ended = "it has not called for help yet";
 
   /**
    * @param giveBack runs, outside of the event queue, when the lease's holder cancels it
@@ -77,20 +79,20 @@ final class RequesterRole {
     return switch (state.phase()) {
       case IDLE -> ended;
       case CALLING -> asking();
-      case COLLECTING -> "it has an offer, and waits for others";
+      case COLLECTING -> "it has an offer, and waits for further ones";
       case AWARDED -> "it has chosen " + helper() + " and waits for it";
-      case ON_SITE -> helper() + " is there";
+      case ON_SITE -> helper() + " has arrived";
       case BEING_HELPED -> helper() + " helps it";
     };
   }
 
   private String asking() {
     if (state.round() == 0) {
-      return "it waits until the robot that helped before confirms its release, or its lease ends";
+      return "it waits until the previous helper confirms its release, or its lease ends";
     }
     return replacementReason.isEmpty()
-        ? "it asks who can come"
-        : replacementReason + "; it asks again";
+        ? "it calls for help"
+        : replacementReason + "; it calls again";
   }
 
   /** Resumes from the stored state of its last process. */
@@ -114,16 +116,18 @@ final class RequesterRole {
   private void refuse(HelpCall call) {
     if (isUnderWay()) {
       throw new HelpCallRejectedException(
+          Reason.NOT_READY,
           robot
               + " already calls for help ("
               + doing()
-              + "); release that first, or wait for its end");
+              + "); release that call first, or wait for its end");
     }
     if (!ports.robot().isInField(call.position())) {
       throw new HelpCallRejectedException(
+          Reason.OUTSIDE_FIELD,
           String.format(
               Locale.ROOT,
-              "%s cannot call anybody to %.6f°, %.6f°: that is outside the field; name a place"
+              "%s cannot call for help at %.6f°, %.6f°: that is outside the field; choose a place"
                   + " inside it",
               robot,
               call.position().latitude(),
@@ -133,23 +137,25 @@ final class RequesterRole {
       List<String> ambiguous = ports.transport().ambiguousNames(call.percept());
       if (!ambiguous.isEmpty()) {
         throw new HelpCallRejectedException(
+            Reason.AMBIGUOUS_NAMES,
             robot
-                + " calls nobody who can observe \""
+                + " does not call for help to observe \""
                 + call.percept()
                 + "\": "
                 + String.join("; ", ambiguous)
-                + "; give each a name of its own in its XML");
+                + "; give each robot a different name in its XML");
       }
       List<String> known = ports.transport().percepts();
       throw new HelpCallRejectedException(
-          "nobody in reach of "
+          known.isEmpty() ? Reason.ALONE : Reason.NO_CAPABLE_ROBOT,
+          "no robot within reach of "
               + robot
               + " can observe \""
               + call.percept()
               + "\""
               + (known.isEmpty()
-                  ? "; nobody is there"
-                  : "; others observe " + String.join(", ", known)));
+                  ? "; there are no other robots"
+                  : "; other robots observe " + String.join(", ", known)));
     }
   }
 
@@ -199,6 +205,47 @@ final class RequesterRole {
     if (lease != null) {
       lease.invalidate();
       lease = null;
+    }
+  }
+
+  /**
+   * The lease that a requester holds on its helper. It is not renewed: it is the time for which the
+   * helper stays. Cancelling it sends a RELEASE, which may be lost; then it lasts to its end.
+   */
+  private static final class ArrivalLease implements ModuleLease {
+
+    private final Instant expiration;
+    private final InstantSource clock;
+    private final Runnable giveBack;
+    private volatile boolean isOver;
+
+    ArrivalLease(Instant expiration, InstantSource clock, Runnable giveBack) {
+      this.expiration = expiration;
+      this.clock = clock;
+      this.giveBack = giveBack;
+    }
+
+    @Override
+    public Instant expiration() {
+      return expiration;
+    }
+
+    @Override
+    public boolean isLive() {
+      return !isOver && clock.instant().isBefore(expiration);
+    }
+
+    /** The helper has left, or another operation releases it. */
+    void invalidate() {
+      isOver = true;
+    }
+
+    @Override
+    public void close() {
+      if (isLive()) {
+        isOver = true;
+        giveBack.run();
+      }
     }
   }
 }

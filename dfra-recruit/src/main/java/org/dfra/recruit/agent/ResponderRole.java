@@ -9,7 +9,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.dfra.agent.HelpCall;
 import org.dfra.agent.ResponderPhase;
-import org.dfra.core.lease.LeaseGrant;
+import org.dfra.core.lease.LeaseRegistry.LeaseGrant;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.LeaseRole;
 import org.dfra.recruit.RecruitmentSettings;
@@ -20,7 +20,7 @@ import org.dfra.recruit.message.RecruitmentMessage;
 import org.dfra.recruit.message.RecruitmentMessage.Help;
 import org.dfra.recruit.responder.ResponderAction;
 import org.dfra.recruit.responder.ResponderMachine;
-import org.dfra.recruit.responder.ResponderPolicy;
+import org.dfra.recruit.responder.ResponderMachine.ResponderPolicy;
 import org.dfra.recruit.responder.ResponderState;
 import org.dfra.recruit.strategy.RecruitmentStrategy;
 import org.jspecify.annotations.Nullable;
@@ -40,7 +40,7 @@ final class ResponderRole implements ResponderPolicy {
   private final ResponderMachine machine;
   private final Runnable keep;
   private ResponderState state = ResponderState.FREE;
-  private String freed = "it helps nobody";
+  private String freed = "it is not helping";
 
   ResponderRole(
       String robot,
@@ -73,7 +73,7 @@ final class ResponderRole implements ResponderPolicy {
       case FREE -> freed;
       case OFFERED -> "it has offered to help " + requester();
       case TRAVELLING -> "it is on its way to help " + requester();
-      case ARRIVED -> "it is there to help " + requester();
+      case ARRIVED -> "it has arrived to help " + requester();
       case LEASED -> "it observes for " + requester();
     };
   }

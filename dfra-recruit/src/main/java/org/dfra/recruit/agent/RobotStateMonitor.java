@@ -100,15 +100,13 @@ final class RobotStateMonitor implements AutoCloseable {
             new DelayedTaskExecutor("dfra-inputs " + context.path(), context.scheduler()),
             log);
     String robot = context.robot();
-    inputs.declare(
+    inputs.declareOne(
         ModuleQuery.of(PositionEstimator.class).robot(robot),
-        false,
         "",
         PoseEstimate.class,
         (source, sequence, estimate) -> pose = received(estimate));
-    inputs.declare(
+    inputs.declareOne(
         ModuleQuery.of(BatterySensor.class).robot(robot),
-        false,
         "",
         BatteryState.class,
         (source, sequence, state) -> charge = received(state));
@@ -117,10 +115,8 @@ final class RobotStateMonitor implements AutoCloseable {
   }
 
   private void watch(Class<? extends Behavior<?>> kind) {
-    inputs.declare(
+    inputs.declareAll(
         ModuleQuery.of(kind).robot(context.robot()),
-        true,
-        "",
         BehaviorStatus.class,
         (source, sequence, status) -> take(source, status));
   }

@@ -39,9 +39,9 @@ record RobotTraits(
     return new RobotTraits(
         percepts.stream().filter(each -> !each.isBlank()).toList(),
         settings.number("speed", 0.5, 0.01, 50),
-        settings.number("detour", 1.2, 1, 10),
+        settings.number("detour_factor", 1.2, 1, 10),
         settings.number("tolerance", 1, 0.05, 20),
-        settings.number("reserve", 0.1, 0, 0.99),
+        settings.number("battery_reserve", 0.1, 0, 0.99),
         corners == null ? null : corners[0],
         corners == null ? null : corners[1]);
   }

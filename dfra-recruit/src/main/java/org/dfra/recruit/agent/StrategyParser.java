@@ -8,7 +8,7 @@ import org.dfra.core.config.Parameters;
 import org.dfra.recruit.affect.Affect;
 import org.dfra.recruit.affect.Impatience;
 import org.dfra.recruit.affect.Shame;
-import org.dfra.recruit.affect.ShameSettings;
+import org.dfra.recruit.affect.Shame.ShameSettings;
 import org.dfra.recruit.strategy.RandomPick;
 import org.dfra.recruit.strategy.RecruitmentStrategy;
 import org.dfra.recruit.strategy.StrategyRegistry;
@@ -42,7 +42,8 @@ final class StrategyParser {
       Parameters settings, RobotTraits traits, Duration first, RandomGenerator random) {
     StrategyParser read = new StrategyParser(settings);
     Affect affect = read.affect(traits, first); // its faults are not the strategy's
-    double chance = settings.number("random_chance", RandomPick.DEFAULT_OFFER_PROBABILITY, 0.01, 1);
+    double chance =
+        settings.number("random_offer_probability", RandomPick.DEFAULT_OFFER_PROBABILITY, 0.01, 1);
     String name = settings.find("strategy").orElse("affective").strip();
     try {
       return StrategyRegistry.named(name, affect, random, chance);
@@ -67,8 +68,8 @@ final class StrategyParser {
         settings.number("shame_gain", usual.gain(), 0.01, 100),
         settings.number("shame_exponent", usual.exponent(), 0.01, 10),
         settings.number("shame_floor", usual.floor(), 0.001, 1),
-        settings.number("shame_idle", usual.idleFactor(), 0.01, 10),
-        settings.number("shame_busy", usual.busyFactor(), 0.01, 10),
+        settings.number("shame_idle_factor", usual.idleFactor(), 0.01, 10),
+        settings.number("shame_busy_factor", usual.busyFactor(), 0.01, 10),
         settings.find("eta_reference").isPresent()
             ? inSeconds(settings.seconds("eta_reference", FARTHEST, SHORTEST, FARTHEST))
             : usual.etaReference(),
@@ -76,8 +77,8 @@ final class StrategyParser {
   }
 
   private Impatience impatience(double etaReference, Duration first) {
-    Duration fastest = settings.seconds("impatience_fastest", FASTEST, SHORTEST, LONGEST);
-    Duration slowest = settings.seconds("impatience_slowest", SLOWEST, SHORTEST, LONGEST);
+    Duration fastest = settings.seconds("impatience_min_wait", FASTEST, SHORTEST, LONGEST);
+    Duration slowest = settings.seconds("impatience_max_wait", SLOWEST, SHORTEST, LONGEST);
     if (slowest.compareTo(fastest) < 0) {
       throw nearOnesAreSlower(fastest, slowest);
     }
@@ -86,12 +87,16 @@ final class StrategyParser {
 
   /** At least one of the two is set, since the defaults are consistent. */
   private ConfigurationException nearOnesAreSlower(Duration fastest, Duration slowest) {
-    Optional<String> written = settings.find("impatience_slowest");
+    Optional<String> written = settings.find("impatience_max_wait");
     return written.isPresent()
         ? settings.fault(
-            "impatience_slowest", "at least impatience_fastest, " + inSeconds(fastest) + " s", null)
+            "impatience_max_wait",
+            "at least impatience_min_wait, " + inSeconds(fastest) + " s",
+            null)
         : settings.fault(
-            "impatience_fastest", "at most impatience_slowest, " + inSeconds(slowest) + " s", null);
+            "impatience_min_wait",
+            "at most impatience_max_wait, " + inSeconds(slowest) + " s",
+            null);
   }
 
   private static double inSeconds(Duration span) {

@@ -64,8 +64,8 @@ final class TimeoutConsistencyMonitor
     String what =
         String.format(
             Locale.ROOT,
-            "%s has replace_after %s s and margin %s s, this agent %s s and %s s; set them alike in"
-                + " the whole team, or a call may have two helpers",
+            "%s has replace_after %s s and margin %s s, this agent %s s and %s s; set the same"
+                + " values in the whole team, or a call may have two helpers",
             robot,
             theirs.replaceAfter(),
             theirs.margin(),

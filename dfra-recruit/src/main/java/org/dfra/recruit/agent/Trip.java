@@ -54,7 +54,7 @@ final class Trip {
   private @Nullable LegGoal aim; // of the last trip
   private @Nullable EmergencyStopSnapshot stops; // at the request; null until the drives respond
   private @Nullable StartedLeg inherited; // until it is known whether that still runs
-  private boolean isResting; // as soon as possible
+  private boolean isCancelScheduled; // as soon as possible
   private volatile boolean isOver;
 
   /**
@@ -166,7 +166,7 @@ final class Trip {
         limit();
       }
     } catch (RemoteException | NotReadyException e) {
-      log.info("{}: it waits: {}", path, e.toString());
+      log.info("{}: the trip waits: {}", path, e.toString());
       waitUntilSettled();
     }
     taskExecutor.schedule(POLL_INTERVAL_NANOS, () -> look(goal, of));
@@ -178,7 +178,7 @@ final class Trip {
    */
   private void waitUntilSettled() {
     if (!hold.isSettled() && travel.goal().isPresent()) {
-      log.info("{}: it stops until it has asked all behaviours of the robot", path);
+      log.info("{}: it stops until it has queried all behaviours of the robot", path);
       travel.cancel();
       if (!travel.isUnresolved()) {
         memory.forget(); // the next process must not treat this as an operator's stop
@@ -195,9 +195,10 @@ final class Trip {
   private Optional<String> lost(GoalDelegation.GoalLoss how) throws RemoteException {
     switch (how) {
       case REPLACED:
-        return Optional.of("what drives it was given another goal");
+        return Optional.of("the behaviour that drives it was given another goal");
       case FORGOTTEN:
-        String why = "what drives it forgot its leg, so nobody knows whether somebody stopped it";
+        String why =
+            "the behaviour that drives it lost its leg, so it is unknown whether the robot was stopped";
         hold.setUnknown(why);
         work.handOverToOperator();
         return Optional.of(why);
@@ -254,7 +255,7 @@ final class Trip {
     long left = isLimited ? leaseEnd - time.nanos() : Long.MAX_VALUE;
     if (left <= 0) { // this process was suspended, or waited for the behaviour
       journey = null;
-      of.failed("its lease of the task is over");
+      of.failed("its lease of the task has ended");
       return;
     }
     try {
@@ -293,7 +294,10 @@ final class Trip {
     try {
       limit();
     } catch (RemoteException | NotReadyException e) { // the next poll retries
-      log.info("{}: what drives it does not know its longer lease yet: {}", path, e.toString());
+      log.info(
+          "{}: the behaviour that drives it has not received the renewed lease yet: {}",
+          path,
+          e.toString());
     }
   }
 
@@ -333,7 +337,7 @@ final class Trip {
     if (status.phase() == Phase.PAUSED || status.phase() == Phase.CANCELLED) {
       work.handOverToOperator();
       if (status.heldSince() == null) { // a program did it, for an unknown client
-        hold.setUnknown("a program stopped its trip: " + status.activity());
+        hold.setUnknown("its trip was stopped by a program: " + status.activity());
       }
     }
   }
@@ -353,13 +357,13 @@ final class Trip {
     try {
       travel.status().ifPresent(this::heed); // it may have been paused since the last poll
     } catch (RemoteException | NotReadyException e) {
-      log.debug("{}: it does not know how its leg is: {}", path, e.toString());
+      log.debug("{}: the status of its leg is unknown: {}", path, e.toString());
     }
-    rest();
+    cancelTravel();
   }
 
   /** Retries if the behaviour does not respond, until the next trip. */
-  private void rest() {
+  private void cancelTravel() {
     if (journey != null) {
       return;
     }
@@ -370,14 +374,14 @@ final class Trip {
         memory.forget();
       }
     } catch (RemoteException | NotReadyException e) {
-      log.debug("{}: it does not know yet whether it still drives: {}", path, e.toString());
-      if (!isResting) {
-        isResting = true;
+      log.debug("{}: it is not known yet whether it still drives: {}", path, e.toString());
+      if (!isCancelScheduled) {
+        isCancelScheduled = true;
         taskExecutor.schedule(
             POLL_INTERVAL_NANOS,
             () -> {
-              isResting = false;
-              rest();
+              isCancelScheduled = false;
+              cancelTravel();
             });
       }
     }

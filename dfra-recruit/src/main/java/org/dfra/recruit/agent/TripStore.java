@@ -53,7 +53,7 @@ final class TripStore {
         return Optional.of(begun);
       }
     } catch (IOException | IllegalArgumentException e) {
-      log.warn("{}: it does not know where it was going: {}", context.path(), e.toString());
+      log.warn("{}: the stored trip cannot be read: {}", context.path(), e.toString());
     }
     return Optional.empty();
   }
@@ -75,7 +75,7 @@ final class TripStore {
       isKept = !text.isEmpty();
     } catch (IOException e) {
       log.warn(
-          "{}: its next process would not know where it is going: {}",
+          "{}: the trip cannot be stored, so it is lost after a restart: {}",
           context.path(),
           e.toString());
     }

@@ -13,7 +13,7 @@ public record Conversation(String requester, long number) implements Serializabl
 
   public Conversation {
     if (requester.isBlank()) {
-      throw new IllegalArgumentException("a conversation that nobody began");
+      throw new IllegalArgumentException("a conversation needs the name of its requester");
     }
   }
 

@@ -43,7 +43,7 @@ public sealed interface RecruitmentMessage extends Serializable {
       boolean isEta = !eta.isNegative() && eta.compareTo(HelpCall.MAX_DURATION) <= 0;
       if (bid < 0 || !isEta || !(battery >= 0 && battery <= 1)) {
         throw new IllegalArgumentException(
-            "bid " + bid + ", " + eta.toSeconds() + " s, battery " + battery + " is no offer");
+            "bid " + bid + ", " + eta.toSeconds() + " s, battery " + battery + " is not an offer");
       }
     }
   }

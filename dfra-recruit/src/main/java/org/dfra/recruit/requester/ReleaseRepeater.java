@@ -29,22 +29,22 @@ final class ReleaseRepeater {
       RequesterState state, String why, Instant now) {
     String robot = state.requireWinner().robot();
     Conversation in = state.conversation();
-    return release(state, new Farewell(in, robot, now, state.until()), why, now);
+    return release(state, new PendingRelease(in, robot, now, state.until()), why, now);
   }
 
   /** Advances the time. */
   TransitionResult<RequesterState, RequesterAction> tick(RequesterState state, Instant now) {
-    Farewell farewell = state.farewell();
+    PendingRelease farewell = state.farewell();
     if (farewell == null || now.isBefore(farewell.again())) {
       return TransitionResult.none(state);
     }
     return now.isBefore(farewell.until())
-        ? release(state, farewell, "not wanted any more", now)
+        ? release(state, farewell, "no longer needed", now)
         : TransitionResult.none(state.withPendingRelease(null)); // its commitment has expired
   }
 
   private TransitionResult<RequesterState, RequesterAction> release(
-      RequesterState state, Farewell farewell, String why, Instant now) {
+      RequesterState state, PendingRelease farewell, String why, Instant now) {
     return new TransitionResult<>(
         state.withPendingRelease(farewell.repeatedAt(now.plus(every))),
         List.of(
@@ -53,7 +53,7 @@ final class ReleaseRepeater {
 
   /** Handles a message, which may be the acknowledgement of the released helper. */
   static RequesterState receive(RequesterState state, String from, RecruitmentMessage message) {
-    Farewell farewell = state.farewell();
+    PendingRelease farewell = state.farewell();
     return farewell != null && farewell.isAcknowledgedBy(from, message)
         ? state.withPendingRelease(null)
         : state;

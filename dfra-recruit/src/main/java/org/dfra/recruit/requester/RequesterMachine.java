@@ -45,7 +45,7 @@ import org.dfra.recruit.requester.RequesterAction.SendToTeam;
  */
 public final class RequesterMachine {
 
-  private static final String LATE = "did not come in time";
+  private static final String LATE = "did not arrive in time";
 
   private final RecruitmentSettings settings;
   private final BidSelector chooser;
@@ -73,7 +73,7 @@ public final class RequesterMachine {
     if (state.phase() == RequesterPhase.BEING_HELPED) {
       before = taken(parting.release(state, "another call", now), actions);
       actions.add(
-          new EndCall(true, state.requireWinner().robot() + " was let go for another call"));
+          new EndCall(true, state.requireWinner().robot() + " was released for another call"));
     }
     return open(before, call, now.plus(call.searchTimeout()), now, actions);
   }
@@ -85,7 +85,7 @@ public final class RequesterMachine {
       Instant now,
       List<RequesterAction> actions) {
     Conversation next = state.conversation().next();
-    Farewell farewell = state.farewell();
+    PendingRelease farewell = state.farewell();
     if (farewell != null) {
       Instant free = farewell.until().isBefore(patience) ? farewell.until() : patience;
       return new TransitionResult<>(state.open(next, call, patience, free).waiting(free), actions);
@@ -105,17 +105,14 @@ public final class RequesterMachine {
       RequesterState state, Instant now) {
     return switch (state.phase()) {
       case IDLE -> TransitionResult.none(state);
-      case CALLING, COLLECTING -> giveUp(state, "it is not wanted any more");
+      case CALLING, COLLECTING -> giveUp(state, "it is no longer needed");
       case AWARDED, ON_SITE ->
-          ended(
-              parting.release(state, "not wanted any more", now),
-              false,
-              "it is not wanted any more");
+          ended(parting.release(state, "no longer needed", now), false, "it is no longer needed");
       case BEING_HELPED ->
           ended(
-              parting.release(state, "that was all", now),
+              parting.release(state, "the help is complete", now),
               true,
-              state.requireWinner().robot() + " was let go");
+              state.requireWinner().robot() + " was released");
     };
   }
 
@@ -156,14 +153,15 @@ public final class RequesterMachine {
           new TransitionResult<>(
               state.ended(),
               List.of(
-                  new EndCall(true, "the lease of " + state.requireWinner().robot() + " is over")));
+                  new EndCall(
+                      true, "the lease of " + state.requireWinner().robot() + " has ended")));
     };
   }
 
   private TransitionResult<RequesterState, RequesterAction> callAgain(
       RequesterState state, Instant now) {
     if (!now.isBefore(state.patience())) {
-      return giveUp(state, "nobody offered to come in time");
+      return giveUp(state, "no robot offered to arrive in time");
     }
     HelpCall call = state.requireCall();
     if (state.round() >= settings.roundsPerConversation()) {
@@ -343,7 +341,8 @@ public final class RequesterMachine {
       case BEING_HELPED ->
           state.isWinner(from)
               ? new TransitionResult<>(
-                  state.ended(), List.of(new EndCall(true, from + " has left: " + refuse.why())))
+                  state.ended(),
+                  List.of(new EndCall(true, from + " has ended its help: " + refuse.why())))
               : TransitionResult.none(state);
     };
   }
@@ -381,7 +380,7 @@ public final class RequesterMachine {
   private static TransitionResult<RequesterState, RequesterAction> released(
       RequesterState state, String robot, Conversation which) {
     return new TransitionResult<>(
-        state, List.of(new SendToRobot(robot, new Release(which, "that call is over", false))));
+        state, List.of(new SendToRobot(robot, new Release(which, "that call has ended", false))));
   }
 
   private static SendToRobot release(RequesterState state, String robot, String why) {

@@ -33,7 +33,7 @@ public record RequesterState(
     Instant due,
     Instant until,
     Instant patience,
-    @Nullable Farewell farewell)
+    @Nullable PendingRelease farewell)
     implements Serializable {
 
   public RequesterState {
@@ -70,7 +70,7 @@ public record RequesterState(
 
   Bid requireWinner() {
     if (winner == null) {
-      throw new IllegalStateException(conversation + " is " + phase + " and chose nobody");
+      throw new IllegalStateException(conversation + " is " + phase + " and has no chosen robot");
     }
     return winner;
   }
@@ -165,7 +165,7 @@ public record RequesterState(
         farewell);
   }
 
-  RequesterState withPendingRelease(@Nullable Farewell from) {
+  RequesterState withPendingRelease(@Nullable PendingRelease from) {
     return new RequesterState(
         phase, conversation, call, round, bids, winner, due, until, patience, from);
   }

@@ -28,7 +28,7 @@ import org.dfra.recruit.responder.ResponderAction.Relieve;
 import org.dfra.recruit.responder.ResponderAction.ResumeOwnWork;
 import org.dfra.recruit.responder.ResponderAction.SendToRobot;
 import org.dfra.recruit.responder.ResponderAction.TravelTo;
-import org.dfra.recruit.responder.ResponderPolicy.Offer;
+import org.dfra.recruit.responder.ResponderMachine.ResponderPolicy.Offer;
 
 /**
  * State machine of a responder, with the transitions of {@link ResponderPhase}. Pure except for the
@@ -65,7 +65,7 @@ public final class ResponderMachine {
     if (isToResponders(message)) {
       Conversation mine = state.conversation();
       if (mine != null && message.conversation().supersedes(mine)) {
-        state = taken(free(state, "the call goes on without it"), actions);
+        state = taken(free(state, "the call continues without it"), actions);
       }
       state = taken(receiveNow(state, message, now), actions);
     }
@@ -102,7 +102,7 @@ public final class ResponderMachine {
   private TransitionResult<ResponderState, ResponderAction> help(
       ResponderState before, Help help, Instant now) {
     Conversation asked = help.conversation();
-    Ledger ledger = before.ledger(asked);
+    ConversationRecord ledger = before.ledger(asked);
     if (ledger.hasReceived(asked.number(), help.round())) {
       return TransitionResult.none(before);
     }
@@ -115,13 +115,13 @@ public final class ResponderMachine {
     }
     boolean isOver = asked.number() <= ledger.closed();
     if (isOver || state.phase() != ResponderPhase.FREE) {
-      String why = isOver ? "it is out of this" : "it helps another";
+      String why = isOver ? "it has left this conversation" : "it helps another";
       return declined(state, new Refuse(asked, why, isOver));
     }
     Optional<Offer> offer = judge.offer(help.call());
     return offer.isPresent() && judge.shouldOffer(help, offer.get())
         ? offer(state, asked, help.call(), offer.get(), 1, now)
-        : declined(state, new Refuse(asked, "it cannot or does not want to", false));
+        : declined(state, new Refuse(asked, "it is not able or not willing to help", false));
   }
 
   private TransitionResult<ResponderState, ResponderAction> declined(
@@ -157,7 +157,7 @@ public final class ResponderMachine {
   private TransitionResult<ResponderState, ResponderAction> repeatOffer(
       ResponderState state, Instant now) {
     return state.sends() >= settings.acceptSends()
-        ? turnBack(state, "it heard no answer")
+        ? turnBack(state, "it received no answer")
         : offerAgain(state, state.sends() + 1, now);
   }
 
@@ -180,7 +180,7 @@ public final class ResponderMachine {
     if (!state.isIn(in)) {
       return state.ledger(in).completed() >= in.number()
           ? TransitionResult.none(state)
-          : refused(state.close(in), in, "it is out of this");
+          : refused(state.close(in), in, "it has left this conversation");
     }
     if (id.bid() < 0 || id.bid() >= state.offers().size()) {
       return TransitionResult.none(state); // not an offer of this robot
@@ -200,7 +200,7 @@ public final class ResponderMachine {
       ResponderState state, Instant promise, Instant now) {
     Optional<Duration> eta = judge.offer(state.requireCall()).map(Offer::eta);
     if (eta.isEmpty() || !now.plus(eta.get()).isBefore(promise)) {
-      return turnBack(state, "it could not be there in time any more");
+      return turnBack(state, "it could no longer arrive in time");
     }
     return new TransitionResult<>(
         state.travelling(promise),
@@ -212,7 +212,7 @@ public final class ResponderMachine {
     Conversation which = message.conversation();
     if (state.isIn(which)) {
       TransitionResult<ResponderState, ResponderAction> freed =
-          free(state, "it is not wanted any more");
+          free(state, "it is no longer needed");
       return state.phase().isCommitted() ? freed : relieved(freed.state());
     }
     boolean isNews = which.number() > state.ledger(which).closed();
@@ -230,7 +230,7 @@ public final class ResponderMachine {
       return step;
     }
     List<ResponderAction> actions = new ArrayList<>(step.actions());
-    actions.add(new SendToRobot(which.requester(), new Refuse(which, "it was let go", true)));
+    actions.add(new SendToRobot(which.requester(), new Refuse(which, "it was released", true)));
     return new TransitionResult<>(step.state(), actions);
   }
 
@@ -250,7 +250,7 @@ public final class ResponderMachine {
     boolean isKnown = state.ledger(which).completed() == which.number();
     return isKnown
         ? new TransitionResult<>(state, List.of(ackAck))
-        : refused(state.close(which), which, "it has left");
+        : refused(state.close(which), which, "it has ended its help");
   }
 
   /** The robot has arrived. No effect where it does not travel any more. */
@@ -285,7 +285,7 @@ public final class ResponderMachine {
         state.phase() == ResponderPhase.LEASED
             && state.remainingStay(now).compareTo(settings.margin()) <= 0;
     return isAsAgreed
-        ? free(state, "its lease is over")
+        ? free(state, "its lease has ended")
         : turnBack(state, "its lease was ended early");
   }
 
@@ -297,9 +297,9 @@ public final class ResponderMachine {
     return switch (state.phase()) {
       case FREE -> TransitionResult.none(state);
       case OFFERED -> repeatOffer(state, now);
-      case TRAVELLING -> turnBack(state, "it could not be there in time");
+      case TRAVELLING -> turnBack(state, "it could not arrive in time");
       case ARRIVED -> arriveAgain(state, now);
-      case LEASED -> free(state, "its lease is over");
+      case LEASED -> free(state, "its lease has ended");
     };
   }
 
@@ -308,7 +308,7 @@ public final class ResponderMachine {
     UUID lease = state.lease();
     boolean isLate = !now.isBefore(state.until()) || state.sends() >= settings.arrivalSends();
     if (isLate || lease == null) {
-      return turnBack(state, "it heard no answer");
+      return turnBack(state, "it received no answer");
     }
     Conversation in = state.requireConversation();
     return new TransitionResult<>(
@@ -336,5 +336,29 @@ public final class ResponderMachine {
       actions.add(new ResumeOwnWork(why));
     }
     return new TransitionResult<>(state.freed(), actions);
+  }
+
+  /** A responder's queries of its robot and its strategy. */
+  public interface ResponderPolicy {
+
+    /**
+     * A possible offer.
+     *
+     * @param eta time to reach the place
+     * @param battery charge left, 0 to 1
+     */
+    record Offer(Duration eta, double battery) {}
+
+    /**
+     * Its possible offer now; empty where it cannot observe the percept, cannot come, or is not
+     * free.
+     */
+    Optional<Offer> offer(HelpCall call);
+
+    /** Whether it offers. Called once per call of a conversation, and only while it is free. */
+    boolean shouldOffer(Help help, Offer offer);
+
+    /** Whether it sends a refusal when it does not offer. */
+    boolean sendsRefusal();
   }
 }

@@ -38,7 +38,7 @@ public record ResponderState(
     Instant until,
     @Nullable UUID lease,
     Instant leaseEnd,
-    Map<String, Ledger> ledgers)
+    Map<String, ConversationRecord> ledgers)
     implements Serializable {
 
   /** Before the first call. */
@@ -49,7 +49,7 @@ public record ResponderState(
     ledgers = Map.copyOf(ledgers);
   }
 
-  private static ResponderState free(Map<String, Ledger> ledgers) {
+  private static ResponderState free(Map<String, ConversationRecord> ledgers) {
     return new ResponderState(
         ResponderPhase.FREE,
         null,
@@ -91,20 +91,20 @@ public record ResponderState(
     return other.equals(conversation);
   }
 
-  Ledger ledger(Conversation of) {
-    return ledgers.getOrDefault(of.requester(), Ledger.EMPTY);
+  ConversationRecord ledger(Conversation of) {
+    return ledgers.getOrDefault(of.requester(), ConversationRecord.EMPTY);
   }
 
-  private ResponderState with(Map<String, Ledger> known) {
+  private ResponderState with(Map<String, ConversationRecord> known) {
     return new ResponderState(
         phase, conversation, call, sends, offers, again, until, lease, leaseEnd, known);
   }
 
-  ResponderState remember(String requester, Ledger ledger) {
+  ResponderState remember(String requester, ConversationRecord ledger) {
     if (ledger.equals(ledgers.get(requester))) {
       return this;
     }
-    Map<String, Ledger> known = new HashMap<>(ledgers);
+    Map<String, ConversationRecord> known = new HashMap<>(ledgers);
     known.put(requester, ledger);
     return with(known);
   }

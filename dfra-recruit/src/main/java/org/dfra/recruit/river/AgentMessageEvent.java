@@ -37,7 +37,8 @@ public final class AgentMessageEvent extends RemoteEvent {
         || getID() != EVENT_ID
         || !envelope.sender().equals(getSource())
         || envelope.number() != getSequenceNumber()) {
-      throw new InvalidObjectException("an event that is not of the letter which it carries");
+      throw new InvalidObjectException(
+          "the event's source or number differs from that of its message");
     }
   }
 }

@@ -53,7 +53,8 @@ public final class RecruitmentAgentProxy extends ModuleProxy<RecruitmentControl>
     try {
       ((RemoteRecruitmentAgent) target).notify(new AgentMessageEvent(message));
     } catch (UnknownEventException e) {
-      throw new IllegalArgumentException(identification().path() + " takes no such letters", e);
+      throw new IllegalArgumentException(
+          identification().path() + " does not accept such messages", e);
     }
   }
 }

@@ -46,7 +46,7 @@ public final class RecruitmentAgentServer extends ModuleServer<RecruitmentAgent>
   public void notify(RemoteEvent event) throws UnknownEventException, RemoteException {
     if (!(event instanceof AgentMessageEvent known)) {
       throw new UnknownEventException(
-          path() + " takes letters of agents, not " + event.getClass().getName());
+          path() + " accepts messages of agents, not " + event.getClass().getName());
     }
     module().receive(known.message());
   }

@@ -21,7 +21,7 @@ import org.dfra.recruit.requester.Bid;
  *       is answered by a RELEASE.
  * </ul>
  */
-public final class ContractNet implements RecruitmentStrategy {
+final class ContractNet implements RecruitmentStrategy {
 
   static final String NAME = "contract-net";
 

@@ -61,19 +61,19 @@ public final class StrategyRegistry {
   private static Class<?> type(String name) {
     if (!name.contains(".")) {
       throw new ConfigurationException(
-          "there is no strategy \""
+          "unknown strategy \""
               + name
               + "\""
               + NearestName.hint(
                   name,
                   NAMES,
-                  "; there are " + String.join(", ", NAMES) + ", and classes by their full names"));
+                  "; use " + String.join(", ", NAMES) + ", or a class by its full name"));
     }
     Class<?> type;
     try {
       type = Class.forName(name, true, Thread.currentThread().getContextClassLoader());
     } catch (ClassNotFoundException e) {
-      throw fault(name, "is not on the class path; add its jar or mend the name", e);
+      throw fault(name, "is not on the class path; add its jar or correct the name", e);
     } catch (LinkageError e) {
       throw fault(name, "cannot be loaded (" + e + "); add the jar that it needs", e);
     }
@@ -94,12 +94,11 @@ public final class StrategyRegistry {
         return (RecruitmentStrategy) plain.get().newInstance();
       }
     } catch (InvocationTargetException e) {
-      throw fault(type.getName(), "cannot be made: " + e.getCause(), e);
+      throw fault(type.getName(), "cannot be instantiated: " + e.getCause(), e);
     } catch (ReflectiveOperationException e) {
-      throw fault(type.getName(), "cannot be made: " + e, e);
+      throw fault(type.getName(), "cannot be instantiated: " + e, e);
     }
-    throw fault(
-        type.getName(), "has no public constructor () or (RandomGenerator); give it one", null);
+    throw fault(type.getName(), "has no public constructor () or (RandomGenerator); add one", null);
   }
 
   private static Optional<Constructor<?>> constructor(Class<?> type, Class<?>... parameters) {

@@ -28,7 +28,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** An agent whose computer's clock is set, or whose computer is started anew. */
+/** An agent whose computer's clock is set, or whose computer is restarted. */
 class AgentClockTest {
 
   private static final HelpCall CALL =
@@ -135,7 +135,7 @@ class AgentClockTest {
     assertThat(again.status().requesterPhase())
         .as("after its patience")
         .isEqualTo(RequesterPhase.IDLE);
-    assertThat(again.status().lastChange()).contains("nobody offered to come in time");
+    assertThat(again.status().lastChange()).contains("no robot offered to arrive in time");
   }
 
   @Test
@@ -146,9 +146,11 @@ class AgentClockTest {
     end(uav);
     long conversation = received.get(0).message().conversation().number();
     BootId former = new BootId(Files.writeString(folder.resolve("boot_id"), "another"));
-    AgentMemory writer = new AgentMemory(context("uav", kept, Map.of()), former);
+    AgentSnapshotStore writer = new AgentSnapshotStore(context("uav", kept, Map.of()), former);
     AgentSnapshot last =
-        new AgentMemory(context("uav", kept, Map.of()), BootId.system()).load().orElseThrow();
+        new AgentSnapshotStore(context("uav", kept, Map.of()), BootId.system())
+            .load()
+            .orElseThrow();
     writer.save(last);
     received.clear();
     RecruitmentAgentImpl again = caller();

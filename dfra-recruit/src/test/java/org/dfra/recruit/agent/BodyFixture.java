@@ -29,25 +29,25 @@ abstract class BodyFixture {
   final Driver driver = modules.add(new Driver(modules.context("go_to_waypoint")));
   final Search search = modules.add(new Search(modules.context("raster_search")));
 
-  /** What the body told of {@link #journey}. */
-  final List<String> told = new ArrayList<>();
+  /** What the body reported to {@link #journey}. */
+  final List<String> reports = new ArrayList<>();
 
   final RobotPort.TravelListener journey =
       new RobotPort.TravelListener() {
         @Override
         public void arrived() {
-          told.add("arrived");
+          reports.add("arrived");
         }
 
         @Override
         public void failed(String why) {
-          told.add(why);
+          reports.add(why);
         }
       };
 
   ModuleRobotPort body = body();
 
-  /** Another, which has begun. */
+  /** Another one, started. */
   ModuleRobotPort body() {
     ModuleRobotPort made =
         new ModuleRobotPort(modules.context("agent"), TRAITS, LoggerFactory.getLogger("test"));

@@ -20,6 +20,7 @@ import org.dfra.behavior.RasterGoal;
 import org.dfra.behavior.RasterSearch;
 import org.dfra.behavior.ReturnHome;
 import org.dfra.core.behavior.BehaviorImpl;
+import org.dfra.core.behavior.BehaviorImpl.RequestedBy;
 import org.dfra.core.behavior.GoalExecution;
 import org.dfra.core.behavior.GoalProgress;
 import org.dfra.core.config.Parameters;
@@ -39,15 +40,15 @@ import org.dfra.flow.sensor.BatteryState;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Module;
-import org.dfra.module.Readiness;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.persona.PerceptualSchemaAttributes;
 import org.dfra.recruit.transport.VirtualTime;
 import org.jspecify.annotations.Nullable;
 
-/** What a robot's body is made of, each told by the test what to say; all by virtual time. */
+/** The modules of a robot's body, each controlled by the test, all in virtual time. */
 final class BodyModules implements AutoCloseable {
 
   static final String ROBOT = "ugv1";
@@ -95,7 +96,7 @@ final class BodyModules implements AutoCloseable {
     listed.put(module, directory.add(module));
   }
 
-  /** It goes on, and nobody finds it. */
+  /** It still runs, but cannot be found. */
   void hide(ModuleImpl module) {
     listed.remove(module).close();
   }
@@ -168,7 +169,7 @@ final class BodyModules implements AutoCloseable {
     directory.close();
   }
 
-  /** Tells where it is told to be. */
+  /** Publishes the pose that the test sets. */
   static final class Position extends PerceptualSchemaImpl<PoseEstimate>
       implements PositionEstimator {
 
@@ -189,7 +190,7 @@ final class BodyModules implements AutoCloseable {
 
     @Override
     protected PerceptualSchemaAttributes schemaAttributes() {
-      return new PerceptualSchemaAttributes("PoseEstimate", null, "told", null, null);
+      return new PerceptualSchemaAttributes("PoseEstimate", null, "scripted", null, null);
     }
 
     @Override
@@ -198,14 +199,14 @@ final class BodyModules implements AutoCloseable {
     }
   }
 
-  /** Tells the charge that it is told. */
+  /** Publishes the charge that the test sets. */
   static final class Battery extends SensorImpl implements BatterySensor {
 
     Battery(ModuleContext context) {
       super(context, "a battery", "DFRA", "1", List.of("BatteryState"), List.of());
     }
 
-    /** Share of its charge, 0 to 1; null where it cannot tell. */
+    /** Share of its charge, 0 to 1; null where it is unknown. */
     void see(@Nullable Double remaining) {
       publish(new BatteryState(clock().instant(), 25, null, remaining, false));
     }
@@ -229,23 +230,23 @@ final class BodyModules implements AutoCloseable {
     }
   }
 
-  /** A behaviour whose goal is as near as the test says. */
-  abstract static class Told<G extends Goal> extends BehaviorImpl<G> {
+  /** A behaviour whose progress the test sets. */
+  abstract static class ScriptedBehavior<G extends Goal> extends BehaviorImpl<G> {
 
     @Nullable G goal;
 
-    /** Whether each that asked for a goal, or to go on, was a person. */
+    /** For each request for a goal, or to resume one, whether an operator sent it. */
     final List<Boolean> attended = new ArrayList<>();
 
     GoalProgress progress = GoalProgress.inProgress("it is on its way", 0.5);
 
-    Told(ModuleContext context, Class<G> type) {
+    ScriptedBehavior(ModuleContext context, Class<G> type) {
       super(context, "a behaviour", "DFRA", "1", type, 10);
     }
 
     @Override
-    protected void prepare(boolean isAttended) {
-      attended.add(isAttended);
+    protected void prepare(RequestedBy requester) {
+      attended.add(requester == RequestedBy.OPERATOR);
     }
 
     @Override
@@ -264,8 +265,8 @@ final class BodyModules implements AutoCloseable {
     }
   }
 
-  /** Drives, as far as its client can tell. */
-  static final class Driver extends Told<LegGoal> implements GoToWaypoint {
+  /** Drives, as it seems to its client. */
+  static final class Driver extends ScriptedBehavior<LegGoal> implements GoToWaypoint {
 
     /** The last limit that it was given on the way. */
     volatile @Nullable Duration limit;
@@ -283,21 +284,21 @@ final class BodyModules implements AutoCloseable {
   }
 
   /** Follows a path, likewise. */
-  static final class Follower extends Told<PathGoal> implements FollowWaypoints {
+  static final class Follower extends ScriptedBehavior<PathGoal> implements FollowWaypoints {
     Follower(ModuleContext context) {
       super(context, PathGoal.class);
     }
   }
 
   /** Drives home, likewise. */
-  static final class Homing extends Told<HomeGoal> implements ReturnHome {
+  static final class Homing extends ScriptedBehavior<HomeGoal> implements ReturnHome {
     Homing(ModuleContext context) {
       super(context, HomeGoal.class);
     }
   }
 
   /** Searches, likewise. */
-  static final class Search extends Told<RasterGoal> implements RasterSearch {
+  static final class Search extends ScriptedBehavior<RasterGoal> implements RasterSearch {
     Search(ModuleContext context) {
       super(context, RasterGoal.class);
     }

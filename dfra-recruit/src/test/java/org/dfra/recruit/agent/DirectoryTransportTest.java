@@ -26,7 +26,7 @@ import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.core.state.StateStore;
 import org.dfra.directory.Locality;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.persona.AttributeProvider;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ModuleAttributes;
@@ -72,7 +72,7 @@ class DirectoryTransportTest {
         StateStore.inMemory());
   }
 
-  /** What an agent at the other end does with a letter. */
+  /** What an agent at the other end does with a message. */
   @FunctionalInterface
   private interface Taking {
     void take(MessageEnvelope envelope) throws RemoteException, InterruptedException;
@@ -162,7 +162,7 @@ class DirectoryTransportTest {
     return id;
   }
 
-  private static MessageEnvelope letter(long number) {
+  private static MessageEnvelope message(long number) {
     return new MessageEnvelope(
         "uav", number, Instant.EPOCH, new Release(new Conversation("uav", 1), "enough", false));
   }
@@ -190,23 +190,23 @@ class DirectoryTransportTest {
 
     List<Long> sent = new ArrayList<>();
     for (long number = 1; number <= MANY; number++) {
-      transport.broadcast("mine", letter(number));
+      transport.broadcast("mine", message(number));
       sent.add(number);
       long last = number;
       await().atMost(PATIENCE).until(() -> well.size() == last);
     }
     assertThat(asked.await(PATIENCE.toSeconds(), TimeUnit.SECONDS)).isTrue();
-    assertThat(slow).as("it still has the first letter in its hands").isEmpty();
-    assertThat(well).as("every letter, in order").isEqualTo(sent);
+    assertThat(slow).as("it still has the first message in its hands").isEmpty();
+    assertThat(well).as("every message, in order").isEqualTo(sent);
 
     answers.countDown();
     await().atMost(PATIENCE).until(() -> slow.size() == 32);
     assertThat(slow).as("those that were not lost, in order").isEqualTo(sent.subList(0, 32));
-    transport.send("slow", letter(1000));
+    transport.send("slow", message(1000));
     await().atMost(PATIENCE).until(() -> slow.contains(1000L));
   }
 
-  /** Names of threads that wait for letters, or bring one. */
+  /** Names of threads that wait for messages, or bring one. */
   private static List<String> couriers(String robots) {
     return Thread.getAllStackTraces().keySet().stream()
         .map(Thread::getName)
@@ -215,22 +215,22 @@ class DirectoryTransportTest {
   }
 
   @Test
-  void aRobotHasAThreadOnlyWhileLettersWaitForIt() {
+  void aRobotHasAThreadOnlyWhileMessagesWaitForIt() {
     List<Long> taken = new CopyOnWriteArrayList<>();
     agent("courier-taker", envelope -> taken.add(envelope.number()));
     for (int robot = 0; robot < MANY; robot++) {
-      transport.send("courier-" + robot, letter(robot)); // gone, each under a name of its own
+      transport.send("courier-" + robot, message(robot)); // gone, each under a name of its own
     }
-    transport.send("courier-taker", letter(7));
+    transport.send("courier-taker", message(7));
     await().atMost(PATIENCE).untilAsserted(() -> assertThat(couriers("courier-")).isEmpty());
-    transport.send("courier-taker", letter(8));
+    transport.send("courier-taker", message(8));
     await()
         .atMost(PATIENCE)
         .untilAsserted(() -> assertThat(taken).as("in order").containsExactly(7L, 8L));
   }
 
   @Test
-  void noneOfTwoRobotsOfOneNameGetsALetter() {
+  void noneOfTwoRobotsOfOneNameGetsAMessage() {
     List<Long> first = new CopyOnWriteArrayList<>();
     List<Long> second = new CopyOnWriteArrayList<>();
     List<Long> other = new CopyOnWriteArrayList<>();
@@ -241,26 +241,26 @@ class DirectoryTransportTest {
     assertThat(transport.ambiguousNames("mine"))
         .containsExactly("2 robots are named atrv1, on 10.0.0.5 and 10.0.0.6");
     assertThat(transport.ambiguousNames("gold")).isEmpty();
-    transport.send("atrv1", letter(1));
-    transport.broadcast("mine", letter(2));
+    transport.send("atrv1", message(1));
+    transport.broadcast("mine", message(2));
     await().atMost(PATIENCE).until(() -> other.contains(2L));
 
     directory.markStale(wrong);
-    transport.send("atrv1", letter(3)); // the one that is out of reach may be meant
+    transport.send("atrv1", message(3)); // the one that is out of reach may be meant
     await().atMost(PATIENCE).untilAsserted(() -> assertThat(couriers("atrv1")).isEmpty());
 
     directory.remove(wrong);
     assertThat(transport.ambiguousNames("mine")).isEmpty();
     assertThat(transport.capableRobots("mine")).containsExactlyInAnyOrder("atrv1", "atrv2");
-    transport.send("atrv1", letter(4));
+    transport.send("atrv1", message(4));
     await().atMost(PATIENCE).until(() -> second.contains(4L));
     assertThat(second).as("%s", right).containsExactly(4L);
     assertThat(first).isEmpty();
   }
 
   @Test
-  void whoeverHasLeftIsNotWrittenTo() {
-    transport.send("nobody", letter(1));
+  void noMessageIsSentToARobotThatHasLeft() {
+    transport.send("nobody", message(1));
     assertThat(transport.capableRobots("mine")).isEmpty();
     assertThat(transport.percepts()).isEmpty();
   }

@@ -14,7 +14,7 @@ import org.dfra.persona.EmergencyStopAttributes;
 import org.dfra.recruit.agent.BodyModules.Driver;
 import org.junit.jupiter.api.Test;
 
-/** A robot that somebody stopped answers no call until somebody lets it go on. */
+/** A robot that was stopped by a person answers no call until a person resumes it. */
 class HeldBodyTest extends BodyFixture {
 
   private boolean isFree() {
@@ -40,7 +40,7 @@ class HeldBodyTest extends BodyFixture {
       driver.cancel();
     }
     modules.step(0.6);
-    assertThat(told).hasSize(1);
+    assertThat(reports).hasSize(1);
     body.resumeOwnWork();
   }
 
@@ -48,7 +48,7 @@ class HeldBodyTest extends BodyFixture {
   void oneWhoseTripSomebodyStoppedIsNotFreeUntilItsSearchIsResumed() throws RemoteException {
     UUID unused = search.pursue(FIELD);
     for (boolean isPaused : List.of(true, false)) {
-      told.clear();
+      reports.clear();
       modules.step(1);
       assertThat(isFree()).isTrue();
       stopOnItsWay(isPaused);
@@ -174,7 +174,7 @@ class HeldBodyTest extends BodyFixture {
   @Test
   void itStandsWhereSomebodyPausesOrCancelsItsSearchWhileItIsOnItsWay() throws RemoteException {
     for (boolean isPaused : List.of(true, false)) {
-      told.clear();
+      reports.clear();
       UUID unused = search.pursue(FIELD);
       modules.step(1);
       body.travelTo(CALL, Long.MAX_VALUE, journey);
@@ -187,7 +187,7 @@ class HeldBodyTest extends BodyFixture {
       }
       modules.step(0.6);
       assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
-      assertThat(told).hasSize(1);
+      assertThat(reports).hasSize(1);
       body.resumeOwnWork();
       assertThat(isFree()).isFalse();
       search.cancel();
@@ -198,7 +198,7 @@ class HeldBodyTest extends BodyFixture {
   @Test
   void itDoesNotSetOutWhereWhatDrivesItWasStoppedBefore() throws RemoteException {
     stopOnItsWay(false);
-    told.clear();
+    reports.clear();
     modules.end(driver);
     modules.step(1);
     body.travelTo(CALL, Long.MAX_VALUE, journey);
@@ -206,6 +206,6 @@ class HeldBodyTest extends BodyFixture {
     Driver again = modules.add(new Driver(modules.context("go_to_waypoint")));
     modules.step(2);
     assertThat(again.goal).isNull();
-    assertThat(told).hasSize(1);
+    assertThat(reports).hasSize(1);
   }
 }

@@ -14,7 +14,7 @@ import org.dfra.core.config.Parameters;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.recruit.RecruitmentSettings;
 import org.dfra.recruit.affect.Shame;
-import org.dfra.recruit.affect.ShameSettings;
+import org.dfra.recruit.affect.Shame.ShameSettings;
 import org.dfra.recruit.affect.Stimulus;
 import org.dfra.recruit.message.Conversation;
 import org.dfra.recruit.message.RecruitmentMessage.Accept;
@@ -74,8 +74,8 @@ class MotivesTest {
                 "shame_gain", "0.4",
                 "shame_exponent", "3",
                 "shame_floor", "0.25",
-                "shame_idle", "0.8",
-                "shame_busy", "0.3",
+                "shame_idle_factor", "0.8",
+                "shame_busy_factor", "0.3",
                 "eta_reference", "100"));
     double urge = 0.4 * 0.8 * Math.pow(0.75, 3);
     assertThat(read.shouldOffer(asked(25, false))).isFalse();
@@ -94,8 +94,8 @@ class MotivesTest {
         strategy(
             Map.of(
                 "affect", "impatience",
-                "impatience_fastest", "10",
-                "impatience_slowest", "40",
+                "impatience_min_wait", "10",
+                "impatience_max_wait", "40",
                 "eta_reference", "100"));
     assertThat(read.shouldOffer(asked(0, false))).isFalse();
     assertThat(read.urge()).as("5 s of 10 s").isCloseTo(0.5, within(1e-9));
@@ -107,14 +107,16 @@ class MotivesTest {
   @Test
   void thatByLotOffersWithTheChanceThatIsWritten() {
     int calls = 10_000;
-    RecruitmentStrategy seldom = strategy(Map.of("strategy", "random", "random_chance", "0.2"));
+    RecruitmentStrategy seldom =
+        strategy(Map.of("strategy", "random", "random_offer_probability", "0.2"));
     int offers = 0;
     for (int i = 0; i < calls; i++) {
       offers += seldom.shouldOffer(asked(9, false)) ? 1 : 0;
     }
     // five standard deviations of 40
     assertThat(offers).as("of " + calls + " with seed " + SEED).isBetween(1800, 2200);
-    RecruitmentStrategy always = strategy(Map.of("strategy", "random", "random_chance", "1"));
+    RecruitmentStrategy always =
+        strategy(Map.of("strategy", "random", "random_offer_probability", "1"));
     for (int i = 0; i < calls; i++) {
       assertThat(always.shouldOffer(asked(9, false))).isTrue();
     }
@@ -141,11 +143,12 @@ class MotivesTest {
   @Test
   void whoCallsAwaitsOffersForTheWindowThatIsWritten() {
     assertThat(awaited(Map.of())).as("greedy's own").isEqualTo(Duration.ofSeconds(2));
-    assertThat(awaited(Map.of("window", "3.5"))).isEqualTo(Duration.ofMillis(3500));
-    assertThatThrownBy(() -> awaited(Map.of("window", "4", "replace_after", "5", "margin", "1")))
+    assertThat(awaited(Map.of("offer_window", "3.5"))).isEqualTo(Duration.ofMillis(3500));
+    assertThatThrownBy(
+            () -> awaited(Map.of("offer_window", "4", "replace_after", "5", "margin", "1")))
         .isInstanceOf(ConfigurationException.class)
         .hasMessage(
-            "code: uav/agent: parameter window is \"4\", which is not below replace_after less"
+            "code: uav/agent: parameter offer_window is \"4\", which is not below replace_after less"
                 + " margin, 4.0 s");
   }
 }

@@ -18,24 +18,24 @@ import org.dfra.core.behavior.GoalProgress;
 import org.dfra.core.state.StateStore;
 import org.dfra.flow.effector.DriveEffector;
 import org.dfra.flow.effector.EmergencyStopState;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.recruit.agent.BodyModules.Driver;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What an agent's process began that died, and its next one finds. */
+/** What an agent's next process does with a trip that its dead one began. */
 class OrphanedTripTest extends BodyFixture {
 
-  private final List<ModuleRobotPort> dead = new ArrayList<>(); // who must not do anything any more
+  private final List<ModuleRobotPort> dead = new ArrayList<>(); // may do nothing any more
 
   @AfterEach
   void endTheDead() {
     dead.forEach(ModuleRobotPort::close);
   }
 
-  /** The agent's process dies, and what drives does not; what the dead one says is not heard. */
+  /** The agent's process dies, and what drives does not; reports of the dead one are ignored. */
   private UUID bereave() {
     body.travelTo(
         CALL,
@@ -58,16 +58,16 @@ class OrphanedTripTest extends BodyFixture {
     UUID goal = bereave();
     body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(3);
-    assertThat(driver.status().goal()).as("it goes on").isEqualTo(goal);
+    assertThat(driver.status().goal()).as("it continues").isEqualTo(goal);
     assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
     driver.progress = GoalProgress.reached("it is there");
     modules.step(1);
-    assertThat(told).containsExactly("arrived");
+    assertThat(reports).containsExactly("arrived");
     assertThat(driver.status().goal()).isEqualTo(goal);
   }
 
   @Test
-  void whatSomebodyHasStoppedWhileItWasDeadIsNotBegunAnew() throws RemoteException {
+  void whatSomebodyStoppedWhileItWasDeadIsNotRestarted() throws RemoteException {
     for (boolean isPaused : List.of(true, false)) {
       UUID raster = search.pursue(FIELD);
       modules.step(1);
@@ -78,13 +78,13 @@ class OrphanedTripTest extends BodyFixture {
         driver.cancel();
       }
       modules.hide(driver); // in a new process nothing is found at first
-      told.clear();
+      reports.clear();
       body.travelTo(CALL, Long.MAX_VALUE, journey);
       modules.step(2);
       modules.show(driver);
       modules.step(2);
-      assertThat(told).hasSize(1).doesNotContain("arrived");
-      assertThat(driver.status().goal()).as("none is begun").isEqualTo(goal);
+      assertThat(reports).hasSize(1).doesNotContain("arrived");
+      assertThat(driver.status().goal()).as("no goal is started").isEqualTo(goal);
       assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
       body.resumeOwnWork();
       modules.step(3);
@@ -118,7 +118,7 @@ class OrphanedTripTest extends BodyFixture {
     UUID unused = bereave();
     driver.pause();
     modules.hide(driver);
-    body.resumeOwnWork(); // it helps nobody any more
+    body.resumeOwnWork(); // it does not help any more
     modules.step(3);
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
     modules.show(driver);
@@ -129,7 +129,7 @@ class OrphanedTripTest extends BodyFixture {
 
   /** The agent dies, the wheels are stopped and released, and what drove them has died too. */
   @Test
-  void aTripWhoseWheelsWereStoppedWhileNobodyLookedIsNotBegunAnew() {
+  void aTripWhoseWheelsWereStoppedMeanwhileIsNotRestarted() {
     StoppedDrive wheels = new StoppedDrive(modules);
     UUID unused = bereave();
     modules.end(driver);
@@ -139,18 +139,19 @@ class OrphanedTripTest extends BodyFixture {
     Driver again = modules.add(new Driver(modules.context("go_to_waypoint")));
     body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(3);
-    assertThat(told).containsExactly("it was stopped for an emergency after it was asked to come");
-    assertThat(again.goal).as("nothing is begun").isNull();
-    told.clear();
-    body.travelTo(CALL, Long.MAX_VALUE, journey); // asked anew
+    assertThat(reports)
+        .containsExactly("it was stopped for an emergency after it was asked to come");
+    assertThat(again.goal).as("no goal is started").isNull();
+    reports.clear();
+    body.travelTo(CALL, Long.MAX_VALUE, journey); // asked again
     modules.step(1);
-    assertThat(told).isEmpty();
+    assertThat(reports).isEmpty();
     assertThat(again.status().phase()).isEqualTo(Phase.RUNNING);
   }
 
   /** Agent, wheels and what drives them have died, and the wheels are found last. */
   @Test
-  void aTripIsNotBegunAnewBeforeItsWheelsAreFoundAgain() throws IOException {
+  void aTripIsNotRestartedBeforeItsWheelsAreFoundAgain() throws IOException {
     StoppedDrive wheels = new StoppedDrive(modules);
     modules.step(1);
     body.travelTo(CALL, Long.MAX_VALUE, journey);
@@ -167,16 +168,17 @@ class OrphanedTripTest extends BodyFixture {
     body = body();
     body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(3);
-    assertThat(next.goal).as("nothing is begun").isNull();
-    assertThat(told).as("it waits").isEmpty();
+    assertThat(next.goal).as("no goal is started").isNull();
+    assertThat(reports).as("it waits").isEmpty();
     wheels.show();
     modules.step(1);
-    assertThat(next.goal).as("nothing is begun").isNull();
-    assertThat(told).containsExactly("it was stopped for an emergency after it was asked to come");
+    assertThat(next.goal).as("no goal is started").isNull();
+    assertThat(reports)
+        .containsExactly("it was stopped for an emergency after it was asked to come");
   }
 
   @Test
-  void aLegThatWasLostIsBegunAnewUnlessTheWheelsWereStoppedSince() throws RemoteException {
+  void aLegThatWasLostIsRestartedUnlessTheWheelsWereStoppedSince() throws RemoteException {
     StoppedDrive wheels = new StoppedDrive(modules);
     wheels.stop = new EmergencyStopState(false, "a test", modules.time.instant(), true, null);
     modules.step(1);
@@ -190,8 +192,8 @@ class OrphanedTripTest extends BodyFixture {
     Driver third = restarted(second);
     wheels.stop = new EmergencyStopState(false, "a test", modules.time.instant(), true, null);
     modules.step(1);
-    assertThat(third.goal).as("it is not begun anew").isNull();
-    assertThat(told).hasSize(1);
+    assertThat(third.goal).as("it is not restarted").isNull();
+    assertThat(reports).hasSize(1);
   }
 
   /** The wheels say when they were stopped by a clock that was set after the agent was asked. */
@@ -204,8 +206,9 @@ class OrphanedTripTest extends BodyFixture {
     Driver next = restarted(driver);
     wheels.stop = new EmergencyStopState(false, "a test", modules.wall(), true, null);
     modules.step(1);
-    assertThat(next.goal).as("it is not begun anew").isNull();
-    assertThat(told).containsExactly("it was stopped for an emergency after it was asked to come");
+    assertThat(next.goal).as("it is not restarted").isNull();
+    assertThat(reports)
+        .containsExactly("it was stopped for an emergency after it was asked to come");
   }
 
   /** So is the other way round: what was before the agent was asked does not count. */
@@ -221,7 +224,7 @@ class OrphanedTripTest extends BodyFixture {
     }
     body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
-    assertThat(told).isEmpty();
+    assertThat(reports).isEmpty();
     assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
     LegGoal own = driver.goal;
     modules.set = Duration.ofHours(1);
@@ -236,12 +239,12 @@ class OrphanedTripTest extends BodyFixture {
     return modules.add(new Driver(modules.context("go_to_waypoint")));
   }
 
-  /** The window between the death of what drives and the next look of the agent. */
+  /** Between the death of what drives and the next time that the agent checks it. */
   @Test
-  void aLegThatSomebodyStoppedAfterItsProcessDiedIsNotBegunAnew() throws RemoteException {
+  void aLegThatSomebodyStoppedAfterItsProcessDiedIsNotRestarted() throws RemoteException {
     Driver last = driver;
     for (boolean isPaused : List.of(true, false)) {
-      told.clear();
+      reports.clear();
       body.endHold();
       body.travelTo(CALL, Long.MAX_VALUE, journey);
       modules.step(1);
@@ -252,21 +255,21 @@ class OrphanedTripTest extends BodyFixture {
         last.cancel();
       }
       modules.step(3);
-      assertThat(last.goal).as("nothing is begun").isNull();
+      assertThat(last.goal).as("no goal is started").isNull();
       assertThat(last.status().phase()).isEqualTo(Phase.CANCELLED);
-      assertThat(told).hasSize(1);
+      assertThat(reports).hasSize(1);
       body.resumeOwnWork();
       modules.step(0.1);
       assertThat(body.isAvailable()).as("it answers no call").isFalse();
     }
   }
 
-  /** It was stopped, and died before the agent looked. */
+  /** It was stopped, and died before the agent checked it. */
   @Test
-  void aLegThatSomebodyStoppedBeforeItsProcessDiedIsNotBegunAnew() throws RemoteException {
+  void aLegThatSomebodyStoppedBeforeItsProcessDiedIsNotRestarted() throws RemoteException {
     Driver last = driver;
     for (boolean isPaused : List.of(true, false)) {
-      told.clear();
+      reports.clear();
       body.endHold();
       body.travelTo(CALL, Long.MAX_VALUE, journey);
       modules.step(1);
@@ -277,8 +280,8 @@ class OrphanedTripTest extends BodyFixture {
       }
       last = restarted(last);
       modules.step(3);
-      assertThat(last.goal).as("nothing is begun").isNull();
-      assertThat(told).hasSize(1);
+      assertThat(last.goal).as("no goal is started").isNull();
+      assertThat(reports).hasSize(1);
       body.resumeOwnWork();
       modules.step(0.1);
       assertThat(body.isAvailable()).as("it answers no call").isFalse();
@@ -286,17 +289,17 @@ class OrphanedTripTest extends BodyFixture {
   }
 
   @Test
-  void aLegOfWhichNobodyKnowsWhetherItWasStoppedIsNotBegunAnew() {
+  void aLegOfWhichNobodyKnowsWhetherItWasStoppedIsNotRestarted() {
     body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     modules.end(driver);
     modules.forget("go_to_waypoint"); // its disk was lost
     Driver next = modules.add(new Driver(modules.context("go_to_waypoint")));
     modules.step(3);
-    assertThat(next.goal).as("nothing is begun").isNull();
-    assertThat(told)
+    assertThat(next.goal).as("no goal is started").isNull();
+    assertThat(reports)
         .containsExactly(
-            "what drives it forgot its leg, so nobody knows whether somebody stopped it");
+            "the behaviour that drives it lost its leg, so it is unknown whether the robot was stopped");
     body.resumeOwnWork();
     modules.step(1);
     assertThat(body.holdReason()).isPresent();

@@ -2,6 +2,7 @@ package org.dfra.recruit.agent;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -15,11 +16,12 @@ import java.util.Map;
 import java.util.UUID;
 import org.dfra.agent.HelpCall;
 import org.dfra.agent.HelpCallRejectedException;
+import org.dfra.agent.HelpCallRejectedException.Reason;
 import org.dfra.agent.RecruitmentAgent;
 import org.dfra.agent.RequesterPhase;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.Parameters;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.core.directory.InMemoryModuleDirectory;
 import org.dfra.core.lease.LeaseTerms;
 import org.dfra.core.module.ModuleContext;
@@ -29,8 +31,8 @@ import org.dfra.directory.Locality;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.recruit.message.MessageEnvelope;
@@ -98,7 +100,25 @@ class RecruitmentAgentImplTest {
         .isInstanceOf(HelpCallRejectedException.class);
     uav.release();
     assertThatThrownBy(() -> uav.callForHelp(call("gold")))
-        .hasMessage("nobody in reach of uav can observe \"gold\"; others observe heat, mine");
+        .hasMessage(
+            "no robot within reach of uav can observe \"gold\"; other robots observe heat, mine");
+  }
+
+  @Test
+  void aRejectionHasAReasonForPrograms() {
+    RecruitmentAgentImpl uav = agent("uav", kept, Map.of());
+    assertThat(reason(uav, "mine")).isEqualTo(Reason.ALONE);
+    agent("ugv1", StateStore.inMemory(), Map.of("percepts", "mine"));
+    time.advance(Duration.ofSeconds(1));
+    assertThat(reason(uav, "gold")).isEqualTo(Reason.NO_CAPABLE_ROBOT);
+    uav.callForHelp(call("mine"));
+    assertThat(reason(uav, "mine")).isEqualTo(Reason.NOT_READY);
+  }
+
+  private static Reason reason(RecruitmentAgentImpl agent, String percept) {
+    return catchThrowableOfType(
+            HelpCallRejectedException.class, () -> agent.callForHelp(call(percept)))
+        .reason();
   }
 
   @Test
@@ -116,8 +136,8 @@ class RecruitmentAgentImplTest {
     assertThatThrownBy(() -> uav.callForHelp(call("mine")))
         .isInstanceOf(HelpCallRejectedException.class)
         .hasMessage(
-            "uav calls nobody who can observe \"mine\": 2 robots are named ugv1, on 10.0.0.6 and"
-                + " localhost; give each a name of its own in its XML");
+            "uav does not call for help to observe \"mine\": 2 robots are named ugv1, on 10.0.0.6 and"
+                + " localhost; give each robot a different name in its XML");
     assertThat(received).isEmpty();
   }
 
@@ -155,7 +175,7 @@ class RecruitmentAgentImplTest {
     assertThat(received).as("it goes on calling").isNotEmpty();
     assertThat(received.get(0).number()).as("numbers go on growing").isGreaterThan(last);
     assertThat(again.status().requesterPhase()).isEqualTo(RequesterPhase.IDLE);
-    assertThat(again.status().lastChange()).contains("nobody offered to come in time");
+    assertThat(again.status().lastChange()).contains("no robot offered to arrive in time");
   }
 
   /** Somebody may be on the way to help it, or wait for its help. */
@@ -169,9 +189,9 @@ class RecruitmentAgentImplTest {
     time.advance(Duration.ofSeconds(1));
     assertThat(uav.readiness()).isEqualTo(Readiness.FAILED);
     assertThat(uav.notReadyReason().orElseThrow())
-        .startsWith("what it kept of its conversations in " + file + " cannot be understood: ")
+        .startsWith("the stored state of its conversations, " + file + ", cannot be decoded: ")
         .endsWith(
-            "; move that file away, by which it forgets its call and its promises, and restart it:"
+            "; move that file away, which discards its call and its promises, and restart it:"
                 + " ./dfra module stop uav/recruit, then ./dfra module start uav/recruit");
     assertThatThrownBy(() -> uav.callForHelp(call("mine"))).isInstanceOf(NotReadyException.class);
     assertThat(uav.status().lastChange()).isEqualTo(uav.notReadyReason().orElseThrow());
@@ -195,9 +215,9 @@ class RecruitmentAgentImplTest {
     time.advance(Duration.ofSeconds(1));
     assertThat(uav.readiness()).isEqualTo(Readiness.FAILED);
     assertThat(uav.notReadyReason().orElseThrow())
-        .startsWith("what it kept of its conversations in " + file + " cannot be read: ")
+        .startsWith("the stored state of its conversations, " + file + ", cannot be read: ")
         .endsWith(
-            "; restart it when it can be read: ./dfra module stop uav/recruit, then ./dfra module"
+            "; restart it when the file can be read: ./dfra module stop uav/recruit, then ./dfra module"
                 + " start uav/recruit");
   }
 
@@ -237,7 +257,7 @@ class RecruitmentAgentImplTest {
     assertThat(terms.maxDuration()).isEqualTo(Duration.ofMinutes(10)).isGreaterThan(usual);
     assertThat(terms.defaultDuration()).isEqualTo(LeaseTerms.DEFAULT.defaultDuration());
     LeaseTerms brief =
-        agent("ugv2", StateStore.inMemory(), Map.of("longest_stay", "2")).leases().terms();
+        agent("ugv2", StateStore.inMemory(), Map.of("max_stay", "2")).leases().terms();
     assertThat(brief.maxDuration()).isEqualTo(Duration.ofSeconds(2));
   }
 
@@ -255,23 +275,23 @@ class RecruitmentAgentImplTest {
         "accept_sends  | 2.5   | a whole number",
         "arrival_sends | many  | a number from 1 to 100",
         "release_every | 0.01  | a number of seconds from 0.1 to 3600",
-        "longest_stay  | 0.5   | a number of seconds from 1 to 86400",
-        "window         | 0     | a number of seconds from 0.1 to 10",
-        "window         | 11    | a number of seconds from 0.1 to 10",
+        "max_stay  | 0.5   | a number of seconds from 1 to 86400",
+        "offer_window   | 0     | a number of seconds from 0.1 to 10",
+        "offer_window   | 11    | a number of seconds from 0.1 to 10",
         "shame_gain     | 0     | a number from 0.01 to 100",
         "shame_exponent | 11    | a number from 0.01 to 10",
         "shame_floor    | 0     | a number from 0.001 to 1",
-        "shame_idle     | 11    | a number from 0.01 to 10",
-        "shame_busy     | -1    | a number from 0.01 to 10",
+        "shame_idle_factor     | 11    | a number from 0.01 to 10",
+        "shame_busy_factor     | -1    | a number from 0.01 to 10",
         "eta_reference  | 0     | a number of seconds from 0.1 to 86400",
-        "random_chance  | 1.1   | a number from 0.01 to 1",
-        "impatience_fastest | 0  | a number of seconds from 0.1 to 3600",
-        "impatience_slowest | 1h | a number of seconds from 0.1 to 3600",
-        "impatience_fastest | 31 | at most impatience_slowest, 30.0 s",
-        "impatience_slowest | 4  | at least impatience_fastest, 5.0 s",
+        "random_offer_probability  | 1.1   | a number from 0.01 to 1",
+        "impatience_min_wait | 0  | a number of seconds from 0.1 to 3600",
+        "impatience_max_wait | 1h | a number of seconds from 0.1 to 3600",
+        "impatience_min_wait | 31 | at most impatience_max_wait, 30.0 s",
+        "impatience_max_wait | 4  | at least impatience_min_wait, 5.0 s",
       })
   void aNumberThatCannotBeIsRefusedWithItsPlace(String name, String text, String wanted) {
-    Place place = new Place("robot.xml", 12);
+    SourceLocation place = new SourceLocation("robot.xml", 12);
     Parameters written =
         new Parameters("ugv1/recruit", Map.of(name, new Parameters.Value(text, place)));
     ModuleContext context = new ModuleContext("ugv1", "recruit", written, time, kept);
@@ -291,9 +311,9 @@ class RecruitmentAgentImplTest {
   @ValueSource(strings = {"", "affective", "greedy"})
   void anUnknownAffectIsRefusedAtItsOwnPlace(String strategy) {
     Map<String, Parameters.Value> written = new HashMap<>();
-    written.put("affect", new Parameters.Value("shamee", new Place("robot.xml", 12)));
+    written.put("affect", new Parameters.Value("shamee", new SourceLocation("robot.xml", 12)));
     if (!strategy.isEmpty()) {
-      written.put("strategy", new Parameters.Value(strategy, new Place("robot.xml", 11)));
+      written.put("strategy", new Parameters.Value(strategy, new SourceLocation("robot.xml", 11)));
     }
     ModuleContext context =
         new ModuleContext("ugv1", "recruit", new Parameters("ugv1/recruit", written), time, kept);
@@ -313,8 +333,8 @@ class RecruitmentAgentImplTest {
     time.advance(Duration.ofSeconds(1));
     assertThat(disagreements(uav))
         .isEqualTo(
-            "ugv2 has replace_after 40.0 s and margin 1.0 s, this agent 20.0 s and 1.0 s; set them"
-                + " alike in the whole team, or a call may have two helpers");
+            "ugv2 has replace_after 40.0 s and margin 1.0 s, this agent 20.0 s and 1.0 s; set the"
+                + " same values in the whole team, or a call may have two helpers");
     assertThat(disagreements(other)).contains("uav has replace_after 20.0 s", "; ugv1 has");
     listed.get(other).close();
     time.advance(Duration.ofSeconds(1));

@@ -52,11 +52,11 @@ class RestartedAgentTest extends BodyFixture {
     body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(0.6);
     assertThat(driver.status().phase()).as("the leg").isEqualTo(Phase.CANCELLED);
-    assertThat(told).as("it waits").isEmpty();
+    assertThat(reports).as("it waits").isEmpty();
     modules.show(search);
     modules.step(1);
     assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
-    assertThat(told).hasSize(1);
+    assertThat(reports).hasSize(1);
   }
 
   @Test
@@ -72,7 +72,7 @@ class RestartedAgentTest extends BodyFixture {
     modules.show(search);
     modules.step(1);
     assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
-    assertThat(told).isEmpty();
+    assertThat(reports).isEmpty();
   }
 
   @Test
@@ -90,8 +90,8 @@ class RestartedAgentTest extends BodyFixture {
     modules.show(homing);
     modules.step(1);
     assertThat(driver.goal).isNull();
-    assertThat(told).hasSize(1);
-    assertThat(told.get(0)).contains("ugv1/return_home");
+    assertThat(reports).hasSize(1);
+    assertThat(reports.get(0)).contains("ugv1/return_home");
   }
 
   @Test
@@ -100,11 +100,11 @@ class RestartedAgentTest extends BodyFixture {
     restartWithout(search);
     body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(9);
-    assertThat(told).isEmpty();
+    assertThat(reports).isEmpty();
     modules.step(2);
     assertThat(driver.goal).isNull();
-    assertThat(told).hasSize(1);
-    assertThat(told.get(0)).contains("ugv1/raster_search", "./dfra recruit resume ugv1");
+    assertThat(reports).hasSize(1);
+    assertThat(reports.get(0)).contains("ugv1/raster_search", "./dfra recruit resume ugv1");
     body.resumeOwnWork();
     modules.step(0.1);
     assertThat(body.holdReason()).isPresent();
@@ -126,12 +126,12 @@ class RestartedAgentTest extends BodyFixture {
     body = body();
     body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(9);
-    assertThat(told).isEmpty();
+    assertThat(reports).isEmpty();
     modules.step(2);
-    assertThat(told).hasSize(1);
-    assertThat(told.get(0))
+    assertThat(reports).hasSize(1);
+    assertThat(reports.get(0))
         .contains("ugv1/return_home does not answer", "./dfra module kill ugv1/return_home");
-    assertThat(body.holdReason()).hasValue(told.get(0));
+    assertThat(body.holdReason()).hasValue(reports.get(0));
     modules.directory.remove(id);
     assertThat(body.holdReason().orElseThrow()).contains("does not find ugv1/return_home");
     Homing again = modules.add(new Homing(modules.context("return_home")));
@@ -149,7 +149,7 @@ class RestartedAgentTest extends BodyFixture {
     modules.step(1);
     body.close();
     restartWithout(homing);
-    body.resumeOwnWork(); // it helps nobody any more
+    body.resumeOwnWork(); // it does not help any more
     modules.step(2);
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
     modules.show(homing);
@@ -187,13 +187,13 @@ class RestartedAgentTest extends BodyFixture {
     restartWithout(search);
     body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
-    assertThat(told).as("it waits").isEmpty();
+    assertThat(reports).as("it waits").isEmpty();
     body.endHold();
     modules.show(search);
     modules.step(2);
     assertThat(driver.status().phase()).as("nothing moves").isEqualTo(Phase.CANCELLED);
-    assertThat(told).hasSize(1);
-    assertThat(told.get(0)).contains("waits for the next call");
+    assertThat(reports).hasSize(1);
+    assertThat(reports.get(0)).contains("waits for the next call");
     body.resumeOwnWork();
     modules.step(2);
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
@@ -213,7 +213,7 @@ class RestartedAgentTest extends BodyFixture {
     body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     body.endHold();
-    assertThat(told).hasSize(1);
+    assertThat(reports).hasSize(1);
     modules.show(driver);
     modules.step(2);
     assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
@@ -228,7 +228,7 @@ class RestartedAgentTest extends BodyFixture {
     modules.step(1);
     body.close();
     body = body();
-    body.resumeOwnWork(); // as an agent does that helps nobody
+    body.resumeOwnWork(); // as an agent does that does not help
     modules.step(2);
     body.endHold();
     search.resume();
@@ -238,7 +238,7 @@ class RestartedAgentTest extends BodyFixture {
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
     driver.progress = GoalProgress.reached("it is there");
     modules.step(1);
-    assertThat(told).containsExactly("arrived");
+    assertThat(reports).containsExactly("arrived");
     body.resumeOwnWork();
     modules.step(2);
     assertThat(search.status().phase()).isEqualTo(Phase.RUNNING);
@@ -273,7 +273,7 @@ class RestartedAgentTest extends BodyFixture {
     assertThat(search.status().phase()).isEqualTo(isStopped ? Phase.PAUSED : Phase.RUNNING);
   }
 
-  /** What a dead process would have been told. */
+  /** The listener of a process that is dead. */
   private static final class NoJourney implements RobotPort.TravelListener {
     @Override
     public void arrived() {}

@@ -45,19 +45,19 @@ class RobotBodyTest extends BodyFixture {
   }
 
   @Test
-  void itGoesThereAndTellsThatItHasArrivedOnce() {
+  void itGoesThereAndReportsItsArrivalOnce() {
     body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     assertThat(driver.goal).isEqualTo(new LegGoal(null, CALL.position(), 0.7));
     assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
-    assertThat(told).isEmpty();
+    assertThat(reports).isEmpty();
     driver.progress = GoalProgress.reached("it is there");
     modules.step(5);
-    assertThat(told).containsExactly("arrived");
+    assertThat(reports).containsExactly("arrived");
     body.observe(CALL);
     body.resumeOwnWork();
     modules.step(5);
-    assertThat(told).containsExactly("arrived");
+    assertThat(reports).containsExactly("arrived");
     assertThat(driver.status().phase()).isEqualTo(Phase.SUCCEEDED);
   }
 
@@ -80,7 +80,7 @@ class RobotBodyTest extends BodyFixture {
     modules.step(30);
     assertThat(driver.status().goal()).as("the same leg").isEqualTo(leg);
     assertThat(driver.status().phase()).isEqualTo(Phase.RUNNING);
-    assertThat(told).isEmpty();
+    assertThat(reports).isEmpty();
   }
 
   /** As that of a process that was suspended. */
@@ -89,16 +89,16 @@ class RobotBodyTest extends BodyFixture {
     body.travelTo(CALL, modules.time.nanos() - 1, journey);
     modules.step(5);
     assertThat(driver.goal).isNull();
-    assertThat(told).containsExactly("its lease of the task is over");
+    assertThat(reports).containsExactly("its lease of the task has ended");
   }
 
   @Test
-  void itTellsWhyItWillNotGetThere() {
+  void itReportsWhyItWillNotGetThere() {
     body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     driver.progress = GoalProgress.failed("an obstacle is in the way", 0.5);
     modules.step(5);
-    assertThat(told).containsExactly("an obstacle is in the way");
+    assertThat(reports).containsExactly("an obstacle is in the way");
   }
 
   @Test
@@ -108,7 +108,7 @@ class RobotBodyTest extends BodyFixture {
     assertThat(driver.attended).as("no brake is released for others").containsExactly(false);
     driver.progress = GoalProgress.paused("ugv1/drive has its brake set", 0.5);
     modules.step(5);
-    assertThat(told).containsExactly("ugv1/drive has its brake set");
+    assertThat(reports).containsExactly("ugv1/drive has its brake set");
     assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
     driver.resume();
     modules.step(1);
@@ -116,14 +116,14 @@ class RobotBodyTest extends BodyFixture {
   }
 
   @Test
-  void onceCalledOffItStandsAndTellsNothing() {
+  void onceCalledOffItStopsAndReportsNothing() {
     body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
     body.resumeOwnWork();
     modules.step(1);
     assertThat(driver.status().phase()).isEqualTo(Phase.CANCELLED);
     modules.step(5);
-    assertThat(told).isEmpty();
+    assertThat(reports).isEmpty();
   }
 
   @Test
@@ -131,7 +131,7 @@ class RobotBodyTest extends BodyFixture {
     modules.end(driver);
     body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(3);
-    assertThat(told).as("it waits").isEmpty();
+    assertThat(reports).as("it waits").isEmpty();
     Driver again = modules.add(new Driver(modules.context("go_to_waypoint")));
     modules.step(2);
     assertThat(again.status().phase()).isEqualTo(Phase.RUNNING);
@@ -143,7 +143,7 @@ class RobotBodyTest extends BodyFixture {
     body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(3);
     assertThat(driver.goal).isEqualTo(new LegGoal(null, at(1, 1), 1));
-    assertThat(told).isEmpty();
+    assertThat(reports).isEmpty();
     driver.progress = GoalProgress.reached("it is there");
     modules.step(1);
     assertThat(driver.goal).isEqualTo(new LegGoal(null, CALL.position(), 0.7));
@@ -157,7 +157,7 @@ class RobotBodyTest extends BodyFixture {
     driver.cancel();
     UUID others = driver.pursue(new LegGoal(null, at(1, 1), 1));
     modules.step(1);
-    assertThat(told).containsExactly("what drives it was given another goal");
+    assertThat(reports).containsExactly("the behaviour that drives it was given another goal");
     driver.progress = GoalProgress.reached("it is there");
     modules.step(3);
     assertThat(driver.status().goal()).isEqualTo(others);
@@ -210,7 +210,7 @@ class RobotBodyTest extends BodyFixture {
       for (boolean isReleasedAtOnce : List.of(true, false)) {
         modules.step(1);
         assertThat(search.status().phase()).isEqualTo(Phase.RUNNING);
-        told.clear();
+        reports.clear();
         body.travelTo(CALL, Long.MAX_VALUE, journey);
         modules.step(1);
         if (isPaused) {
@@ -220,7 +220,7 @@ class RobotBodyTest extends BodyFixture {
         }
         if (!isReleasedAtOnce) {
           modules.step(1);
-          assertThat(told).hasSize(1);
+          assertThat(reports).hasSize(1);
         }
         body.resumeOwnWork(); // as the agent does, whose trip has failed, or which is called off
         modules.step(5);
@@ -253,7 +253,7 @@ class RobotBodyTest extends BodyFixture {
     modules.step(1);
     body.travelTo(CALL, Long.MAX_VALUE, journey);
     modules.step(1);
-    body.close(); // after it was freed, and before its search went on
+    body.close(); // after its release, and before its search was resumed
     assertThat(search.status().phase()).isEqualTo(Phase.PAUSED);
     RecruitmentAgentImpl agent = modules.add(new RecruitmentAgentImpl(modules.context("agent")));
     modules.step(2);
@@ -275,7 +275,7 @@ class RobotBodyTest extends BodyFixture {
     driver.progress = GoalProgress.reached("it is there");
     modules.show(search);
     modules.step(0.6);
-    assertThat(told).containsExactly("arrived");
+    assertThat(reports).containsExactly("arrived");
     body.observe(CALL);
     modules.step(5);
     assertThat(search.status().phase()).as("it observes").isEqualTo(Phase.PAUSED);
@@ -314,7 +314,7 @@ class RobotBodyTest extends BodyFixture {
     assertThat(body.hasOwnWork()).isFalse();
   }
 
-  /** What it was told before its end takes its time, and must not have the robot drive then. */
+  /** A request from before its end takes long, and must not make the robot drive afterwards. */
   @Test
   @Timeout(60)
   void onceItHasEndedNothingDrives() throws InterruptedException {

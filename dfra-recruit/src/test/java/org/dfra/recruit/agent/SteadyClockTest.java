@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
 import java.time.Instant;
+import org.dfra.recruit.agent.AgentSnapshotStore.SteadyClock;
 import org.dfra.recruit.transport.VirtualTime;
 import org.junit.jupiter.api.Test;
 

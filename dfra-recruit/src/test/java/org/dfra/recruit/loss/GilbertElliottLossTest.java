@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.SplittableRandom;
+import org.dfra.recruit.loss.LossModel.GilbertElliottLoss;
 import org.junit.jupiter.api.Test;
 
 /** Losses in bursts against the theory of the two-state chain. */
@@ -90,8 +91,8 @@ class GilbertElliottLossTest {
     assertThatThrownBy(() -> new GilbertElliottLoss(1.2, 0.5, 0, 1, lot()))
         .hasMessage("probability 1.2 is outside 0 to 1");
     assertThatThrownBy(() -> new GilbertElliottLoss(0.5, 0, 0, 1, lot()))
-        .hasMessageContaining("stays bad for ever");
+        .hasMessageContaining("stays bad loses every message");
     assertThatThrownBy(() -> GilbertElliottLoss.bursts(1, 5, lot()))
-        .hasMessage("a share of 1.0 in bursts of 5.0");
+        .hasMessage("a loss of 1.0 in bursts of 5.0 messages is impossible");
   }
 }

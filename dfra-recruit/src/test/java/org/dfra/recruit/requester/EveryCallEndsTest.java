@@ -22,8 +22,8 @@ import org.dfra.recruit.strategy.Greedy;
 import org.junit.jupiter.api.Test;
 
 /**
- * Every state that a requester can come to, whatever two robots tell it, ends by itself: if nothing
- * is heard any more, the call has ended within its patience and what was promised.
+ * Every state that a requester can come to, whatever two robots send it, ends by itself: if no
+ * message is received any more, the call has ended within its patience and the promised times.
  */
 class EveryCallEndsTest {
 

@@ -18,12 +18,13 @@ import org.dfra.recruit.message.RecruitmentMessage.Agree;
 import org.dfra.recruit.message.RecruitmentMessage.Help;
 import org.dfra.recruit.message.RecruitmentMessage.Release;
 import org.dfra.recruit.message.RecruitmentMessage.ResponderId;
+import org.dfra.recruit.responder.ResponderMachine.ResponderPolicy;
 import org.junit.jupiter.api.Test;
 
 /**
- * Every state that a responder can come to, whatever it is told by two requesters in whichever
- * order and at whichever time, ends by itself: if nothing is heard any more and its robot never
- * arrives, it is free within a bound.
+ * Every state that a responder can come to, whatever two requesters send it, in any order and at
+ * any time, ends by itself: if no message is received any more and its robot never arrives, it is
+ * free within a bound.
  */
 class EveryStateEndsTest {
 

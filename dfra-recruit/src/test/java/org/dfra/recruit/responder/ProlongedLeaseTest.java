@@ -14,6 +14,7 @@ import org.dfra.recruit.message.Conversation;
 import org.dfra.recruit.message.RecruitmentMessage.Help;
 import org.dfra.recruit.message.RecruitmentMessage.ResponderId;
 import org.dfra.recruit.responder.ResponderAction.ExtendLease;
+import org.dfra.recruit.responder.ResponderMachine.ResponderPolicy;
 import org.junit.jupiter.api.Test;
 
 /** A helper that offers again, and is chosen for its later offer while it is on its way. */

@@ -31,7 +31,8 @@ class RecruitmentEntryTest {
   @Test
   void whatOneThatIsHeldSaysComesBack() {
     RecruitmentAttributes said =
-        new RecruitmentAttributes(List.of("mine"), 0.7, "affective", 20, 1, "somebody stopped it");
+        new RecruitmentAttributes(
+            List.of("mine"), 0.7, "affective", 20, 1, "an operator stopped it");
     assertThat(Entries.toAttributes(Entries.toEntries(List.of(said)))).containsExactly(said);
   }
 

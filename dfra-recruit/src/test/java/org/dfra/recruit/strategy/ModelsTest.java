@@ -12,14 +12,14 @@ import java.util.SplittableRandom;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.recruit.affect.Impatience;
 import org.dfra.recruit.affect.Shame;
-import org.dfra.recruit.affect.ShameSettings;
+import org.dfra.recruit.affect.Shame.ShameSettings;
 import org.dfra.recruit.affect.Stimulus;
-import org.dfra.recruit.loss.GilbertElliottLoss;
-import org.dfra.recruit.loss.IndependentLoss;
 import org.dfra.recruit.loss.LossModel;
+import org.dfra.recruit.loss.LossModel.GilbertElliottLoss;
+import org.dfra.recruit.loss.LossModel.IndependentLoss;
 import org.dfra.recruit.message.Conversation;
 import org.dfra.recruit.requester.Bid;
-import org.dfra.recruit.transport.LogNormalDelay;
+import org.dfra.recruit.transport.DelayModel.LogNormalDelay;
 import org.junit.jupiter.api.Test;
 
 /** Strategies, affects, losses and delays by the numbers that their equations give. */
@@ -73,7 +73,7 @@ class ModelsTest {
   }
 
   @Test
-  void thePauseBetweenTwoCallsIsNoWaitingThoughTheEndOfTheFirstWasNotHeard() {
+  void thePauseBetweenTwoCallsIsNoWaitingThoughTheEndOfTheFirstWasNotReceived() {
     Impatience impatience = new Impatience(5, 30, 100, Duration.ofSeconds(5));
     impatience.stimulate(asked(1, 100, 1, true, NOW));
     assertThat(impatience.level()).as("5 s of 60 s").isCloseTo(5 / 60.0, within(1e-9));
@@ -107,7 +107,7 @@ class ModelsTest {
     assertThatThrownBy(
             () -> StrategyRegistry.named("gredy", new Shame(SHAME), new SplittableRandom(1)))
         .isInstanceOf(ConfigurationException.class)
-        .hasMessage("there is no strategy \"gredy\"; did you mean \"greedy\"?");
+        .hasMessage("unknown strategy \"gredy\"; did you mean \"greedy\"?");
   }
 
   @Test
@@ -115,7 +115,7 @@ class ModelsTest {
     int envelopes = 200_000;
     GilbertElliottLoss bursts = GilbertElliottLoss.bursts(0.25, 5, new SplittableRandom(3));
     assertThat(bursts.share()).isCloseTo(0.25, within(1e-9));
-    // ten standard deviations: bursts of five make as much as a fifth of the letters
+    // ten standard deviations: bursts of five make as much as a fifth of the messages
     assertThat(share(bursts, envelopes)).isCloseTo(0.25, within(0.02));
     assertThat(share(new IndependentLoss(0.25, new SplittableRandom(4)), envelopes))
         .isCloseTo(0.25, within(0.01));

@@ -10,7 +10,7 @@ import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.recruit.affect.Shame;
-import org.dfra.recruit.affect.ShameSettings;
+import org.dfra.recruit.affect.Shame.ShameSettings;
 import org.dfra.recruit.affect.Stimulus;
 import org.dfra.recruit.message.Conversation;
 import org.dfra.recruit.requester.Bid;
@@ -116,11 +116,12 @@ class StrategiesTest {
   void refusesWhatIsNone() {
     refused(
         "brave",
-        "there is no strategy \"brave\"; there are affective, greedy, random, contract-net, and"
-            + " classes by their full names");
+        "unknown strategy \"brave\"; use affective, greedy, random, contract-net, or"
+            + " a class by its full name");
     refused(
         "org.example.Nobody",
-        "strategy class org.example.Nobody is not on the class path; add its jar or mend the name");
+        "strategy class org.example.Nobody is not on the class path; add its jar or correct the"
+            + " name");
     refused(
         "java.lang.String",
         "strategy class java.lang.String does not implement"
@@ -129,11 +130,11 @@ class StrategiesTest {
         HERE + "Demanding",
         "strategy class "
             + HERE
-            + "Demanding has no public constructor () or (RandomGenerator); give it one");
+            + "Demanding has no public constructor () or (RandomGenerator); add one");
     refused(
         HERE + "Broken",
         "strategy class "
             + HERE
-            + "Broken cannot be made: java.lang.IllegalStateException: no file with my habits");
+            + "Broken cannot be instantiated: java.lang.IllegalStateException: no file with my habits");
   }
 }

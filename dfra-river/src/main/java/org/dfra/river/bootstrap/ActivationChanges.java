@@ -28,9 +28,9 @@ final class ActivationChanges {
     ModuleDescription after = wanted.module();
     add(changes, "server", before.serverClass(), after.serverClass());
     add(changes, "proxy", before.proxyClass(), after.proxyClass());
-    add(changes, "driver", before.driverClass(), after.driverClass());
+    add(changes, "implementation", before.driverClass(), after.driverClass());
     add(changes, "configuration", before.configuration(), after.configuration());
-    add(changes, "download", before.download(), after.download());
+    add(changes, "codebase", before.codebase(), after.codebase());
     addParameters(changes, before.parameters(), after.parameters());
     add(changes, "host", old.host(), wanted.host());
     add(changes, "lookup groups", old.lookupGroups(), wanted.lookupGroups());

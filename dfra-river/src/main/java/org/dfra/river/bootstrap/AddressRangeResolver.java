@@ -4,10 +4,10 @@ import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.util.ArrayList;
 import java.util.List;
-import org.dfra.core.config.AdministrationDescription;
 import org.dfra.core.config.ConfigurationException;
-import org.dfra.core.config.Place;
 import org.dfra.core.config.RegistrarDescription;
+import org.dfra.core.config.RobotDescription.AdministrationDescription;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.river.access.AddressRange;
 
 /** Resolves the addresses and host names in a robot's XML. */
@@ -37,14 +37,14 @@ final class AddressRangeResolver {
    */
   static List<AddressRange> resolve(RegistrarDescription registrar) {
     return resolve(
-        registrar.from(),
+        registrar.moduleHosts(),
         registrar.place(),
         "the registrar's module host",
-        "<registrar from=\"…\">");
+        "<registrar module-hosts=\"…\">");
   }
 
   private static List<AddressRange> resolve(
-      List<String> from, Place place, String what, String where) {
+      List<String> from, SourceLocation place, String what, String where) {
     List<AddressRange> ranges = new ArrayList<>();
     for (String each : from) {
       if (isNumeric(each)) {
@@ -66,7 +66,8 @@ final class AddressRangeResolver {
     return text.indexOf(':') >= 0 || text.indexOf('/') >= 0 || text.matches("[0-9.]+");
   }
 
-  private static InetAddress[] lookUp(String name, Place place, String what, String where) {
+  private static InetAddress[] lookUp(
+      String name, SourceLocation place, String what, String where) {
     try {
       return InetAddress.getAllByName(name);
     } catch (UnknownHostException e) {
@@ -76,7 +77,7 @@ final class AddressRangeResolver {
               + what
               + " "
               + name
-              + " is not known; write its address, or mend the name in "
+              + " is not known; write its address, or correct the name in "
               + where,
           e);
     }

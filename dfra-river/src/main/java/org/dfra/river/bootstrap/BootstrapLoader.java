@@ -16,9 +16,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Properties;
 import java.util.stream.Collectors;
-import org.dfra.core.config.AdministrationDescription;
-import org.dfra.core.config.GroupDescription;
 import org.dfra.core.config.RegistrarDescription;
+import org.dfra.core.config.RobotDescription.AdministrationDescription;
+import org.dfra.core.config.RobotDescription.GroupDescription;
 import org.dfra.river.access.AddressRange;
 import org.dfra.river.access.AdministrationPolicy;
 import org.dfra.river.loading.RobotCodebase;
@@ -106,17 +106,23 @@ final class BootstrapLoader {
     if (!administrators().isEmpty()) {
       properties.setProperty(AdministrationPolicy.PROPERTY, administrators());
     }
-    List<String> options = new ArrayList<>(JvmCommand.options());
-    classes.ifPresent(each -> options.addAll(each.options(group.registrar().isPresent())));
+    List<String> options = launchOptions(group);
     options.addAll(group.jvmOptions());
     return new ActivationGroupDesc(
         properties, new CommandEnvironment(null, options.toArray(String[]::new)));
   }
 
+  /** The options that the robot's XML does not name. */
+  private List<String> launchOptions(GroupDescription group) {
+    List<String> options = new ArrayList<>(JvmCommand.options());
+    classes.ifPresent(each -> options.addAll(each.options(group.registrar().isPresent())));
+    return options;
+  }
+
   /** Registers a service group. */
   ActivationGroupID registerGroup(GroupDescription group) throws ActivationException, IOException {
     ActivationGroupDesc desc = desc(group);
-    PermittedLaunchOptions.permit(state, JvmCommand.options());
+    PermittedLaunchOptions.permit(state, launchOptions(group));
     return patience.call(
         () -> {
           Optional<RegisteredGroup> known = registered(group.name());

@@ -37,8 +37,9 @@ final class DownloadJars {
     }
     Path kept = state.toAbsolutePath().resolve("classes").resolve(robot.name());
     List<List<Path>> kinds = new ArrayList<>();
-    robot.modules().forEach(each -> kinds.add(each.download().stream().map(Path::of).toList()));
-    return Optional.of(new RobotCodebase(host, registrar.get().classes(), kept, kinds, ofDfra()))
+    robot.modules().forEach(each -> kinds.add(each.codebase().stream().map(Path::of).toList()));
+    return Optional.of(
+            new RobotCodebase(host, registrar.get().classServerPort(), kept, kinds, ofDfra()))
         .filter(classes -> !classes.isEmpty());
   }
 
@@ -67,7 +68,7 @@ final class DownloadJars {
       throw new IOException(
           "there is no jar for clients to download in "
               + folder
-              + "; build DFRA anew, or write classes=\"off\" in <registrar>");
+              + "; rebuild DFRA, or write class-server-port=\"off\" in <registrar>");
     }
     return jars;
   }

@@ -1,5 +1,6 @@
 package org.dfra.river.bootstrap;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import com.sun.jini.admin.DestroyAdmin;
 import com.sun.jini.start.LifeCycle;
 import com.sun.jini.start.ServiceProxyAccessor;
@@ -25,7 +26,10 @@ import org.dfra.core.host.FreePorts;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.lookup.SuppliedConfiguration;
+import org.dfra.river.registrar.DiscoveryResponseSocketFactory;
+import org.dfra.river.registrar.DiscoveryServerSocketFactory;
 import org.dfra.river.registrar.RegistrarILFactory;
+import org.dfra.river.registrar.RegistrarTasks;
 import org.dfra.river.registrar.RegistrationPolicy;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -54,8 +58,13 @@ public final class EmbeddedRegistrar implements AutoCloseable {
   private final String host;
   private final RegistrationPolicy policy;
   private final Map<String, Supplier<?>> entries;
-  private int port; // guarded by this; 0 before the first start, if none was named
-  private @Nullable Running running; // guarded by this
+
+  // 0 before the first start, if none was named
+  @GuardedBy("this")
+  private int port;
+
+  @GuardedBy("this")
+  private @Nullable Running running;
 
   /**
    * Creates a registrar that belongs to no robot.
@@ -155,6 +164,7 @@ public final class EmbeddedRegistrar implements AutoCloseable {
   }
 
   /** Instantiates reggie by name: DFRA is compiled without reggie. */
+  @GuardedBy("this")
   private Object reggie(CountDownLatch end) throws IOException {
     int wanted = port;
     EventListenerPreparer listeners = new EventListenerPreparer(host);

@@ -1,8 +1,10 @@
 package org.dfra.river.bootstrap;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.UUID;
 import net.jini.core.entry.Entry;
@@ -36,8 +38,12 @@ public final class EmbeddedRobot implements AutoCloseable {
   private final String host;
   private final @Nullable Path others;
   private final ServedModules modules;
-  private boolean started; // guarded by this
-  private @Nullable Admission admission; // guarded by this
+
+  @GuardedBy("this")
+  private boolean started;
+
+  @GuardedBy("this")
+  private @Nullable Admission admission;
 
   /**
    * Creates a whole robot.
@@ -144,6 +150,33 @@ public final class EmbeddedRobot implements AutoCloseable {
         admission.close();
         admission = null;
       }
+    }
+  }
+
+  /**
+   * The lookup services at which a robot's modules register.
+   *
+   * @param locators lookup services that they join by unicast, {@code jini://host:port} each
+   * @param groups discovery groups whose lookup services they join by multicast; none if empty
+   */
+  record LookupSettings(List<String> locators, List<String> groups) {
+
+    /**
+     * The settings of a robot. Its own registrar is joined by unicast, so its modules need no
+     * multicast for it. A robot on the loopback uses no multicast: other hosts could not reach the
+     * announced address.
+     *
+     * @param host the robot's, resolved
+     * @param port TCP port of its own registrar; 0 if that is unknown or there is no registrar
+     */
+    static LookupSettings of(RobotDescription robot, String host, int port) {
+      List<String> locators = new ArrayList<>(robot.locators());
+      String own = "jini://" + host + ":" + port;
+      if (port != 0 && !locators.contains(own)) {
+        locators.add(own);
+      }
+      return new LookupSettings(
+          List.copyOf(locators), HostAddress.isLoopback(host) ? List.of() : robot.lookupGroups());
     }
   }
 }

@@ -1,5 +1,6 @@
 package org.dfra.river.bootstrap;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.rmi.RemoteException;
 import java.util.IdentityHashMap;
 import java.util.Iterator;
@@ -9,8 +10,8 @@ import net.jini.core.event.RemoteEventListener;
 import net.jini.security.ProxyPreparer;
 import org.dfra.river.call.CallbackProxies;
 import org.dfra.river.callback.CallbackLimiter;
+import org.dfra.river.callback.CallbackLimiter.CallbackSlot;
 import org.dfra.river.callback.CallbackRefusedException;
-import org.dfra.river.callback.CallbackSlot;
 import org.dfra.river.callback.ClientAddress;
 
 /**
@@ -19,7 +20,7 @@ import org.dfra.river.callback.ClientAddress;
  *
  * <p>Reggie calls each listener through its proxy, from at most 50 threads that also answer
  * discovery. So a few listeners that never answer would block both. Here each listener is replaced
- * by a {@link RegistrarListener}, which only queues the events and calls the listener from the
+ * by a {@link QueuedEventListener}, which only queues the events and calls the listener from the
  * executor of its process, under a deadline of this computer.
  *
  * <p>The number of listeners of a client is checked before reggie sees one, by {@link
@@ -32,9 +33,12 @@ public final class EventListenerPreparer implements ProxyPreparer {
 
   private final String host;
   private final CallbackLimiter peers;
-  private final Map<RegistrarListener, TrackedListener> registered =
-      new IdentityHashMap<>(); // guarded by this
-  private boolean isWatched; // guarded by this
+
+  @GuardedBy("this")
+  private final Map<QueuedEventListener, TrackedListener> registered = new IdentityHashMap<>();
+
+  @GuardedBy("this")
+  private boolean isWatched;
 
   /** The slot that a listener holds. */
   private static final class TrackedListener {
@@ -85,22 +89,22 @@ public final class EventListenerPreparer implements ProxyPreparer {
 
   /** Reggie reads its log before it is exported. A client's own claims are not trusted. */
   private synchronized ClientAddress client(Object proxy) {
-    if (!isWatched && proxy instanceof RegistrarListener recovered) {
+    if (!isWatched && proxy instanceof QueuedEventListener recovered) {
       return ClientAddress.of(recovered.client(), host);
     }
     return ClientAddress.ofCurrentCall(host);
   }
 
   private static RemoteEventListener unwrapped(RemoteEventListener listener) {
-    return listener instanceof RegistrarListener wrapper ? wrapper.listener() : listener;
+    return listener instanceof QueuedEventListener wrapper ? wrapper.listener() : listener;
   }
 
-  private synchronized RegistrarListener register(
+  private synchronized QueuedEventListener register(
       RemoteEventListener listener, ClientAddress client) {
     try {
       CallbackSlot place = peers.admit(client, listener);
-      RegistrarListener made =
-          new RegistrarListener(
+      QueuedEventListener made =
+          new QueuedEventListener(
               listener,
               client.host(),
               CallbackProxies.withDeadline(
@@ -129,11 +133,11 @@ public final class EventListenerPreparer implements ProxyPreparer {
    * @param live all registered listeners, compared by identity
    */
   synchronized void retain(Set<Object> live) {
-    for (Iterator<Map.Entry<RegistrarListener, TrackedListener>> all =
+    for (Iterator<Map.Entry<QueuedEventListener, TrackedListener>> all =
             registered.entrySet().iterator();
         all.hasNext(); ) {
-      Map.Entry<RegistrarListener, TrackedListener> each = all.next();
-      RegistrarListener listener = each.getKey(); // the entry disappears with its removal
+      Map.Entry<QueuedEventListener, TrackedListener> each = all.next();
+      QueuedEventListener listener = each.getKey(); // the entry disappears with its removal
       TrackedListener its = each.getValue();
       if (live.contains(listener)) {
         its.isMissed = false;

@@ -77,7 +77,7 @@ final class GroupTerminator {
 
   /** Requests an orderly end of a group's process; does not wait for it. */
   void requestStop(String name) throws IOException, ActivationException {
-    process(status(name)).ifPresent(process -> process.destroy(false));
+    process(status(name)).ifPresent(process -> process.terminate());
   }
 
   /**
@@ -129,10 +129,10 @@ final class GroupTerminator {
       @Nullable ProcessIdentity before,
       RetryDeadline polite) {
     if (process.isPresent() && !process.get().equals(before)) {
-      process.get().destroy(false);
+      process.get().terminate();
     } else if (process.isPresent() && polite.isExpired()) {
       LOG.warn("Process {} of group {} did not end; it is killed.", process.get().pid(), name);
-      process.get().destroy(true);
+      process.get().kill();
     }
     polite.pause();
     return process.orElse(before);

@@ -112,7 +112,7 @@ public final class HostAddress {
                 + (wanted.equals(address.getHostAddress())
                     ? ""
                     : address.getHostAddress() + ", which is ")
-                + "no address of this machine; name one that is, or auto");
+                + "not an address of this machine; name one of its addresses, or auto");
       }
       if (address.isLoopbackAddress() && !saysLoopback(wanted)) {
         // Debian maps every machine's own name to 127.0.1.1 in /etc/hosts.

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.dfra.core.config.RenamedNames;
 import org.dfra.core.time.RobotTime;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
@@ -18,7 +19,9 @@ import org.dfra.river.loading.TrustedCode;
 public final class JvmCommand {
 
   /** System property with the value of {@code -Xbootclasspath/a}, if the launcher knows it. */
-  static final String BOOT = "dfra.boot";
+  static final String BOOT = "dfra.boot-class-path";
+
+  private static final String ARCHIVE = "-XX:SharedArchiveFile=";
 
   private JvmCommand() {}
 
@@ -37,13 +40,14 @@ public final class JvmCommand {
     options.add("-XX:CompileThresholdScaling=3"); // compilation took a third of the start time
     options.add("-XX:+UseSerialGC");
     options.add("-Xshare:auto");
+    options.addAll(archiveOptions());
     options.add("-cp");
     options.add(classPath());
     return options;
   }
 
   private static List<String> bootOptions() {
-    String boot = System.getProperty(BOOT);
+    String boot = RenamedNames.property(System.getProperties(), BOOT);
     if (boot != null) {
       return List.of("-Xbootclasspath/a:" + absolute(boot), "-D" + BOOT + "=" + absolute(boot));
     }
@@ -51,6 +55,24 @@ public final class JvmCommand {
         .filter(o -> o.startsWith("-Xbootclasspath/a:") || o.startsWith("-javaagent:"))
         .map(o -> o.substring(0, o.indexOf(':') + 1) + absolute(o.substring(o.indexOf(':') + 1)))
         .toList();
+  }
+
+  /**
+   * The archive of classes that this virtual machine was started with: a child has the same jars.
+   * An archive that fits no more is not used, and the virtual machine says nothing about it.
+   */
+  private static List<String> archiveOptions() {
+    List<String> options =
+        new ArrayList<>(
+            ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
+                .filter(o -> o.startsWith(ARCHIVE))
+                .map(o -> ARCHIVE + absolute(o.substring(ARCHIVE.length())))
+                .toList());
+    if (!options.isEmpty()) {
+      options.add("-Xlog:cds=off");
+      options.add("-Xlog:cds+dynamic=off");
+    }
+    return options;
   }
 
   private static String classPath() {

@@ -6,6 +6,7 @@ import java.rmi.server.ExportException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import net.jini.export.Exporter;
+import org.dfra.river.registrar.RegistrarLeaseLimiter;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -84,7 +85,7 @@ public final class RegistrarExporter implements Exporter {
           throw e;
         } catch (RuntimeException e) { // slots of listeners would no longer be released
           if (!hadFailed) { // not every second
-            LOG.warn("The leases of this lookup service could not be looked at; it goes on.", e);
+            LOG.warn("The leases of this lookup service could not be checked; it continues.", e);
           }
           hadFailed = true;
         }

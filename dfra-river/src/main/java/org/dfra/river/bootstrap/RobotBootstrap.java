@@ -11,10 +11,11 @@ import java.util.Set;
 import java.util.UUID;
 import java.util.stream.Collectors;
 import org.dfra.core.config.ConfigurationException;
-import org.dfra.core.config.GroupDescription;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
+import org.dfra.core.config.RobotDescription.GroupDescription;
+import org.dfra.river.bootstrap.EmbeddedRobot.LookupSettings;
 import org.dfra.river.loading.RobotCodebase;
 import org.dfra.river.server.ModuleActivation;
 import org.dfra.river.server.ModuleIdentity;
@@ -167,7 +168,7 @@ public final class RobotBootstrap {
    * empty if there is none.
    */
   public Optional<String> classServerPortConflict() throws ActivationException, IOException {
-    int port = robot.registrar().map(RegistrarDescription::classes).orElse(0);
+    int port = robot.registrar().map(RegistrarDescription::classServerPort).orElse(0);
     return PortUse.ofOthers(phoenix.admin(), robot.name(), RetryDeadline.of(TIME))
         .of(host, port)
         .map(PortUse.UsedPort::describe);

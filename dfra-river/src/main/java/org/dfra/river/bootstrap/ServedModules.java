@@ -1,5 +1,6 @@
 package org.dfra.river.bootstrap;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.rmi.MarshalledObject;
 import java.rmi.activation.ActivationID;
@@ -21,7 +22,9 @@ public final class ServedModules implements AutoCloseable {
 
   private final String whose;
   private final EmbeddedRegistrar registrar;
-  private final List<ModuleServer<?>> serving = new ArrayList<>(); // guarded by this
+
+  @GuardedBy("this")
+  private final List<ModuleServer<?>> serving = new ArrayList<>();
 
   /**
    * @param owner owner of the modules, for messages, e.g. {@code robot atrv1}
@@ -48,16 +51,17 @@ public final class ServedModules implements AutoCloseable {
     ModuleClassFactory classes = new ModuleClassFactory(module);
     Class<?> type = classes.load("server", module.serverClass());
     if (!ModuleServer.class.isAssignableFrom(type)) {
-      throw classes.fault("server " + type.getName() + " is no ModuleServer", null);
+      throw classes.fault("server " + type.getName() + " is not a ModuleServer", null);
     }
     serving.add(
-        (ModuleServer<?>)
-            classes.construct(
-                "server",
-                type,
-                new Class<?>[] {ActivationID.class, MarshalledObject.class},
-                null,
-                new MarshalledObject<>(activation)));
+        ModuleServer.started(
+            (ModuleServer<?>)
+                classes.construct(
+                    "server",
+                    type,
+                    new Class<?>[] {ActivationID.class, MarshalledObject.class},
+                    null,
+                    new MarshalledObject<>(activation))));
   }
 
   /**

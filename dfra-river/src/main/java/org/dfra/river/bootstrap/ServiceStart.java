@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.rmi.activation.ActivationException;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.river.bootstrap.RobotBootstrap.ServiceReference;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -17,9 +17,12 @@ final class ServiceStart {
 
   private static final Logger LOG = LoggerFactory.getLogger(ServiceStart.class);
 
-  /** The start of a group's report that a constructor threw an exception. */
+  /**
+   * The start of a group's report that a constructor, or the start after it, threw an exception.
+   */
   private static final Pattern THROWN =
-      Pattern.compile("[\\w.$]+: its constructor failed: [\\w.$]+(?:Exception|Error): ");
+      Pattern.compile(
+          "[\\w.$]+: (?:its constructor failed|it did not start): [\\w.$]+(?:Exception|Error): ");
 
   /** The start of a group's report that a class is missing. */
   private static final Pattern MISSING =
@@ -35,7 +38,7 @@ final class ServiceStart {
    * @throws ActivationException if it did not start; the message names the service, the place of
    *     its description and the reason
    */
-  static void activate(ServiceReference service, Place place, RetryDeadline patience)
+  static void activate(ServiceReference service, SourceLocation place, RetryDeadline patience)
       throws ActivationException, IOException {
     try {
       patience.call(() -> service.id().activate(false));
@@ -58,7 +61,7 @@ final class ServiceStart {
     if (missing.lookingAt()) {
       return "server class "
           + missing.group(1)
-          + " is not on the group's class path; add its jar or mend the name";
+          + " is not on the group's class path; add its jar or correct the name";
     }
     Matcher thrown = THROWN.matcher(message);
     return thrown.lookingAt() ? message.substring(thrown.end()) : message;

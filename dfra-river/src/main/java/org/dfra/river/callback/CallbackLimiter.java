@@ -1,10 +1,13 @@
 package org.dfra.river.callback;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.rmi.Remote;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.dfra.event.delivery.DeliveryPool;
 import org.dfra.event.delivery.PeerExecutors;
 import org.dfra.river.call.CallbackProxies;
@@ -44,7 +47,9 @@ public final class CallbackLimiter {
   private final Scheduler scheduler;
   private final PeerQuota quota =
       new PeerQuota("processes that are called back from here", PROCESSES);
-  private final Map<Peer, ProcessSlots> places = new HashMap<>(); // guarded by this
+
+  @GuardedBy("this")
+  private final Map<Peer, ProcessSlots> places = new HashMap<>();
 
   private record Peer(ClientAddress client, Object process) {}
 
@@ -145,5 +150,34 @@ public final class CallbackLimiter {
   /** The number of counted processes, including those that are no longer called but linger. */
   public int processCount() {
     return quota.held();
+  }
+
+  /** The resources that this process reserves for one object that it calls back, until closed. */
+  public static final class CallbackSlot implements AutoCloseable {
+
+    private final Executor lane;
+    private final Runnable whenClosed;
+    private final AtomicBoolean closed = new AtomicBoolean();
+
+    CallbackSlot(Executor lane, Runnable whenClosed) {
+      this.lane = lane;
+      this.whenClosed = whenClosed;
+    }
+
+    /**
+     * Runs the calls on the object; it drops none. The submitter bounds the number of waiting
+     * calls.
+     */
+    public Executor lane() {
+      return lane;
+    }
+
+    /** Releases the slot. Idempotent. */
+    @Override
+    public void close() {
+      if (closed.compareAndSet(false, true)) {
+        whenClosed.run();
+      }
+    }
   }
 }

@@ -1,5 +1,6 @@
 package org.dfra.river.callback;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -13,9 +14,16 @@ public final class PeerQuota {
 
   private final String what;
   private final QuotaLimits limits;
-  private final Map<String, Integer> held = new HashMap<>(); // guarded by this; by other addresses
-  private int heldByOthers; // guarded by this
-  private int heldByOwn; // guarded by this
+
+  // by other addresses
+  @GuardedBy("this")
+  private final Map<String, Integer> held = new HashMap<>();
+
+  @GuardedBy("this")
+  private int heldByOthers;
+
+  @GuardedBy("this")
+  private int heldByOwn;
 
   /**
    * The limits.

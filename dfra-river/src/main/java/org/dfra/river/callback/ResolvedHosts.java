@@ -1,5 +1,6 @@
 package org.dfra.river.callback;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.lang.System.Logger.Level;
 import java.net.UnknownHostException;
 import java.time.Duration;
@@ -57,7 +58,9 @@ final class ResolvedHosts {
   private final Resolver resolver;
   private final LongSupplier nanos;
   private final Executor executor;
-  private final Map<String, CachedHost> entries = new HashMap<>(); // guarded by this
+
+  @GuardedBy("this")
+  private final Map<String, CachedHost> entries = new HashMap<>();
 
   /**
    * @param nanos monotonic time

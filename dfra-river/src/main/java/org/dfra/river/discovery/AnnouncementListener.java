@@ -1,5 +1,6 @@
 package org.dfra.river.discovery;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.InetSocketAddress;
@@ -38,9 +39,15 @@ final class AnnouncementListener implements AutoCloseable {
   private final Consumer<DatagramPacket> received;
   private final SocketOpener opening;
   private final ReopenBackoff backoff = new ReopenBackoff();
-  private MulticastSocket socket; // guarded by this
-  private List<@Nullable NetworkInterface> failed; // guarded by this
-  private final Set<@Nullable NetworkInterface> reported = new HashSet<>(); // guarded by this
+
+  @GuardedBy("this")
+  private MulticastSocket socket;
+
+  @GuardedBy("this")
+  private List<@Nullable NetworkInterface> failed;
+
+  @GuardedBy("this")
+  private final Set<@Nullable NetworkInterface> reported = new HashSet<>();
 
   /**
    * Joins the announcements' multicast group on every interface.

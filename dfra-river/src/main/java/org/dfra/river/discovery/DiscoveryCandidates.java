@@ -1,5 +1,6 @@
 package org.dfra.river.discovery;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -81,7 +82,10 @@ final class DiscoveryCandidates {
   }
 
   private final LongSupplier nanos;
-  private final Map<LookupAddress, Candidate> candidates = new LinkedHashMap<>(); // guarded by this
+
+  @GuardedBy("this")
+  private final Map<LookupAddress, Candidate> candidates = new LinkedHashMap<>();
+
   private final long origin; // times are relative to it, so that they can be compared
 
   /**
@@ -125,6 +129,7 @@ final class DiscoveryCandidates {
   /**
    * Removes another candidate if there are too many; false if the new one has the lowest priority.
    */
+  @GuardedBy("this")
   private boolean makeRoom(Candidate wanted) {
     List<Candidate> ofHost = new ArrayList<>();
     for (Candidate each : candidates.values()) {
@@ -139,6 +144,7 @@ final class DiscoveryCandidates {
         || forgetWorst(List.copyOf(candidates.values()), wanted);
   }
 
+  @GuardedBy("this")
   private boolean forgetWorst(List<Candidate> of, Candidate wanted) {
     Optional<Candidate> worst =
         of.stream()

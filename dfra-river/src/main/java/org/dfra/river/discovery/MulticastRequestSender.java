@@ -1,5 +1,6 @@
 package org.dfra.river.discovery;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.MulticastSocket;
@@ -33,10 +34,20 @@ final class MulticastRequestSender implements AutoCloseable {
   private final ScheduledExecutorService timer;
   private final Supplier<Collection<ServiceID>> known;
   private final Runnable responded;
-  private @Nullable ResponseListener responses; // guarded by this; while there is a round
-  private int rounds; // guarded by this
-  private boolean isDelayed; // guarded by this; whether the first round was started
-  private boolean closed; // guarded by this
+
+  // while there is a round
+  @GuardedBy("this")
+  private @Nullable ResponseListener responses;
+
+  @GuardedBy("this")
+  private int rounds;
+
+  // whether the first round was started
+  @GuardedBy("this")
+  private boolean isDelayed;
+
+  @GuardedBy("this")
+  private boolean closed;
 
   /**
    * @param known supplies the lookup services that need not answer; called without a lock

@@ -1,5 +1,6 @@
 package org.dfra.river.discovery;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import com.sun.jini.discovery.MulticastAnnouncement;
 import java.io.IOException;
 import java.net.DatagramPacket;
@@ -16,6 +17,7 @@ import net.jini.config.Configuration;
 import net.jini.config.ConfigurationException;
 import net.jini.core.lookup.ServiceID;
 import org.dfra.river.discovery.DiscoveryCandidates.LookupAddress;
+import org.dfra.river.discovery.FoundRegistrars.FoundRegistrar;
 import org.dfra.river.discovery.UnicastDiscovery.DiscoveryResponse;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -61,13 +63,20 @@ public final class MulticastSearch implements AutoCloseable {
   private final MulticastSettings settings;
   private final Listener listener;
   private final DiscoveryCandidates hosts = new DiscoveryCandidates(System::nanoTime);
-  private final FoundRegistrars found = new FoundRegistrars(); // guarded by this
+
+  @GuardedBy("this")
+  private final FoundRegistrars found = new FoundRegistrars();
+
   private final DiscoveryThreads threads;
   private final MulticastRequestSender requests;
   private final DiscoveryProbes probes;
   private final @Nullable AnnouncementListener announcements;
-  private final WantedGroups groups; // guarded by this
-  private boolean closed; // guarded by this
+
+  @GuardedBy("this")
+  private final WantedGroups groups;
+
+  @GuardedBy("this")
+  private boolean closed;
 
   /**
    * Starts the search.
@@ -169,6 +178,7 @@ public final class MulticastSearch implements AutoCloseable {
     loseUnwanted();
   }
 
+  @GuardedBy("this")
   private void loseUnwanted() {
     for (FoundRegistrar each : found.all()) {
       if (!groups.matchesAny(each.groups)) {

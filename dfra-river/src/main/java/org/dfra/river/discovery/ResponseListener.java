@@ -1,5 +1,6 @@
 package org.dfra.river.discovery;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
@@ -37,8 +38,12 @@ final class ResponseListener implements AutoCloseable {
   private final Runnable responded;
   private final ReopenBackoff backoff = new ReopenBackoff();
   private final Deque<Socket> waiting = new ArrayDeque<>(); // guarded by itself
-  private ServerSocket server; // guarded by this
-  private int port; // guarded by this
+
+  @GuardedBy("this")
+  private ServerSocket server;
+
+  @GuardedBy("this")
+  private int port;
 
   /**
    * Starts to listen.

@@ -2,10 +2,12 @@ package org.dfra.river.discovery;
 
 import java.io.BufferedInputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.InvalidObjectException;
 import java.io.ObjectInputFilter;
 import java.io.ObjectInputFilter.FilterInfo;
 import java.io.ObjectInputStream;
+import java.io.ObjectStreamClass;
 import java.lang.reflect.Proxy;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -18,6 +20,7 @@ import java.util.List;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.io.MarshalledInstance;
 import org.dfra.river.filter.SerialFilters;
+import org.dfra.text.PrintableText;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -134,7 +137,7 @@ public final class UnicastDiscovery {
   private static DiscoveryResponse answer(Socket socket, long end)
       throws IOException, ClassNotFoundException {
     DeadlineInput input = new DeadlineInput(socket, end, ANSWER_BYTES);
-    ObjectInputStream in = new ObjectInputStream(new BufferedInputStream(input));
+    ObjectInputStream in = new AnswerStream(new BufferedInputStream(input));
     in.setObjectInputFilter(UnicastDiscovery::check);
     if (!(in.readObject() instanceof MarshalledObject<?> marshalled)) {
       throw new InvalidObjectException("the answer does not begin with a marshalled object");
@@ -162,6 +165,30 @@ public final class UnicastDiscovery {
     InetSocketAddress place = new InetSocketAddress(socket.getInetAddress(), socket.getPort());
     return new DiscoveryResponse(
         new LocatedRegistrar(registrar(form.get(false)), form, place), groups);
+  }
+
+  /** Finds no class but those of an answer's own objects, whatever names it contains. */
+  private static final class AnswerStream extends ObjectInputStream {
+
+    AnswerStream(InputStream in) throws IOException {
+      super(in);
+    }
+
+    @Override
+    protected Class<?> resolveClass(ObjectStreamClass descriptor) throws IOException {
+      return switch (descriptor.getName()) {
+        case "java.rmi.MarshalledObject" -> MarshalledObject.class;
+        case "[B" -> byte[].class;
+        default ->
+            throw new InvalidObjectException(
+                "the answer contains class " + PrintableText.word(descriptor.getName()));
+      };
+    }
+
+    @Override
+    protected Class<?> resolveProxyClass(String[] interfaces) throws IOException {
+      throw new InvalidObjectException("the answer contains a dynamic proxy");
+    }
   }
 
   /** Checks the stream's own objects; the contents of the marshalled object are bytes here. */

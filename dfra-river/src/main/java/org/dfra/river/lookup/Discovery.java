@@ -1,5 +1,6 @@
 package org.dfra.river.lookup;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.net.MalformedURLException;
 import java.time.Duration;
@@ -39,10 +40,18 @@ public final class Discovery
   private final Configuration configuration;
   private final Duration retry;
   private final List<DiscoveryListener> listeners = new CopyOnWriteArrayList<>();
-  private final Set<LocatedRegistrar> found = new LinkedHashSet<>(); // guarded by this
-  private final List<LocatorSearch> searches = new ArrayList<>(); // guarded by this
-  private @Nullable MulticastSearch multicast; // guarded by this
-  private boolean ended; // guarded by this
+
+  @GuardedBy("this")
+  private final Set<LocatedRegistrar> found = new LinkedHashSet<>();
+
+  @GuardedBy("this")
+  private final List<LocatorSearch> searches = new ArrayList<>();
+
+  @GuardedBy("this")
+  private @Nullable MulticastSearch multicast;
+
+  @GuardedBy("this")
+  private boolean ended;
 
   private Discovery(Configuration configuration, Duration retry) {
     this.configuration = configuration;

@@ -1,5 +1,6 @@
 package org.dfra.river.lookup;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
@@ -32,6 +33,7 @@ import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.loading.BootClassPath;
 import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.proxy.LocalModuleRegistry;
+import org.dfra.text.PrintableText;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -64,7 +66,9 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
 
   private final Map<String, Boolean> hosts = new ConcurrentHashMap<>();
   private final ScheduledExecutorService watchdog;
-  private boolean closed; // guarded by watches
+
+  @GuardedBy("watches")
+  private boolean closed;
 
   /**
    * Starts the discovery of lookup services, with robot timings.
@@ -302,5 +306,56 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     discovery.terminate();
     ending.forEach(RegistrarMonitor::close);
     super.close();
+  }
+
+  /**
+   * Lookup services list different services under one service ID. One of them may come from an
+   * unknown registrant. A module that was just restarted causes the same for a moment.
+   *
+   * @param path {@code robot/name} of the module, or the robot's name, in the listing that takes
+   *     precedence
+   * @param id the service ID
+   * @param preferred the lookup service that takes precedence, as {@code address:port}
+   * @param others the lookup services that list something else
+   */
+  public record ModuleConflict(String path, String id, String preferred, List<String> others) {
+
+    public ModuleConflict {
+      path = PrintableText.word(path);
+      others = List.copyOf(others);
+    }
+
+    /** A sentence without a full stop: the conflict, its place, and the remedy. */
+    public String describe() {
+      return path
+          + " is listed differently by the lookup services at "
+          + preferred
+          + ", which counts here, and "
+          + String.join(", ", others)
+          + "; if it was not restarted just now, find out whose those lookup services are";
+    }
+  }
+
+  /**
+   * A module whose proxy cannot be read here, most often because its classes are not trusted. The
+   * other data come from its lookup service.
+   *
+   * @param robot name of its robot
+   * @param name its name
+   * @param host address of the computer it runs on
+   * @param id its service ID
+   * @param reason the reason and the remedy
+   */
+  public record UnreadableModule(String robot, String name, String host, String id, String reason) {
+
+    public UnreadableModule {
+      robot = PrintableText.word(robot);
+      name = PrintableText.word(name);
+    }
+
+    /** {@code robot/name}. */
+    public String path() {
+      return robot + "/" + name;
+    }
   }
 }

@@ -12,6 +12,7 @@ import org.dfra.persona.ModuleAttributes;
 import org.dfra.persona.PersonaAttributes;
 import org.dfra.river.call.ResurrectingHandler;
 import org.dfra.river.entry.Entries;
+import org.dfra.river.lookup.JiniModuleDirectory.UnreadableModule;
 import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.remote.RemoteModule;
 import org.jspecify.annotations.Nullable;

@@ -1,5 +1,6 @@
 package org.dfra.river.lookup;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.concurrent.TimeUnit;
@@ -29,9 +30,16 @@ final class LocatorSearch implements AutoCloseable {
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
   private final Thread thread;
-  private @Nullable LocatedRegistrar found; // guarded by lock
-  private boolean closed; // guarded by lock
-  private long foundAt; // guarded by lock
+
+  @GuardedBy("lock")
+  private @Nullable LocatedRegistrar found;
+
+  @GuardedBy("lock")
+  private boolean closed;
+
+  @GuardedBy("lock")
+  private long foundAt;
+
   private boolean complained; // used by the thread only
 
   /**

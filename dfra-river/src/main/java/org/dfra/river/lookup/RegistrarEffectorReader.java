@@ -1,5 +1,6 @@
 package org.dfra.river.lookup;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.rmi.RemoteException;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -26,6 +27,7 @@ import org.dfra.persona.ModuleAttributes;
 import org.dfra.river.call.DeadlineExceededException;
 import org.dfra.river.entry.Entries;
 import org.dfra.river.entry.ModuleEntry;
+import org.dfra.river.lookup.EffectorSearch.ListedEffector;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -61,9 +63,17 @@ final class RegistrarEffectorReader implements AutoCloseable {
   private final BooleanSupplier isTimeLeft;
   private final ExecutorService threads;
   private final Executor later; // delayed, on these threads
-  private final Set<String> begun = new LinkedHashSet<>(); // robots; guarded by this
-  private final Set<String> faults = new LinkedHashSet<>(); // guarded by this
-  private int pending; // queries without an answer; guarded by this
+
+  // robots
+  @GuardedBy("this")
+  private final Set<String> begun = new LinkedHashSet<>();
+
+  @GuardedBy("this")
+  private final Set<String> faults = new LinkedHashSet<>();
+
+  // queries without an answer
+  @GuardedBy("this")
+  private int pending;
 
   /**
    * @param wanted robots that are read; all if empty

@@ -21,6 +21,8 @@ import org.dfra.module.Module;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.PersonaAttributes;
 import org.dfra.river.discovery.LocatedRegistrar;
+import org.dfra.river.lookup.JiniModuleDirectory.ModuleConflict;
+import org.dfra.river.lookup.JiniModuleDirectory.UnreadableModule;
 import org.jspecify.annotations.Nullable;
 
 /**

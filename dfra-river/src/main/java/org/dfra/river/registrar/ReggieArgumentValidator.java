@@ -207,7 +207,8 @@ final class ReggieArgumentValidator {
     @Nullable Object inherited = ReggieFields.value(interfaces, type);
     boolean isObject = name.equals(OBJECT);
     if (isObject != state.isObjectType(type) || isObject != (inherited == null)) {
-      throw malformed("the type " + PrintableText.word(name) + " is no class and no interface");
+      throw malformed(
+          "the type " + PrintableText.word(name) + " is neither a class nor an interface");
     }
     @Nullable Object parent = ReggieFields.value(parentType, type);
     if (inherited != null) {

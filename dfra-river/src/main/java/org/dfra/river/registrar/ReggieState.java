@@ -33,6 +33,8 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
   private final List<?> entryClasses; // descriptors
   private final Object reggie;
   private final Field objectType;
+  private final Field maxServiceLease; // milliseconds
+  private final Field maxListenerLease;
   private final Field serviceEnd; // milliseconds of the system clock
   private final Field listenerEnd;
   private final Field item; // of a registered service; the following are the item's
@@ -57,6 +59,8 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
     attributes = (Map<?, ?>) ReggieFields.accessible(type, "serviceByAttr").get(reggie);
     entryClasses = (List<?>) ReggieFields.accessible(type, "entryClasses").get(reggie);
     objectType = ReggieFields.accessible(type, "objectServiceType");
+    maxServiceLease = ReggieFields.accessible(type, "maxServiceLease");
+    maxListenerLease = ReggieFields.accessible(type, "maxEventLease");
     serviceEnd = ReggieFields.accessible(service, "leaseExpiration");
     listenerEnd = ReggieFields.accessible(listener, "leaseExpiration");
     item = ReggieFields.accessible(service, "item");
@@ -160,6 +164,16 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
   /** Whether a descriptor of a type has the hash of {@link Object}. */
   boolean isObjectType(Object descriptor) {
     return descriptor.equals(ReggieFields.value(objectType, reggie));
+  }
+
+  /** The longest lease of a service that it grants now, in milliseconds. */
+  long maxServiceLease() {
+    return ReggieFields.number(maxServiceLease, reggie);
+  }
+
+  /** The longest lease of a listener that it grants now, in milliseconds. */
+  long maxListenerLease() {
+    return ReggieFields.number(maxListenerLease, reggie);
   }
 
   /** The identifiers of all its listeners. */

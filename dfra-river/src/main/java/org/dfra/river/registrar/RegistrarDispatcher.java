@@ -1,11 +1,15 @@
 package org.dfra.river.registrar;
 
+import java.io.IOException;
+import java.io.ObjectOutputStream;
+import java.io.OutputStream;
 import java.lang.System.Logger.Level;
 import java.lang.reflect.Method;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.rmi.Remote;
 import java.rmi.server.ExportException;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.concurrent.TimeUnit;
 import net.jini.core.constraint.MethodConstraints;
@@ -18,6 +22,7 @@ import org.dfra.directory.RegistrationRefusedException;
 import org.dfra.river.access.GuardedDispatcher;
 import org.dfra.river.access.OwnAddresses;
 import org.dfra.river.access.RemoteCaller;
+import org.dfra.river.registrar.RegistrationRules.RegistrationOrigin;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -31,7 +36,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Thread-safe. Registrations are made one after another, as reggie itself does.
  */
-public final class RegistrarDispatcher extends GuardedDispatcher {
+final class RegistrarDispatcher extends GuardedDispatcher {
 
   private static final System.Logger LOG = System.getLogger(RegistrarDispatcher.class.getName());
 
@@ -102,12 +107,56 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
       return super.invoke(impl, method, args, context);
     }
     refusing(() -> arguments.check(method.getName(), args));
+    limitRenewal(method.getName(), args);
     return switch (method.getName()) {
       case "register" -> register(impl, method, args, context);
       case "notify" -> listen(impl, method, args, context);
       case CHANGE, "addAttributes", "setAttributes" -> change(impl, method, args, context);
+      case "getFieldValues" -> withRobotFirst(super.invoke(impl, method, args, context));
       default -> super.invoke(impl, method, args, context);
     };
+  }
+
+  /**
+   * Puts the robot before the other values of a field. Only its own computers register under its
+   * name, so an emergency stop, which reads the robots in this order, reads its effectors before
+   * those of strangers, however many these are.
+   */
+  private Object withRobotFirst(Object answer) {
+    if (answer instanceof Object[] values) {
+      int at = Arrays.asList(values).indexOf(policy.robot());
+      if (at > 0) {
+        values[at] = values[0];
+        values[0] = policy.robot();
+      }
+    }
+    return answer;
+  }
+
+  /**
+   * Shortens the requested duration of a renewal to the longest lease that reggie grants. Reggie
+   * itself grants more, as much as the lease has left: after the system clock was set back by an
+   * hour, that is an hour. The lease is shortened within a second ({@code RegistrarLeaseLimiter}),
+   * but its holder would renew it too late.
+   */
+  private void limitRenewal(String method, Object[] args) {
+    switch (method) {
+      case "renewServiceLease" -> args[2] = Math.min((long) args[2], state.maxServiceLease());
+      case "renewEventLease" -> args[2] = Math.min((long) args[2], state.maxListenerLease());
+      case "renewLeases" -> {
+        Object[] registrations = (Object[]) args[0];
+        long[] durations = (long[]) args[2];
+        for (int i = 0; i < durations.length; i++) {
+          boolean isService = registrations[i] instanceof ServiceID;
+          durations[i] =
+              Math.min(
+                  durations[i], isService ? state.maxServiceLease() : state.maxListenerLease());
+        }
+      }
+      default -> {
+        // renews nothing
+      }
+    }
   }
 
   @SuppressWarnings("rawtypes") // as River declares it
@@ -218,5 +267,45 @@ public final class RegistrarDispatcher extends GuardedDispatcher {
     @Nullable InetAddress address = caller.address();
     return new RegistrationOrigin(
         address, address != null && (own.contains(address) || policy.admits(address)));
+  }
+
+  /** The size of objects in reggie's log, which is about their size in memory. */
+  private static final class SerializedSize {
+
+    private SerializedSize() {}
+
+    /**
+     * The total size of objects; shared parts count once.
+     *
+     * @param objects from a call, so that their size is already limited
+     * @return bytes
+     * @throws IllegalArgumentException if one cannot be serialized, as reggie would have to
+     */
+    static long of(@Nullable Object... objects) {
+      CountingStream counter = new CountingStream();
+      try (ObjectOutputStream out = new ObjectOutputStream(counter)) {
+        for (@Nullable Object each : objects) {
+          out.writeObject(each);
+        }
+      } catch (IOException e) {
+        throw new IllegalArgumentException("what was sent cannot be kept: " + e, e);
+      }
+      return counter.bytes;
+    }
+
+    private static final class CountingStream extends OutputStream {
+
+      private long bytes;
+
+      @Override
+      public void write(int b) {
+        bytes++;
+      }
+
+      @Override
+      public void write(byte[] b, int offset, int length) {
+        bytes += length;
+      }
+    }
   }
 }

@@ -1,5 +1,6 @@
 package org.dfra.river.registrar;
 
+import java.net.InetAddress;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -10,6 +11,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import net.jini.core.lookup.ServiceID;
 import org.dfra.directory.RegistrationRefusedException;
+import org.dfra.river.access.RemoteCaller;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -174,7 +176,7 @@ final class RegistrationRules {
   private String remedy() {
     return robot.isEmpty()
         ? "register from there"
-        : "register from there, or add the address to <registrar from=\"…\"> in its XML and bring"
+        : "register from there, or add the address to <registrar module-hosts=\"…\"> in its XML and bring"
             + " the robot up again";
   }
 
@@ -327,6 +329,27 @@ final class RegistrationRules {
 
     private static Optional<String> beyond(long count, long most, String what) {
       return count > most ? Optional.of(count + what) : Optional.empty();
+    }
+  }
+
+  /**
+   * The computer that a registration comes from.
+   *
+   * @param address its address; null if unknown
+   * @param isRobotHost whether it is one of the robot's hosts
+   */
+  record RegistrationOrigin(@Nullable InetAddress address, boolean isRobotHost) {
+
+    /** Whether a registration from here may replace one from another origin. */
+    boolean mayReplace(RegistrationOrigin other) {
+      return isRobotHost
+          || (!other.isRobotHost && address != null && address.equals(other.address));
+    }
+
+    /** Its numeric address, or a substitute. */
+    @Override
+    public String toString() {
+      return new RemoteCaller(address).toString();
     }
   }
 }

@@ -9,6 +9,7 @@ import java.util.Map;
 import net.jini.core.entry.Entry;
 import org.dfra.river.entry.ModuleEntry;
 import org.dfra.river.entry.PersonaEntry;
+import org.dfra.river.filter.ClassLookup;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -146,7 +147,7 @@ final class RobotClaimReader {
       return null;
     }
     try {
-      Class<?> type = Class.forName(name, false, RobotClaimReader.class.getClassLoader());
+      Class<?> type = ClassLookup.find(name, RobotClaimReader.class.getClassLoader());
       return descriptors.describes(described, type) ? type : null;
     } catch (ClassNotFoundException | LinkageError e) { // of an unknown registrant
       return null;

@@ -1,5 +1,6 @@
 /**
- * Decides which registrations a robot's registrar accepts from which computer.
+ * What a robot's registrar has beside reggie. It decides which registrations are accepted from
+ * which computer.
  *
  * <pre>
  *   register, notify, addAttributes, ... --&gt; RegistrarDispatcher --&gt; reggie
@@ -11,7 +12,10 @@
  * </pre>
  *
  * <p>Enter at {@link org.dfra.river.registrar.RegistrarILFactory}, which the configuration of the
- * registrar's exporter names.
+ * registrar's exporter names. {@link org.dfra.river.registrar.RegistrarLeaseLimiter} shortens
+ * leases after a step of the clock. {@link org.dfra.river.registrar.DiscoveryServerSocketFactory}
+ * and {@link org.dfra.river.registrar.RegistrarTasks} keep silent peers from holding reggie's
+ * threads.
  */
 @NullMarked
 package org.dfra.river.registrar;

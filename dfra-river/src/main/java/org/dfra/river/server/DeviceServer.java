@@ -1,5 +1,6 @@
 package org.dfra.river.server;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.rmi.MarshalledObject;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationID;
@@ -22,7 +23,8 @@ public abstract class DeviceServer<D extends Device> extends ChainableServer<D>
     implements RemoteDevice {
 
   /** Created at its first use: clients may call before ModuleServer's constructor has returned. */
-  private @Nullable DiagnosticRunner examinations; // guarded by this
+  @GuardedBy("this")
+  private @Nullable DiagnosticRunner examinations;
 
   /** See {@link ModuleServer#ModuleServer}. */
   protected DeviceServer(

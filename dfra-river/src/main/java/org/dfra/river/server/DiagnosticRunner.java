@@ -105,8 +105,8 @@ final class DiagnosticRunner {
     if (run == null) {
       throw new IllegalArgumentException(
           module
-              + " knows no such examination: it was activated anew since, or many others were begun;"
-              + " begin it again");
+              + " does not know this examination: it was activated again, or many others were"
+              + " begun; begin it again");
     }
     try {
       return run.get(timeout.toNanos(), TimeUnit.NANOSECONDS);

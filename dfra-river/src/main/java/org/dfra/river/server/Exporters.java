@@ -48,7 +48,8 @@ public final class Exporters {
    * @param deadlineMillis the longest wait for an answer, in milliseconds, at least 1
    */
   public static Exporter jrmp(ServerSettings settings, long deadlineMillis) {
-    JrmpSockets sockets = new JrmpSockets(settings.host(), Math.toIntExact(deadlineMillis));
+    JrmpSocketFactory sockets =
+        new JrmpSocketFactory(settings.host(), Math.toIntExact(deadlineMillis));
     Exporter plain = new JrmpCallsExporter(new JrmpExporter(0, sockets, sockets), settings.host());
     return settings.id() == null ? plain : new ResurrectingExporter(settings.id(), plain);
   }

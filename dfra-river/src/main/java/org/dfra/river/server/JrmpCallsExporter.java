@@ -1,20 +1,12 @@
 package org.dfra.river.server;
 
-import java.io.ByteArrayOutputStream;
-import java.io.DataOutputStream;
-import java.io.IOException;
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.Serializable;
-import java.io.UncheckedIOException;
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.rmi.Remote;
 import java.rmi.server.ExportException;
-import java.rmi.server.RemoteObjectInvocationHandler;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import net.jini.export.Exporter;
 import org.dfra.river.access.AdministrationGuard;
 import org.jspecify.annotations.Nullable;
@@ -35,7 +27,8 @@ final class JrmpCallsExporter implements Exporter {
 
   /** A strong reference, since JRMP holds what it exports weakly. */
   @SuppressWarnings("UnusedVariable")
-  private @Nullable Remote guarded; // guarded by this
+  @GuardedBy("this")
+  private @Nullable Remote guarded;
 
   /**
    * @param underlying exports by JRMP
@@ -53,7 +46,9 @@ final class JrmpCallsExporter implements Exporter {
     guarded = guard;
     return (Remote)
         Proxy.newProxyInstance(
-            stub.getClass().getClassLoader(), stub.getClass().getInterfaces(), new Calls(stub));
+            stub.getClass().getClassLoader(),
+            stub.getClass().getInterfaces(),
+            new JrmpInvocationHandler(stub));
   }
 
   @Override
@@ -66,46 +61,20 @@ final class JrmpCallsExporter implements Exporter {
   }
 
   /**
-   * Makes calls by the stub's reference. Method numbers (hashes) follow the RMI specification,
-   * section 8.3.
-   *
-   * @param stub the JDK's stub
+   * The former name of {@link JrmpInvocationHandler}, in proxies that lookup services stored or
+   * that robots with an earlier release send; until the next release.
    */
+  @SuppressWarnings("UnusedVariable") // deserialized only
   private record Calls(Remote stub) implements InvocationHandler, Serializable {
+
+    private Object readResolve() {
+      return new JrmpInvocationHandler(stub);
+    }
 
     @Override
     public @Nullable Object invoke(Object proxy, Method method, Object @Nullable [] arguments)
         throws Throwable {
-      if (method.getDeclaringClass() == Object.class) {
-        return switch (method.getName()) {
-          case "equals" ->
-              arguments != null
-                  && arguments[0] != null
-                  && Proxy.isProxyClass(arguments[0].getClass())
-                  && equals(Proxy.getInvocationHandler(arguments[0]));
-          case "hashCode" -> hashCode();
-          default -> toString();
-        };
-      }
-      RemoteObjectInvocationHandler handler =
-          (RemoteObjectInvocationHandler) Proxy.getInvocationHandler(stub);
-      return handler.getRef().invoke(stub, method, arguments, number(method));
-    }
-
-    private static long number(Method method) {
-      String descriptor =
-          java.lang.invoke.MethodType.methodType(method.getReturnType(), method.getParameterTypes())
-              .toMethodDescriptorString();
-      ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-      try (DataOutputStream out = new DataOutputStream(bytes)) {
-        out.writeUTF(method.getName() + descriptor);
-        byte[] digest = MessageDigest.getInstance("SHA").digest(bytes.toByteArray());
-        return ByteBuffer.wrap(digest).order(ByteOrder.LITTLE_ENDIAN).getLong();
-      } catch (IOException e) {
-        throw new UncheckedIOException(e); // writing to memory does not fail
-      } catch (NoSuchAlgorithmException e) {
-        throw new AssertionError("every Java platform has SHA", e);
-      }
+      return new JrmpInvocationHandler(stub).invoke(proxy, method, arguments);
     }
   }
 }

@@ -1,5 +1,6 @@
 package org.dfra.river.server;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import com.sun.jini.lookup.entry.LookupAttributes;
 import java.io.IOException;
 import java.rmi.Remote;
@@ -47,7 +48,9 @@ final class ModuleAdministration implements ModuleAdmin, AutoCloseable {
   private final ModuleServer<?> server;
   private final DriverShutdown driverEnd;
   private final Exporter exporter;
-  private @Nullable Remote stub; // guarded by this
+
+  @GuardedBy("this")
+  private @Nullable Remote stub;
 
   /**
    * @param module the served module

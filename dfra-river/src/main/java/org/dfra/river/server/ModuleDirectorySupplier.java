@@ -86,7 +86,7 @@ final class ModuleDirectorySupplier implements Supplier<ModuleDirectory>, AutoCl
           module
               + " cannot look for other modules ("
               + e.getMessage()
-              + "); mend groups and locators in <lookup> of the robot's XML",
+              + "); correct groups and locators in <lookup> of the robot's XML",
           e);
     }
   }

@@ -79,7 +79,8 @@ final class ModulePartFactory {
     Class<?> type = classes.load("proxy", description.proxyClass());
     if (!ModuleProxy.class.isAssignableFrom(type) || !kind.isAssignableFrom(type)) {
       throw classes.fault(
-          "proxy " + type.getName() + " is no ModuleProxy that implements " + kind.getName(), null);
+          "proxy " + type.getName() + " is not a ModuleProxy that implements " + kind.getName(),
+          null);
     }
     return (ModuleProxy<?>)
         classes.construct(

@@ -1,5 +1,6 @@
 package org.dfra.river.server;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -23,8 +24,12 @@ final class ModuleRegistration implements AutoCloseable {
   private final Name name;
   private final LookupJoin join;
   private final AttributeMonitor follower;
-  private List<Attributes> own; // guarded by this
-  private List<Entry> added = List.of(); // guarded by this
+
+  @GuardedBy("this")
+  private List<Attributes> own;
+
+  @GuardedBy("this")
+  private List<Entry> added = List.of();
 
   /**
    * Starts the registration of the module. Returns immediately.

@@ -9,6 +9,7 @@ import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import java.util.Objects;
 import java.util.UUID;
 import net.jini.config.Configuration;
 import net.jini.core.lease.Lease;
@@ -24,15 +25,16 @@ import org.dfra.event.Subscription;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.LeaseRole;
 import org.dfra.lease.ModuleLease;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Identification;
 import org.dfra.module.LogLevel;
 import org.dfra.module.Module;
 import org.dfra.module.ModuleHistory;
 import org.dfra.module.Parameter;
-import org.dfra.module.Readiness;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.lease.ModuleLandlord;
 import org.dfra.river.phoenix.ReadinessSource;
+import org.dfra.river.phoenix.StartedObject;
 import org.dfra.river.proxy.LocalModuleRegistry;
 import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.remote.GrantedModuleLease;
@@ -43,29 +45,34 @@ import org.jspecify.annotations.Nullable;
 /**
  * Activatable server of a module: it creates the driver and exports it to the network.
  *
- * <p>The constructor starts the module, as the activation system requires. If one step fails, it
- * undoes the steps before. {@link #close} undoes all of them.
+ * <p>The constructor creates the driver; no other thread knows the server yet. {@link #start}
+ * starts the module and exports it. A group calls both. If one step fails, it undoes the steps
+ * before. {@link #close} undoes all of them.
  *
  * @param <M> the module's interface
  */
 public abstract class ModuleServer<M extends Module>
-    implements RemoteModule, ProxyAccessor, ReadinessSource, AutoCloseable {
+    implements RemoteModule, ProxyAccessor, ReadinessSource, StartedObject, AutoCloseable {
 
   /** Component of the entries that a module's Jini configuration may have. */
   static final String COMPONENT = "org.dfra.river.server";
 
   static final long DEADLINE_MILLIS = DeadlineILFactory.DEFAULT_DEADLINE.toMillis();
 
-  private final String path;
-  private final UUID id;
+  private final ModuleActivation activation;
+  private final @Nullable ActivationID activationId;
+  private final ModulePartFactory parts;
+  private final Configuration configuration;
+  private final Class<M> kind;
   private final M module;
   private final ModuleImpl driver;
-  private final Remote remote;
+  private final DriverShutdown driverEnd;
+  private final Exporter exporter;
   private final ModuleLandlord landlord;
   private final RemoteListenerRegistry listeners;
-  private final ModuleAdministration administration;
   private final Deque<AutoCloseable> undo = new ArrayDeque<>(); // guarded by itself
-  private volatile @Nullable DriverShutdown driverEnd; // once there is a driver
+  private volatile @Nullable Remote remote; // once it is exported
+  private volatile @Nullable ModuleAdministration administration; // once it is registered
 
   /**
    * Step 1: the activation system constructs the server; the other four follow.
@@ -95,41 +102,74 @@ public abstract class ModuleServer<M extends Module>
       @Nullable ActivationID id,
       MarshalledObject<ModuleActivation> data)
       throws Exception {
-    ModuleActivation activation = data.get();
-    ModulePartFactory parts = new ModulePartFactory(activation);
-    this.path = activation.module().path();
-    this.id = activation.id();
+    this.kind = kind;
+    this.activation = data.get();
+    this.activationId = id;
+    this.parts = new ModulePartFactory(activation);
+    ResourceCloser failed = new ResourceCloser(activation.module().path());
     try {
       // Step 2: the properties.
-      Configuration configuration = parts.configuration();
+      this.configuration = parts.configuration();
+      this.exporter =
+          ModulePartFactory.exporter(configuration, new ServerSettings(id, activation.host()));
 
       // Step 3: the driver, which may search for other modules.
-      undo.push(parts.directorySupplier());
       this.driver = parts.driver(ModuleLandlord.terms(configuration), kind, base);
-      DriverShutdown end = new DriverShutdown(driver);
-      undo.push(end);
-      this.driverEnd = end;
-      this.module = kind.cast(driver);
+    } catch (Exception e) { // of a driver or a configuration; all name the location
+      ConfigurationException fault = parts.withLocation(e);
+      failed.close(parts.directorySupplier());
+      failed.addSuppressedTo(fault);
+      throw fault;
+    } catch (Error e) {
+      failed.close(parts.directorySupplier());
+      failed.addSuppressedTo(e);
+      throw e;
+    }
+    this.module = kind.cast(driver);
+    this.driverEnd = new DriverShutdown(driver);
+    this.landlord =
+        new ModuleLandlord(
+            path(),
+            driver.leases(),
+            Exporters.jeri(activation.host(), DEADLINE_MILLIS),
+            activation.host());
+    this.listeners = new RemoteListenerRegistry(driver, landlord, activation.host());
+    undo.push(parts.directorySupplier());
+    undo.push(driverEnd);
+  }
+
+  /**
+   * Starts a server that no group starts, as in one virtual machine.
+   *
+   * @return the same server
+   * @throws ConfigurationException as {@link #start}
+   */
+  public static <S extends ModuleServer<?>> S started(S server) {
+    server.start();
+    return server;
+  }
+
+  /**
+   * Starts the driver, exports the server and registers it. Called once, before any other method.
+   *
+   * @throws ConfigurationException if a part that the module's description names cannot be used, or
+   *     the server cannot be exported; then it is closed
+   */
+  @Override
+  public final void start() {
+    try {
       driver.start();
-      LocalModuleRegistry.register(activation.id(), driver);
-      undo.push(() -> LocalModuleRegistry.unregister(activation.id(), driver));
+      LocalModuleRegistry.register(id(), driver);
+      onUndo(() -> LocalModuleRegistry.unregister(id(), driver));
 
       // Step 4: the proxy, and before it the landlord, since clients may call immediately.
-      Exporter exporter =
-          ModulePartFactory.exporter(configuration, new ServerSettings(id, activation.host()));
-      this.landlord =
-          new ModuleLandlord(
-              path,
-              driver.leases(),
-              Exporters.jeri(activation.host(), DEADLINE_MILLIS),
-              activation.host());
-      this.listeners = new RemoteListenerRegistry(driver, landlord, activation.host());
       landlord.start();
-      undo.push(landlord);
-      this.remote = exporter.export(this);
-      undo.push(() -> exporter.unexport(true));
+      onUndo(landlord);
+      Remote exported = exporter.export(this);
+      remote = exported;
+      onUndo(() -> exporter.unexport(true));
       ModuleProxy<?> proxy =
-          parts.proxy(kind, (RemoteModule) remote, activation.id(), driver.identification());
+          parts.proxy(kind, (RemoteModule) exported, id(), driver.identification());
 
       // Step 5: discovery and join.
       ModuleRegistration presence =
@@ -143,12 +183,14 @@ public abstract class ModuleServer<M extends Module>
               proxy,
               activation,
               configuration);
-      undo.push(presence);
-      this.administration =
-          new ModuleAdministration(presence, driver, activation.host(), id, exporter, this, end);
-      undo.push(administration);
-      if (id != null) { // otherwise the process is not the module's
-        undo.push(ModuleShutdownHook.register(this));
+      onUndo(presence);
+      ModuleAdministration admin =
+          new ModuleAdministration(
+              presence, driver, activation.host(), activationId, exporter, this, driverEnd);
+      administration = admin;
+      onUndo(admin);
+      if (activationId != null) { // otherwise the process is not the module's
+        onUndo(ModuleShutdownHook.register(this));
       }
     } catch (Exception e) { // of a driver, a configuration or River; all name the location
       ConfigurationException fault = parts.withLocation(e);
@@ -160,9 +202,15 @@ public abstract class ModuleServer<M extends Module>
     }
   }
 
+  private void onUndo(AutoCloseable step) {
+    synchronized (undo) {
+      undo.push(step);
+    }
+  }
+
   /** Undoes the steps in reverse order, but first closes a driver that moves the robot. */
   private ResourceCloser undoAll() {
-    ResourceCloser ending = new ResourceCloser(path);
+    ResourceCloser ending = new ResourceCloser(path());
     halt();
     synchronized (undo) {
       while (!undo.isEmpty()) {
@@ -178,10 +226,7 @@ public abstract class ModuleServer<M extends Module>
    * several modules, halt all of them before closing the first. {@link #close} reports failures.
    */
   public final void halt() {
-    @Nullable DriverShutdown end = driverEnd;
-    if (end != null) {
-      end.halt();
-    }
+    driverEnd.halt();
   }
 
   /**
@@ -200,12 +245,12 @@ public abstract class ModuleServer<M extends Module>
 
   /** The module's path, {@code robot/name}. */
   protected final String path() {
-    return path;
+    return activation.module().path();
   }
 
   /** The module's identity, its service ID in every lookup service. */
   protected final UUID id() {
-    return id;
+    return activation.id();
   }
 
   /** The driver, by the module's interface. */
@@ -228,13 +273,13 @@ public abstract class ModuleServer<M extends Module>
 
   @Override
   public final Object getProxy() {
-    return remote;
+    return Objects.requireNonNull(remote, "the server is not started");
   }
 
   /** The module's {@link org.dfra.river.remote.ModuleAdmin}. */
   @Override
   public final Object getAdmin() throws RemoteException {
-    return administration.stub();
+    return Objects.requireNonNull(administration, "the module is being started").stub();
   }
 
   @Override
@@ -295,6 +340,6 @@ public abstract class ModuleServer<M extends Module>
 
   @Override
   public final String toString() {
-    return path + " (" + getClass().getSimpleName() + ")";
+    return path() + " (" + getClass().getSimpleName() + ")";
   }
 }

@@ -1,5 +1,6 @@
 package org.dfra.river.server;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -14,8 +15,8 @@ import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.NotReadyException;
 import org.dfra.river.call.CallbackProxies;
 import org.dfra.river.callback.CallbackLimiter;
+import org.dfra.river.callback.CallbackLimiter.CallbackSlot;
 import org.dfra.river.callback.CallbackRefusedException;
-import org.dfra.river.callback.CallbackSlot;
 import org.dfra.river.callback.ClientAddress;
 import org.dfra.river.callback.PeerQuota;
 import org.dfra.river.lease.ModuleLandlord;
@@ -43,8 +44,9 @@ final class RemoteListenerRegistry {
   private final ModuleLandlord landlord;
   private final String host;
   private final PeerQuota quota;
-  private final Map<ModuleListener, RegisteredListener> registered =
-      new HashMap<>(); // guarded by this
+
+  @GuardedBy("this")
+  private final Map<ModuleListener, RegisteredListener> registered = new HashMap<>();
 
   /**
    * @param host address or name that the module's proxies carry
@@ -75,9 +77,9 @@ final class RemoteListenerRegistry {
     if (!(listener instanceof RemoteModuleListener remote)) {
       throw new IllegalArgumentException(
           driver.identification().path()
-              + " cannot tell a "
+              + " cannot notify a "
               + listener.getClass().getSimpleName()
-              + ", which is no RemoteModuleListener; subscribe through the module's proxy");
+              + ", which is not a RemoteModuleListener; subscribe through the module's proxy");
     }
     RegisteredListener before = registered.get(listener);
     if (before != null) {
@@ -99,6 +101,7 @@ final class RemoteListenerRegistry {
     return new NotReadyException(driver.identification().path(), driver.readiness(), reason);
   }
 
+  @GuardedBy("this")
   private GrantedSubscription register(
       RegisteredListener now, RemoteModuleListener remote, DeliveryPolicy policy)
       throws LeaseRefusedException, CallbackRefusedException {

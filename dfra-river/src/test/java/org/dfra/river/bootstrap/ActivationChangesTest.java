@@ -9,18 +9,19 @@ import java.util.TreeMap;
 import java.util.UUID;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.Parameters;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.river.server.ModuleActivation;
 import org.junit.jupiter.api.Test;
 
-/** What a running module is started anew for. */
+/** The changes for which a running module is restarted. */
 class ActivationChangesTest {
 
   private static ModuleActivation gps(
       String driver, boolean restart, int line, String host, Map<String, String> parameters) {
     Map<String, Parameters.Value> values = new TreeMap<>();
     parameters.forEach(
-        (name, text) -> values.put(name, new Parameters.Value(text, new Place("r.xml", line))));
+        (name, text) ->
+            values.put(name, new Parameters.Value(text, new SourceLocation("r.xml", line))));
     return new ModuleActivation(
         new ModuleDescription(
             "r",
@@ -31,7 +32,7 @@ class ActivationChangesTest {
             null,
             restart,
             new Parameters("r/gps", values),
-            new Place("r.xml", line)),
+            new SourceLocation("r.xml", line)),
         new UUID(1, 2),
         Instant.EPOCH,
         host,
@@ -57,6 +58,7 @@ class ActivationChangesTest {
     assertThat(
             ActivationChanges.between(
                 OLD, gps("a.Other", true, 3, "h", Map.of("link", "tcp://h:2", "size", "4"))))
-        .containsExactly("driver", "parameter link", "parameter rate", "parameter size", "host");
+        .containsExactly(
+            "implementation", "parameter link", "parameter rate", "parameter size", "host");
   }
 }

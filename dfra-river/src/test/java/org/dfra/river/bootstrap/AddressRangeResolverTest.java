@@ -5,17 +5,17 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.InetAddress;
 import java.util.List;
-import org.dfra.core.config.AdministrationDescription;
 import org.dfra.core.config.ConfigurationException;
-import org.dfra.core.config.Place;
 import org.dfra.core.config.RegistrarDescription;
+import org.dfra.core.config.RobotDescription.AdministrationDescription;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.river.access.AddressRange;
 import org.junit.jupiter.api.Test;
 
 class AddressRangeResolverTest {
 
   private static AdministrationDescription from(String... texts) {
-    return new AdministrationDescription(List.of(texts), new Place("robot.xml", 4));
+    return new AdministrationDescription(List.of(texts), new SourceLocation("robot.xml", 4));
   }
 
   @Test
@@ -36,18 +36,22 @@ class AddressRangeResolverTest {
         .isInstanceOf(ConfigurationException.class)
         .hasMessage(
             "robot.xml:4: the administrator's host operator.invalid is not known; write its"
-                + " address, or mend the name in <administration from=\"…\">");
+                + " address, or correct the name in <administration from=\"…\">");
   }
 
   @Test
   void aModuleHostThatIsNotKnownIsReportedWithItsPlace() {
     RegistrarDescription registrar =
         new RegistrarDescription(
-            4160, 0, true, List.of("10.0.0.8", "second.invalid"), new Place("robot.xml", 6));
+            4160,
+            0,
+            true,
+            List.of("10.0.0.8", "second.invalid"),
+            new SourceLocation("robot.xml", 6));
     assertThatThrownBy(() -> AddressRangeResolver.resolve(registrar))
         .isInstanceOf(ConfigurationException.class)
         .hasMessage(
             "robot.xml:6: the registrar's module host second.invalid is not known; write its"
-                + " address, or mend the name in <registrar from=\"…\">");
+                + " address, or correct the name in <registrar module-hosts=\"…\">");
   }
 }

@@ -30,6 +30,6 @@ class DownloadJarsTest {
         .hasMessage(
             "there is no jar for clients to download in "
                 + lib.resolve("dl")
-                + "; build DFRA anew, or write classes=\"off\" in <registrar>");
+                + "; rebuild DFRA, or write class-server-port=\"off\" in <registrar>");
   }
 }

@@ -18,12 +18,12 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
-import org.dfra.core.config.GroupDescription;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.Parameters;
-import org.dfra.core.config.Place;
 import org.dfra.core.config.RegistrarDescription;
 import org.dfra.core.config.RobotDescription;
+import org.dfra.core.config.RobotDescription.GroupDescription;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.river.bootstrap.BringUpStep.Kind;
 import org.dfra.river.bootstrap.PhoenixInventory.ServiceGroup;
 import org.dfra.river.bootstrap.RobotBootstrap.ServiceReference;
@@ -55,9 +55,9 @@ class MissedAnswersTest {
               new GroupDescription(
                   "lookup",
                   List.of(),
-                  Optional.of(new RegistrarDescription(4161, 0, true, Place.CODE)),
+                  Optional.of(new RegistrarDescription(4161, 0, true, SourceLocation.CODE)),
                   List.of(),
-                  Place.CODE),
+                  SourceLocation.CODE),
               new GroupDescription(
                   "one",
                   List.of(),
@@ -72,8 +72,8 @@ class MissedAnswersTest {
                           null,
                           true,
                           Parameters.of("r/gps", Map.of()),
-                          Place.CODE)),
-                  Place.CODE)),
+                          SourceLocation.CODE)),
+                  SourceLocation.CODE)),
           Path.of("r.xml"));
 
   @TempDir Path folder;

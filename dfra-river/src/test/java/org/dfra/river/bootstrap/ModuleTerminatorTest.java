@@ -20,7 +20,7 @@ import java.util.Map;
 import java.util.UUID;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.Parameters;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.river.phoenix.PhoenixAdmin;
 import org.dfra.river.remote.ModuleAdmin;
 import org.dfra.river.remote.RemoteModule;
@@ -47,7 +47,7 @@ class ModuleTerminatorTest {
                   null,
                   true,
                   Parameters.of("r/drive", Map.of()),
-                  Place.CODE),
+                  SourceLocation.CODE),
               new UUID(1, 2),
               "127.0.0.1",
               List.of(),

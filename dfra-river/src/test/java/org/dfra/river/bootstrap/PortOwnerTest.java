@@ -43,7 +43,7 @@ class PortOwnerTest {
   }
 
   @Test
-  void listenersAreToldApartByAddressAndPort() throws Exception {
+  void listenersAreDistinguishedByAddressAndPort() throws Exception {
     Files.writeString(proc.resolve("net/tcp6"), TCP6);
     assertThat(owners.uidOf("127.0.0.1", 1198)).hasValue(1000);
     assertThat(owners.uidOf("127.0.0.2", 1198)).hasValue(1001);

@@ -28,11 +28,11 @@ class QueuedEventListenerTest {
     }
   }
 
-  private static RegistrarListener of(RemoteEventListener listener) {
-    return new RegistrarListener(listener, "192.0.2.7", listener, Runnable::run);
+  private static QueuedEventListener of(RemoteEventListener listener) {
+    return new QueuedEventListener(listener, "192.0.2.7", listener, Runnable::run);
   }
 
-  private static Object copy(RegistrarListener listener)
+  private static Object copy(QueuedEventListener listener)
       throws IOException, ClassNotFoundException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
@@ -48,7 +48,7 @@ class QueuedEventListenerTest {
   void isReadWithWhatCameFromTheClient() throws Exception {
     assertThat(copy(of(new Copied())))
         .isInstanceOfSatisfying(
-            RegistrarListener.class,
+            QueuedEventListener.class,
             read -> {
               assertThat(read.client()).isEqualTo("192.0.2.7");
               assertThat(read.listener()).isInstanceOf(Copied.class);
@@ -57,7 +57,7 @@ class QueuedEventListenerTest {
 
   @Test
   void isNotReadWhereItHoldsAnother() {
-    RegistrarListener nested = of(of(new Copied()));
+    QueuedEventListener nested = of(of(new Copied()));
     assertThatThrownBy(() -> copy(nested)).isInstanceOf(InvalidObjectException.class);
   }
 }

@@ -9,23 +9,34 @@ import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
+import net.jini.core.event.RemoteEvent;
 import net.jini.core.event.RemoteEventListener;
+import net.jini.core.event.UnknownEventException;
+import net.jini.export.Exporter;
 import net.jini.export.ServerContext;
 import net.jini.id.UuidFactory;
 import net.jini.io.context.ClientHost;
+import net.jini.jeri.BasicILFactory;
+import net.jini.jeri.BasicJeriExporter;
 import net.jini.jeri.BasicObjectEndpoint;
+import net.jini.jeri.InvocationLayerFactory;
+import net.jini.jeri.tcp.TcpServerEndpoint;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.callback.CallbackPeersFixture;
 import org.dfra.river.fixture.SteppedTime;
 import org.junit.jupiter.api.Test;
 
-/** Listeners hold the places of their processes while they are registered; none is called here. */
+/** Listeners hold the places of their processes while they are registered, and their threads. */
 class RegistrarListenersTest {
 
   private static final String ROBOT = "127.1.1.10";
   private static final String STRANGER = "127.1.1.66";
+  private static final String LOOPBACK = "127.0.0.1";
 
   /** Of an address. */
   private static final int PROCESSES = 12;
@@ -48,14 +59,19 @@ class RegistrarListenersTest {
             RemoteEventListener.class);
   }
 
-  /** The stranger registers a listener; what the lookup service holds in its place. */
+  /** The stranger registers a listener in the process at this port, which is not called. */
   private Object register(int port) throws UnknownHostException {
+    return register(listener(port));
+  }
+
+  /** The stranger registers a listener; what the lookup service holds in its place. */
+  private RemoteEventListener register(RemoteEventListener listener) throws UnknownHostException {
     InetAddress stranger = InetAddress.getByName(STRANGER);
-    AtomicReference<Object> prepared = new AtomicReference<>();
+    AtomicReference<RemoteEventListener> prepared = new AtomicReference<>();
     ServerContext.doWithServerContext(
         () -> {
           try {
-            prepared.set(listeners.prepareProxy(listener(port)));
+            prepared.set((RemoteEventListener) listeners.prepareProxy(listener));
           } catch (RemoteException e) {
             throw new AssertionError("nothing is to be called", e);
           }
@@ -66,7 +82,7 @@ class RegistrarListenersTest {
 
   private void registerProcesses(int firstPort, int count) throws UnknownHostException {
     for (int port = firstPort; port < firstPort + count; port++) {
-      assertThat(register(port)).isInstanceOf(RegistrarListener.class);
+      assertThat(register(port)).isInstanceOf(QueuedEventListener.class);
     }
   }
 
@@ -91,5 +107,53 @@ class RegistrarListenersTest {
 
     registerProcesses(7100, PROCESSES - 1);
     assertIsFull(7200); // one place is that of the listener that is still registered
+  }
+
+  @Test
+  void aListenerThatDoesNotAnswerHoldsItsThreadForOurDeadlineOnly() throws Exception {
+    CountDownLatch end = new CountDownLatch(1);
+    CountDownLatch received = new CountDownLatch(1);
+    RemoteEventListener silent = event -> blockUntil(end); // JERI holds both weakly
+    RemoteEventListener answering = event -> received.countDown();
+    Exporter ofHours = exporter(new DeadlineILFactory(Duration.ofHours(2).toMillis()));
+    Exporter usual = exporter(new BasicILFactory());
+    try {
+      RemoteEventListener first = register((RemoteEventListener) ofHours.export(silent));
+      RemoteEventListener second = register((RemoteEventListener) usual.export(answering));
+      CompletableFuture<Void> notified =
+          CompletableFuture.runAsync(
+              () -> {
+                notify(first); // in the pool of this test, on the caller's thread
+                notify(second);
+              });
+      assertThat(received.await(30, TimeUnit.SECONDS))
+          .as("the second listener is called once the first one's call has ended")
+          .isTrue();
+      notified.get(30, TimeUnit.SECONDS);
+    } finally {
+      end.countDown();
+      boolean unused = usual.unexport(true) && ofHours.unexport(true);
+    }
+    assertThat(List.of(silent, answering)).isNotEmpty();
+  }
+
+  private static Exporter exporter(InvocationLayerFactory factory) {
+    return new BasicJeriExporter(TcpServerEndpoint.getInstance(LOOPBACK, 0), factory, false, false);
+  }
+
+  private static void notify(RemoteEventListener listener) {
+    try {
+      listener.notify(new RemoteEvent("source", 1, 1, null));
+    } catch (UnknownEventException | RemoteException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private static void blockUntil(CountDownLatch end) {
+    try {
+      end.await();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
   }
 }

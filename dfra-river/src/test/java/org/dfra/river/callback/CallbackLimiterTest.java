@@ -14,6 +14,7 @@ import net.jini.jeri.http.HttpEndpoint;
 import org.dfra.event.delivery.DeliveryPool;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
+import org.dfra.river.callback.CallbackLimiter.CallbackSlot;
 import org.dfra.river.fixture.SteppedTime;
 import org.dfra.river.remote.RemoteModuleListener;
 import org.junit.jupiter.api.Test;

@@ -33,7 +33,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Listeners of stock JERI peers are served, and those that never answer hold up nobody else. */
+/** Listeners of stock JERI peers are served, and those that do not answer delay no others. */
 @Timeout(120)
 class CallbackDeadlineTest {
 
@@ -104,14 +104,14 @@ class CallbackDeadlineTest {
   @Test
   void aStockListenerIsServed() throws Exception {
     try (GPSServer server = serve("longestLease = 30000L;")) {
-      Ear ear = new Ear();
+      RecordingListener listener = new RecordingListener();
       Subscription subscribed =
           ((RemoteModule) server.getProxy())
-              .subscribe(stock(ear::notify), DeliveryPolicy.keepLast(10));
+              .subscribe(stock(listener::notify), DeliveryPolicy.keepLast(10));
       assertThat(subscribed.isOpen()).isTrue();
       gps().solve(1);
       gps().solve(2);
-      await().atMost(PATIENCE).until(() -> ear.latitudes().equals(List.of(1.0, 2.0)));
+      await().atMost(PATIENCE).until(() -> listener.latitudes().equals(List.of(1.0, 2.0)));
     }
   }
 
@@ -129,13 +129,13 @@ class CallbackDeadlineTest {
 
       // Under another identity the proxy does not find the module in this virtual machine.
       GPSProxy proxy = Served.proxy(remote, UUID.randomUUID(), server);
-      Ear ear = new Ear();
-      try (Subscription honest = proxy.subscribe(ear, DeliveryPolicy.keepLast(10))) {
+      RecordingListener listener = new RecordingListener();
+      try (Subscription honest = proxy.subscribe(listener, DeliveryPolicy.keepLast(10))) {
         List<Timing> delivered = new ArrayList<>();
         for (int i = 1; i <= 5; i++) {
           StallProbe.Stopwatch published = probe.stopwatch();
           gps().solve(i);
-          assertThat(ear.await(i)).hasSize(i);
+          assertThat(listener.await(i)).hasSize(i);
           delivered.add(published.stop());
         }
         assertThat(threads("dfra-events-"))

@@ -26,19 +26,19 @@ import org.dfra.lease.LeaseHandle;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.LeaseRole;
 import org.dfra.lease.LeaseStatus;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What every effector owes to whoever commands it, or would like to, wherever it lives. */
+/** What every effector guarantees to its commander and to other clients, wherever it runs. */
 @Timeout(60)
 abstract class EffectorContract extends EmergencyStopContract {
 
   @Test
-  void obeysItsCommanderInOrder() throws Exception {
+  void executesTheCommandsOfItsCommanderInOrder() throws Exception {
     try (CommandLease lease = effector().acquireCommandLease(LEASE)) {
       assertThat(lease.isLive()).isTrue();
       effector().execute(lease.key(), AHEAD);
@@ -46,7 +46,7 @@ abstract class EffectorContract extends EmergencyStopContract {
       effector().execute(lease.key(), new Brake(true));
       effector().execute(lease.key(), new Brake(false));
       effector().execute(lease.key(), Velocity.ZERO);
-      assertThat(driver().told)
+      assertThat(driver().commands)
           .containsExactly(
               TURNED, "turn 1.0 1.0", "halt", "brake true", "brake false", "turn 0.0 0.0");
       DriveState state = effector().driveState();
@@ -62,13 +62,14 @@ abstract class EffectorContract extends EmergencyStopContract {
     assertThatThrownBy(() -> effector().execute(invented, AHEAD))
         .isInstanceOf(CommandRefusedException.class)
         .hasMessage(
-            PATH + " has no commander, and this key counts no longer; ask it for a command lease");
+            PATH
+                + " has no commander, and this key is not valid any more; request a command lease");
     try (CommandLease lease = effector().acquireCommandLease(LEASE)) {
       assertThatThrownBy(() -> effector().execute(invented, AHEAD))
           .isInstanceOf(CommandRefusedException.class)
           .hasMessageStartingWith(PATH + " is commanded by " + commander() + " since ")
           .hasMessageNotContaining(lease.key().secret().toString());
-      assertThat(driver().told).isEmpty();
+      assertThat(driver().commands).isEmpty();
     }
   }
 
@@ -81,7 +82,7 @@ abstract class EffectorContract extends EmergencyStopContract {
           .hasMessageStartingWith(PATH + " is commanded by " + commander() + " since ")
           .hasMessageContaining("have its lease " + handle + " revoked");
       effector().execute(lease.key(), AHEAD);
-      assertThat(driver().told).as("the first is not disturbed").containsExactly(TURNED);
+      assertThat(driver().commands).as("the first is not disturbed").containsExactly(TURNED);
     }
   }
 
@@ -100,33 +101,33 @@ abstract class EffectorContract extends EmergencyStopContract {
   }
 
   @Test
-  void aClosedLeaseHaltsTheWheelsAndFreesTheHelmBeforeItReturns() throws Exception {
+  void aClosedLeaseHaltsTheWheelsAndFreesTheEffectorBeforeItReturns() throws Exception {
     for (int i = 0; i < 20; i++) {
-      driver().told.clear();
+      driver().commands.clear();
       CommandLease lease = effector().acquireCommandLease(LEASE);
       effector().execute(lease.key(), AHEAD);
       lease.close();
       lease.close();
       assertThat(lease.isLive()).isFalse();
-      assertThat(driver().told).containsExactly(TURNED, "halt");
+      assertThat(driver().commands).containsExactly(TURNED, "halt");
       assertThatThrownBy(() -> effector().execute(lease.key(), AHEAD))
           .isInstanceOf(CommandRefusedException.class);
     }
   }
 
   @Test
-  void aRevokedLeaseHaltsTheWheelsAndItsHolderHearsOfIt() throws Exception {
+  void aRevokedLeaseHaltsTheWheelsAndItsHolderIsNotified() throws Exception {
     CommandLease lease = effector().acquireCommandLease(LEASE);
     effector().execute(lease.key(), AHEAD);
     assertThat(driver().leases().revoke(driver().leases().leases().get(0).handle())).isTrue();
-    assertThat(driver().told).containsExactly(TURNED, "halt");
+    assertThat(driver().commands).containsExactly(TURNED, "halt");
     assertThatThrownBy(() -> effector().execute(lease.key(), AHEAD))
         .isInstanceOf(CommandRefusedException.class);
     await().atMost(PATIENCE).until(() -> !lease.isLive());
     try (CommandLease next = effector().acquireCommandLease(LEASE)) {
       lease.close();
       effector().execute(next.key(), AHEAD);
-      assertThat(driver().told).as("the old holder's close").endsWith("halt", TURNED);
+      assertThat(driver().commands).as("the old holder's close").endsWith("halt", TURNED);
     }
   }
 
@@ -135,10 +136,10 @@ abstract class EffectorContract extends EmergencyStopContract {
     CommandLease lease = effector().acquireCommandLease(LEASE);
     effector().execute(lease.key(), AHEAD);
     end();
-    assertThat(driver().told).containsExactly(TURNED, "halt", "closed");
+    assertThat(driver().commands).containsExactly(TURNED, "halt", "closed");
     assertThatThrownBy(() -> effector().execute(lease.key(), AHEAD))
         .isInstanceOfAny(CommandRefusedException.class, RemoteException.class);
-    assertThat(driver().told).containsExactly(TURNED, "halt", "closed");
+    assertThat(driver().commands).containsExactly(TURNED, "halt", "closed");
     lease.close();
     assertThat(lease.isLive()).isFalse();
   }
@@ -148,11 +149,11 @@ abstract class EffectorContract extends EmergencyStopContract {
     try (CommandLease lease = effector().acquireCommandLease(LEASE)) {
       effector().execute(lease.key(), AHEAD);
       await().atMost(PATIENCE).until(this::hasFallenSilent);
-      assertThat(driver().told).containsExactly(TURNED, "halt");
+      assertThat(driver().commands).containsExactly(TURNED, "halt");
       assertThat(effector().driveState().velocity()).isEqualTo(Velocity.ZERO);
       assertThat(lease.isLive()).as("it still commands").isTrue();
       effector().execute(lease.key(), AHEAD);
-      assertThat(driver().told).startsWith(TURNED, "halt", TURNED);
+      assertThat(driver().commands).startsWith(TURNED, "halt", TURNED);
     }
   }
 
@@ -168,19 +169,19 @@ abstract class EffectorContract extends EmergencyStopContract {
       assertThatThrownBy(() -> effector().execute(lease.key(), AHEAD))
           .isInstanceOf(BrakeEngagedException.class)
           .hasMessage(PATH + " has its brake set, and does not move until that is released");
-      assertThat(driver().told).containsExactly("halt", "brake true");
+      assertThat(driver().commands).containsExactly("halt", "brake true");
       assertThat(effector().driveState().parkingBrakeEngaged()).isTrue();
     }
   }
 
   @Test
-  void doesNotObeyWhileItDoesNotServe() throws Exception {
+  void executesNothingWhileItDoesNotServe() throws Exception {
     try (CommandLease lease = effector().acquireCommandLease(LEASE)) {
       driver().lose();
       assertThatThrownBy(() -> effector().execute(lease.key(), AHEAD))
           .isInstanceOf(NotReadyException.class)
           .hasMessageStartingWith(PATH + " is INITIALIZING: it cannot execute ");
-      assertThat(driver().told).isEmpty();
+      assertThat(driver().commands).isEmpty();
     }
   }
 
@@ -191,16 +192,16 @@ abstract class EffectorContract extends EmergencyStopContract {
         "PT120S | lease 120 s > longest allowed 30 s; ask for 30 s or less",
         "PT0S | lease 0 s is not above 0; ask for 30 s or less",
       })
-  void aRefusedLeaseLeavesTheHelmFree(Duration asked, String sentence) throws Exception {
+  void aRefusedLeaseLeavesTheEffectorFree(Duration asked, String sentence) throws Exception {
     assertThatThrownBy(() -> effector().acquireCommandLease(asked))
         .isInstanceOf(LeaseRefusedException.class)
         .hasMessage(PATH + ": " + sentence);
-    assertThat(driver().told).as("there was no commander to lose").isEmpty();
+    assertThat(driver().commands).as("there was no commander to lose").isEmpty();
     effector().acquireCommandLease(LEASE).close();
   }
 
   @Test
-  void tellsWhatItDoesToWhomItMayConcern() throws Exception {
+  void publishesItsStateToSubscribers() throws Exception {
     List<DriveState> received = new CopyOnWriteArrayList<>();
     try (Subscription unused =
             effector()
@@ -249,20 +250,32 @@ abstract class EffectorContract extends EmergencyStopContract {
   }
 
   @Test
-  void noCommandOfAnOldKeyIsObeyedOnceAnotherCommands() throws Exception {
+  void noCommandOfAnOldKeyIsExecutedOnceAnotherCommands() throws Exception {
     for (int i = 1; i <= 20; i++) {
       CommandLease lease = effector().acquireCommandLease(LEASE);
       String mine = "turn " + i * 1e-3 + " 0.0";
       CompletableFuture<Void> commanding = CompletableFuture.runAsync(() -> commandOn(lease.key()));
       Velocity velocity = new Velocity(i * 1e-3, 0);
-      effector().execute(lease.key(), velocity);
-      assertThat(driver().told).contains(mine);
+      executeAtLast(lease.key(), velocity);
+      assertThat(driver().commands).contains(mine);
       lease.close();
-      driver().told.clear();
+      driver().commands.clear();
       try (CommandLease next = effector().acquireCommandLease(LEASE)) {
-        effector().execute(next.key(), AHEAD);
+        executeAtLast(next.key(), AHEAD);
         commanding.get(20, TimeUnit.SECONDS);
-        assertThat(driver().told).as("of commander %d", i).containsExactly(TURNED);
+        assertThat(driver().commands).as("of commander %d", i).containsExactly(TURNED);
+      }
+    }
+  }
+
+  /** A busy computer may hold up a command behind another one until it is too old; then again. */
+  private void executeAtLast(CommandKey key, Velocity velocity) throws RemoteException {
+    while (true) {
+      try {
+        effector().execute(key, velocity);
+        return;
+      } catch (CommandRefusedException e) {
+        assertThat(e).hasMessageContaining("was held up by an earlier command");
       }
     }
   }

@@ -32,7 +32,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** The proxy far from its effector, and what only those need who are far away. */
+/** The proxy of an effector in another process, and what only remote clients need. */
 class EffectorRemoteProxyContractTest extends EffectorContract {
 
   private static final Duration PATIENCE = Duration.ofSeconds(20);
@@ -72,14 +72,14 @@ class EffectorRemoteProxyContractTest extends EffectorContract {
   }
 
   @Test
-  void aCommanderThatDiedLosesTheHelmWhenItsLeaseRunsOut() throws Exception {
+  void aCommanderThatDiedLosesTheEffectorWhenItsLeaseExpires() throws Exception {
     RemoteDriveEffector remote = (RemoteDriveEffector) server.getProxy();
     CommandLease dead = remote.acquireCommandLease(UNRENEWED); // what a proxy would renew
     assertThat(dead).isInstanceOf(GrantedCommandLease.class);
     remote.execute(dead.key(), new Velocity(0.5, 0));
     await().atMost(PATIENCE).until(() -> driver().leases().leases().isEmpty());
     await().atMost(PATIENCE).until(() -> driver().driveState().commander() == null);
-    assertThat(driver().told).startsWith("turn 0.5 0.0", "halt");
+    assertThat(driver().commands).startsWith("turn 0.5 0.0", "halt");
     assertThatThrownBy(() -> remote.execute(dead.key(), new Velocity(0.5, 0)))
         .isInstanceOf(CommandRefusedException.class);
     proxy.acquireCommandLease(Duration.ofSeconds(10)).close();
@@ -94,7 +94,7 @@ class EffectorRemoteProxyContractTest extends EffectorContract {
     assertThat(stopped.latched()).isTrue();
     assertThat(stopped.requester()).isEqualTo("x".repeat(120) + "…");
     await().atMost(PATIENCE).until(() -> remote.emergencyStopState().haltCommanded());
-    assertThat(driver().told).containsOnly("halt");
+    assertThat(driver().commands).containsOnly("halt");
   }
 
   @Test
@@ -143,7 +143,7 @@ class EffectorRemoteProxyContractTest extends EffectorContract {
     assertThat(listed.role()).isEqualTo(LeaseRole.COMMANDER);
     assertThat(listed.host()).isEqualTo("127.0.0.1");
     assertThat(admin.revoke(listed.handle())).isTrue();
-    assertThat(driver().told).containsExactly("halt");
+    assertThat(driver().commands).containsExactly("halt");
     await().atMost(PATIENCE).until(() -> !lease.isLive());
   }
 
@@ -152,14 +152,14 @@ class EffectorRemoteProxyContractTest extends EffectorContract {
     try (CommandLease far = proxy.acquireCommandLease(Duration.ofSeconds(10))) {
       assertThatThrownBy(() -> driver().acquireCommandLease(Duration.ofSeconds(10)))
           .hasMessageContaining("is commanded by a client at 127.0.0.1");
-      driver().execute(far.key(), new Velocity(0.1, 0)); // whoever knows the key commands
+      driver().execute(far.key(), new Velocity(0.1, 0)); // anybody with the key may command
     }
     try (CommandLease near = driver().acquireCommandLease(Duration.ofSeconds(10))) {
       assertThatThrownBy(() -> proxy.acquireCommandLease(Duration.ofSeconds(10)))
           .hasMessageContaining("is commanded by a module in its own virtual machine");
       proxy.execute(near.key(), new Velocity(0.2, 0));
     }
-    assertThat(driver().told).containsExactly("turn 0.1 0.0", "halt", "turn 0.2 0.0", "halt");
+    assertThat(driver().commands).containsExactly("turn 0.1 0.0", "halt", "turn 0.2 0.0", "halt");
   }
 
   /** Implements the kind, but nothing guards it. */
@@ -226,7 +226,8 @@ class EffectorRemoteProxyContractTest extends EffectorContract {
         .isInstanceOf(ConfigurationException.class)
         .hasMessageContaining("module atrv1/drive: driver " + Unguarded.class.getName())
         .hasMessageEndingWith(
-            "is no EffectorImpl that implements org.dfra.flow.effector.DriveEffector");
+            "is not a subclass of EffectorImpl that implements"
+                + " org.dfra.flow.effector.DriveEffector");
     assertThat(Unguarded.made).isFalse();
   }
 }

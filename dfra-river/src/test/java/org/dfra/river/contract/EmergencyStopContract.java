@@ -26,20 +26,20 @@ import org.dfra.flow.effector.DriveEffector;
 import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.flow.effector.LeaseRefusedByEmergencyStopException;
 import org.dfra.lease.LeaseRefusedException;
-import org.dfra.module.Incident;
+import org.dfra.lifecycle.Incident;
 import org.dfra.persona.EmergencyStopAttributes;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What every effector owes to whoever stops it for an emergency, wherever it lives. */
+/** What every effector guarantees to a client that stops it for an emergency, wherever it runs. */
 @Timeout(60)
 abstract class EmergencyStopContract {
 
   static final String PATH = "atrv1/drive";
 
   /** Of the driver: so short that its {@link HeldScheduler} holds it. */
-  static final Parameters PARAMETERS = Parameters.of(PATH, Map.of("longest_silence", "0.05"));
+  static final Parameters PARAMETERS = Parameters.of(PATH, Map.of("command_timeout", "0.05"));
 
   static final Duration LEASE = Duration.ofSeconds(10);
   static final Duration PATIENCE = Duration.ofSeconds(20);
@@ -66,11 +66,11 @@ abstract class EmergencyStopContract {
   }
 
   @Test
-  void whoeverStopsItHaltsTheWheelsAndItsCommanderHasLostThem() throws Exception {
+  void anEmergencyStopHaltsTheWheelsAndItsCommanderHasLostThem() throws Exception {
     CommandLease lease = effector().acquireCommandLease(LEASE);
     effector().execute(lease.key(), AHEAD);
     EmergencyStopState stopped = stop("ops");
-    assertThat(driver().told).containsExactly(TURNED, "halt");
+    assertThat(driver().commands).containsExactly(TURNED, "halt");
     assertThat(stopped.requester()).isEqualTo("ops");
     assertThat(stopped.since()).isBeforeOrEqualTo(java.time.Instant.now());
     assertThat(stopped.age()).as("how long ago, by time that nobody sets").isNotNull();
@@ -82,19 +82,19 @@ abstract class EmergencyStopContract {
         PATH
             + " is stopped for an emergency since "
             + stopped.since()
-            + ", by ops, and obeys nobody; when it is safe, release it: ./dfra stop --release"
-            + " atrv1";
+            + ", by ops, and executes no commands; when it is safe, release it: ./dfra stop"
+            + " --release atrv1";
     assertThatThrownBy(() -> effector().execute(lease.key(), AHEAD))
         .isInstanceOf(CommandRefusedByEmergencyStopException.class)
         .hasMessage(sentence);
     assertThatThrownBy(() -> effector().acquireCommandLease(LEASE))
         .isInstanceOf(LeaseRefusedByEmergencyStopException.class)
         .hasMessage(sentence);
-    assertThat(driver().told).containsExactly(TURNED, "halt");
+    assertThat(driver().commands).containsExactly(TURNED, "halt");
   }
 
   @Test
-  void whoCommandedItIsToldOfTheStopAlsoAfterItsRelease() throws Exception {
+  void itsCommanderLearnsOfTheStopAlsoAfterItsRelease() throws Exception {
     CommandLease lease = effector().acquireCommandLease(LEASE);
     stop("ops");
     effector().releaseEmergencyStop("the chief");
@@ -103,8 +103,8 @@ abstract class EmergencyStopContract {
         .hasMessage(
             PATH
                 + " was stopped for an emergency while this key commanded it, and was released"
-                + " since; whoever is to move it again asks it for a new command lease");
-    assertThat(driver().told).containsExactly("halt");
+                + " since; to move it again, request a new command lease");
+    assertThat(driver().commands).containsExactly("halt");
   }
 
   @Test
@@ -115,15 +115,15 @@ abstract class EmergencyStopContract {
         .isEqualTo(EmergencyStopState.NEVER);
     EmergencyStopState first = stop("ops");
     assertThat(stop("another")).as("who was first is kept").isEqualTo(first);
-    driver().told.clear();
+    driver().commands.clear();
     EmergencyStopState released = effector().releaseEmergencyStop("the chief");
     assertThat(released.latched()).isFalse();
     assertThat(released.requester()).isEqualTo("the chief");
     assertThat(effector().emergencyStopState()).isEqualTo(released);
-    assertThat(driver().told).isEmpty();
+    assertThat(driver().commands).isEmpty();
     try (CommandLease lease = effector().acquireCommandLease(LEASE)) {
       effector().execute(lease.key(), AHEAD);
-      assertThat(driver().told).containsExactly(TURNED);
+      assertThat(driver().commands).containsExactly(TURNED);
     }
   }
 
@@ -140,12 +140,12 @@ abstract class EmergencyStopContract {
             new Name("ops\u0007\r\nat home", "ops at home"),
             new Name(longerThanAnyRequest, "x".repeat(120) + "…"));
     for (Name name : names) {
-      driver().told.clear();
+      driver().commands.clear();
       EmergencyStopState stopped = effector().emergencyStop(name.given());
       assertThat(stopped.latched()).as(name.kept()).isTrue();
       assertThat(stopped.requester()).isEqualTo(name.kept());
       await().atMost(PATIENCE).until(() -> effector().emergencyStopState().haltCommanded());
-      assertThat(driver().told).as(name.kept()).containsExactly("halt");
+      assertThat(driver().commands).as(name.kept()).containsExactly("halt");
       EmergencyStopState released = effector().releaseEmergencyStop(name.given());
       assertThat(released.latched()).as(name.kept()).isFalse();
       assertThat(released.requester()).isEqualTo(name.kept());
@@ -156,14 +156,14 @@ abstract class EmergencyStopContract {
   void isStoppedAlsoWhileItDoesNotServe() throws Exception {
     driver().lose();
     assertThat(stop("ops").latched()).isTrue();
-    assertThat(driver().told).containsExactly("halt");
+    assertThat(driver().commands).containsExactly("halt");
     assertThatThrownBy(() -> effector().acquireCommandLease(LEASE))
         .isInstanceOf(LeaseRefusedException.class)
         .hasMessageContaining("is stopped for an emergency");
   }
 
   @Test
-  void tellsThatItIsStoppedAndReleased() throws Exception {
+  void reportsThatItIsStoppedAndReleased() throws Exception {
     List<Incident> received = new CopyOnWriteArrayList<>();
     try (Subscription unused =
         effector()
@@ -198,12 +198,12 @@ abstract class EmergencyStopContract {
     driver().turnHeldUp = holder;
     CompletableFuture<Void> heldUp = CompletableFuture.runAsync(() -> commandOn(lease.key()));
     try {
-      await().atMost(PATIENCE).until(() -> !driver().told.isEmpty());
+      await().atMost(PATIENCE).until(() -> !driver().commands.isEmpty());
       EmergencyStopState stopped = effector().emergencyStop("ops");
       assertThat(stopped.latched()).isTrue();
       assertThat(stopped.haltCommanded()).isFalse();
-      assertThat(stopped.fault()).startsWith("its driver is held up");
-      await().atMost(PATIENCE).until(() -> driver().told.contains("halt"));
+      assertThat(stopped.fault()).startsWith("its driver is blocked");
+      await().atMost(PATIENCE).until(() -> driver().commands.contains("halt"));
       assertThatThrownBy(() -> effector().acquireCommandLease(LEASE))
           .isInstanceOf(LeaseRefusedException.class);
     } finally {
@@ -211,8 +211,8 @@ abstract class EmergencyStopContract {
     }
     heldUp.get(20, TimeUnit.SECONDS);
     await().atMost(PATIENCE).until(() -> effector().emergencyStopState().haltCommanded());
-    assertThat(driver().told).startsWith("turn 0.9 0.0", "halt", "halt");
-    assertThat(driver().told.subList(1, driver().told.size()))
+    assertThat(driver().commands).startsWith("turn 0.9 0.0", "halt", "halt");
+    assertThat(driver().commands.subList(1, driver().commands.size()))
         .as("a command that returns too late is halted for that as well")
         .containsOnly("halt");
   }

@@ -18,18 +18,18 @@ import org.dfra.event.Subscription;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.ModuleLease;
+import org.dfra.lifecycle.Incident;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Diagnosis;
-import org.dfra.module.Incident;
 import org.dfra.module.LogLevel;
 import org.dfra.module.ModuleHistory;
 import org.dfra.module.Parameter;
-import org.dfra.module.Readiness;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What every module owes to whoever holds it, wherever it lives. */
+/** What every module guarantees to its clients, wherever it runs. */
 @Timeout(60)
 abstract class ModuleContract {
 
@@ -41,7 +41,7 @@ abstract class ModuleContract {
   /** The module, as its client holds it. */
   abstract GPSSensor module();
 
-  /** Its driver, which the test plays. */
+  /** Its driver, which the test controls. */
   abstract ScriptedGps driver();
 
   private static final DeliveryPolicy READINGS =
@@ -58,15 +58,15 @@ abstract class ModuleContract {
   }
 
   @Test
-  void tellsReadingsInOrderAndNumbersThemWithoutGap() throws Exception {
-    Ear ear = new Ear();
-    try (Subscription subscription = module().subscribe(ear, READINGS)) {
+  void publishesReadingsInOrderAndNumbersThemWithoutGap() throws Exception {
+    RecordingListener listener = new RecordingListener();
+    try (Subscription subscription = module().subscribe(listener, READINGS)) {
       for (int i = 0; i < 50; i++) {
         driver().solve(i);
         driver().stumble(); // another kind, which this listener does not want
       }
-      List<Delivery> received = ear.await(50);
-      assertThat(ear.latitudes()).isSorted().hasSize(50);
+      List<Delivery> received = listener.await(50);
+      assertThat(listener.latitudes()).isSorted().hasSize(50);
       for (int i = 1; i < received.size(); i++) {
         assertThat(received.get(i).sequence()).isEqualTo(received.get(i - 1).sequence() + 1);
       }
@@ -78,13 +78,13 @@ abstract class ModuleContract {
   }
 
   @Test
-  void tellsReadinessParametersAndIncidents() throws Exception {
-    Ear ear = new Ear();
-    try (Subscription unused = module().subscribe(ear, OTHERS)) {
+  void publishesReadinessParametersAndIncidents() throws Exception {
+    RecordingListener listener = new RecordingListener();
+    try (Subscription unused = module().subscribe(listener, OTHERS)) {
       driver().lose();
       module().setParameter("rate", "5");
-      ear.await(3);
-      assertThat(ear.heard())
+      listener.await(3);
+      assertThat(listener.received())
           .extracting(Delivery::event)
           .containsExactly(
               new ModuleEvent.ReadinessChanged(Readiness.READY, Readiness.INITIALIZING),
@@ -99,61 +99,62 @@ abstract class ModuleContract {
 
   @Test
   void aSlowListenerKeepsTheNewestAndLearnsHowManyItMissed() throws Exception {
-    Ear ear = new Ear();
-    ear.stop();
+    RecordingListener listener = new RecordingListener();
+    listener.stop();
     try (Subscription subscription =
         module()
             .subscribe(
-                ear, new DeliveryPolicy(Set.of(EventKind.READING), 3, Double.POSITIVE_INFINITY))) {
+                listener,
+                new DeliveryPolicy(Set.of(EventKind.READING), 3, Double.POSITIVE_INFINITY))) {
       driver().solve(0);
-      ear.await(1);
+      listener.await(1);
       for (int i = 1; i <= 20; i++) {
         driver().solve(i);
       }
       driver().solve(21);
-      ear.open();
-      await().atMost(PATIENCE).until(() -> ear.latitudes().contains(21.0));
-      long dropped = ear.heard().stream().mapToLong(Delivery::dropped).sum();
+      listener.open();
+      await().atMost(PATIENCE).until(() -> listener.latitudes().contains(21.0));
+      long dropped = listener.received().stream().mapToLong(Delivery::dropped).sum();
       assertThat(subscription.lost()).isPositive().isEqualTo(dropped);
       assertThat(subscription.received() + subscription.lost()).isEqualTo(22);
-      assertThat(ear.latitudes()).isSorted();
+      assertThat(listener.latitudes()).isSorted();
     }
   }
 
   @Test
-  void aListenerIsToldNoMoreOftenThanItWants() throws Exception {
-    Ear ear = new Ear();
+  void aListenerIsNotifiedNoMoreOftenThanItWants() throws Exception {
+    RecordingListener listener = new RecordingListener();
     long began = System.nanoTime();
     try (Subscription subscription =
-        module().subscribe(ear, new DeliveryPolicy(Set.of(EventKind.READING), 1, 20))) {
+        module().subscribe(listener, new DeliveryPolicy(Set.of(EventKind.READING), 1, 20))) {
       for (int i = 0; i < 100; i++) {
         driver().solve(i * 0.5);
       }
-      await().atMost(PATIENCE).until(() -> ear.latitudes().contains(49.5));
+      await().atMost(PATIENCE).until(() -> listener.latitudes().contains(49.5));
       double seconds = (System.nanoTime() - began) / 1e9;
-      assertThat((double) ear.heard().size()).isLessThanOrEqualTo(1 + seconds * 20);
+      assertThat((double) listener.received().size()).isLessThanOrEqualTo(1 + seconds * 20);
       assertThat(subscription.received() + subscription.lost()).isEqualTo(100);
     }
   }
 
   @Test
-  void aListenerThatThrowsIsToldTheNextEventAllTheSame() throws Exception {
-    Ear ear = new Ear();
-    ear.throwing = true;
-    try (Subscription unused = module().subscribe(ear, READINGS)) {
+  void aListenerThatThrowsIsNotifiedOfTheNextEventAllTheSame() throws Exception {
+    RecordingListener listener = new RecordingListener();
+    listener.throwing = true;
+    try (Subscription unused = module().subscribe(listener, READINGS)) {
       for (int i = 0; i < 5; i++) {
         driver().solve(i);
       }
-      ear.await(5);
-      assertThat(ear.latitudes()).containsExactly(0.0, 1.0, 2.0, 3.0, 4.0);
+      listener.await(5);
+      assertThat(listener.latitudes()).containsExactly(0.0, 1.0, 2.0, 3.0, 4.0);
     }
   }
 
   @Test
-  void aClosedSubscriptionHearsNothing() throws Exception {
-    Ear ear = new Ear();
-    Ear other = new Ear();
-    Subscription closed = module().subscribe(ear, READINGS);
+  void aClosedSubscriptionReceivesNothing() throws Exception {
+    RecordingListener listener = new RecordingListener();
+    RecordingListener other = new RecordingListener();
+    Subscription closed = module().subscribe(listener, READINGS);
     closed.close();
     closed.close();
     await().atMost(PATIENCE).until(() -> driver().leases().clients() == 0);
@@ -161,14 +162,14 @@ abstract class ModuleContract {
       driver().solve(1);
       other.await(1);
     }
-    assertThat(ear.heard()).isEmpty();
+    assertThat(listener.received()).isEmpty();
   }
 
   @Test
   void whoListensToReadingsIsAClientAndWhoListensToOthersOnlyWatches() throws Exception {
-    try (Subscription watching = module().subscribe(new Ear(), OTHERS)) {
+    try (Subscription watching = module().subscribe(new RecordingListener(), OTHERS)) {
       assertThat(module().readiness()).isEqualTo(Readiness.READY);
-      try (Subscription listening = module().subscribe(new Ear(), READINGS)) {
+      try (Subscription listening = module().subscribe(new RecordingListener(), READINGS)) {
         await().atMost(PATIENCE).until(() -> module().readiness() == Readiness.ACTIVE);
         assertThat(driver().clients).isEqualTo(1);
       }
@@ -327,7 +328,7 @@ abstract class ModuleContract {
         "takes no input; give it none, but was given 1");
     assertRefused(
         () -> module().setOutputs(List.of("pose")),
-        "cannot be wired to \"pose\", which is no module's path; write robot/name");
+        "cannot be wired to \"pose\", which is not the path of a module; write robot/name");
     assertRefused(() -> module().setOutputs(List.of(PATH)), "cannot be wired to itself");
     assertThat(module().outputs()).as("after the refusals").containsExactly("atrv1/pose");
   }

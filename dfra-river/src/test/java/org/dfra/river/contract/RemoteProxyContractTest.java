@@ -48,12 +48,13 @@ class RemoteProxyContractTest extends ModuleContract {
 
   @Test
   void aServerRefusesAListenerThatIsNotRemote() {
-    assertThatThrownBy(() -> server.subscribe(new Ear(), DeliveryPolicy.latestReading()))
+    assertThatThrownBy(
+            () -> server.subscribe(new RecordingListener(), DeliveryPolicy.latestReading()))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage(
             PATH
-                + " cannot tell a Ear, which is no RemoteModuleListener; subscribe through the"
-                + " module's proxy");
+                + " cannot notify a RecordingListener, which is not a RemoteModuleListener; subscribe"
+                + " through the module's proxy");
   }
 
   private static GPSProxy travelled(GPSProxy proxy) throws Exception {

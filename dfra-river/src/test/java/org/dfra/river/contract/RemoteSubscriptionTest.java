@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.UUID;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import net.jini.export.Exporter;
 import net.jini.jeri.BasicJeriExporter;
@@ -22,8 +23,9 @@ import org.dfra.event.Subscription;
 import org.dfra.lease.LeaseRole;
 import org.dfra.lease.LeaseStatus;
 import org.dfra.lease.ModuleLease;
-import org.dfra.module.Incident;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Incident;
+import org.dfra.lifecycle.Readiness;
+import org.dfra.river.call.DeadlineExceededException;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.proxy.PendingLeaseCancellations;
@@ -49,7 +51,7 @@ class RemoteSubscriptionTest {
 
   private static final Duration LONGEST_LEASE = Duration.ofSeconds(4);
 
-  /** The test looks ten times a second; the rest is for the timer. */
+  /** The test polls ten times a second; the remaining time is for the timer. */
   private static final Duration NOTICED = Duration.ofMillis(300);
 
   @TempDir Path folder;
@@ -66,25 +68,25 @@ class RemoteSubscriptionTest {
     String state = folder.resolve("state").toString();
     server.set(Served.serve(UUID.randomUUID(), null, state));
     GPSProxy proxy = proxy();
-    Ear ear = new Ear();
+    RecordingListener listener = new RecordingListener();
     try (StallProbe probe = StallProbe.start();
-        Subscription subscription = proxy.subscribe(ear, DeliveryPolicy.latestReading());
+        Subscription subscription = proxy.subscribe(listener, DeliveryPolicy.latestReading());
         ModuleLease lease = proxy.acquireLease(Duration.ofSeconds(30))) {
       gps().solve(1);
-      ear.await(1);
+      listener.await(1);
 
       server.get().close();
       await().atMost(PATIENCE).until(() -> subscription.interruptedSince().isPresent());
       server.set(Served.serve(UUID.randomUUID(), null, state));
       StallProbe.Stopwatch restarted = probe.stopwatch();
-      gps().solve(2); // nobody listens yet: these two are lost
+      gps().solve(2); // there is no listener yet: these two are lost
       gps().solve(3);
       await().atMost(PATIENCE).until(() -> gps().leases().clients() == 2);
       Timing back = restarted.stop();
       gps().solve(4);
 
-      List<Delivery> received = ear.await(2);
-      assertThat(ear.latitudes()).containsExactly(1.0, 4.0);
+      List<Delivery> received = listener.await(2);
+      assertThat(listener.latitudes()).containsExactly(1.0, 4.0);
       assertThat(received.get(1).epoch()).isEqualTo(2);
       assertThat(received.get(1).sequence()).isEqualTo(received.get(0).sequence() + 3);
       assertThat(subscription.lost()).isEqualTo(2);
@@ -114,7 +116,7 @@ class RemoteSubscriptionTest {
     ModuleListener stub = (ModuleListener) exporter.export(deaf);
     RemoteGPSSensor remote = (RemoteGPSSensor) server.get().getProxy();
     try (StallProbe probe = StallProbe.start()) {
-      // What a client's proxy would renew, nobody renews.
+      // The lease that a client's proxy would renew is not renewed.
       Subscription unused = remote.subscribe(stub, DeliveryPolicy.latestReading());
       ModuleLease unrenewed = remote.acquireLease(Duration.ofSeconds(3));
       StallProbe.Stopwatch granted = probe.stopwatch();
@@ -134,15 +136,15 @@ class RemoteSubscriptionTest {
   }
 
   @Test
-  void aRevokedHolderHearsOfItAndDoesNotComeBack() throws Exception {
+  void aRevokedHolderIsNotifiedAndDoesNotComeBack() throws Exception {
     server.set(Served.serve(UUID.randomUUID(), null, null));
     GPSProxy proxy = proxy();
     ModuleAdmin admin = (ModuleAdmin) proxy.getAdmin();
-    Ear ear = new Ear();
-    try (Subscription subscription = proxy.subscribe(ear, DeliveryPolicy.latestReading());
+    RecordingListener listener = new RecordingListener();
+    try (Subscription subscription = proxy.subscribe(listener, DeliveryPolicy.latestReading());
         ModuleLease lease = proxy.acquireLease(Duration.ofSeconds(30))) {
       gps().solve(1);
-      ear.await(1);
+      listener.await(1);
       assertThat(admin.leases())
           .hasSize(2)
           .allSatisfy(
@@ -155,13 +157,13 @@ class RemoteSubscriptionTest {
         assertThat(admin.revoke(each.handle())).isTrue();
         assertThat(admin.revoke(each.handle())).as("a second time").isFalse();
       }
-      assertThat(gps().events().entries()).as("told nothing more at once").isEmpty();
+      assertThat(gps().events().entries()).as("at once no events are sent any more").isEmpty();
       gps().solve(2);
 
       await().atMost(PATIENCE).until(() -> !subscription.isOpen() && !lease.isLive());
       assertThat(admin.leases()).as("nobody came back").isEmpty();
       assertThat(gps().readiness()).isEqualTo(Readiness.READY);
-      assertThat(ear.latitudes()).containsExactly(1.0);
+      assertThat(listener.latitudes()).containsExactly(1.0);
     }
   }
 
@@ -169,7 +171,8 @@ class RemoteSubscriptionTest {
   void aProgramCanWaitUntilItsLeasesAreGivenBack() throws Exception {
     server.set(Served.serve(UUID.randomUUID(), null, null));
     GPSProxy proxy = proxy();
-    Subscription subscription = proxy.subscribe(new Ear(), DeliveryPolicy.latestReading());
+    Subscription subscription =
+        proxy.subscribe(new RecordingListener(), DeliveryPolicy.latestReading());
     ModuleLease lease = proxy.acquireLease(Duration.ofSeconds(30));
     assertThat(gps().leases().clients()).isEqualTo(2);
     subscription.close();
@@ -189,7 +192,7 @@ class RemoteSubscriptionTest {
     RemoteGPSSensor remote = (RemoteGPSSensor) server.get().getProxy();
     Subscription first = remote.subscribe(stub, DeliveryPolicy.latestReading());
     Subscription again = remote.subscribe(stub, DeliveryPolicy.latestReading());
-    assertThat(gps().events().entries()).as("registered anew, not twice").hasSize(1);
+    assertThat(gps().events().entries()).as("registered again, not twice").hasSize(1);
     assertThat(first).isNotEqualTo(again);
     assertThat(exporter.unexport(true)).isTrue();
     for (int i = 0;
@@ -211,15 +214,15 @@ class RemoteSubscriptionTest {
   void subscriptionsShareTheirThreads() throws Exception {
     server.set(Served.serve(UUID.randomUUID(), null, null));
     GPSProxy proxy = proxy();
-    Ear[] ears = new Ear[50];
+    RecordingListener[] ears = new RecordingListener[50];
     Subscription[] subscriptions = new Subscription[ears.length];
     for (int i = 0; i < ears.length; i++) {
-      ears[i] = new Ear();
+      ears[i] = new RecordingListener();
       subscriptions[i] = proxy.subscribe(ears[i], DeliveryPolicy.keepLast(10));
     }
     gps().solve(7);
-    for (Ear ear : ears) {
-      ear.await(1);
+    for (RecordingListener listener : ears) {
+      listener.await(1);
     }
     assertThat(
             Thread.getAllStackTraces().keySet().stream()
@@ -248,15 +251,49 @@ class RemoteSubscriptionTest {
     RemoteGPSSensor stub = (RemoteGPSSensor) server.get().getProxy();
     assertThat(Proxy.getInvocationHandler(stub)).asString().contains("UnicastRef");
     GPSProxy proxy = Served.proxy(stub, UUID.randomUUID(), server.get());
-    Ear ear = new Ear();
-    System.setProperty("dfra.host", "127.0.0.1"); // a JRMP stub does not tell where its server is
-    try (Subscription unused = proxy.subscribe(ear, DeliveryPolicy.latestReading())) {
+    RecordingListener listener = new RecordingListener();
+    System.setProperty(
+        "dfra.callback-host", "127.0.0.1"); // a JRMP stub does not reveal where its server is
+    try (Subscription unused = proxy.subscribe(listener, DeliveryPolicy.latestReading())) {
       gps().solve(11);
-      ear.await(1);
+      listener.await(1);
       assertThat(proxy.fix().position().latitude()).isEqualTo(11);
     } finally {
-      System.clearProperty("dfra.host");
+      System.clearProperty("dfra.callback-host");
     }
+  }
+
+  @Test
+  void areMadeOnceThoughTheFirstAnswerWasLate() throws Exception {
+    server.set(Served.serve(UUID.randomUUID(), null, null));
+    AtomicInteger calls = new AtomicInteger();
+    RemoteGPSSensor late =
+        (RemoteGPSSensor)
+            Proxy.newProxyInstance(
+                getClass().getClassLoader(),
+                new Class<?>[] {RemoteGPSSensor.class},
+                (self, method, args) -> {
+                  Object answer = method.invoke(server.get().getProxy(), args);
+                  if (method.getName().equals("subscribe") && calls.incrementAndGet() == 1) {
+                    throw new DeadlineExceededException("subscribe", Duration.ofSeconds(2), true);
+                  }
+                  return answer;
+                });
+    System.setProperty("dfra.callback-host", "127.0.0.1");
+    GPSProxy proxy = Served.proxy(late, UUID.randomUUID(), server.get());
+    RecordingListener listener = new RecordingListener();
+    try (Subscription subscription = proxy.subscribe(listener, DeliveryPolicy.keepLast(10))) {
+      assertThat(calls).hasValue(2);
+      assertThat(gps().leases().clients()).as("listeners of the server").isEqualTo(1);
+      gps().solve(1);
+      gps().solve(2);
+      listener.await(2);
+      assertThat(listener.latitudes()).containsExactly(1.0, 2.0);
+      assertThat(subscription.lost()).isZero();
+    } finally {
+      System.clearProperty("dfra.callback-host");
+    }
+    await().atMost(PATIENCE).until(() -> gps().leases().clients() == 0);
   }
 
   private static ScriptedGps gps() {
@@ -277,7 +314,7 @@ class RemoteSubscriptionTest {
                     throw e.getCause();
                   }
                 });
-    System.setProperty("dfra.host", "127.0.0.1");
+    System.setProperty("dfra.callback-host", "127.0.0.1");
     return Served.proxy(stub, UUID.randomUUID(), server.get());
   }
 }

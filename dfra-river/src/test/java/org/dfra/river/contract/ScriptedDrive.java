@@ -8,19 +8,19 @@ import java.util.concurrent.CountDownLatch;
 import org.dfra.core.effector.DriveImpl;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.flow.effector.DriveCommand.Velocity;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.persona.DriveAttributes;
 import org.jspecify.annotations.Nullable;
 
-/** A drive whose wheels write down what they are told. Silence is noticed when the test says so. */
+/** A drive that records its commands. The command timeout acts when the test says so. */
 public final class ScriptedDrive extends DriveImpl {
 
   private static final Map<String, ScriptedDrive> LAST = new ConcurrentHashMap<>();
 
   /** {@code turn 0.5 -0.1}, {@code halt}, {@code brake true}, {@code closed}; in order. */
-  final List<String> told = new CopyOnWriteArrayList<>();
+  final List<String> commands = new CopyOnWriteArrayList<>();
 
-  /** Who turns the wheels waits for it while it is not null. */
+  /** Setting a velocity waits for it while it is not null. */
   volatile @Nullable CountDownLatch turnHeldUp;
 
   private final HeldScheduler scheduler;
@@ -61,12 +61,12 @@ public final class ScriptedDrive extends DriveImpl {
 
   @Override
   protected void onClose() {
-    told.add("closed");
+    commands.add("closed");
   }
 
   @Override
   protected void setVelocity(Velocity wanted) {
-    told.add("turn " + wanted.speed() + " " + wanted.yawRate());
+    commands.add("turn " + wanted.speed() + " " + wanted.yawRate());
     CountDownLatch holder = turnHeldUp;
     try {
       if (holder != null) {
@@ -79,12 +79,12 @@ public final class ScriptedDrive extends DriveImpl {
 
   @Override
   protected void halt() {
-    told.add("halt");
+    commands.add("halt");
   }
 
   @Override
   protected void brake(boolean set) {
-    told.add("brake " + set);
+    commands.add("brake " + set);
   }
 
   /** If no velocity has come for too long by now, the drive may notice. */

@@ -15,8 +15,8 @@ import org.dfra.flow.sensor.GpsFix;
 import org.dfra.flow.sensor.LocationReading;
 import org.dfra.flow.sensor.TimeReading;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Precondition;
-import org.dfra.module.Readiness;
 
 /** A receiver whose satellites are the test. */
 public final class ScriptedGps extends SensorImpl implements GPSSensor {

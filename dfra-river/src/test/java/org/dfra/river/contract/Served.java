@@ -6,10 +6,11 @@ import java.util.Map;
 import java.util.UUID;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.Parameters;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.river.proxy.sensor.GPSProxy;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.server.ModuleActivation;
+import org.dfra.river.server.ModuleServer;
 import org.dfra.river.server.sensor.GPSServer;
 import org.jspecify.annotations.Nullable;
 
@@ -30,18 +31,19 @@ final class Served {
             configuration,
             false,
             Parameters.of(ModuleContract.PATH, Map.of()),
-            Place.CODE);
-    return new GPSServer(
-        null,
-        new MarshalledObject<>(
-            new ModuleActivation(
-                description,
-                id,
-                java.time.Instant.now(),
-                "127.0.0.1",
-                List.of(),
-                List.of(),
-                state)));
+            SourceLocation.CODE);
+    return ModuleServer.started(
+        new GPSServer(
+            null,
+            new MarshalledObject<>(
+                new ModuleActivation(
+                    description,
+                    id,
+                    java.time.Instant.now(),
+                    "127.0.0.1",
+                    List.of(),
+                    List.of(),
+                    state))));
   }
 
   static GPSProxy proxy(RemoteModule stub, UUID id, GPSServer server) throws Exception {

@@ -8,10 +8,11 @@ import java.rmi.MarshalledObject;
 import java.util.List;
 import java.util.UUID;
 import org.dfra.core.config.ModuleDescription;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.river.proxy.effector.DriveProxy;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.server.ModuleActivation;
+import org.dfra.river.server.ModuleServer;
 import org.dfra.river.server.effector.DriveServer;
 
 /** A scripted drive, served in this virtual machine as a group would serve it. */
@@ -30,18 +31,19 @@ final class ServedDrive {
             null,
             false,
             EffectorContract.PARAMETERS,
-            Place.CODE);
-    return new DriveServer(
-        null,
-        new MarshalledObject<>(
-            new ModuleActivation(
-                description,
-                id,
-                java.time.Instant.now(),
-                "127.0.0.1",
-                List.of(),
-                List.of(),
-                null)));
+            SourceLocation.CODE);
+    return ModuleServer.started(
+        new DriveServer(
+            null,
+            new MarshalledObject<>(
+                new ModuleActivation(
+                    description,
+                    id,
+                    java.time.Instant.now(),
+                    "127.0.0.1",
+                    List.of(),
+                    List.of(),
+                    null))));
   }
 
   /** The proxy beside its module, where it calls the implementation. */

@@ -15,7 +15,7 @@ import net.jini.core.lookup.ServiceRegistration;
 import net.jini.core.lookup.ServiceTemplate;
 import net.jini.io.MarshalledInstance;
 
-/** A lookup service's proxy that knows its service ID and its group, and nothing else. */
+/** A lookup service's proxy that knows its service ID and its group, and lists nothing. */
 public final class FakeRegistrar implements ServiceRegistrar, Serializable {
 
   private static final long serialVersionUID = 1L;
@@ -47,7 +47,7 @@ public final class FakeRegistrar implements ServiceRegistrar, Serializable {
 
   @Override
   public LookupLocator getLocator() {
-    throw new UnsupportedOperationException();
+    return new LookupLocator("192.0.2.1", 4160); // reserved for documentation
   }
 
   @Override
@@ -62,7 +62,7 @@ public final class FakeRegistrar implements ServiceRegistrar, Serializable {
 
   @Override
   public ServiceMatches lookup(ServiceTemplate template, int most) {
-    throw new UnsupportedOperationException();
+    return new ServiceMatches(new ServiceItem[0], 0);
   }
 
   @Override
@@ -84,7 +84,7 @@ public final class FakeRegistrar implements ServiceRegistrar, Serializable {
 
   @Override
   public Object[] getFieldValues(ServiceTemplate template, int set, String field) {
-    throw new UnsupportedOperationException();
+    return new Object[0];
   }
 
   @Override

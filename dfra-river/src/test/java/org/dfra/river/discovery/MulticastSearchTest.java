@@ -27,6 +27,7 @@ import net.jini.constraint.BasicMethodConstraints.MethodDesc;
 import net.jini.core.constraint.Integrity;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.core.lookup.ServiceID;
+import org.dfra.river.discovery.FoundRegistrars.FoundRegistrar;
 import org.dfra.river.lookup.SuppliedConfiguration;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;

@@ -22,11 +22,12 @@ import net.jini.core.lookup.ServiceItem;
 import net.jini.core.lookup.ServiceMatches;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.river.call.DeadlineExceededException;
 import org.dfra.river.entry.Entries;
 import org.dfra.river.entry.ModuleEntry;
+import org.dfra.river.lookup.EffectorSearch.ListedEffector;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -151,6 +152,26 @@ class RegistrarEffectorReaderTest {
             () -> false)) {
       reading.start();
       assertThat(found.poll(30, TimeUnit.SECONDS)).isNotNull();
+    } finally {
+      end.countDown();
+    }
+  }
+
+  /** A stop of one robot must not wait for the list of all. */
+  @Test
+  void robotsThatAreWantedAreReadWithoutAList() throws Exception {
+    try (RegistrarEffectorReader reading =
+        new RegistrarEffectorReader(
+            holding("getFieldValues"),
+            List.of("atrv1"),
+            List.of(),
+            listener,
+            null,
+            over::release,
+            () -> false)) {
+      reading.start();
+      assertThat(found.poll(30, TimeUnit.SECONDS)).isNotNull();
+      awaitEnd(reading);
     } finally {
       end.countDown();
     }
@@ -286,7 +307,7 @@ class RegistrarEffectorReaderTest {
   }
 
   @Test
-  void whatLookupServicesOfOneServiceIdListIsKeptApart() throws Exception {
+  void whatLookupServicesOfOneServiceIdListIsKeptSeparate() throws Exception {
     try (RegistrarEffectorReader one = reading();
         RegistrarEffectorReader two = reading()) {
       one.start();

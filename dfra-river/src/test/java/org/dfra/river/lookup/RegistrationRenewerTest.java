@@ -60,7 +60,7 @@ class RegistrationRenewerTest {
   }
 
   @Test
-  void aLeaseThatIsUnknownIsReportedAtOnceSoThatTheModuleIsRegisteredAnew() throws Exception {
+  void aLeaseThatIsUnknownIsReportedAtOnceSoThatTheModuleIsRegisteredAgain() throws Exception {
     begin();
     lease.forget();
     time.pass(Duration.ofSeconds(10));

@@ -10,6 +10,7 @@ import java.util.Set;
 import net.jini.core.lookup.ServiceID;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.dfra.directory.RegistrationRefusedException;
+import org.dfra.river.registrar.RegistrationRules.RegistrationOrigin;
 import org.junit.jupiter.api.Test;
 
 class RegistrationRulesTest {
@@ -105,7 +106,8 @@ class RegistrationRulesTest {
   @Test
   void theRobotsNameIsForItsOwnComputers() {
     ServiceID fake = new ServiceID(2, 2);
-    assertRefused(() -> register(STRANGER, fake, true), "robot eta", "<registrar from=\"…\">");
+    assertRefused(
+        () -> register(STRANGER, fake, true), "robot eta", "<registrar module-hosts=\"…\">");
     assertRefused(() -> rules.checkEntries(STRANGER, true), "robot eta");
     rules.checkEntries(STRANGER, false);
     rules.checkEntries(OWN, true);

@@ -17,11 +17,11 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.Parameters;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.core.effector.DriveImpl;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.flow.effector.DriveCommand.Velocity;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.persona.DriveAttributes;
 import org.dfra.river.proxy.effector.DriveProxy;
 import org.dfra.river.remote.ModuleAdmin;
@@ -31,7 +31,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A module has ended only when its driver is closed, whoever asks, and however many ask. */
+/** A module has ended only when its driver is closed, however many callers ask. */
 @Timeout(120)
 class DeactivationTest {
 
@@ -100,12 +100,14 @@ class DeactivationTest {
             null,
             false,
             Parameters.of("atrv1/drive", Map.of()),
-            Place.CODE);
+            SourceLocation.CODE);
     server =
-        new DriveServer(
-            null,
-            new MarshalledObject<>(
-                new ModuleActivation(drive, UUID.randomUUID(), "127.0.0.1", List.of(), List.of())));
+        ModuleServer.started(
+            new DriveServer(
+                null,
+                new MarshalledObject<>(
+                    new ModuleActivation(
+                        drive, UUID.randomUUID(), "127.0.0.1", List.of(), List.of()))));
     admin = (ModuleAdmin) server.getAdmin();
   }
 

@@ -18,7 +18,7 @@ import org.dfra.river.remote.RemoteDiagnostics.DiagnosticType;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Whoever begins tests all the time does not get a thread for each. */
+/** A client that starts tests all the time does not get a thread for each. */
 @Timeout(60)
 class DiagnosticRunnerTest {
 

@@ -12,15 +12,15 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.Parameters;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.core.effector.DriveImpl;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.SensorImpl;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.sensor.Odometry;
 import org.dfra.flow.sensor.OdometrySensor;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.persona.DriveAttributes;
 import org.dfra.river.proxy.effector.DriveProxy;
 import org.dfra.river.proxy.sensor.OdometryProxy;
@@ -125,7 +125,7 @@ class ModuleShutdownHookTest {
                 null,
                 false,
                 Parameters.of("atrv1/" + name, Map.of()),
-                Place.CODE),
+                SourceLocation.CODE),
             UUID.randomUUID(),
             "127.0.0.1",
             List.of(),
@@ -133,12 +133,14 @@ class ModuleShutdownHookTest {
   }
 
   private static DriveServer drive(String name) throws Exception {
-    return new DriveServer(null, data(name, DriveServer.class, DriveProxy.class, Wheels.class));
+    return ModuleServer.started(
+        new DriveServer(null, data(name, DriveServer.class, DriveProxy.class, Wheels.class)));
   }
 
   private static OdometryServer counter(String name) throws Exception {
-    return new OdometryServer(
-        null, data(name, OdometryServer.class, OdometryProxy.class, Counter.class));
+    return ModuleServer.started(
+        new OdometryServer(
+            null, data(name, OdometryServer.class, OdometryProxy.class, Counter.class)));
   }
 
   @Test

@@ -13,7 +13,7 @@ import java.util.UUID;
 import java.util.concurrent.atomic.AtomicLong;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.Parameters;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.directory.Locality;
 import org.dfra.directory.ModuleListing;
 import org.dfra.module.Module;
@@ -22,7 +22,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A robot's own modules are those whose identities it keeps, whatever others are named. */
+/** A robot's own modules are those whose identities it keeps, whatever the names of others. */
 class OwnRobotMatcherTest {
 
   private static final UUID DRIVE = new UUID(1, 1);
@@ -65,7 +65,7 @@ class OwnRobotMatcherTest {
             null,
             false,
             Parameters.of("atrv1/search", Map.of()),
-            Place.CODE);
+            SourceLocation.CODE);
     return new OwnRobotMatcher(
         new ModuleActivation(
             search, new UUID(2, 2), Instant.EPOCH, "127.0.0.1", List.of(), List.of(), folder),
@@ -123,7 +123,7 @@ class OwnRobotMatcherTest {
   }
 
   @Test
-  void aModuleThatKeepsNothingCannotTellThemApart() {
+  void aModuleThatStoresNothingCannotDistinguishThem() {
     assertThat(own(null).test(listed("drive", new UUID(9, 9)))).isTrue();
   }
 }

@@ -3,6 +3,7 @@ package org.dfra.sim.device;
 import java.time.Duration;
 import java.time.Instant;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.geometry.Wgs84;
 
 /** Motion of a receiver's antenna over time. The emulator's thread queries it. */
 @FunctionalInterface
@@ -33,13 +34,11 @@ public interface AntennaTrajectory {
    */
   static AntennaTrajectory constantVelocity(
       GeoPosition from, Instant begin, double north, double east) {
-    double semiMajor = 6_378_137; // metres
-    double eccentricitySquared = 6.694379990141e-3;
-    double latitude = Math.toRadians(from.latitude());
-    double w = 1 - eccentricitySquared * Math.pow(Math.sin(latitude), 2);
-    double meridianRadius = semiMajor * (1 - eccentricitySquared) / Math.pow(w, 1.5);
-    double parallelRadius = (semiMajor / Math.sqrt(w) + from.height()) * Math.cos(latitude);
-    double degreesNorth = Math.toDegrees(north / (meridianRadius + from.height()));
+    double meridianRadius = Wgs84.meridianRadius(from.latitude()) + from.height();
+    double parallelRadius =
+        (Wgs84.primeVerticalRadius(from.latitude()) + from.height())
+            * Math.cos(Math.toRadians(from.latitude()));
+    double degreesNorth = Math.toDegrees(north / meridianRadius);
     double degreesEast = Math.toDegrees(east / parallelRadius);
     double speed = Math.hypot(north, east);
     double degrees = Math.toDegrees(Math.atan2(east, north));
@@ -53,5 +52,25 @@ public interface AntennaTrajectory {
               from.height());
       return new AntennaState(position, speed, course);
     };
+  }
+
+  /**
+   * Position and velocity of a receiver's antenna.
+   *
+   * @param position of the antenna, frame WGS84
+   * @param speed over ground, metres per second, not negative
+   * @param course direction of travel, degrees, 0 to less than 360, 0 is true north, clockwise is +
+   */
+  record AntennaState(GeoPosition position, double speed, double course) {
+
+    public AntennaState {
+      if (!(speed >= 0)) {
+        throw new IllegalArgumentException("speed " + speed + " m/s is not ≥ 0");
+      }
+      if (!(course >= 0 && course < 360)) {
+        throw new IllegalArgumentException(
+            "course " + course + "° is outside 0° to less than 360°");
+      }
+    }
   }
 }

@@ -1,7 +1,9 @@
 package org.dfra.sim.device;
 
+import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.time.Instant;
+import java.util.Random;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 
@@ -12,11 +14,11 @@ import org.jspecify.annotations.Nullable;
  * <p>One fault is active at a time; a new one replaces the last:
  *
  * <pre>
- *              pull()      the link is lost and cannot be opened
- *   sound  --- silence()   the link stays open, no bytes pass in either direction ------.
- *     ^        garble(..)  some bytes are corrupted, in either direction                |
- *     |        storm(..)   noise bursts between the device's output                     |
- *     '------------------------------- restore() ---------------------------------------'
+ *              unplug()                the link is lost and cannot be opened
+ *   sound  --- mute()                  the link stays open, no bytes pass ----------.
+ *     ^        corruptBytes(..)        some bytes are changed, in either direction  |
+ *     |        injectNoiseBursts(..)   noise between the device's output            |
+ *     '---------------------------- restore() --------------------------------------'
  * </pre>
  *
  * <p>Thread-safe; the owner sees a change at its next poll.
@@ -180,5 +182,129 @@ public final class Cable {
     byte[] bytes = new byte[chunk.position()];
     chunk.flip().get(bytes);
     return bytes;
+  }
+
+  /**
+   * Inserts noise bursts between a device's output, as a serial line that floats at times. The
+   * output itself is unchanged. Reproducible for the same chunks and seed; confined to one thread.
+   */
+  private static final class NoiseBurstInjector {
+
+    private static final int LONGEST = 2000;
+
+    /** One in this many chunks is preceded by noise. */
+    private static final int ONE_OF = 3;
+
+    private final Random random;
+
+    NoiseBurstInjector(long seed) {
+      this.random = new Random(seed);
+    }
+
+    /** A chunk, preceded by its noise burst if it has one. */
+    byte[] withNoise(byte[] piece) {
+      if (piece.length == 0 || random.nextInt(ONE_OF) != 0) {
+        return piece;
+      }
+      byte[] noise = new byte[random.nextInt(LONGEST)];
+      random.nextBytes(noise);
+      return ByteBuffer.allocate(noise.length + piece.length).put(noise).put(piece).array();
+    }
+  }
+
+  /** Corrupts bytes as a bad contact does; reproducible by its seed. Confined to one thread. */
+  static final class ByteCorrupter {
+
+    private final Random random;
+    private final double share;
+
+    /**
+     * @param share of the bytes that are damaged, 0 to 1
+     */
+    ByteCorrupter(long seed, double share) {
+      if (!(share >= 0 && share <= 1)) {
+        throw new IllegalArgumentException("share " + share + " is outside 0 to 1");
+      }
+      this.random = new Random(seed);
+      this.share = share;
+    }
+
+    /** The bytes after corruption, at most twice as many. */
+    byte[] corrupt(byte[] bytes) {
+      ByteBuffer out = ByteBuffer.allocate(2 * bytes.length);
+      for (byte each : bytes) {
+        if (random.nextDouble() >= share) {
+          out.put(each);
+          continue;
+        }
+        switch (random.nextInt(3)) {
+          case 0 -> out.put((byte) random.nextInt()); // bits were misread
+          case 1 -> out.put((byte) random.nextInt()).put(each); // a spike was read as a byte
+          default -> {} // its start bit was missed
+        }
+      }
+      byte[] garbled = new byte[out.position()];
+      out.flip().get(garbled);
+      return garbled;
+    }
+  }
+
+  /**
+   * Simulates a receiver with another baud rate than the sender's, bit by bit, 8N1: it waits for a
+   * falling edge and samples in the middle of what it assumes to be each bit. Pure.
+   */
+  static final class BaudMismatch {
+
+    private static final int BITS = 10;
+
+    private BaudMismatch() {}
+
+    /**
+     * The bytes that the receiver reads.
+     *
+     * @param sent bytes on a line that was idle before and is idle after; without gaps
+     * @param sentBaud bits per second of the sender
+     * @param readBaud bits per second of the receiver
+     */
+    static byte[] of(byte[] sent, int sentBaud, int readBaud) {
+      if (sentBaud == readBaud) {
+        return sent;
+      }
+      ByteArrayOutputStream read = new ByteArrayOutputStream();
+      double step = (double) sentBaud / readBaud; // sent bits in a bit that is read
+      int end = sent.length * BITS;
+      int fall = nextFall(sent, 0);
+      while (fall < end) {
+        int value = 0;
+        for (int bit = 0; bit < 8; bit++) {
+          value |= level(sent, fall + (1.5 + bit) * step) << bit;
+        }
+        if (level(sent, fall + 0.5 * step) == 0) { // else it was a spike, not a start bit
+          read.write(value);
+        }
+        fall = nextFall(sent, (int) Math.ceil(fall + 9.5 * step));
+      }
+      return read.toByteArray();
+    }
+
+    /** The first bit from here on that is low after a high one. */
+    private static int nextFall(byte[] sent, int from) {
+      int end = sent.length * BITS;
+      int at = from;
+      while (at < end && (level(sent, at) != 0 || (at > 0 && level(sent, at - 1) == 0))) {
+        at++;
+      }
+      return at;
+    }
+
+    /** The line at a time, in sent bits; idle is high. */
+    private static int level(byte[] sent, double time) {
+      int bit = (int) Math.floor(time);
+      if (bit < 0 || bit >= sent.length * BITS) {
+        return 1;
+      }
+      int place = bit % BITS;
+      return place == 0 ? 0 : place == BITS - 1 ? 1 : sent[bit / BITS] >> (place - 1) & 1;
+    }
   }
 }

@@ -1,5 +1,6 @@
 package org.dfra.sim.device;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.InetAddress;
@@ -48,11 +49,21 @@ public class DeviceEmulator implements AutoCloseable {
   private final InstantSource clock;
   private final Cable cable;
 
-  private boolean begun; // guarded by this
-  private boolean closed; // guarded by this
-  private @Nullable ServerSocketChannel server; // guarded by this
-  private @Nullable Selector selector; // guarded by this
-  private @Nullable Thread thread; // guarded by this
+  @GuardedBy("this")
+  private boolean begun;
+
+  @GuardedBy("this")
+  private boolean closed;
+
+  @GuardedBy("this")
+  private @Nullable ServerSocketChannel server;
+
+  @GuardedBy("this")
+  private @Nullable Selector selector;
+
+  @GuardedBy("this")
+  private @Nullable Thread thread;
+
   private volatile boolean running;
 
   /**
@@ -79,7 +90,7 @@ public class DeviceEmulator implements AutoCloseable {
    */
   public final synchronized void start() throws IOException {
     if (closed) {
-      throw new IllegalStateException("this emulator was closed; make a new one");
+      throw new IllegalStateException("this emulator was closed; create a new one");
     }
     if (begun) {
       return;
@@ -103,7 +114,7 @@ public class DeviceEmulator implements AutoCloseable {
       throw new IOException(
           "port "
               + requestedPort
-              + " of the loopback interface cannot be had ("
+              + " of the loopback interface cannot be opened ("
               + e.getMessage()
               + "); choose another, or 0 for any free one",
           e);
@@ -117,7 +128,7 @@ public class DeviceEmulator implements AutoCloseable {
    */
   public final synchronized int port() {
     if (server == null || !server.isOpen()) {
-      throw new IllegalStateException("the emulator does not listen; start it first");
+      throw new IllegalStateException("the emulator does not listen yet; start it first");
     }
     return server.socket().getLocalPort();
   }
@@ -180,7 +191,7 @@ public class DeviceEmulator implements AutoCloseable {
         client = exchange(client, clock.instant());
       }
     } catch (IOException e) {
-      throw new UncheckedIOException("the emulator cannot go on: " + e.getMessage(), e);
+      throw new UncheckedIOException("the emulator cannot continue: " + e.getMessage(), e);
     } finally {
       if (client != null) {
         client.close();

@@ -7,6 +7,7 @@ import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import org.dfra.sim.device.AntennaTrajectory.AntennaState;
 
 /**
  * Emulates gpsd with one receiver that reports once a second. It first sends its version; {@code

@@ -1,12 +1,13 @@
 package org.dfra.sim.device;
 
-import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.sim.device.AntennaTrajectory.AntennaState;
+import org.dfra.sim.device.M12EmulatorSettings.M12EmulatorOptions;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -22,7 +23,7 @@ import org.jspecify.annotations.Nullable;
  * are ignored. The settings survive a change of client, as a receiver keeps its settings when its
  * computer is disconnected.
  */
-public final class M12Device implements SerialDevice {
+public final class M12Device extends UartDevice {
 
   /**
    * If more bytes than this are queued, the baud rate is too low for the requested messages; a
@@ -35,7 +36,6 @@ public final class M12Device implements SerialDevice {
   private final AntennaTrajectory path;
   private final Duration timeToFirstFix;
   private final M12EmulatorOptions options;
-  private final UartLine channel;
   private final M12CommandReader commands = new M12CommandReader(this::execute);
 
   /** Seconds between two reports of the satellites, whose positions change slowly. */
@@ -70,30 +70,20 @@ public final class M12Device implements SerialDevice {
    */
   public M12Device(
       AntennaTrajectory path, int baud, Duration timeToFirstFix, M12EmulatorOptions options) {
+    super(baud);
     this.path = path;
     this.options = options;
-    this.channel = new UartLine(baud);
     this.timeToFirstFix = timeToFirstFix;
   }
 
   @Override
-  public int baud() {
-    return channel.baud();
-  }
-
-  @Override
   public void receive(byte[] bytes, int offset, int length, Instant time) {
-    pass(time);
+    advance(time);
     commands.feed(bytes, offset, length);
   }
 
   @Override
-  public void transmit(ByteBuffer out, Instant time) {
-    pass(time);
-    channel.drainTo(out, time);
-  }
-
-  private void pass(Instant time) {
+  protected void advance(Instant time) {
     if (powerOn == null) {
       powerOn = time;
     }
@@ -130,7 +120,7 @@ public final class M12Device implements SerialDevice {
         reportsOffset = first != 0;
         sendUtcOffset();
       }
-      case "Cj" -> channel.send(M12Frames.identification(), now);
+      case "Cj" -> channel().send(M12Frames.identification(), now);
       case "Aw" -> setTimeScale(first);
       case "Gd" -> setPositionControl(first);
       case "At" -> setPositionHold(first);
@@ -146,7 +136,7 @@ public final class M12Device implements SerialDevice {
         reportsUtc = true;
         positionControl = 0;
         timeRaim = false;
-        channel.send(M12Frames.frame("Cf", new byte[0]), now);
+        channel().send(M12Frames.frame("Cf", new byte[0]), now);
       }
       default -> {
         // the receiver ignores unknown commands
@@ -159,7 +149,7 @@ public final class M12Device implements SerialDevice {
   }
 
   private void acknowledge(String id, int value) {
-    channel.send(M12Frames.frame(id, new byte[] {(byte) value}), now);
+    channel().send(M12Frames.frame(id, new byte[] {(byte) value}), now);
   }
 
   private void sendUtcOffset() {
@@ -205,7 +195,7 @@ public final class M12Device implements SerialDevice {
     if (set != null && !hasFix(now)) {
       clockError = Duration.between(now, set);
     }
-    channel.send(M12Frames.clock(reportedTime(now)), now);
+    channel().send(M12Frames.clock(reportedTime(now)), now);
   }
 
   private void setHeld(byte[] argument) {
@@ -213,7 +203,7 @@ public final class M12Device implements SerialDevice {
     if (set != null) {
       held = set;
     }
-    channel.send(M12Frames.held(held == null ? path.at(now).position() : held), now);
+    channel().send(M12Frames.held(held == null ? path.at(now).position() : held), now);
   }
 
   private Instant reportedTime(Instant time) {
@@ -221,22 +211,23 @@ public final class M12Device implements SerialDevice {
   }
 
   private void send(String id, Instant time) {
-    if (channel.waitingBytes() > LONGEST_QUEUE) {
+    if (channel().waitingBytes() > LONGEST_QUEUE) {
       return;
     }
     M12Frames.Moment moment =
         new M12Frames.Moment(
             reportedTime(time), utcOffset(), reportsUtc, hasFix(time), holds(), antenna(time));
-    channel.send(
-        switch (id) {
-          case "Ha" -> M12Frames.position12(moment);
-          case "Hb" -> M12Frames.shortPosition(moment);
-          case "Hn" -> M12Frames.timeRaim12(moment, timeRaim);
-          case "Ea" -> M12Frames.position8(moment);
-          case "En" -> M12Frames.timeRaim8(moment, timeRaim);
-          default -> M12Frames.visible(moment);
-        },
-        time);
+    channel()
+        .send(
+            switch (id) {
+              case "Ha" -> M12Frames.position12(moment);
+              case "Hb" -> M12Frames.shortPosition(moment);
+              case "Hn" -> M12Frames.timeRaim12(moment, timeRaim);
+              case "Ea" -> M12Frames.position8(moment);
+              case "En" -> M12Frames.timeRaim8(moment, timeRaim);
+              default -> M12Frames.visible(moment);
+            },
+            time);
   }
 
   private boolean holds() {

@@ -8,6 +8,7 @@ import java.time.LocalDateTime;
 import java.time.ZoneOffset;
 import java.util.List;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.sim.device.AntennaTrajectory.AntennaState;
 import org.jspecify.annotations.Nullable;
 
 /**

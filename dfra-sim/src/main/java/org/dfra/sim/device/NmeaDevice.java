@@ -7,6 +7,7 @@ import java.time.LocalDateTime;
 import java.time.ZoneOffset;
 import java.util.List;
 import java.util.Locale;
+import org.dfra.sim.device.AntennaTrajectory.AntennaState;
 
 /**
  * A multi-constellation receiver that sends NMEA 0183 once a second: {@code GNRMC}, {@code GNGGA},

@@ -42,7 +42,7 @@ public final class PseudoTerminal implements AutoCloseable {
   private @Nullable Process socat;
   private boolean closed;
   private boolean ready;
-  private String fault = "socat has said nothing";
+  private String fault = "socat has printed nothing";
 
   /**
    * @param name name of the port's file
@@ -71,7 +71,7 @@ public final class PseudoTerminal implements AutoCloseable {
     lock.lock();
     try {
       if (closed) {
-        throw new IllegalStateException("this terminal was closed; make a new one");
+        throw new IllegalStateException("this terminal was closed; create a new one");
       }
       if (thread != null) {
         return;
@@ -98,7 +98,7 @@ public final class PseudoTerminal implements AutoCloseable {
       }
     }
     throw new IOException(
-        "a pseudo-terminal needs the program socat, which is in no folder of PATH ("
+        "a pseudo-terminal needs the program socat, which was not found in PATH ("
             + programs
             + "); install it, or use the link "
             + emulator.url());
@@ -115,7 +115,7 @@ public final class PseudoTerminal implements AutoCloseable {
     }
     if (!ready) {
       throw new IOException(
-          port + " is not there after " + PATIENCE_SECONDS + " s; socat says: " + fault);
+          port + " does not exist after " + PATIENCE_SECONDS + " s; socat printed: " + fault);
     }
   }
 

@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.sim.device.M12EmulatorSettings.M12EmulatorOptions;
 import org.dfra.text.PrintableText;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -24,7 +25,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "receiver-emulator",
     mixinStandardHelpOptions = true,
-    description = "A GPS receiver that does not exist, on a TCP port.")
+    description = "Emulates a GPS receiver on a TCP port.")
 public final class ReceiverEmulatorMain implements Callable<Integer> {
 
   /** The receiver's protocol. */
@@ -42,56 +43,57 @@ public final class ReceiverEmulatorMain implements Callable<Integer> {
   @Option(
       names = "--protocol",
       defaultValue = "M12",
-      description = "What it speaks: ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
+      description =
+          "Protocol of the receiver: ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
   private Protocol protocol = Protocol.M12;
 
   @Option(
       names = "--port",
       defaultValue = "0",
-      description = "TCP port on the loopback interface; 0 is any free one. Default: 0.")
+      description = "TCP port on the loopback interface; 0 chooses a free one. Default: 0.")
   private int port;
 
   @Option(
       names = "--latitude",
       defaultValue = "48.0",
-      description = "Degrees, north is +. Default: ${DEFAULT-VALUE}.")
+      description = "Latitude in degrees, north is +. Default: ${DEFAULT-VALUE}.")
   private double latitude;
 
   @Option(
       names = "--longitude",
       defaultValue = "11.0",
-      description = "Degrees, east is +. Default: ${DEFAULT-VALUE}.")
+      description = "Longitude in degrees, east is +. Default: ${DEFAULT-VALUE}.")
   private double longitude;
 
   @Option(
       names = "--height",
       defaultValue = "500",
-      description = "Metres above the WGS84 ellipsoid. Default: ${DEFAULT-VALUE}.")
+      description = "Height in metres above the WGS84 ellipsoid. Default: ${DEFAULT-VALUE}.")
   private double height;
 
   @Option(
       names = "--baud",
       defaultValue = "9600",
-      description = "Bits per second of the line. Default: ${DEFAULT-VALUE}.")
+      description = "Baud rate of the serial line. Default: ${DEFAULT-VALUE}.")
   private int baud;
 
   @Option(
       names = "--channels",
       defaultValue = "12",
-      description = "Of M12: 8 or 12. Default: ${DEFAULT-VALUE}.")
+      description = "M12 only: number of channels, 8 or 12. Default: ${DEFAULT-VALUE}.")
   private int channels;
 
   @Option(
       names = "--utc-after",
       defaultValue = "0",
       description =
-          "Of M12: seconds until it has learned the offset of UTC, as after a start without an"
+          "M12 only: seconds until it knows the offset of UTC, as after a start without an"
               + " almanac. Default: ${DEFAULT-VALUE}.")
   private int utcAfter;
 
   @Option(
       names = "--terminal",
-      description = "Have a pseudo-terminal as well, which drivers take for a serial port.")
+      description = "Also create a pseudo-terminal, which drivers can use as a serial port.")
   private boolean terminal;
 
   @Spec

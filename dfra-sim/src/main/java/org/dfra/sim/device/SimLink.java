@@ -6,7 +6,7 @@ import java.time.InstantSource;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.drivers.link.SerialLink;
-import org.dfra.drivers.link.SimAddress;
+import org.dfra.drivers.link.SimLinkRegistry.SimAddress;
 import org.dfra.drivers.link.Ticker;
 
 /** The computer's end of a link to a simulated device. */
@@ -130,7 +130,7 @@ final class SimLink implements SerialLink {
 
   private void requireOpen() throws IOException {
     if (!isOpen()) {
-      throw new IOException(address + ": the simulated device is lost, or the link was closed");
+      throw new IOException(address + ": the simulated device was lost, or the link was closed");
     }
   }
 

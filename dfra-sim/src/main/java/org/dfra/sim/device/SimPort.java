@@ -3,8 +3,8 @@ package org.dfra.sim.device;
 import java.io.IOException;
 import java.time.Duration;
 import org.dfra.drivers.link.SerialLink;
-import org.dfra.drivers.link.SimAddress;
 import org.dfra.drivers.link.SimLinkRegistry;
+import org.dfra.drivers.link.SimLinkRegistry.SimAddress;
 import org.dfra.sim.time.LockStep;
 import org.dfra.time.Scheduler.ScheduledTask;
 import org.jspecify.annotations.Nullable;
@@ -51,7 +51,7 @@ public final class SimPort implements AutoCloseable {
    */
   public synchronized void start() {
     if (closed) {
-      throw new IllegalStateException("this port was closed; make a new one");
+      throw new IllegalStateException("this port was closed; create a new one");
     }
     if (pollTask == null) {
       time.simLinks().add(name, port);

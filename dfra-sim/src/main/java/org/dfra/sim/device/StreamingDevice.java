@@ -1,22 +1,21 @@
 package org.dfra.sim.device;
 
-import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.time.Instant;
+import org.dfra.sim.device.AntennaTrajectory.AntennaState;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Base of emulated receivers that send periodic, unsolicited reports. The first report is due at
  * the first full period after power-on.
  */
-abstract class StreamingDevice implements SerialDevice {
+abstract class StreamingDevice extends UartDevice {
 
   /** If more bytes than this are queued, the baud rate is too low; a report is skipped. */
   private static final int LONGEST_QUEUE = 4096;
 
   private final AntennaTrajectory path;
   private final Duration timeToFirstFix;
-  private final UartLine channel;
   private final Schedule schedule = new Schedule();
   private @Nullable Instant powerOn;
   private boolean talks;
@@ -28,8 +27,8 @@ abstract class StreamingDevice implements SerialDevice {
    * @param streaming whether it sends positions unsolicited
    */
   StreamingDevice(AntennaTrajectory path, int baud, Duration timeToFirstFix, boolean streaming) {
+    super(baud);
     this.path = path;
-    this.channel = new UartLine(baud);
     this.timeToFirstFix = timeToFirstFix;
     this.talks = streaming;
   }
@@ -42,7 +41,7 @@ abstract class StreamingDevice implements SerialDevice {
 
   /** Sends bytes. */
   final void send(byte[] bytes, Instant time) {
-    channel.send(bytes, time);
+    channel().send(bytes, time);
   }
 
   /** Sets the period of reports. */
@@ -56,23 +55,13 @@ abstract class StreamingDevice implements SerialDevice {
   }
 
   @Override
-  public final int baud() {
-    return channel.baud();
-  }
-
-  @Override
   public final void receive(byte[] bytes, int offset, int length, Instant time) {
-    pass(time);
+    advance(time);
     execute(bytes, offset, length, time);
   }
 
   @Override
-  public final void transmit(ByteBuffer out, Instant time) {
-    pass(time);
-    channel.drainTo(out, time);
-  }
-
-  private void pass(Instant time) {
+  protected void advance(Instant time) {
     Instant on = powerOn;
     if (on == null) {
       on = time;
@@ -80,7 +69,7 @@ abstract class StreamingDevice implements SerialDevice {
       schedule.set(Duration.ofSeconds(1), time);
     }
     Instant due = schedule.due(time);
-    if (due != null && talks && channel.waitingBytes() <= LONGEST_QUEUE) {
+    if (due != null && talks && channel().waitingBytes() <= LONGEST_QUEUE) {
       boolean hasFix = !due.isBefore(on.plus(timeToFirstFix)) && path.hasSatellites(due);
       sendPosition(due, hasFix, path.at(due));
     }

@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.LocalDateTime;
 import java.time.ZoneOffset;
+import org.dfra.sim.device.AntennaTrajectory.AntennaState;
 
 /**
  * Emulates a u-blox receiver at the byte level of its serial interface. It sends nothing

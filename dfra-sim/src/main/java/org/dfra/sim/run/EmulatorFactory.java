@@ -14,7 +14,7 @@ import org.dfra.sim.device.NmeaDevice;
 import org.dfra.sim.device.SerialDevice;
 import org.dfra.sim.device.UbxDevice;
 import org.dfra.sim.device.camera.MjpegDevice;
-import org.dfra.sim.device.camera.MjpegOptions;
+import org.dfra.sim.device.camera.MjpegDevice.MjpegOptions;
 import org.dfra.sim.device.drive.RflexDevice;
 import org.dfra.sim.device.gyro.Dsp3000Device;
 import org.dfra.sim.device.laser.LmsDevice;
@@ -22,7 +22,7 @@ import org.dfra.sim.device.laser.LmsEmulatorSettings;
 import org.dfra.sim.device.pantilt.PtuDevice;
 import org.dfra.sim.device.uav.AutopilotDevice;
 import org.dfra.sim.device.uav.AutopilotSettings;
-import org.dfra.sim.device.uav.AutopilotSoftware;
+import org.dfra.sim.device.uav.AutopilotSettings.AutopilotSoftware;
 import org.dfra.sim.physics.BatteryPhysics;
 import org.dfra.sim.world.SimulatedRobot;
 import org.dfra.sim.world.description.DeviceDescription;
@@ -147,9 +147,9 @@ final class EmulatorFactory {
           device.place()
               + ": "
               + robot.name()
-              + " flies by "
+              + " flies with "
               + device.name()
-              + " but has no gps to fly by; add <device kind=\"gps\" name=\"gps\" protocol=\""
+              + " but has no gps; add <device kind=\"gps\" name=\"gps\" protocol=\""
               + MAVLINK
               + "\"/>");
     }
@@ -196,12 +196,12 @@ final class EmulatorFactory {
     if (!known.contains(written)) {
       throw new ConfigurationException(
           device.place()
-              + ": no "
+              + ": a "
               + device.kind().text()
-              + " speaks \""
+              + " does not support the protocol \""
               + written
               + "\""
-              + NearestName.hint(written, known, "; there is " + String.join(", ", known)));
+              + NearestName.hint(written, known, "; use " + String.join(" or ", known)));
     }
     return written;
   }
@@ -227,7 +227,7 @@ final class EmulatorFactory {
               + text
               + "\" of "
               + device.name()
-              + " is no whole number",
+              + " is not a whole number",
           e);
     }
   }

@@ -1,5 +1,6 @@
 package org.dfra.sim.run;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.time.InstantSource;
 import java.util.ArrayList;
@@ -9,6 +10,7 @@ import java.util.TreeMap;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.sim.device.Cable;
 import org.dfra.sim.device.SerialDevice;
+import org.dfra.sim.device.drive.RflexDevice;
 import org.dfra.sim.time.LockStep;
 import org.dfra.sim.world.SimulatedRobot;
 import org.dfra.sim.world.World;
@@ -49,7 +51,9 @@ public final class Simulation implements AutoCloseable {
 
   private final World world;
   private final Map<String, Emulated> emulated = new TreeMap<>(); // by robot/device
-  private boolean started; // guarded by this
+
+  @GuardedBy("this")
+  private boolean started;
 
   private Simulation(World world, Carriers carriers) {
     this.world = world;
@@ -137,16 +141,59 @@ public final class Simulation implements AutoCloseable {
    * @throws IllegalArgumentException if there is no such link
    */
   public Cable cable(String robot, String device) {
-    Emulated line = emulated.get(robot + "/" + device);
-    if (line == null) {
-      throw new IllegalArgumentException(
-          "there is no line to " + robot + "/" + device + "; there is " + emulated.keySet());
+    return link(robot, device).carrier().cable();
+  }
+
+  /**
+   * An rFLEX controller, to see which commands reach it and when.
+   *
+   * @throws IllegalArgumentException if there is no such link, or another device behind it
+   */
+  public RflexDevice driveController(String robot, String device) {
+    if (link(robot, device).line().emulated() instanceof RflexDevice controller) {
+      return controller;
     }
-    return line.carrier().cable();
+    throw new IllegalArgumentException(robot + "/" + device + " is not an rFLEX controller");
+  }
+
+  private Emulated link(String robot, String device) {
+    Emulated link = emulated.get(robot + "/" + device);
+    if (link == null) {
+      throw new IllegalArgumentException(
+          "there is no link to "
+              + robot
+              + "/"
+              + device
+              + "; there are links to "
+              + emulated.keySet());
+    }
+    return link;
   }
 
   @Override
   public void close() {
     emulated.values().forEach(each -> each.carrier().close());
+  }
+
+  /**
+   * A link of a robot to an emulated device.
+   *
+   * @param robot name of the robot
+   * @param device name of the device, as the world's description has it
+   * @param protocol of the device, e.g. {@code m12}
+   * @param link for a driver, e.g. {@code tcp://127.0.0.1:4101}
+   * @param servedDevices names of the devices on this link; its own is the first
+   */
+  public record DeviceEndpoint(
+      String robot, String device, String protocol, String link, List<String> servedDevices) {
+
+    public DeviceEndpoint {
+      servedDevices = List.copyOf(servedDevices);
+    }
+
+    /** {@code DFRA_ATRV1_LASER_LINK}: the variable that passes the link to a robot's XML. */
+    public String linkVariable() {
+      return "DFRA_" + (robot + "_" + device).toUpperCase(java.util.Locale.ROOT) + "_LINK";
+    }
   }
 }

@@ -1,5 +1,6 @@
 package org.dfra.sim.time;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.util.TreeSet;
 import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
@@ -36,9 +37,15 @@ final class EventQueue {
   /** Guards this queue and the scheduling of all stepped threads. */
   final ReentrantLock lock = new ReentrantLock();
 
-  private final TreeSet<ScheduledEvent> due = new TreeSet<>(); // guarded by lock
-  private long numbers; // guarded by lock
-  private long atThisInstant; // guarded by lock
+  @GuardedBy("lock")
+  private final TreeSet<ScheduledEvent> due = new TreeSet<>();
+
+  @GuardedBy("lock")
+  private long numbers;
+
+  @GuardedBy("lock")
+  private long atThisInstant;
+
   private volatile long now; // written under lock
 
   /** Nanoseconds since the beginning. */
@@ -72,6 +79,7 @@ final class EventQueue {
     }
   }
 
+  @GuardedBy("lock")
   private ScheduledEvent enter(ScheduledEvent entry) {
     due.add(entry);
     return entry;
@@ -99,7 +107,7 @@ final class EventQueue {
     try {
       if (due.isEmpty() || due.first().at() > until) {
         if (until == NEVER) {
-          throw new IllegalStateException("nothing will ever happen that this wait could end by");
+          throw new IllegalStateException("no event is scheduled that could end this wait");
         }
         now = Math.max(now, until);
         atThisInstant = 0;
@@ -111,11 +119,11 @@ final class EventQueue {
       now = first.at();
       if (atThisInstant > MOST_AT_ONCE) {
         throw new IllegalStateException(
-            "time stands still: more than "
+            "simulated time does not advance: more than "
                 + MOST_AT_ONCE
-                + " things have happened at one instant, now again "
+                + " events have run at one instant, now "
                 + first.description()
-                + "; let it wait a while before it comes again");
+                + "; let it wait before it repeats");
       }
       return first;
     } finally {

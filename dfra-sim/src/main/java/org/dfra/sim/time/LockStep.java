@@ -1,5 +1,6 @@
 package org.dfra.sim.time;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
@@ -12,6 +13,7 @@ import org.dfra.drivers.link.Ticker;
 import org.dfra.sim.time.EventQueue.ScheduledEvent;
 import org.dfra.sim.time.LockStepScheduler.Wait;
 import org.dfra.time.Scheduler;
+import org.dfra.time.Scheduler.ScheduledTask;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -110,8 +112,8 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
     if (isExecuting()) {
       throw new IllegalStateException(
           Thread.currentThread().getName()
-              + " is moved by the time and cannot move it, nor wait for it in a task; have it done"
-              + " later by after()");
+              + " runs in simulated time, so it cannot advance that time or wait for it in a task;"
+              + " schedule the work with after()");
     }
     stepping.lock();
     try {
@@ -185,7 +187,7 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
   public void await(Condition condition, long nanos) throws InterruptedException {
     if (!(condition instanceof SteppedCondition stepped && stepped.belongsTo(this))) {
       throw new IllegalArgumentException(
-          "in lock-step a condition is made by Ticker.newCondition of the same time, but this one"
+          "in lock-step a condition must come from Ticker.newCondition of the same time, but this one"
               + " is "
               + condition);
     }
@@ -245,6 +247,49 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
   private void end(SteppedThread thread, long patienceNanos) throws InterruptedException {
     if (scheduler.tryRun(thread, patienceNanos)) {
       thread.join(1); // its last steps run outside its execution right
+    }
+  }
+
+  /** A task that is scheduled again, a period later, before it runs. */
+  private static final class RepeatingTask implements ScheduledTask {
+
+    private final EventQueue agenda;
+    private final long period;
+    private final Runnable task;
+
+    @GuardedBy("this")
+    private @Nullable ScheduledEvent next;
+
+    @GuardedBy("this")
+    private boolean cancelled;
+
+    RepeatingTask(EventQueue agenda, long period, Runnable task) {
+      this.agenda = agenda;
+      this.period = period;
+      this.task = task;
+    }
+
+    synchronized RepeatingTask start() {
+      next = agenda.add(agenda.timeAfter(period), task, this::run);
+      return this;
+    }
+
+    private void run() {
+      synchronized (this) {
+        if (next == null || cancelled) {
+          return;
+        }
+        next = agenda.reschedule(next, agenda.timeAfter(period));
+      }
+      task.run();
+    }
+
+    @Override
+    public synchronized void cancel() {
+      cancelled = true;
+      if (next != null) {
+        agenda.remove(next);
+      }
     }
   }
 }

@@ -52,7 +52,7 @@ final class SteppedCondition implements Condition {
   @Override
   public void awaitUninterruptibly() {
     throw new UnsupportedOperationException(
-        "a wait that nothing ends but a signal would outlive its module; wait by Ticker.await");
+        "a wait without a timeout could outlast its module; use Ticker.await");
   }
 
   @Override
@@ -72,7 +72,7 @@ final class SteppedCondition implements Condition {
   @Override
   public boolean awaitUntil(Date deadline) {
     throw new UnsupportedOperationException(
-        "a date is of real time; wait by Ticker.await, for so many nanoseconds");
+        "a date is in real time; use Ticker.await with a number of nanoseconds");
   }
 
   @Override

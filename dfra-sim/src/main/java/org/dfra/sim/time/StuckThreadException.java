@@ -13,10 +13,10 @@ public final class StuckThreadException extends IllegalStateException {
   StuckThreadException(Thread thread, Duration patience) {
     super(
         thread.getName()
-            + " has not come back to wait within "
+            + " did not wait again within "
             + patience.toMillis() / 1e3
-            + " s of real time; see in the cause's stack where it is, and let it wait there by its"
-            + " Ticker, with a condition of Ticker.newCondition",
+            + " s of real time; the cause's stack shows where it is; let it wait there with its"
+            + " Ticker and a condition of Ticker.newCondition",
         at(thread));
   }
 

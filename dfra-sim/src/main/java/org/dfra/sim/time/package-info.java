@@ -5,7 +5,7 @@
  *   advance(10 ms)
  *        |
  *        v               tasks of the world, of devices, of leases and deliveries
- *   LockStep --- next ---<
+ *   LockStep --- next ---&lt;
  *        ^       due      readers of drivers: bytes arrived, or a wait ended
  *        '--- all threads wait again, no more events are due
  * </pre>

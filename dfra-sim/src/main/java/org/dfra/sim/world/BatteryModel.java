@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
 import org.dfra.sim.world.description.VehicleDescription;
-import org.dfra.sim.world.description.VehicleType;
+import org.dfra.sim.world.description.VehicleDescription.VehicleType;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -47,16 +47,16 @@ final class BatteryModel {
 
   private BatteryModel(VehicleDescription vehicle, DeviceDescription device, int offset) {
     this.offset = offset;
-    this.motion = device.parameter("motion", vehicle.type());
-    this.turning = device.parameter("turning", vehicle.type());
-    this.hover = device.parameter("hover", vehicle.type());
+    this.motion = device.parameter("power_per_speed", vehicle.type());
+    this.turning = device.parameter("power_per_yaw_rate", vehicle.type());
+    this.hover = device.parameter("hover_power", vehicle.type());
     this.curve = vehicle.type() == VehicleType.UAV ? LITHIUM : LEAD;
-    this.idle = device.parameter("idle", vehicle.type());
+    this.idle = device.parameter("idle_power", vehicle.type());
     this.capacity = device.parameter("capacity", vehicle.type()) * SECONDS_PER_HOUR;
-    this.full = device.parameter("full", vehicle.type());
-    this.empty = device.parameter("empty", vehicle.type());
-    this.resistance = device.parameter("resistance", vehicle.type());
-    this.charge = device.parameter("charge", vehicle.type()) * capacity;
+    this.full = device.parameter("full_voltage", vehicle.type());
+    this.empty = device.parameter("empty_voltage", vehicle.type());
+    this.resistance = device.parameter("internal_resistance", vehicle.type());
+    this.charge = device.parameter("initial_charge", vehicle.type()) * capacity;
     load(idle);
   }
 

@@ -17,7 +17,7 @@ final class CollisionDetector {
 
   static final int NOTHING = -1;
 
-  private static final long APART = Math.round(1 / World.STEP_SECONDS); // steps
+  private static final long MIN_GAP = Math.round(1 / World.STEP_SECONDS); // steps
 
   /** A collision without its time, which the world adds. */
   record Noted(long step, String robot, String other, double speed, double east, double north) {}
@@ -78,7 +78,7 @@ final class CollisionDetector {
                 Math.max(body.index, hit - solids.size()))
             : key(hit, body.index);
     Long before = lastTouch.put(key, step);
-    if (before != null && step - before <= APART) {
+    if (before != null && step - before <= MIN_GAP) {
       return;
     }
     double x = eastward;

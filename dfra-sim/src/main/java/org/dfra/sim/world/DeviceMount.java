@@ -1,6 +1,6 @@
 package org.dfra.sim.world;
 
-import org.dfra.sim.world.description.MountPose;
+import org.dfra.sim.world.description.DeviceDescription.MountPose;
 import org.dfra.sim.world.shape.MutableTransform;
 import org.jspecify.annotations.Nullable;
 

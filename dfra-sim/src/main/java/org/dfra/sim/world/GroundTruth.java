@@ -91,4 +91,70 @@ public final class GroundTruth {
   public long lateCommands() {
     return world.lateCommands();
   }
+
+  /**
+   * A mine visible in a camera's image.
+   *
+   * @param mine its name
+   * @param pixels number that show it
+   * @param column of their centre, from the left edge, pixels
+   * @param row of their centre, from the upper edge, pixels
+   * @param distance of the mine's centre from the camera, metres
+   */
+  public record MineSighting(String mine, int pixels, double column, double row, double distance) {}
+
+  /**
+   * True pose and velocity of a robot, in the world's frame.
+   *
+   * @param time of the step
+   * @param east of its centre, metres
+   * @param north of its centre, metres
+   * @param up of its base, metres above the ground
+   * @param roll radians, left side up is +
+   * @param pitch radians, nose down is +
+   * @param yaw radians, −π to π, 0 is east, counter-clockwise is +
+   * @param eastward velocity, metres per second
+   * @param northward velocity, metres per second
+   * @param upward velocity, metres per second
+   * @param yawRate radians per second, counter-clockwise is +
+   */
+  public record GroundTruthPose(
+      Instant time,
+      double east,
+      double north,
+      double up,
+      double roll,
+      double pitch,
+      double yaw,
+      double eastward,
+      double northward,
+      double upward,
+      double yawRate) {
+
+    /** Below this speed a robot counts as stopped, metres per second. */
+    private static final double STOPPED_SPEED = 0.01;
+
+    /** Whether the robot is stopped: it moves less than 1 cm in a second. */
+    public boolean isStopped() {
+      return speed() < STOPPED_SPEED;
+    }
+
+    /** Speed over ground, metres per second. */
+    public double speed() {
+      return Math.sqrt(eastward * eastward + northward * northward);
+    }
+  }
+
+  /**
+   * A collision of a robot.
+   *
+   * @param time of the step
+   * @param robot that moved
+   * @param other the obstacle or robot that it hit
+   * @param speed relative, at the impact, metres per second
+   * @param east position of the robot, metres
+   * @param north position of the robot, metres
+   */
+  public record Collision(
+      Instant time, String robot, String other, double speed, double east, double north) {}
 }

@@ -1,10 +1,11 @@
 package org.dfra.sim.world;
 
 import java.util.Optional;
+import org.dfra.sim.world.VehicleBody.BodyContext;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
 import org.dfra.sim.world.description.VehicleDescription;
-import org.dfra.sim.world.description.WeatherDescription;
+import org.dfra.sim.world.description.WorldDescription.WeatherDescription;
 import org.dfra.sim.world.noise.CorrelatedNoise;
 import org.dfra.sim.world.noise.RandomStream;
 import org.jspecify.annotations.Nullable;

@@ -4,13 +4,14 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import org.dfra.sim.physics.CameraInput;
+import org.dfra.sim.world.GroundTruth.MineSighting;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
-import org.dfra.sim.world.description.MineDescription;
-import org.dfra.sim.world.description.VehicleType;
+import org.dfra.sim.world.description.VehicleDescription.VehicleType;
+import org.dfra.sim.world.description.WorldDescription.MineDescription;
 import org.dfra.sim.world.noise.RandomStream;
-import org.dfra.sim.world.render.RenderMode;
 import org.dfra.sim.world.render.Renderer;
+import org.dfra.sim.world.render.Renderer.RenderMode;
 import org.dfra.sim.world.shape.MutableTransform;
 import org.jspecify.annotations.Nullable;
 
@@ -43,7 +44,8 @@ final class SimulatedCamera implements CameraInput {
     this.width = (int) device.parameter("width", type);
     this.height = (int) device.parameter("height", type);
     this.fieldOfView = device.parameter("field_of_view", type);
-    double white = device.parameter("white", type) * (band == RenderMode.THERMAL ? 100 : 1);
+    double white =
+        device.parameter("white_noise_sigma", type) * (band == RenderMode.THERMAL ? 100 : 1);
     this.noise = new int[1 << TABLE_BITS];
     for (int i = 0; i < noise.length; i++) {
       long inTheMiddle = (2L * i + 1) << (Long.SIZE - TABLE_BITS - 1);

@@ -2,10 +2,10 @@ package org.dfra.sim.world;
 
 import java.time.Instant;
 import org.dfra.geometry.LocalPosition;
-import org.dfra.sim.device.AntennaState;
 import org.dfra.sim.device.AntennaTrajectory;
+import org.dfra.sim.device.AntennaTrajectory.AntennaState;
 import org.dfra.sim.world.description.DeviceDescription;
-import org.dfra.sim.world.description.VehicleType;
+import org.dfra.sim.world.description.VehicleDescription.VehicleType;
 import org.dfra.sim.world.noise.CorrelatedNoise;
 import org.dfra.sim.world.noise.OutageProcess;
 import org.dfra.sim.world.noise.RandomStream;
@@ -37,11 +37,11 @@ final class SimulatedGpsAntenna implements AntennaTrajectory {
     this.world = world;
     this.rig = rig;
     this.draws = draws.substream("white");
-    this.white = device.parameter("white", type);
-    this.vertical = device.parameter("vertical", type);
-    this.velocity = device.parameter("velocity", type);
-    double sigma = device.parameter("bias", type);
-    double time = device.parameter("bias_time", type);
+    this.white = device.parameter("white_noise_sigma", type);
+    this.vertical = device.parameter("vertical_factor", type);
+    this.velocity = device.parameter("velocity_sigma", type);
+    double sigma = device.parameter("bias_sigma", type);
+    double time = device.parameter("bias_correlation_time", type);
     double step = World.STEP_SECONDS;
     this.biasEast = CorrelatedNoise.gaussMarkov(draws.substream("bias_east"), sigma, time, step);
     this.biasNorth = CorrelatedNoise.gaussMarkov(draws.substream("bias_north"), sigma, time, step);
@@ -50,8 +50,8 @@ final class SimulatedGpsAntenna implements AntennaTrajectory {
     this.outages =
         new OutageProcess(
             draws.substream("outages"),
-            device.parameter("outages", type),
-            device.parameter("outage_time", type));
+            device.parameter("outages_per_hour", type),
+            device.parameter("mean_outage_duration", type));
   }
 
   @Override

@@ -4,7 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import org.dfra.sim.physics.RangeInput;
 import org.dfra.sim.world.description.DeviceDescription;
-import org.dfra.sim.world.description.VehicleType;
+import org.dfra.sim.world.description.VehicleDescription.VehicleType;
 import org.dfra.sim.world.noise.RandomStream;
 import org.dfra.sim.world.shape.MutableTransform;
 import org.dfra.sim.world.shape.ObstacleIndex;
@@ -44,24 +44,25 @@ final class SimulatedLaser implements RangeInput {
     this.world = world;
     this.rig = rig;
     this.draws = draws.substream("beams");
-    this.white = device.parameter("white", type);
-    this.miss = device.parameter("miss", type);
-    this.reach = device.parameter("reach", type);
+    this.white = device.parameter("white_noise_sigma", type);
+    this.miss = device.parameter("dropout_probability", type);
+    this.reach = device.parameter("range_at_10_percent", type);
     this.ghosts =
         new GhostRangeModel(
             draws.substream("ghosts"),
-            device.parameter("ghosts", type),
-            device.parameter("ghost_time", type),
+            device.parameter("ghost_rate", type),
+            device.parameter("ghost_duration", type),
             device.parameter("ghost_width", type),
-            device.parameter("ghost_near", type),
-            device.parameter("ghost_far", type));
+            device.parameter("ghost_min_range", type),
+            device.parameter("ghost_max_range", type));
     this.near = new int[world.solids().size()];
   }
 
   @Override
   public void measure(Instant time, double first, double step, double longest, double[] distances) {
     if (!(longest > 0 && longest < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException("a laser that sees " + longest + " m far sees nothing");
+      throw new IllegalArgumentException(
+          "the laser's range " + longest + " m is not finite and above 0");
     }
     synchronized (world.monitor()) {
       long now = world.stepAt(time);

@@ -23,7 +23,7 @@ final class SimulatedMulticopter implements MulticopterPhysics {
   public void fly(Instant time, double east, double north, double up, double speed) {
     if (!Double.isFinite(east + north + up) || !(speed > 0)) {
       throw new IllegalArgumentException(
-          "nobody can fly to ("
+          "the multicopter cannot fly to ("
               + east
               + ", "
               + north
@@ -31,7 +31,7 @@ final class SimulatedMulticopter implements MulticopterPhysics {
               + up
               + ") m at "
               + speed
-              + " m/s; give a place and a speed above 0");
+              + " m/s; give finite coordinates and a speed above 0");
     }
     world.command(time, () -> body.fly(east, north, up, speed));
   }

@@ -25,7 +25,11 @@ final class SimulatedPanTilt implements PanTiltPhysics {
   public void point(Instant time, double toPan, double toTilt) {
     if (!Double.isFinite(toPan) || !Double.isFinite(toTilt)) {
       throw new IllegalArgumentException(
-          "a head cannot point to " + toPan + " rad, " + toTilt + " rad; give finite angles");
+          "the pan-tilt unit cannot point to "
+              + toPan
+              + " rad, "
+              + toTilt
+              + " rad; give finite angles");
     }
     world.command(
         time,

@@ -1,5 +1,6 @@
 package org.dfra.sim.world;
 
+import java.time.Instant;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -15,9 +16,11 @@ import org.dfra.sim.physics.MulticopterPhysics;
 import org.dfra.sim.physics.PanTiltPhysics;
 import org.dfra.sim.physics.RangeInput;
 import org.dfra.sim.world.description.DeviceDescription;
+import org.dfra.sim.world.description.DeviceDescription.MountPose;
 import org.dfra.sim.world.description.DeviceKind;
-import org.dfra.sim.world.description.MountPose;
 import org.dfra.sim.world.description.VehicleDescription;
+import org.dfra.sim.world.description.VehicleDescription.VehicleType;
+import org.dfra.sim.world.noise.CorrelatedNoise;
 import org.dfra.sim.world.noise.RandomStream;
 import org.jspecify.annotations.Nullable;
 
@@ -67,7 +70,7 @@ public final class SimulatedRobot {
       case BATTERY -> new SimulatedBattery(world, body);
       case FLIGHT -> new SimulatedMulticopter(world, (MulticopterBody) body);
       case CAMERA, THERMAL -> new SimulatedCamera(world, rig, device, draws);
-      case PAN_TILT -> throw new IllegalStateException("a head was made before");
+      case PAN_TILT -> throw new IllegalStateException("the pan-tilt unit was created before");
     };
   }
 
@@ -150,5 +153,67 @@ public final class SimulatedRobot {
             + (names.isEmpty()
                 ? "; it has none"
                 : NearestName.hint(device, names, "; it has " + names)));
+  }
+
+  /** The battery of a robot, measured at its terminals. */
+  private static final class SimulatedBattery implements BatteryPhysics {
+
+    private final World world;
+    private final int offset;
+
+    SimulatedBattery(World world, VehicleBody body) {
+      this.world = world;
+      this.offset = Objects.requireNonNull(body.battery, "a robot with a battery").offset;
+    }
+
+    @Override
+    public Charge at(Instant time) {
+      synchronized (world.monitor()) {
+        double[] row = world.row(world.stepAt(time));
+        return new Charge(
+            row[offset + BatteryModel.VOLTAGE],
+            row[offset + BatteryModel.CURRENT],
+            row[offset + BatteryModel.REMAINING]);
+      }
+    }
+  }
+
+  /**
+   * A rate gyro: the yaw rate of its robot about its own z axis, an initial bias that drifts, and
+   * white noise. It does not measure roll and pitch rates on rough ground or the motion of a
+   * pan-tilt head.
+   */
+  private static final class SimulatedGyro implements GyroInput {
+
+    private final World world;
+    private final DeviceMount rig;
+    private final CorrelatedNoise bias;
+    private final RandomStream draws;
+    private final double white;
+
+    SimulatedGyro(World world, DeviceMount rig, DeviceDescription device, RandomStream draws) {
+      VehicleType type = rig.body().vehicle.type();
+      this.world = world;
+      this.rig = rig;
+      this.draws = draws.substream("white");
+      this.white = device.parameter("white_noise_sigma", type);
+      double first = device.parameter("bias_sigma", type) * draws.substream("bias").gaussian(0);
+      this.bias =
+          CorrelatedNoise.walk(
+              draws.substream("drift"),
+              first,
+              device.parameter("bias_random_walk", type),
+              World.STEP_SECONDS);
+    }
+
+    @Override
+    public double rate(Instant time) {
+      synchronized (world.monitor()) {
+        long step = world.stepAt(time);
+        double[] row = world.row(step);
+        double rate = row[rig.body().offset + VehicleBody.RATE] * rig.at(row).zz;
+        return rate + bias.at(step) + white * draws.gaussian(step);
+      }
+    }
   }
 }

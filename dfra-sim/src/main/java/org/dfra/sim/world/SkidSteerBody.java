@@ -1,6 +1,7 @@
 package org.dfra.sim.world;
 
 import java.util.Optional;
+import org.dfra.sim.world.VehicleBody.BodyContext;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
 import org.dfra.sim.world.description.VehicleDescription;
@@ -133,28 +134,32 @@ final class SkidSteerBody extends VehicleBody {
       track = drive.parameter("effective_track", vehicle.type());
       fastest = drive.parameter("max_wheel_speed", vehicle.type());
       quickest = drive.parameter("max_acceleration", vehicle.type());
-      brakes = drive.parameter("brake", vehicle.type());
-      double noise = drive.parameter("encoder_noise", vehicle.type());
+      brakes = drive.parameter("brake_deceleration", vehicle.type());
+      double noise = drive.parameter("encoder_scale_sigma", vehicle.type());
       RandomStream encoders = draws.substream("encoders");
       leftScale =
-          1 + drive.parameter("encoder_left", vehicle.type()) + noise * encoders.gaussian(0);
+          1
+              + drive.parameter("left_encoder_scale_error", vehicle.type())
+              + noise * encoders.gaussian(0);
       rightScale =
-          1 + drive.parameter("encoder_right", vehicle.type()) + noise * encoders.gaussian(1);
-      double time = drive.parameter("slip_time", vehicle.type());
+          1
+              + drive.parameter("right_encoder_scale_error", vehicle.type())
+              + noise * encoders.gaussian(1);
+      double time = drive.parameter("slip_correlation_time", vehicle.type());
       slip =
           new Slip(
               drive.parameter("slip", vehicle.type()),
               CorrelatedNoise.gaussMarkov(
                   draws.substream("slip"),
-                  drive.parameter("slip_noise", vehicle.type()),
+                  drive.parameter("slip_sigma", vehicle.type()),
                   time,
                   World.STEP_SECONDS));
       yawSlip =
           new Slip(
-              drive.parameter("turn_slip", vehicle.type()),
+              drive.parameter("yaw_slip", vehicle.type()),
               CorrelatedNoise.gaussMarkov(
                   draws.substream("turn_slip"),
-                  drive.parameter("turn_slip_noise", vehicle.type()),
+                  drive.parameter("yaw_slip_sigma", vehicle.type()),
                   time,
                   World.STEP_SECONDS));
     }

@@ -1,6 +1,7 @@
 package org.dfra.sim.world;
 
 import org.dfra.sim.world.description.VehicleDescription;
+import org.dfra.sim.world.description.WorldDescription.WeatherDescription;
 import org.dfra.sim.world.noise.RandomStream;
 import org.dfra.sim.world.shape.MutableTransform;
 import org.dfra.sim.world.shape.OrientedRectangle;
@@ -192,4 +193,16 @@ abstract class VehicleBody {
   static double stepTowards(double from, double to, double most) {
     return Math.abs(to - from) <= most ? to : from + Math.copySign(most, to - from);
   }
+
+  /**
+   * The parts of the world that a body's constructor needs.
+   *
+   * @param random source of all random numbers in the world
+   */
+  record BodyContext(
+      StateLayout layout,
+      Terrain terrain,
+      CollisionDetector collisions,
+      WeatherDescription weather,
+      RandomStream random) {}
 }

@@ -9,9 +9,11 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.dfra.core.config.NearestName;
 import org.dfra.geometry.LocalFrame;
+import org.dfra.sim.world.VehicleBody.BodyContext;
 import org.dfra.sim.world.description.VehicleDescription;
-import org.dfra.sim.world.description.VehicleType;
+import org.dfra.sim.world.description.VehicleDescription.VehicleType;
 import org.dfra.sim.world.description.WorldDescription;
+import org.dfra.sim.world.noise.CorrelatedNoise;
 import org.dfra.sim.world.noise.RandomStream;
 import org.dfra.sim.world.shape.ObstacleIndex;
 import org.dfra.sim.world.shape.StaticObstacle;
@@ -223,11 +225,11 @@ public final class World {
       throw new IllegalArgumentException(
           "the world is at "
               + instant(history.last())
-              + " and was asked for "
+              + " and cannot jump to "
               + time
               + ", more than "
               + LONGEST_LEAP.toDays()
-              + " days later; set the clock right");
+              + " days later; correct the clock");
     }
     while (history.last() < requested) {
       long next = history.last() + 1;
@@ -247,6 +249,72 @@ public final class World {
     }
     for (int i = 0; i < heads.size(); i++) {
       heads.get(i).write(row);
+    }
+  }
+
+  /**
+   * Maps the steps of a world to time.
+   *
+   * @param start time of the first one, 0
+   */
+  private record Timeline(Instant start) {
+
+    private static final long STEP_NANOS = World.STEP.toNanos();
+    private static final long PER_SECOND = 1_000_000_000 / STEP_NANOS;
+
+    /** The step that a time belongs to: the last one that is not after it; 0 before the start. */
+    long step(Instant time) {
+      if (time.isBefore(start)) {
+        return 0;
+      }
+      Duration since = Duration.between(start, time);
+      return since.getSeconds() * PER_SECOND + since.getNano() / STEP_NANOS;
+    }
+
+    /** The time of a step. */
+    Instant instant(long step) {
+      return start.plusNanos(step * STEP_NANOS);
+    }
+  }
+
+  /**
+   * The last steps of a world, a row of numbers each, so that late queries get the state of their
+   * time. Confined to the world's monitor.
+   */
+  private static final class StateHistory {
+
+    /** Number of steps stored. */
+    static final int CAPACITY = CorrelatedNoise.REMEMBERED;
+
+    private final double[][] rows;
+    private long last;
+
+    /**
+     * @param width numbers in a row
+     */
+    StateHistory(int width) {
+      rows = new double[CAPACITY][width];
+    }
+
+    /** The last step added; the first is 0. */
+    long last() {
+      return last;
+    }
+
+    /** Adds the row of the next step, to be filled. */
+    double[] append() {
+      last++;
+      return rows[(int) (last % CAPACITY)];
+    }
+
+    /** The stored step nearest to the requested one. */
+    long clampStep(long step) {
+      return Math.max(Math.max(0, last - CAPACITY + 1), Math.min(step, last));
+    }
+
+    /** The row of a stored step. */
+    double[] row(long step) {
+      return rows[(int) (step % CAPACITY)];
     }
   }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.time.Instant;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.sim.device.AntennaTrajectory.AntennaState;
 import org.junit.jupiter.api.Test;
 
 class AntennaPathTest {

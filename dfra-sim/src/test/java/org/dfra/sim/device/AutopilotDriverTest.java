@@ -37,16 +37,16 @@ import org.dfra.flow.effector.FlightState.Phase;
 import org.dfra.flow.sensor.BatteryState;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.persona.FlightAttributes;
-import org.dfra.sim.device.uav.AutopilotSoftware;
+import org.dfra.sim.device.uav.AutopilotSettings.AutopilotSoftware;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** What the drivers do while somebody commands the vehicle, and how they are examined. */
+/** What the drivers do while the vehicle has a commander, and their diagnostics. */
 @Execution(ExecutionMode.CONCURRENT) // flights take long, and little of the computer
 class AutopilotDriverTest extends AutopilotOverTcp {
 
@@ -55,7 +55,7 @@ class AutopilotDriverTest extends AutopilotOverTcp {
 
   @ParameterizedTest
   @EnumSource
-  void fliesWhereItIsToldAndComesHome(AutopilotSoftware software) throws Exception {
+  void fliesToThePlaceThatIsCommandedAndComesHome(AutopilotSoftware software) throws Exception {
     begin(patientOf(software));
     try (MavlinkFlightImpl flight = flight();
         CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
@@ -64,7 +64,7 @@ class AutopilotDriverTest extends AutopilotOverTcp {
       assertThat(state(flight).position().height()).isCloseTo(24.5, within(0.6));
 
       GeoPosition there = place(24, 18, 15);
-      obey(flight, lease, new GoTo(there, 6));
+      execute(flight, lease, new GoTo(there, 6));
       await().until(() -> distance(flight.flightState().position(), there) < 0.1);
       await().until(() -> flight.flightState().speed() < 0.1);
       await().until(() -> Math.abs(flight.flightState().height() - 15) < 0.05);
@@ -72,14 +72,13 @@ class AutopilotDriverTest extends AutopilotOverTcp {
       assertThat(state.phase()).isEqualTo(Phase.IN_AIR);
       assertThat(state.isArmed()).isTrue();
 
-      obey(flight, lease, new ReturnToLaunch());
+      execute(flight, lease, new ReturnToLaunch());
       await().until(() -> flight.flightState().phase() == Phase.LANDING);
       await().until(() -> !flight.flightState().isArmed());
-      await()
-          .until(() -> flight.flightState().phase() == Phase.ON_GROUND); // told by another message
+      await().until(() -> flight.flightState().phase() == Phase.ON_GROUND); // by another message
       assertThat(distance(state(flight).position(), place(0, 0, 0))).isLessThan(0.6);
-      assertThat(parameter(flight, "last_refusal")).isEqualTo("none");
-      // Where the link was opened anew, the frames that this cut were dropped.
+      assertThat(parameter(flight, "last_failure")).isEqualTo("none");
+      // Where the link was opened again, the frames that this cut were dropped.
       assertThat(number(flight, "dropped_bytes"))
           .isLessThanOrEqualTo(2 * LONGEST_FRAME * flight.history().failures());
       assertThat(parameter(flight, "malformed_frames")).isEqualTo("0");
@@ -88,7 +87,7 @@ class AutopilotDriverTest extends AutopilotOverTcp {
 
   @ParameterizedTest
   @EnumSource
-  void tellsWhyTheVehicleRefuses(AutopilotSoftware software) throws Exception {
+  void reportsWhyTheVehicleRefuses(AutopilotSoftware software) throws Exception {
     begin(patientOf(software).withTimeToFirstFix(Duration.ofSeconds(12)));
     List<String> incidents = new CopyOnWriteArrayList<>();
     try (MavlinkFlightImpl flight = flight();
@@ -104,16 +103,16 @@ class AutopilotDriverTest extends AutopilotOverTcp {
       answers.put(ARM, 1);
       await().until(() -> flight.readiness().serves());
       await().until(() -> flight.flightState().position() != null);
-      obey(flight, lease, new Arm());
-      await().until(() -> parameter(flight, "last_refusal").contains("rejected for now"));
-      assertThat(parameter(flight, "last_refusal"))
-          .startsWith("uav/flight has not obeyed Arm: COMPONENT_ARM_DISARM is rejected for now")
+      execute(flight, lease, new Arm());
+      await().until(() -> parameter(flight, "last_failure").contains("rejected for now"));
+      assertThat(parameter(flight, "last_failure"))
+          .startsWith("uav/flight did not execute Arm: COMPONENT_ARM_DISARM is rejected for now")
           .endsWith("give the command again in a while");
-      assertThat(parameter(flight, "last_order")).startsWith("Arm: COMPONENT_ARM_DISARM");
-      await().until(() -> incidents.contains(parameter(flight, "last_refusal")));
+      assertThat(parameter(flight, "last_command")).startsWith("Arm: COMPONENT_ARM_DISARM");
+      await().until(() -> incidents.contains(parameter(flight, "last_failure")));
       assertThat(state(flight).isArmed()).isFalse();
       answers.clear();
-      obey(flight, lease, new Arm());
+      execute(flight, lease, new Arm());
       await().until(() -> flight.flightState().isArmed());
     }
   }
@@ -125,10 +124,10 @@ class AutopilotDriverTest extends AutopilotOverTcp {
     try (MavlinkFlightImpl flight = flight();
         CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
       takeOff(flight, lease, 5);
-      obey(flight, lease, new GoTo(place(9000, 0, 5), 5));
+      execute(flight, lease, new GoTo(place(9000, 0, 5), 5));
       await().until(() -> parameter(flight, "last_text").contains("outside the fence"));
-      await().until(() -> parameter(flight, "last_refusal").contains("denied"));
-      assertThat(parameter(flight, "last_refusal")).contains("GoTo: DO_REPOSITION is denied");
+      await().until(() -> parameter(flight, "last_failure").contains("denied"));
+      assertThat(parameter(flight, "last_failure")).contains("GoTo: DO_REPOSITION is denied");
     }
   }
 
@@ -140,7 +139,7 @@ class AutopilotDriverTest extends AutopilotOverTcp {
         CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
       await().until(() -> flight.readiness().serves());
       deafTo = ARM;
-      obey(flight, lease, new Arm());
+      execute(flight, lease, new Arm());
       await().until(() -> confirmations(ARM).size() >= 2);
       deafTo = -1;
       await().until(() -> flight.flightState().isArmed());
@@ -159,11 +158,11 @@ class AutopilotDriverTest extends AutopilotOverTcp {
         CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
       takeOff(flight, lease, 5);
       deafTo = LAND;
-      obey(flight, lease, new Land());
-      await().until(() -> parameter(flight, "last_refusal").contains("is not answered"));
-      assertThat(parameter(flight, "last_refusal"))
-          .startsWith("uav/flight has not obeyed Land: NAV_LAND was sent 4 times")
-          .contains("look at flight() whether it has done so all the same");
+      execute(flight, lease, new Land());
+      await().until(() -> parameter(flight, "last_failure").contains("is not answered"));
+      assertThat(parameter(flight, "last_failure"))
+          .startsWith("uav/flight did not execute Land: NAV_LAND was sent 4 times")
+          .contains("check with flight() whether it was executed");
       assertThat(confirmations(LAND)).containsExactly(0, 1, 2, 3);
     }
   }
@@ -178,7 +177,7 @@ class AutopilotDriverTest extends AutopilotOverTcp {
       await().until(() -> flight.flightState().position() != null);
       refuses(
           () -> flight.execute(lease.key(), new GoTo(place(1, 1, 5), 1)),
-          "stands on the ground; have it take off first");
+          "is on the ground; command a take-off first");
       refuses(
           () -> flight.execute(lease.key(), new TakeOff(121)),
           "height 121.0 m above the place of take-off > max_height 120.0 m");
@@ -200,13 +199,14 @@ class AutopilotDriverTest extends AutopilotOverTcp {
         CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
       takeOff(flight, lease, 10);
       deafTo = REPOSITION;
-      obey(flight, lease, new GoTo(place(400, 0, 10), 4));
+      execute(flight, lease, new GoTo(place(400, 0, 10), 4));
       await().until(() -> !confirmations(REPOSITION).isEmpty());
-      obey(flight, lease, new Hold());
-      await().until(() -> parameter(flight, "last_order").equals("Hold: DO_SET_MODE is accepted"));
+      execute(flight, lease, new Hold());
+      await()
+          .until(() -> parameter(flight, "last_command").equals("Hold: DO_SET_MODE is accepted"));
       int before = confirmations(REPOSITION).size();
       deafTo = -1;
-      obey(flight, lease, new Land()); // takes its time, in which a repetition would come
+      execute(flight, lease, new Land()); // takes its time, in which a repetition would come
       await().until(() -> !flight.flightState().isArmed());
       assertThat(confirmations(REPOSITION)).hasSize(before);
     }

@@ -23,7 +23,7 @@ import org.dfra.flow.effector.FlightState.Phase;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.sim.device.uav.AutopilotDevice;
 import org.dfra.sim.device.uav.AutopilotSettings;
-import org.dfra.sim.device.uav.AutopilotSoftware;
+import org.dfra.sim.device.uav.AutopilotSettings.AutopilotSoftware;
 import org.dfra.sim.physics.BatteryPhysics.Charge;
 import org.dfra.sim.time.LockStep;
 import org.junit.jupiter.api.Timeout;
@@ -46,7 +46,7 @@ class AutopilotLockStepTest {
     assertThat(flown(software)).isEqualTo(first);
   }
 
-  /** Flies there and back while the cable is pulled for a while; returns all that was told. */
+  /** Flies there and back while the cable is pulled for a while; returns all that was published. */
   private static String flown(AutopilotSoftware software) throws Exception {
     LockStep time = new LockStep(BEGIN);
     StringBuilder record = new StringBuilder();
@@ -67,18 +67,18 @@ class AutopilotLockStepTest {
       begin(battery, time, record);
       until(time, () -> flight.readiness().serves() && flight.flightState().position() != null);
       try (CommandLease lease = flight.acquireCommandLease(Duration.ofSeconds(30))) {
-        obey(flight, lease, new Arm());
+        execute(flight, lease, new Arm());
         until(time, () -> flight.flightState().isArmed());
-        obey(flight, lease, new TakeOff(10));
+        execute(flight, lease, new TakeOff(10));
         until(time, () -> flight.flightState().phase() == Phase.IN_AIR);
         GeoPosition there = new GeoPosition(27.9508, -82.4572, 30); // 22 m to the north
-        obey(flight, lease, new GoTo(there, 5));
+        execute(flight, lease, new GoTo(there, 5));
         until(time, () -> flight.flightState().position().groundDistance(there) < 0.1);
         port.cable().unplug();
         time.advance(Duration.ofMillis(2500));
         port.cable().restore();
         until(time, () -> flight.readiness().serves() && flight.flightState().position() != null);
-        obey(flight, lease, new ReturnToLaunch());
+        execute(flight, lease, new ReturnToLaunch());
         until(time, () -> !flight.flightState().isArmed());
       }
     }
@@ -100,7 +100,7 @@ class AutopilotLockStepTest {
     module.start();
   }
 
-  private static void obey(MavlinkFlightImpl flight, CommandLease lease, FlightCommand command) {
+  private static void execute(MavlinkFlightImpl flight, CommandLease lease, FlightCommand command) {
     flight.execute(lease.key(), command);
   }
 

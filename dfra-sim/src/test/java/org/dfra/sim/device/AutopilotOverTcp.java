@@ -26,7 +26,7 @@ import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
 import org.dfra.sim.device.uav.AutopilotDevice;
 import org.dfra.sim.device.uav.AutopilotSettings;
-import org.dfra.sim.device.uav.AutopilotSoftware;
+import org.dfra.sim.device.uav.AutopilotSettings.AutopilotSoftware;
 import org.dfra.sim.physics.BatteryPhysics.Charge;
 import org.dfra.time.Scheduler;
 import org.junit.jupiter.api.AfterEach;
@@ -41,16 +41,20 @@ abstract class AutopilotOverTcp {
 
   static final LocalFrame WORLD = new LocalFrame(DATUM);
   static final int ARM = 400;
+
+  /** Longer than it takes to report that it is armed, and shorter than it stays so. */
+  private static final Duration ARMING = Duration.ofMillis(500);
+
   static final int LAND = 21;
   static final int MODE = 176;
   static final int REPOSITION = 192;
 
-  /** What the vehicle was told: the command and how often it was sent before. */
-  record Told(int command, int confirmation) {}
+  /** A command that the vehicle received, and how often it was sent before. */
+  record ReceivedCommand(int command, int confirmation) {}
 
   final InstantSource clock = FastClock.of(4);
   final Quad quad = new Quad();
-  final List<Told> told = new CopyOnWriteArrayList<>();
+  final List<ReceivedCommand> received = new CopyOnWriteArrayList<>();
   final Map<Integer, Integer> answers = new ConcurrentHashMap<>();
   volatile int deafTo = -1;
   DeviceEmulator emulator;
@@ -63,18 +67,35 @@ abstract class AutopilotOverTcp {
   void takeOff(MavlinkFlightImpl flight, CommandLease lease, double height) {
     await().until(() -> flight.readiness().serves());
     await().until(() -> flight.flightState().position() != null);
-    obey(flight, lease, new Arm());
-    await().until(() -> flight.flightState().isArmed());
-    obey(flight, lease, new TakeOff(height));
+    arm(flight, lease);
+    execute(flight, lease, new TakeOff(height));
     await().until(() -> flight.flightState().height() > height - 0.6);
     await().until(() -> flight.flightState().phase() == Phase.IN_AIR);
   }
 
   /**
-   * Gives a command, again where the vehicle was lost for a moment: after 0.75 s in which the
-   * computer stood still it is not heard by this clock.
+   * Arms it, again where it has disarmed: it does so after ten seconds on the ground, which pass by
+   * this fast clock while the computer stalls for 2.5 s.
    */
-  static void obey(MavlinkFlightImpl flight, CommandLease lease, FlightCommand command) {
+  private static void arm(MavlinkFlightImpl flight, CommandLease lease) {
+    await()
+        .pollDelay(Duration.ZERO)
+        .pollInterval(ARMING)
+        .until(
+            () -> {
+              boolean isArmed = flight.flightState().isArmed();
+              if (!isArmed) {
+                execute(flight, lease, new Arm());
+              }
+              return isArmed;
+            });
+  }
+
+  /**
+   * Sends a command, again where the vehicle was lost for a moment: a stall of the computer of 0.75
+   * s is a timeout by this fast clock.
+   */
+  static void execute(MavlinkFlightImpl flight, CommandLease lease, FlightCommand command) {
     await()
         .until(
             () -> {
@@ -101,14 +122,17 @@ abstract class AutopilotOverTcp {
   }
 
   Integer answer(int command, int confirmation) {
-    told.add(new Told(command, confirmation));
+    received.add(new ReceivedCommand(command, confirmation));
     return command == deafTo
         ? Integer.valueOf(AutopilotSettings.CommandFaults.NO_ANSWER)
         : answers.get(command);
   }
 
   List<Integer> confirmations(int command) {
-    return told.stream().filter(each -> each.command() == command).map(Told::confirmation).toList();
+    return received.stream()
+        .filter(each -> each.command() == command)
+        .map(ReceivedCommand::confirmation)
+        .toList();
   }
 
   MavlinkFlightImpl flight() {
@@ -130,7 +154,7 @@ abstract class AutopilotOverTcp {
         Scheduler.system());
   }
 
-  /** One that does not miss its ground station, also where the computer stands still. */
+  /** One that does not lose its ground station, also where the computer stalls. */
   static AutopilotSettings patientOf(AutopilotSoftware software) {
     return patientOf(software, Duration.ofHours(1));
   }
@@ -162,15 +186,8 @@ abstract class AutopilotOverTcp {
         Math.hypot(at.east() - to.east(), at.north() - to.north()), at.up() - to.up());
   }
 
-  /** A place by metres from the datum; the earth is flat enough for tens of metres. */
+  /** A place by metres from the datum. */
   static GeoPosition place(double east, double north, double up) {
-    double latitude = Math.toRadians(DATUM.latitude());
-    double w = 1 - 6.694379990141e-3 * Math.pow(Math.sin(latitude), 2);
-    double meridian = 6_378_137 * (1 - 6.694379990141e-3) / Math.pow(w, 1.5) + DATUM.height();
-    double parallel = (6_378_137 / Math.sqrt(w) + DATUM.height()) * Math.cos(latitude);
-    return new GeoPosition(
-        DATUM.latitude() + Math.toDegrees(north / meridian),
-        DATUM.longitude() + Math.toDegrees(east / parallel),
-        DATUM.height() + up);
+    return WORLD.toGeo(new LocalPosition(east, north, up));
   }
 }

@@ -17,9 +17,9 @@ import org.dfra.flow.effector.FlightCommand.Land;
 import org.dfra.flow.effector.FlightState;
 import org.dfra.flow.effector.FlightState.Phase;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
-import org.dfra.sim.device.uav.AutopilotSoftware;
+import org.dfra.sim.device.uav.AutopilotSettings.AutopilotSoftware;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -31,12 +31,13 @@ class AutopilotRestDriverTest extends AutopilotOverTcp {
 
   @ParameterizedTest
   @EnumSource
-  void holdsItsPlaceWithoutACommanderAndObeysTheNext(AutopilotSoftware software) throws Exception {
+  void holdsItsPositionWithoutACommanderAndExecutesCommandsOfTheNext(AutopilotSoftware software)
+      throws Exception {
     begin(patientOf(software));
     try (MavlinkFlightImpl flight = flight()) {
       try (CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
         takeOff(flight, lease, 10);
-        obey(flight, lease, new GoTo(place(400, 0, 10), 4));
+        execute(flight, lease, new GoTo(place(400, 0, 10), 4));
         await().until(() -> flight.flightState().speed() > 3);
       }
       await().until(() -> flight.flightState().speed() < 0.1);
@@ -46,7 +47,7 @@ class AutopilotRestDriverTest extends AutopilotOverTcp {
       assertThat(distance(held.position(), place(400, 0, 10))).isGreaterThan(100);
       try (CommandLease next = flight.acquireCommandLease(Duration.ofMinutes(10))) {
         GeoPosition there = place(0, 0, 12);
-        obey(flight, next, new GoTo(there, 8));
+        execute(flight, next, new GoTo(there, 8));
         await().until(() -> distance(flight.flightState().position(), there) < 0.1);
       }
     }
@@ -54,12 +55,12 @@ class AutopilotRestDriverTest extends AutopilotOverTcp {
 
   @ParameterizedTest
   @EnumSource
-  void isToldToHoldWhenTheModuleIsClosed(AutopilotSoftware software) throws Exception {
+  void isCommandedToHoldWhenTheModuleIsClosed(AutopilotSoftware software) throws Exception {
     begin(patientOf(software));
     try (MavlinkFlightImpl flight = flight()) {
       CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10));
       takeOff(flight, lease, 10);
-      obey(flight, lease, new GoTo(place(4000, 0, 10), 1));
+      execute(flight, lease, new GoTo(place(4000, 0, 10), 1));
       await().until(() -> flight.flightState().speed() > 0.5);
     }
     await().until(() -> quad.at(clock.instant()).eastward() == 0);
@@ -73,11 +74,10 @@ class AutopilotRestDriverTest extends AutopilotOverTcp {
     try (MavlinkFlightImpl flight = flight()) {
       try (CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
         takeOff(flight, lease, 8);
-        obey(flight, lease, new Land());
+        execute(flight, lease, new Land());
       }
       await().until(() -> !flight.flightState().isArmed());
-      await()
-          .until(() -> flight.flightState().phase() == Phase.ON_GROUND); // told by another message
+      await().until(() -> flight.flightState().phase() == Phase.ON_GROUND); // by another message
     }
   }
 
@@ -88,11 +88,11 @@ class AutopilotRestDriverTest extends AutopilotOverTcp {
     try (MavlinkFlightImpl flight = flight()) {
       try (CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
         await().until(() -> flight.readiness().serves());
-        obey(flight, lease, new Arm());
+        execute(flight, lease, new Arm());
         await().until(() -> flight.flightState().isArmed());
       }
       await().until(() -> !flight.flightState().isArmed());
-      assertThat(parameter(flight, "last_order")).startsWith("coming to rest");
+      assertThat(parameter(flight, "last_command")).startsWith("coming to rest");
     }
   }
 
@@ -103,14 +103,14 @@ class AutopilotRestDriverTest extends AutopilotOverTcp {
     try (MavlinkFlightImpl flight = flight()) {
       try (CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
         takeOff(flight, lease, 10);
-        obey(flight, lease, new GoTo(place(2000, 0, 10), 2));
+        execute(flight, lease, new GoTo(place(2000, 0, 10), 2));
         await().until(() -> flight.flightState().speed() > 1);
         answers.put(MODE, 1);
       }
-      await().until(() -> parameter(flight, "last_refusal").contains("DO_SET_MODE"));
+      await().until(() -> parameter(flight, "last_failure").contains("DO_SET_MODE"));
       answers.clear();
       await().until(() -> flight.flightState().speed() < 0.1);
-      assertThat(parameter(flight, "last_order"))
+      assertThat(parameter(flight, "last_command"))
           .isEqualTo("coming to rest: DO_SET_MODE is accepted");
     }
   }
@@ -123,7 +123,7 @@ class AutopilotRestDriverTest extends AutopilotOverTcp {
     try (MavlinkFlightImpl flight = flight()) {
       try (CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
         takeOff(flight, lease, 10);
-        obey(flight, lease, new GoTo(place(4000, 0, 10), 1));
+        execute(flight, lease, new GoTo(place(4000, 0, 10), 1));
         await().until(() -> flight.flightState().speed() > 0.5);
         emulator.cable().unplug();
         await().until(() -> flight.readiness() == Readiness.INITIALIZING);
@@ -145,7 +145,7 @@ class AutopilotRestDriverTest extends AutopilotOverTcp {
       await().until(() -> flight.readiness().serves());
       flight.acquireCommandLease(Duration.ofMinutes(10)).close();
       awaitPassed(flight, "identification"); // an answer came after that
-      assertThat(told).noneMatch(each -> each.command() == MODE || each.command() == ARM);
+      assertThat(received).noneMatch(each -> each.command() == MODE || each.command() == ARM);
     }
   }
 
@@ -157,7 +157,7 @@ class AutopilotRestDriverTest extends AutopilotOverTcp {
     try (MavlinkFlightImpl flight = flight();
         CommandLease lease = flight.acquireCommandLease(Duration.ofMinutes(10))) {
       takeOff(flight, lease, 10);
-      obey(flight, lease, new GoTo(place(60, 0, 10), 8));
+      execute(flight, lease, new GoTo(place(60, 0, 10), 8));
       await().until(() -> flight.flightState().position() != null && far(flight) > 30);
       emulator.cable().unplug();
       await().until(() -> quad.at(clock.instant()).up() == 0);

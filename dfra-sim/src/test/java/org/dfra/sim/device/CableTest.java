@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Instant;
 import java.util.Random;
+import org.dfra.sim.device.Cable.BaudMismatch;
+import org.dfra.sim.device.Cable.ByteCorrupter;
 import org.junit.jupiter.api.Test;
 
 class CableTest {
@@ -89,7 +91,7 @@ class CableTest {
     String there = device.got();
     assertThat(there).as("-Ddfra.seed=%d", seed).isNotEqualTo(text);
     assertThat(first).as("-Ddfra.seed=%d", seed).isNotEqualTo(there);
-    cable.corruptBytes(seed, 0.05); // it begins anew
+    cable.corruptBytes(seed, 0.05); // it starts again
     send(text, 0);
     assertThat(passed(0)).as("-Ddfra.seed=%d", seed).isEqualTo(first);
     assertThat(device.got()).as("-Ddfra.seed=%d", seed).isEqualTo(there + there);
@@ -99,7 +101,7 @@ class CableTest {
   }
 
   @Test
-  void damagesTheShareItIsTold() {
+  void damagesTheShareThatIsConfigured() {
     byte[] bytes = new byte[100_000];
     int same = 0;
     for (byte each : new ByteCorrupter(1, 0.3).corrupt(bytes)) {
@@ -128,7 +130,7 @@ class CableTest {
     assertThat(device.got()).as("-Ddfra.seed=%d", seed).isEqualTo("word".repeat(100));
     assertThat(first.length()).as("bytes, -Ddfra.seed=%d", seed).isGreaterThan(10_000);
     assertThat(passed(100)).as("without words there is no storm").isEmpty();
-    cable.injectNoiseBursts(seed); // it begins anew
+    cable.injectNoiseBursts(seed); // it starts again
     for (int i = 100; i < 200; i++) {
       send("word", i);
       String passed = passed(i);

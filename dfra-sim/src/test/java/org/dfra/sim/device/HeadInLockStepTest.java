@@ -20,9 +20,9 @@ import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleEvent.NewReading;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.PanTiltCommand.PointAt;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.sim.device.camera.MjpegDevice;
-import org.dfra.sim.device.camera.MjpegOptions;
+import org.dfra.sim.device.camera.MjpegDevice.MjpegOptions;
 import org.dfra.sim.device.gyro.Dsp3000Device;
 import org.dfra.sim.device.pantilt.PtuDevice;
 import org.dfra.sim.physics.CameraInput;
@@ -36,11 +36,11 @@ class HeadInLockStepTest {
 
   private static final Instant BEGIN = Instant.parse("2026-11-21T10:00:00Z");
 
-  /** What a run was told, and when. */
+  /** The readings that a run published, and when. */
   private static final class Run implements AutoCloseable {
 
     final LockStep time = new LockStep(BEGIN);
-    final List<String> told = new ArrayList<>();
+    final List<String> published = new ArrayList<>();
     final List<AutoCloseable> open = new ArrayList<>();
     double pan;
 
@@ -71,7 +71,7 @@ class HeadInLockStepTest {
           module.subscribe(
               delivery -> {
                 if (delivery.event() instanceof NewReading reading) {
-                  told.add(delivery.published() + " " + reading.reading());
+                  published.add(delivery.published() + " " + reading.reading());
                 }
               },
               DeliveryPolicy.keepLast(1000));
@@ -136,7 +136,7 @@ class HeadInLockStepTest {
       run.time.advance(Duration.ofSeconds(10));
       assertThat(head.history().failures() + gyro.history().failures()).isZero();
       assertThat(camera.history().failures()).isZero();
-      return List.copyOf(run.told);
+      return List.copyOf(run.published);
     }
   }
 }

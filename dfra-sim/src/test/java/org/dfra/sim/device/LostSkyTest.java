@@ -13,9 +13,10 @@ import org.dfra.drivers.gps.m12.M12Parser;
 import org.dfra.drivers.gps.m12.M12PositionMessage;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.sim.device.AntennaTrajectory.AntennaState;
 import org.junit.jupiter.api.Test;
 
-/** Receivers whose antenna hears no satellites from second 5 to second 10 say so. */
+/** Receivers whose antenna receives no satellites from second 5 to second 10 report that. */
 class LostSkyTest {
 
   private static final Instant BEGIN = Instant.parse("2026-04-01T10:00:00Z");

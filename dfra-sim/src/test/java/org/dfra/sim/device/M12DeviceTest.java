@@ -8,17 +8,17 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
-import org.dfra.drivers.gps.m12.HeldPosition;
 import org.dfra.drivers.gps.m12.M12Commands;
 import org.dfra.drivers.gps.m12.M12Message;
+import org.dfra.drivers.gps.m12.M12Message.HeldPosition;
+import org.dfra.drivers.gps.m12.M12Message.M12UtcOffset;
+import org.dfra.drivers.gps.m12.M12Message.PositionControl;
+import org.dfra.drivers.gps.m12.M12Message.ReceiverClock;
+import org.dfra.drivers.gps.m12.M12Message.TimeRaim;
+import org.dfra.drivers.gps.m12.M12Message.TimeScale;
+import org.dfra.drivers.gps.m12.M12Message.VisibleSatellites;
 import org.dfra.drivers.gps.m12.M12Parser;
 import org.dfra.drivers.gps.m12.M12PositionMessage;
-import org.dfra.drivers.gps.m12.M12UtcOffset;
-import org.dfra.drivers.gps.m12.PositionControl;
-import org.dfra.drivers.gps.m12.ReceiverClock;
-import org.dfra.drivers.gps.m12.TimeRaim;
-import org.dfra.drivers.gps.m12.TimeScale;
-import org.dfra.drivers.gps.m12.VisibleSatellites;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
 import org.junit.jupiter.api.Test;
@@ -88,7 +88,7 @@ class M12DeviceTest {
   }
 
   @Test
-  void changesAndTellsItsTimeScale() {
+  void changesAndReportsItsTimeScale() {
     command(device, ASK_TIME_SCALE + GPS_TIME + HA_ONCE);
     run(device, Duration.ofSeconds(1));
     assertThat(received.get(0)).isEqualTo(new TimeScale(true));
@@ -99,7 +99,7 @@ class M12DeviceTest {
   }
 
   @Test
-  void holdsItsPositionWhenItIsToldTo() {
+  void holdsItsPositionWhenItIsCommanded() {
     say(M12Commands.positionControl(PositionControl.Mode.HOLD));
     say(M12Commands.shortPosition(0));
     say(M12Commands.askHoldPosition());
@@ -112,7 +112,7 @@ class M12DeviceTest {
   }
 
   @Test
-  void tellsItsSatellitesTheirIntegrityAndTheOffsetOfUtc() {
+  void reportsItsSatellitesTheirIntegrityAndTheOffsetOfUtc() {
     say(M12Commands.visibleSatellites(false));
     say(M12Commands.timeRaimOf12Channels(0));
     say(M12Commands.timeRaimOn());

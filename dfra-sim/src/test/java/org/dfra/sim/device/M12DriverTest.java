@@ -20,8 +20,9 @@ import org.dfra.drivers.gps.m12.M12PlusImpl;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.flow.sensor.TimeReading;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
+import org.dfra.sim.device.M12EmulatorSettings.M12EmulatorOptions;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -160,7 +161,8 @@ class M12DriverTest {
   void closesWhileItWaitsToTryAgain() {
     emulator.cable().unplug();
     try (M12PlusImpl gps =
-        driver(emulator.url(), Map.of("reopen_first", "3600", "reopen_longest", "3600"))) {
+        driver(
+            emulator.url(), Map.of("reopen_initial_delay", "3600", "reopen_max_delay", "3600"))) {
       gps.start();
       awaitReadiness(gps, Readiness.INITIALIZING);
     }

@@ -40,10 +40,10 @@ class M12EmulatorTest {
   }
 
   @Test
-  void tellsTheBytesOnlyAsTheClockGoesOn() throws IOException {
+  void sendsTheBytesOnlyAsTheClockAdvances() throws IOException {
     try (Socket client = connect()) {
       client.getOutputStream().write(HA_ONCE);
-      assertThat(settled(client)).isZero(); // the clock stands
+      assertThat(settled(client)).isZero(); // the clock does not advance
       await()
           .pollInterval(Duration.ofMillis(1))
           .until(
@@ -64,10 +64,10 @@ class M12EmulatorTest {
   void keepsItsSettingsFromOneClientToTheNext() throws IOException {
     try (Socket first = connect()) {
       first.getOutputStream().write(HA_EVERY_SECOND);
-      stepUntilHeard(first);
+      stepUntilBytesArrive(first);
     }
     try (Socket second = connect()) {
-      stepUntilHeard(second);
+      stepUntilBytesArrive(second);
     }
   }
 
@@ -77,7 +77,7 @@ class M12EmulatorTest {
         Socket second = connect()) {
       assertThat(first.getInputStream().read()).isEqualTo(-1);
       second.getOutputStream().write(CJ);
-      stepUntilHeard(second);
+      stepUntilBytesArrive(second);
     }
   }
 
@@ -89,7 +89,7 @@ class M12EmulatorTest {
     rude.close();
     try (Socket next = connect()) {
       next.getOutputStream().write(CJ);
-      stepUntilHeard(next);
+      stepUntilBytesArrive(next);
     }
   }
 
@@ -102,7 +102,7 @@ class M12EmulatorTest {
     emulator.close();
     emulator.close();
     assertThatThrownBy(emulator::port).isInstanceOf(IllegalStateException.class);
-    assertThatThrownBy(emulator::start).hasMessage("this emulator was closed; make a new one");
+    assertThatThrownBy(emulator::start).hasMessage("this emulator was closed; create a new one");
     assertThat(Thread.getAllStackTraces().keySet())
         .noneMatch(thread -> thread.getName().equals("m12 emulator " + port));
   }
@@ -112,7 +112,7 @@ class M12EmulatorTest {
     int port = emulator.port();
     try (Socket client = connect()) {
       client.getOutputStream().write(CJ);
-      stepUntilHeard(client); // it is served, not merely waiting to be
+      stepUntilBytesArrive(client); // it is served, not merely waiting to be
       emulator.close();
       try (M12Emulator next = new M12Emulator(SETTINGS.withPort(port), clock)) {
         next.start();
@@ -127,7 +127,7 @@ class M12EmulatorTest {
     try (M12Emulator second = new M12Emulator(SETTINGS.withPort(taken), clock)) {
       assertThatThrownBy(second::start)
           .isInstanceOf(IOException.class)
-          .hasMessageStartingWith("port " + taken + " of the loopback interface cannot be had (")
+          .hasMessageStartingWith("port " + taken + " of the loopback interface cannot be opened (")
           .hasMessageEndingWith("choose another, or 0 for any free one");
     }
   }
@@ -145,7 +145,7 @@ class M12EmulatorTest {
   }
 
   /** Moves the clock on until bytes come. */
-  private void stepUntilHeard(Socket client) {
+  private void stepUntilBytesArrive(Socket client) {
     await()
         .untilAsserted(
             () -> {
@@ -154,7 +154,7 @@ class M12EmulatorTest {
             });
   }
 
-  /** How many bytes there are when the emulator has sent all that is due as the clock stands. */
+  /** How many bytes there are when the emulator has sent all that is due by the present time. */
   private int settled(Socket client) throws IOException {
     long before = clock.looks();
     await().until(() -> clock.looks() > before + 1);

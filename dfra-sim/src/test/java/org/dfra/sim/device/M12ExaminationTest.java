@@ -22,8 +22,8 @@ import org.dfra.event.Subscription;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.lease.ModuleLease;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Diagnosis;
-import org.dfra.module.Readiness;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -49,7 +49,8 @@ class M12ExaminationTest {
             new ModuleContext(
                 "atrv1",
                 "gps_front",
-                Parameters.of("atrv1/gps_front", Map.of("link", emulator.url(), "idle_rate", "5")),
+                Parameters.of(
+                    "atrv1/gps_front", Map.of("link", emulator.url(), "idle_period", "5")),
                 clock));
     gps.start();
     awaitReadiness(Readiness.READY);
@@ -71,7 +72,7 @@ class M12ExaminationTest {
     awaitPassed(gps);
     assertThat(awaitPassed(gps, "identification").finding()).isEqualTo("it says it is P283T12T11");
     assertThat(awaitPassed(gps, "satellites").finding())
-        .startsWith("9 in view, 9 heard, 9 used: G14 10° up, 158° from north, ");
+        .startsWith("9 in view, 9 tracked, 9 used: G14 10° up, 158° from north, ");
     assertThat(gps.preconditions().get(0))
         .hasToString(
             "Precondition[quantity=temperature of the receiver, min=-40.0, max=85.0, unit=°C]");
@@ -143,11 +144,11 @@ class M12ExaminationTest {
       await() // a receiver leaves moments out that it has slept through
           .until(() -> Duration.between(last(fixes, 2), last(fixes, 1)).equals(SECOND));
     }
-    gps.setParameter("idle_rate", "3");
+    gps.setParameter("idle_period", "3");
     assertThat(gps.updateRate()).isEqualTo(1 / 3.0);
     assertPeriod(3);
-    gps.setParameter("idle_rate", "1");
-    gps.setParameter("rate", "2");
+    gps.setParameter("idle_period", "1");
+    gps.setParameter("period", "2");
     assertThat(gps.updateRate()).as("never more often than at work").isEqualTo(0.5);
   }
 

@@ -7,14 +7,15 @@ import java.time.Instant;
 import java.util.HexFormat;
 import java.util.List;
 import org.dfra.drivers.gps.m12.M12Message;
+import org.dfra.drivers.gps.m12.M12Message.ReceiverIdentification;
 import org.dfra.drivers.gps.m12.M12Parser;
+import org.dfra.drivers.gps.m12.M12PositionMessage.SatelliteChannel;
 import org.dfra.drivers.gps.m12.Position12Channels;
 import org.dfra.drivers.gps.m12.Position8Channels;
-import org.dfra.drivers.gps.m12.ReceiverIdentification;
 import org.dfra.drivers.gps.m12.ReceiverStatus;
-import org.dfra.drivers.gps.m12.SatelliteChannel;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.sim.device.AntennaTrajectory.AntennaState;
 import org.junit.jupiter.api.Test;
 
 /** Bytes against the user's guide, and against the driver's decoder, which shares no code. */

@@ -8,11 +8,11 @@ import org.awaitility.core.ConditionFactory;
 import org.dfra.core.lease.LeaseTerms;
 import org.dfra.core.module.DeviceImpl;
 import org.dfra.core.module.ModuleImpl;
+import org.dfra.lifecycle.Incident;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Diagnosis;
-import org.dfra.module.Incident;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Parameter;
-import org.dfra.module.Readiness;
 
 /** What tests of drivers with their emulated devices do with a module, whatever it is. */
 public final class Modules {

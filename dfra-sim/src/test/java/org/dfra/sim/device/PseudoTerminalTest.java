@@ -89,7 +89,7 @@ class PseudoTerminalTest {
     terminal.close();
     assertThat(folder).doesNotExist();
     assertThat(socats(folder)).isEmpty();
-    assertThatThrownBy(terminal::start).hasMessage("this terminal was closed; make a new one");
+    assertThatThrownBy(terminal::start).hasMessage("this terminal was closed; create a new one");
   }
 
   private static List<ProcessHandle> socats(Path folder) {
@@ -105,7 +105,7 @@ class PseudoTerminalTest {
       assertThatThrownBy(without::start)
           .isInstanceOf(IOException.class)
           .hasMessage(
-              "a pseudo-terminal needs the program socat, which is in no folder of PATH (/nowhere);"
+              "a pseudo-terminal needs the program socat, which was not found in PATH (/nowhere);"
                   + " install it, or use the link "
                   + emulator.url());
       assertThatThrownBy(without::url).hasMessageContaining("start the terminal first");

@@ -5,7 +5,7 @@ import java.time.Instant;
 import org.dfra.sim.physics.MulticopterPhysics;
 import org.jspecify.annotations.Nullable;
 
-/** A body that flies in straight lines and is as fast as it is told, up to 8 m/s. For tests. */
+/** A body that flies in straight lines at the commanded speed, up to 8 m/s. For tests. */
 final class Quad implements MulticopterPhysics {
 
   private static final double FASTEST = 8;

@@ -17,7 +17,7 @@ import org.dfra.drivers.gps.GpsReceiverImpl;
 import org.dfra.drivers.gps.gpsd.GpsdImpl;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;

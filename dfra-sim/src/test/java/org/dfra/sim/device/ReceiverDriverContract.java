@@ -26,8 +26,8 @@ import org.dfra.event.Subscription;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.flow.sensor.TimeReading;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.persona.GpsReceiverAttributes;
 import org.dfra.persona.LocationAttributes;
 import org.dfra.persona.SensorAttributes;
@@ -37,8 +37,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * What every receiver's driver must do with its emulated receiver over TCP. Both live by a clock
- * that runs five times as fast: a computer that stops for a second is a receiver that is silent.
+ * What every receiver's driver must do with its emulated receiver over TCP. Both use a clock that
+ * runs five times as fast: a computer that stops for a second is a receiver that is silent.
  */
 @Timeout(180)
 abstract class ReceiverDriverContract {
@@ -53,7 +53,7 @@ abstract class ReceiverDriverContract {
 
   abstract GpsReceiverImpl<?> driver(ModuleContext context);
 
-  /** How far a told position may be from the true one, degrees: half of what the protocol tells. */
+  /** How far a reported position may be off, degrees: half of the resolution of the protocol. */
   abstract double resolution();
 
   /** The tests of the hardware, besides those of all receivers. */
@@ -71,7 +71,7 @@ abstract class ReceiverDriverContract {
 
   @Test
   void findsItsFirstFix() {
-    Instant begin = clock.instant().minusSeconds(2); // it tells of the full second before
+    Instant begin = clock.instant().minusSeconds(2); // it reports the full second before
     try (GpsReceiverImpl<?> gps = started(emulator.url())) {
       GpsFix fix = awaitWholeFix(gps);
       long dropped = gps.counts().droppedBytes();
@@ -85,7 +85,7 @@ abstract class ReceiverDriverContract {
       await().until(() -> gps.satellites().size() == 9);
       assertThat(gps.satellites().get(0).elevation()).isNotNull();
       assertThat(gps.counts().malformed()).isZero();
-      // Where it was opened in the middle of a sentence, the rest of that was dropped.
+      // Where it was opened in the middle of a sentence, the rest of it was dropped.
       if (gps.history().failures() == 0) {
         assertThat(gps.counts().droppedBytes()).isEqualTo(dropped);
       }
@@ -153,7 +153,7 @@ abstract class ReceiverDriverContract {
   }
 
   @Test
-  void tellsEveryFixOfAReceiverThatDrifts() throws Exception {
+  void reportsEveryFixOfAReceiverThatDrifts() throws Exception {
     AntennaTrajectory path = AntennaTrajectory.constantVelocity(PLACE, clock.instant(), 0.6, -0.8);
     List<GpsFix> fixes = new CopyOnWriteArrayList<>();
     try (DeviceEmulator boat = emulated(path, Duration.ZERO);

@@ -71,7 +71,7 @@ class ReceiverEmulatorMainTest {
   }
 
   @Test
-  void speaksWhatItIsTold() throws Exception {
+  void sendsTheProtocolThatIsConfigured() throws Exception {
     Process process = launch("--protocol=NMEA", "--baud=38400");
     try {
       String line = process.inputReader(StandardCharsets.UTF_8).readLine();

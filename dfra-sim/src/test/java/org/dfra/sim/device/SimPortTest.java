@@ -128,7 +128,7 @@ class SimPortTest {
     assertThat(read(link, SECOND)).isEqualTo("lost");
     assertThatThrownBy(() -> link.write(new byte[1]))
         .isInstanceOf(IOException.class)
-        .hasMessage("sim:echo: the simulated device is lost, or the link was closed");
+        .hasMessage("sim:echo: the simulated device was lost, or the link was closed");
     assertThatThrownBy(this::open)
         .isInstanceOf(IOException.class)
         .hasMessage("sim:echo: the cable of this simulated device is pulled out");
@@ -207,7 +207,7 @@ class SimPortTest {
         .hasMessage(
             "sim:echo: there is no simulated device echo; the simulation has started none yet;"
                 + " org.dfra.sim.device.SimPort makes one");
-    assertThatThrownBy(port::start).hasMessage("this port was closed; make a new one");
+    assertThatThrownBy(port::start).hasMessage("this port was closed; create a new one");
     other.start();
     other.close();
   }

@@ -41,7 +41,7 @@ class WheelsOnBlocksTest {
     // From 1 m/s to 1 mm/s by 5 m/s²
     assertThat(wheels.stoppedSince(at(9))).isEqualTo(at(3.1998));
     wheels.drive(at(10), 0, 0, 1, 1);
-    assertThat(wheels.stoppedSince(at(11))).as("told again").isEqualTo(at(3.1998));
+    assertThat(wheels.stoppedSince(at(11))).as("commanded to stop again").isEqualTo(at(3.1998));
     wheels.drive(at(12), 0, 0.5, 1, 1);
     wheels.drive(at(12.1), 0, 0, 1, 1);
     assertThat(wheels.stoppedSince(at(13))).isEqualTo(at(12.199));

@@ -17,7 +17,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.Parameters;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.drivers.drive.rflex.RflexDriveImpl;
@@ -34,16 +34,17 @@ import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.sensor.Odometry;
 import org.dfra.flow.sensor.RangeScan;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
+import org.dfra.sim.run.Simulation.DeviceEndpoint;
 import org.dfra.sim.run.Simulation.PortPolicy;
 import org.dfra.sim.time.LockStep;
-import org.dfra.sim.world.GroundTruthPose;
+import org.dfra.sim.world.GroundTruth.GroundTruthPose;
 import org.dfra.sim.world.description.DeviceDescription;
+import org.dfra.sim.world.description.DeviceDescription.EmulatorDescription;
+import org.dfra.sim.world.description.DeviceDescription.MountPose;
 import org.dfra.sim.world.description.DeviceKind;
-import org.dfra.sim.world.description.EmulatorDescription;
-import org.dfra.sim.world.description.MountPose;
 import org.dfra.sim.world.description.VehicleDescription;
-import org.dfra.sim.world.description.VehicleType;
+import org.dfra.sim.world.description.VehicleDescription.VehicleType;
 import org.dfra.sim.world.description.WorldDescription;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -52,7 +53,7 @@ import org.junit.jupiter.api.Timeout;
 class SimulationTest {
 
   private static final Instant BEGIN = Instant.parse("2026-11-21T12:00:00Z");
-  private static final Place PLACE = new Place("yard.xml", 12);
+  private static final SourceLocation PLACE = new SourceLocation("yard.xml", 12);
 
   private static DeviceDescription device(DeviceKind kind, String name, String protocol, int port) {
     return new DeviceDescription(
@@ -95,7 +96,7 @@ class SimulationTest {
         time);
   }
 
-  /** What is told in ten seconds with real drivers at the lines, of which three on the way. */
+  /** The readings of ten seconds with real drivers at the lines, three of them while driving. */
   private static List<String> readings(long seed) throws Exception {
     LockStep time = new LockStep(BEGIN);
     List<String> reported = new ArrayList<>();
@@ -158,7 +159,7 @@ class SimulationTest {
   }
 
   @Test
-  void tellsWhichLinesThereAreAndWhichDevicesEachServes() throws Exception {
+  void reportsWhichLinesThereAreAndWhichDevicesEachServes() throws Exception {
     try (Simulation simulation =
         Simulation.overTcp(yard(1), Clock.systemUTC(), PortPolicy.CONFIGURED)) {
       simulation.start();
@@ -202,7 +203,8 @@ class SimulationTest {
 
     assertThatThrownBy(() -> Simulation.overTcp(world, Clock.systemUTC(), PortPolicy.EPHEMERAL))
         .isInstanceOf(ConfigurationException.class)
-        .hasMessage("yard.xml:12: no gps speaks \"nmaea\"; did you mean \"nmea\"?");
+        .hasMessage(
+            "yard.xml:12: a gps does not support the protocol \"nmaea\"; did you mean \"nmea\"?");
   }
 
   @Test
@@ -211,7 +213,7 @@ class SimulationTest {
       assertThat(simulation.cable("atrv1", "laser").isPulled()).isFalse();
       assertThatThrownBy(() -> simulation.cable("atrv1", "battery"))
           .hasMessage(
-              "there is no line to atrv1/battery; there is [atrv1/drive, atrv1/gps, atrv1/gyro,"
+              "there is no link to atrv1/battery; there are links to [atrv1/drive, atrv1/gps, atrv1/gyro,"
                   + " atrv1/laser]");
     }
   }

@@ -249,10 +249,10 @@ class LockStepTest {
     time.newThread("reader", move).start();
     time.after(
         0,
-        () -> assertThatThrownBy(() -> await(1)).hasMessageContaining("nor wait for it in a task"));
+        () -> assertThatThrownBy(() -> await(1)).hasMessageContaining("or wait for it in a task"));
     time.advance(SECOND);
     assertThat(refused).hasSize(2);
-    assertThat(refused.get(1)).hasMessageStartingWith("reader is moved by the time");
+    assertThat(refused.get(1)).hasMessageStartingWith("reader runs in simulated time");
   }
 
   @Test
@@ -318,8 +318,7 @@ class LockStepTest {
     stuck.start();
     assertThatThrownBy(() -> impatient.advance(SECOND))
         .isInstanceOf(StuckThreadException.class)
-        .hasMessageStartingWith(
-            "laser reader has not come back to wait within 0.2 s of real time; ")
+        .hasMessageStartingWith("laser reader did not wait again within 0.2 s of real time; ")
         .cause()
         .hasMessage("laser reader is here")
         .satisfies(
@@ -359,8 +358,8 @@ class LockStepTest {
     assertThatThrownBy(() -> time.advance(SECOND))
         .isInstanceOf(IllegalStateException.class)
         .hasMessage(
-            "time stands still: more than 1000000 things have happened at one instant, now again"
-                + " the circle; let it wait a while before it comes again");
+            "simulated time does not advance: more than 1000000 events have run at one instant, now"
+                + " the circle; let it wait before it repeats");
   }
 
   @Test
@@ -371,7 +370,7 @@ class LockStepTest {
       assertThatThrownBy(() -> time.await(foreign, 1))
           .isInstanceOf(IllegalArgumentException.class)
           .hasMessageStartingWith(
-              "in lock-step a condition is made by Ticker.newCondition of the same time");
+              "in lock-step a condition must come from Ticker.newCondition of the same time");
     } finally {
       lock.unlock();
     }

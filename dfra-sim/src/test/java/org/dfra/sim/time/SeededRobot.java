@@ -30,7 +30,7 @@ import org.dfra.drivers.gps.nmea.NmeaImpl;
 import org.dfra.drivers.gps.ubx.UbxImpl;
 import org.dfra.drivers.laser.lms.LmsImpl;
 import org.dfra.drivers.link.SerialLink;
-import org.dfra.drivers.link.SimAddress;
+import org.dfra.drivers.link.SimLinkRegistry.SimAddress;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.geometry.GeoPosition;
@@ -80,7 +80,7 @@ final class SeededRobot implements AutoCloseable {
   private final InMemoryModuleDirectory directory = new InMemoryModuleDirectory(time);
 
   /**
-   * One that nobody has started.
+   * One that is not started yet.
    *
    * @param length of its run, in simulated time; no cable is bad in the last 30 s
    */
@@ -181,7 +181,7 @@ final class SeededRobot implements AutoCloseable {
     record.append(time.nanos()).append(' ').append(name).append(' ').append(what).append('\n');
   }
 
-  /** The drivers, for those who ask them meanwhile. */
+  /** The drivers, for threads that query them meanwhile. */
   List<DeviceImpl> drivers() {
     return List.copyOf(drivers.values());
   }
@@ -212,7 +212,7 @@ final class SeededRobot implements AutoCloseable {
         write(driver.identification().name(), found.toString());
       }
     }
-    time.after(0, () -> drivers.get("m12").setParameter("rate", "2"));
+    time.after(0, () -> drivers.get("m12").setParameter("period", "2"));
     while (time.instant().isBefore(BEGIN.plus(end))) {
       time.advance(Duration.ofMillis(250));
       questions.forEach((name, question) -> write(name, answer(question)));
@@ -223,10 +223,11 @@ final class SeededRobot implements AutoCloseable {
 
   private void listen(String name, DeviceImpl driver) {
     var everything =
-        driver.subscribe(delivery -> write(name, "told " + delivery), DeliveryPolicy.keepLast(100));
+        driver.subscribe(
+            delivery -> write(name, "delivered " + delivery), DeliveryPolicy.keepLast(100));
     var rarely =
         driver.subscribe(
-            delivery -> write(name, "rarely told " + delivery),
+            delivery -> write(name, "rarely delivered " + delivery),
             DeliveryPolicy.latestReading().withMaxRate(0.4));
   }
 

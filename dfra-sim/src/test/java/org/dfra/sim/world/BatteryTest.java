@@ -19,12 +19,12 @@ class BatteryTest {
   private static final DeviceDescription BATTERY =
       device(DeviceKind.BATTERY, "battery")
           .with("capacity", 10)
-          .with("full", 26)
-          .with("empty", 20)
-          .with("resistance", 0.1)
-          .with("idle", 50)
-          .with("motion", 100)
-          .with("turning", 40);
+          .with("full_voltage", 26)
+          .with("empty_voltage", 20)
+          .with("internal_resistance", 0.1)
+          .with("idle_power", 50)
+          .with("power_per_speed", 100)
+          .with("power_per_yaw_rate", 40);
 
   private static World world(DeviceDescription battery) {
     return World.of(field(1).with(ugv("atrv1").with(perfectDrive()).with(battery)), START);
@@ -34,7 +34,7 @@ class BatteryTest {
     return world.robot("atrv1").battery("battery").at(after(seconds));
   }
 
-  /** The current I of P watts obeys P = (U − R I) I. */
+  /** The current I of P watts satisfies P = (U − R I) I. */
   @Test
   void itsVoltageFallsWithItsLoad() {
     World world = world(BATTERY);
@@ -50,7 +50,7 @@ class BatteryTest {
   /** 50 W at about 23 V draw 2.2 A, which empty 10 Ah in about 4.6 h. */
   @Test
   void whatItGivesIsGone() {
-    World world = world(BATTERY.with("resistance", 0));
+    World world = world(BATTERY.with("internal_resistance", 0));
     double drawn = 0;
     for (int minute = 0; minute < 60; minute++) {
       drawn += charge(world, 60 * minute).current() / 60;
@@ -69,7 +69,8 @@ class BatteryTest {
     double before = Double.POSITIVE_INFINITY;
     for (int percent = 100; percent >= 0; percent -= 5) {
       double voltage =
-          charge(world(BATTERY.with("idle", 0).with("charge", percent / 100.0)), 0).voltage();
+          charge(world(BATTERY.with("idle_power", 0).with("initial_charge", percent / 100.0)), 0)
+              .voltage();
       assertThat(voltage).isLessThan(before);
       before = voltage;
     }
@@ -80,7 +81,7 @@ class BatteryTest {
   @Test
   void givesNoMoreThanItCan() {
     BatteryPhysics.Charge charge =
-        charge(world(BATTERY.with("resistance", 2).with("idle", 500)), 0);
+        charge(world(BATTERY.with("internal_resistance", 2).with("idle_power", 500)), 0);
     assertThat(charge.voltage()).isCloseTo(13, within(1e-9));
     assertThat(charge.current()).isCloseTo(6.5, within(1e-9));
   }

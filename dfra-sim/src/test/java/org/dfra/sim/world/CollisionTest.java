@@ -9,13 +9,15 @@ import static org.dfra.sim.world.Worlds.perfectDrive;
 import static org.dfra.sim.world.Worlds.ugv;
 
 import java.util.List;
-import org.dfra.sim.world.description.ObstacleDescription;
+import org.dfra.sim.world.GroundTruth.Collision;
+import org.dfra.sim.world.GroundTruth.GroundTruthPose;
 import org.dfra.sim.world.description.VehicleDescription;
-import org.dfra.sim.world.description.VehicleType;
+import org.dfra.sim.world.description.VehicleDescription.VehicleType;
 import org.dfra.sim.world.description.WorldDescription;
-import org.dfra.sim.world.shape.Disc;
-import org.dfra.sim.world.shape.Polygon;
-import org.dfra.sim.world.shape.Vertex;
+import org.dfra.sim.world.description.WorldDescription.ObstacleDescription;
+import org.dfra.sim.world.shape.PlanarShape.Disc;
+import org.dfra.sim.world.shape.PlanarShape.Polygon;
+import org.dfra.sim.world.shape.PlanarShape.Vertex;
 import org.junit.jupiter.api.Test;
 
 class CollisionTest {
@@ -36,7 +38,7 @@ class CollisionTest {
   }
 
   @Test
-  void stopsAtAWallAndTellsItOnce() {
+  void stopsAtAWallAndReportsItOnce() {
     World world = World.of(field(1).with(WALL).with(ugv("atrv1").with(perfectDrive())), START);
     drive(world, "atrv1", 0, 1);
     GroundTruthPose pose = world.groundTruth().pose("atrv1", after(10));
@@ -57,7 +59,7 @@ class CollisionTest {
   }
 
   @Test
-  void getsAwayAndMayCollideAnew() {
+  void getsAwayAndMayCollideAgain() {
     World world = World.of(field(1).with(WALL).with(ugv("atrv1").with(perfectDrive())), START);
     drive(world, "atrv1", 0, 1);
     drive(world, "atrv1", 5, -1);

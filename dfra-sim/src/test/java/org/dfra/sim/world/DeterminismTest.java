@@ -20,9 +20,9 @@ import java.util.Random;
 import java.util.TreeMap;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
-import org.dfra.sim.world.description.GroundDescription;
 import org.dfra.sim.world.description.VehicleDescription;
 import org.dfra.sim.world.description.WorldDescription;
+import org.dfra.sim.world.description.WorldDescription.GroundDescription;
 import org.dfra.sim.world.file.WorldXml;
 import org.junit.jupiter.api.Test;
 

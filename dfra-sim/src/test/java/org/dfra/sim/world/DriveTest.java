@@ -11,6 +11,7 @@ import static org.dfra.sim.world.Worlds.perfectDrive;
 import static org.dfra.sim.world.Worlds.ugv;
 
 import org.dfra.sim.physics.DrivetrainPhysics;
+import org.dfra.sim.world.GroundTruth.GroundTruthPose;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
 import org.junit.jupiter.api.Test;
@@ -37,7 +38,7 @@ class DriveTest {
    * in which it goes half as far along that circle, so at t it has turned by w (t − 15 ms).
    */
   @Test
-  void goesRoundTheArcThatItsWheelsTell() {
+  void drivesTheArcThatItsWheelsGive() {
     World world = world(perfectDrive());
     double radius = 0.6 / 0.5;
     drive(world).drive(START, 0.6, 0.5, AT_ONCE, AT_ONCE);
@@ -75,7 +76,7 @@ class DriveTest {
     assertThat(pose(world, 7).speed()).isZero();
   }
 
-  /** 1 m/s and 2 rad/s on 0.75 m want 1.75 m/s of the right side; it has 1, so all is 4/7 of it. */
+  /** 1 m/s and 2 rad/s on 0.75 m need 1.75 m/s of the right side; it has 1, so all is 4/7 of it. */
   @Test
   void slowsBothSidesDownAlikeWhenOneIsTooFast() {
     World world = world(perfectDrive().with("max_wheel_speed", 1));
@@ -95,13 +96,13 @@ class DriveTest {
 
   @Test
   void slipsWhileItsWheelsCountOn() {
-    World world = world(perfectDrive().with("slip", 0.1).with("turn_slip", 0.25));
+    World world = world(perfectDrive().with("slip", 0.1).with("yaw_slip", 0.25));
     drive(world).drive(START, 0.5, 0, AT_ONCE, AT_ONCE);
     DrivetrainPhysics.Travel straight = drive(world).travel(after(10));
     assertThat(straight.distance()).isCloseTo(0.5 * 9.985, within(1e-9));
     assertThat(pose(world, 10).east() - 30).isCloseTo(0.9 * straight.distance(), within(1e-9));
 
-    World turning = world(perfectDrive().with("slip", 0.1).with("turn_slip", 0.25));
+    World turning = world(perfectDrive().with("slip", 0.1).with("yaw_slip", 0.25));
     drive(turning).drive(START, 0, 0.5, AT_ONCE, AT_ONCE);
     assertThat(drive(turning).travel(after(4)).yaw()).isCloseTo(0.5 * 3.985, within(1e-9));
     assertThat(pose(turning, 4).yaw()).isCloseTo(0.75 * 0.5 * 3.985, within(1e-9));
@@ -110,7 +111,7 @@ class DriveTest {
   /** A left side that counts 2 % too much seems to go 1 % farther and to turn right. */
   @Test
   void itsEncodersMeasureTheWheelsWithTheirOwnError() {
-    World world = world(perfectDrive().with("encoder_left", 0.02));
+    World world = world(perfectDrive().with("left_encoder_scale_error", 0.02));
     drive(world).drive(START, 1, 0, AT_ONCE, AT_ONCE);
     DrivetrainPhysics.Travel travel = drive(world).travel(after(10.015));
     double way = pose(world, 10.015).east() - 30;
@@ -123,7 +124,7 @@ class DriveTest {
   /** From 1 m/s at 4 m/s² it needs 0.25 s and 0.125 m. */
   @Test
   void standsWhenItsBrakesAreSet() {
-    World world = world(perfectDrive().with("brake", 4));
+    World world = world(perfectDrive().with("brake_deceleration", 4));
     drive(world).drive(START, 1, 0, AT_ONCE, AT_ONCE);
     drive(world).brake(after(2), true);
     double before = pose(world, 2.01).east();
@@ -131,7 +132,7 @@ class DriveTest {
     drive(world).drive(after(3), -1, 0, AT_ONCE, AT_ONCE);
     assertThat(pose(world, 4).east()).isCloseTo(before + 0.125, within(1e-9));
     drive(world).brake(after(4), false);
-    assertThat(pose(world, 5).east()).as("it goes as it was told").isLessThan(before - 0.5);
+    assertThat(pose(world, 5).east()).as("it drives as commanded").isLessThan(before - 0.5);
   }
 
   @Test
@@ -142,7 +143,7 @@ class DriveTest {
                 .with(
                     ugv("atrv1")
                         .with(perfectDrive())
-                        .with(device(DeviceKind.BATTERY, "battery").with("charge", 0))),
+                        .with(device(DeviceKind.BATTERY, "battery").with("initial_charge", 0))),
             START);
     drive(world).drive(START, 1, 0, AT_ONCE, AT_ONCE);
     assertThat(pose(world, 5).east()).isEqualTo(30);
@@ -162,7 +163,7 @@ class DriveTest {
   }
 
   @Test
-  void tellsWhoAsksLateOfTheTimeAskedFor() {
+  void answersLateQueriesForTheTimeThatTheyAskFor() {
     World world = world(perfectDrive());
     drive(world).drive(START, 1, 0, AT_ONCE, AT_ONCE);
     double at9 = pose(world, 9).east();
@@ -188,7 +189,7 @@ class DriveTest {
     World world = world(perfectDrive());
     assertThatThrownBy(() -> world.advanceTo(START.plusSeconds(3 * 86_400)))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("set the clock right");
+        .hasMessageContaining("correct the clock");
     assertThat(world.time()).isEqualTo(START);
   }
 }

@@ -8,16 +8,17 @@ import static org.dfra.sim.world.Worlds.after;
 import static org.dfra.sim.world.Worlds.device;
 import static org.dfra.sim.world.Worlds.field;
 
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.sim.physics.BatteryPhysics;
 import org.dfra.sim.physics.MulticopterPhysics;
+import org.dfra.sim.world.GroundTruth.Collision;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
-import org.dfra.sim.world.description.ObstacleDescription;
 import org.dfra.sim.world.description.VehicleDescription;
-import org.dfra.sim.world.description.VehicleType;
-import org.dfra.sim.world.description.WeatherDescription;
-import org.dfra.sim.world.shape.Disc;
+import org.dfra.sim.world.description.VehicleDescription.VehicleType;
+import org.dfra.sim.world.description.WorldDescription.ObstacleDescription;
+import org.dfra.sim.world.description.WorldDescription.WeatherDescription;
+import org.dfra.sim.world.shape.PlanarShape.Disc;
 import org.junit.jupiter.api.Test;
 
 /** The multicopter stands at (10, 20) and its nose points east. */
@@ -159,7 +160,7 @@ class FlightTest {
       WeatherDescription fair = WeatherDescription.FAIR;
       WeatherDescription weather =
           new WeatherDescription(
-              fair.temperature(), fair.groundWarming(), 0, 1, 6 * i, 2.5, 0, Place.CODE);
+              fair.temperature(), fair.groundWarming(), 0, 1, 6 * i, 2.5, 0, SourceLocation.CODE);
       VehicleDescription uav = UAV.with(calm()).with(device(DeviceKind.BATTERY, "battery"));
       World world = World.of(field(1).withWeather(weather).with(uav), START);
       flight(world).rotors(START, true);

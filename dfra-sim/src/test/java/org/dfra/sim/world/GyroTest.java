@@ -10,18 +10,19 @@ import static org.dfra.sim.world.Worlds.perfectDrive;
 import static org.dfra.sim.world.Worlds.ugv;
 
 import org.dfra.sim.world.description.DeviceDescription;
+import org.dfra.sim.world.description.DeviceDescription.MountPose;
 import org.dfra.sim.world.description.DeviceKind;
-import org.dfra.sim.world.description.MountPose;
 import org.dfra.sim.world.description.VehicleDescription;
 import org.junit.jupiter.api.Test;
 
 class GyroTest {
 
-  private static DeviceDescription gyro(String name, double bias, double drift, double white) {
+  private static DeviceDescription gyro(
+      String name, double biasSigma, double drift, double whiteSigma) {
     return device(DeviceKind.GYRO, name)
-        .with("bias", bias)
-        .with("drift", drift)
-        .with("white", white);
+        .with("bias_sigma", biasSigma)
+        .with("bias_random_walk", drift)
+        .with("white_noise_sigma", whiteSigma);
   }
 
   private static World world(VehicleDescription robot) {
@@ -36,13 +37,13 @@ class GyroTest {
   void feelsTheTurnOfTheBodyAndNotOfTheWheels() {
     DeviceDescription upsideDown =
         new DeviceDescription(DeviceKind.GYRO, "down", new MountPose(0, 0, 0, Math.PI, 0, 0))
-            .with("bias", 0)
-            .with("drift", 0)
-            .with("white", 0);
+            .with("bias_sigma", 0)
+            .with("bias_random_walk", 0)
+            .with("white_noise_sigma", 0);
     World world =
         world(
             ugv("atrv1")
-                .with(perfectDrive().with("turn_slip", 0.2))
+                .with(perfectDrive().with("yaw_slip", 0.2))
                 .with(gyro("gyro", 0, 0, 0))
                 .with(upsideDown));
     world.robot("atrv1").drivetrain("drive").drive(START, 0, 0.5, 1e9, 1e9);

@@ -11,20 +11,20 @@ import static org.dfra.sim.world.Worlds.ugv;
 
 import java.util.Arrays;
 import java.util.List;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.sim.physics.RangeInput;
 import org.dfra.sim.world.description.DeviceDescription;
+import org.dfra.sim.world.description.DeviceDescription.MountPose;
 import org.dfra.sim.world.description.DeviceKind;
-import org.dfra.sim.world.description.GroundDescription;
-import org.dfra.sim.world.description.MineDescription;
-import org.dfra.sim.world.description.MountPose;
-import org.dfra.sim.world.description.ObstacleDescription;
 import org.dfra.sim.world.description.VehicleDescription;
-import org.dfra.sim.world.description.VehicleType;
+import org.dfra.sim.world.description.VehicleDescription.VehicleType;
 import org.dfra.sim.world.description.WorldDescription;
-import org.dfra.sim.world.shape.Disc;
-import org.dfra.sim.world.shape.Polygon;
-import org.dfra.sim.world.shape.Vertex;
+import org.dfra.sim.world.description.WorldDescription.GroundDescription;
+import org.dfra.sim.world.description.WorldDescription.MineDescription;
+import org.dfra.sim.world.description.WorldDescription.ObstacleDescription;
+import org.dfra.sim.world.shape.PlanarShape.Disc;
+import org.dfra.sim.world.shape.PlanarShape.Polygon;
+import org.dfra.sim.world.shape.PlanarShape.Vertex;
 import org.junit.jupiter.api.Test;
 
 /** The robot stands at (30, 20) and heads east; its laser is 0.3 m ahead of its middle. */
@@ -34,10 +34,10 @@ class LaserTest {
 
   private static DeviceDescription laser() {
     return new DeviceDescription(DeviceKind.LASER, "laser", MountPose.at(0.3, 0, 0.35))
-        .with("white", 0)
-        .with("miss", 0)
-        .with("ghosts", 0)
-        .with("reach", 1000);
+        .with("white_noise_sigma", 0)
+        .with("dropout_probability", 0)
+        .with("ghost_rate", 0)
+        .with("range_at_10_percent", 1000);
   }
 
   /** A wall all along a distance ahead, that returns so much light. */
@@ -50,7 +50,7 @@ class LaserTest {
                 new Vertex(east + 1, -100),
                 new Vertex(east + 1, 140),
                 new Vertex(east, 140)));
-    return new ObstacleDescription("wall", outline, 2, reflectivity, 0, Place.CODE);
+    return new ObstacleDescription("wall", outline, 2, reflectivity, 0, SourceLocation.CODE);
   }
 
   private static RangeInput view(WorldDescription world, DeviceDescription laser) {
@@ -112,7 +112,7 @@ class LaserTest {
   void rangesAreNormallySpreadAroundTheTruth() {
     WorldDescription world =
         field(1).with(new ObstacleDescription("ring", ring(30.3, 20, 5, 6), 2));
-    RangeInput view = view(world, laser().with("white", 0.02));
+    RangeInput view = view(world, laser().with("white_noise_sigma", 0.02));
     RangeInput exact = view(world, laser());
     double[] errors = new double[361 * 100];
     for (int scan = 0; scan < 100; scan++) {
@@ -144,7 +144,7 @@ class LaserTest {
   /** Of 36 100 beams a tenth is known to 0.0016; four times that is allowed. */
   @Test
   void missesAsManyBeamsAsItShould() {
-    RangeInput view = view(field(1).with(wall(3, 0.5)), laser().with("miss", 0.1));
+    RangeInput view = view(field(1).with(wall(3, 0.5)), laser().with("dropout_probability", 0.1));
     int missed = 0;
     for (int scan = 0; scan < 100; scan++) {
       double[] distances = new double[361];
@@ -157,7 +157,7 @@ class LaserTest {
   /** With 10 m at a tenth, it sees what returns 0.4 twice as far: 20 m, half of it just there. */
   @Test
   void seesDarkThingsLessFar() {
-    DeviceDescription laser = laser().with("reach", 10);
+    DeviceDescription laser = laser().with("range_at_10_percent", 10);
     assertThat(seen(view(field(1).with(wall(15.9, 0.4)), laser))).isEqualTo(1);
     assertThat(seen(view(field(1).with(wall(20, 0.4)), laser))).isCloseTo(0.5, within(0.07));
     assertThat(seen(view(field(1).with(wall(24.1, 0.4)), laser))).isZero();
@@ -183,7 +183,9 @@ class LaserTest {
   @Test
   void ghostsAreShortNarrowAndRare() {
     RangeInput view =
-        view(field(1), laser().with("ghosts", 2).with("ghost_width", 0.1).with("ghost_far", 4));
+        view(
+            field(1),
+            laser().with("ghost_rate", 2).with("ghost_width", 0.1).with("ghost_max_range", 4));
     int haunted = 0;
     int scansHaunted = 0;
     double nearest = 80;
@@ -209,7 +211,7 @@ class LaserTest {
    */
   @Test
   void aGhostIsGoneAfterAFewScans() {
-    RangeInput view = view(field(1), laser().with("ghosts", 0.5));
+    RangeInput view = view(field(1), laser().with("ghost_rate", 0.5));
     int longest = 0;
     int[] runs = new int[181];
     for (int scan = 0; scan < 3000; scan++) {
@@ -224,7 +226,8 @@ class LaserTest {
 
   @Test
   void roughGroundTiltsItsBeamsIntoTheGround() {
-    WorldDescription rough = field(1).withGround(new GroundDescription(60, 40, 0.15, Place.CODE));
+    WorldDescription rough =
+        field(1).withGround(new GroundDescription(60, 40, 0.15, SourceLocation.CODE));
     double[] distances = look(view(rough, laser()), 0, 181);
     double lowest = Arrays.stream(distances).min().orElseThrow();
     assertThat(lowest).as("0.35 m over a slope of some 0.1 rad").isBetween(1.0, 40.0);

@@ -8,20 +8,21 @@ import static org.dfra.sim.world.Worlds.field;
 import static org.dfra.sim.world.Worlds.ugv;
 
 import java.util.List;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.sim.physics.CameraInput;
+import org.dfra.sim.world.GroundTruth.MineSighting;
 import org.dfra.sim.world.description.DeviceDescription;
+import org.dfra.sim.world.description.DeviceDescription.MountPose;
 import org.dfra.sim.world.description.DeviceKind;
-import org.dfra.sim.world.description.MineDescription;
-import org.dfra.sim.world.description.MountPose;
-import org.dfra.sim.world.description.ObstacleDescription;
 import org.dfra.sim.world.description.VehicleDescription;
-import org.dfra.sim.world.description.VehicleType;
+import org.dfra.sim.world.description.VehicleDescription.VehicleType;
 import org.dfra.sim.world.description.WorldDescription;
-import org.dfra.sim.world.shape.Disc;
+import org.dfra.sim.world.description.WorldDescription.MineDescription;
+import org.dfra.sim.world.description.WorldDescription.ObstacleDescription;
 import org.dfra.sim.world.shape.PlanarShape;
-import org.dfra.sim.world.shape.Polygon;
-import org.dfra.sim.world.shape.Vertex;
+import org.dfra.sim.world.shape.PlanarShape.Disc;
+import org.dfra.sim.world.shape.PlanarShape.Polygon;
+import org.dfra.sim.world.shape.PlanarShape.Vertex;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -36,7 +37,7 @@ class PictureTest {
   private static DeviceDescription camera(DeviceKind kind, MountPose mount) {
     return new DeviceDescription(kind, "camera", mount)
         .with("field_of_view", Math.PI / 2)
-        .with("white", 0);
+        .with("white_noise_sigma", 0);
   }
 
   private static WorldDescription with(WorldDescription world, DeviceDescription camera) {
@@ -72,7 +73,7 @@ class PictureTest {
   }
 
   private static ObstacleDescription magenta(PlanarShape outline, double height) {
-    return new ObstacleDescription("thing", outline, height, 0.5, MAGENTA, Place.CODE);
+    return new ObstacleDescription("thing", outline, height, 0.5, MAGENTA, SourceLocation.CODE);
   }
 
   @Test
@@ -254,12 +255,12 @@ class PictureTest {
     assertThat(likeWithoutShift / 64_000.0).isLessThan(0.3);
   }
 
-  /** By day the ground is 10 K above the air, dry places more, and a mine as much as it is told. */
+  /** By day the ground is 10 K above the air, dry places more, and a mine by its contrast. */
   @Test
-  void heatTellsMinesFromSoil() {
+  void heatDistinguishesMinesFromSoil() {
     for (double contrast : new double[] {4, -3}) {
       MineDescription mine =
-          new MineDescription("mine", 34, 20, 0.16, 0.1, contrast, 0, Place.CODE);
+          new MineDescription("mine", 34, 20, 0.16, 0.1, contrast, 0, SourceLocation.CODE);
       CameraInput.Frame frame = look(field(1).with(mine), DeviceKind.THERMAL);
       double ground = 0;
       for (int column = 130; column < 190; column++) {
@@ -287,9 +288,10 @@ class PictureTest {
   }
 
   /** σ of one pixel, from the difference of two pictures of what does not move. */
-  private static double noise(DeviceKind kind, double white, int shift) {
+  private static double noise(DeviceKind kind, double whiteSigma, int shift) {
     DeviceDescription camera =
-        camera(kind, new MountPose(8, 0, 10, 0, Math.PI / 2, 0)).with("white", white);
+        camera(kind, new MountPose(8, 0, 10, 0, Math.PI / 2, 0))
+            .with("white_noise_sigma", whiteSigma);
     CameraInput view = World.of(with(field(1), camera), START).robot("atrv1").camera("camera");
     int[] one = view.capture(START).samples();
     int[] other = view.capture(after(1)).samples();
@@ -298,7 +300,7 @@ class PictureTest {
     for (int i = 0; i < one.length; i++) {
       differences[i] = (one[i] >> shift & mask) - (other[i] >> shift & mask);
     }
-    assertThat(Statistics.mean(differences)).isCloseTo(0, within(white * 100 / 277 * 4));
+    assertThat(Statistics.mean(differences)).isCloseTo(0, within(whiteSigma * 100 / 277 * 4));
     assertThat(Statistics.correlation(differences, 1)).isCloseTo(0, within(4 / 277.0));
     return Statistics.sigma(differences) / Math.sqrt(2);
   }

@@ -9,11 +9,11 @@ import static org.dfra.sim.world.Worlds.perfectDrive;
 import static org.dfra.sim.world.Worlds.ugv;
 
 import org.dfra.geometry.LocalPosition;
-import org.dfra.sim.device.AntennaState;
 import org.dfra.sim.device.AntennaTrajectory;
+import org.dfra.sim.device.AntennaTrajectory.AntennaState;
 import org.dfra.sim.world.description.DeviceDescription;
+import org.dfra.sim.world.description.DeviceDescription.MountPose;
 import org.dfra.sim.world.description.DeviceKind;
-import org.dfra.sim.world.description.MountPose;
 import org.dfra.sim.world.description.VehicleDescription;
 import org.junit.jupiter.api.Test;
 
@@ -22,9 +22,9 @@ class ReceiverTest {
 
   private static DeviceDescription perfect(String name, MountPose mount) {
     return new DeviceDescription(DeviceKind.GPS, name, mount)
-        .with("white", 0)
-        .with("bias", 0)
-        .with("velocity", 0);
+        .with("white_noise_sigma", 0)
+        .with("bias_sigma", 0)
+        .with("velocity_sigma", 0);
   }
 
   private static World world(VehicleDescription robot) {
@@ -93,7 +93,8 @@ class ReceiverTest {
   /** Of 4000 positions the mean is known to σ/63, σ to σ/89; four times that is allowed. */
   @Test
   void whiteNoiseIsNewWithEachPosition() {
-    World world = world(ugv("atrv1").with(perfect("gps", MountPose.MIDDLE).with("white", 0.6)));
+    World world =
+        world(ugv("atrv1").with(perfect("gps", MountPose.MIDDLE).with("white_noise_sigma", 0.6)));
     double[] east = new double[4000];
     double[] north = new double[4000];
     double[] up = new double[4000];
@@ -120,7 +121,10 @@ class ReceiverTest {
     VehicleDescription robot = ugv("atrv1");
     for (int i = 0; i < 500; i++) {
       robot =
-          robot.with(perfect("gps_" + i, MountPose.MIDDLE).with("bias", 1.5).with("bias_time", 20));
+          robot.with(
+              perfect("gps_" + i, MountPose.MIDDLE)
+                  .with("bias_sigma", 1.5)
+                  .with("bias_correlation_time", 20));
     }
     World world = world(robot);
     double[] first = new double[500];
@@ -146,7 +150,8 @@ class ReceiverTest {
   /** The speed of one that stands is Rayleigh distributed: its mean is σ √(π/2), here to 1.7 %. */
   @Test
   void velocityHasItsOwnNoise() {
-    World world = world(ugv("atrv1").with(perfect("gps", MountPose.MIDDLE).with("velocity", 0.05)));
+    World world =
+        world(ugv("atrv1").with(perfect("gps", MountPose.MIDDLE).with("velocity_sigma", 0.05)));
     double[] speeds = new double[1000];
     for (int i = 0; i < 1000; i++) {
       speeds[i] = world.robot("atrv1").antenna("gps").at(after(i)).speed();
@@ -161,7 +166,10 @@ class ReceiverTest {
     World world =
         world(
             ugv("atrv1")
-                .with(perfect("gps", MountPose.MIDDLE).with("outages", 60).with("outage_time", 6))
+                .with(
+                    perfect("gps", MountPose.MIDDLE)
+                        .with("outages_per_hour", 60)
+                        .with("mean_outage_duration", 6))
                 .with(perfect("always", MountPose.MIDDLE)));
     int out = 0;
     for (int i = 0; i < 36_000; i++) {

@@ -5,10 +5,10 @@ import java.time.Instant;
 import java.util.Map;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.sim.world.description.DeviceDescription;
+import org.dfra.sim.world.description.DeviceDescription.MountPose;
 import org.dfra.sim.world.description.DeviceKind;
-import org.dfra.sim.world.description.MountPose;
 import org.dfra.sim.world.description.VehicleDescription;
-import org.dfra.sim.world.description.VehicleType;
+import org.dfra.sim.world.description.VehicleDescription.VehicleType;
 import org.dfra.sim.world.description.WorldDescription;
 
 /** Worlds and robots as the tests want them. */
@@ -45,10 +45,10 @@ final class Worlds {
     for (Map.Entry<String, Double> one :
         Map.of(
                 "slip", 0.0,
-                "slip_noise", 0.0,
-                "turn_slip", 0.0,
-                "turn_slip_noise", 0.0,
-                "encoder_noise", 0.0,
+                "slip_sigma", 0.0,
+                "yaw_slip", 0.0,
+                "yaw_slip_sigma", 0.0,
+                "encoder_scale_sigma", 0.0,
                 "max_wheel_speed", 20.0,
                 "max_acceleration", 100.0)
             .entrySet()) {

@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
  * <ul>
  *   <li>{@code lookahead}: metres, 0.5 to 50; default 2.2
  *   <li>{@code position}: name of the estimator to use; default the first
- *   <li>{@code longest_age}: as for every perceptual schema; default 0.5
+ *   <li>{@code max_age}: as for every perceptual schema; default 0.5
  * </ul>
  */
 public final class HeadingErrorImpl extends PerceptualSchemaImpl<PoseEstimate>
@@ -36,7 +36,7 @@ public final class HeadingErrorImpl extends PerceptualSchemaImpl<PoseEstimate>
   public HeadingErrorImpl(ModuleContext context) {
     super(
         context,
-        "how the robot stands to the way it is to go",
+        "heading error and cross-track error to the planned leg",
         "DFRA",
         "1",
         PoseEstimate.class,

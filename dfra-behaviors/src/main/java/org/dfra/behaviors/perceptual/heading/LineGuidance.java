@@ -19,7 +19,7 @@ import org.dfra.geometry.LocalPosition;
 record LineGuidance(double lookahead) {
 
   /** A line shorter than this is treated as its end point, metres. */
-  private static final double POINT = 0.05;
+  static final double POINT = 0.05;
 
   /**
    * Heading error and cross-track error to the line.

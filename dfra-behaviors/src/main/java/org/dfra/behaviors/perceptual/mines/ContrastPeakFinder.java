@@ -3,13 +3,15 @@ package org.dfra.behaviors.perceptual.mines;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import org.dfra.behaviors.perceptual.mines.DetectionWindow.WindowGrid;
+import org.dfra.behaviors.perceptual.mines.MineObservation.GroundPoint;
 import org.jspecify.annotations.Nullable;
 
 /** Finds mine-like contrast peaks in an image. */
 final class ContrastPeakFinder {
 
   /** Minimum distance of two peaks, metres. */
-  private static final double APART = 0.4;
+  private static final double MIN_DISTANCE = 0.4;
 
   /**
    * Points within this distance of the maximum, with nearly equal contrast, determine the centre.
@@ -44,7 +46,7 @@ final class ContrastPeakFinder {
     List<GroundPoint> peaks = new ArrayList<>();
     for (int candidate : candidates) {
       GroundPoint peak = windows.point(candidate);
-      if (peaks.stream().allMatch(other -> peak.distance(other) > APART)) {
+      if (peaks.stream().allMatch(other -> peak.distance(other) > MIN_DISTANCE)) {
         peaks.add(peak);
         found.add(new Peak(middle(candidate, strengths, windows), strengths[candidate]));
       }

@@ -2,6 +2,8 @@ package org.dfra.behaviors.perceptual.mines;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.dfra.behaviors.perceptual.mines.ImageMineDetectorSettings.MineModel;
+import org.dfra.behaviors.perceptual.mines.MineObservation.GroundPoint;
 import org.dfra.behaviors.perceptual.mines.PinholeCamera.Pixel;
 import org.jspecify.annotations.Nullable;
 
@@ -21,7 +23,8 @@ import org.jspecify.annotations.Nullable;
  * @param inside the mine
  * @param surroundings the boxes around it that lie in the image, at least ten
  */
-record DetectionWindow(PixelRect inside, List<PixelRect> surroundings) {
+record DetectionWindow(
+    DetectionWindow.PixelRect inside, List<DetectionWindow.PixelRect> surroundings) {
 
   private static final int BOXES = 16;
   private static final int FEWEST = 10;
@@ -109,5 +112,102 @@ record DetectionWindow(PixelRect inside, List<PixelRect> surroundings) {
       }
     }
     return around;
+  }
+
+  /**
+   * A rectangle of pixels.
+   *
+   * @param left column of the first
+   * @param top row of the first, counted from above
+   * @param right column after the last
+   * @param bottom row below the last
+   */
+  record PixelRect(int left, int top, int right, int bottom) {
+
+    /** The pixels whose centres lie around a point, at least one. */
+    static PixelRect around(double column, double row, double halfWidth, double halfHeight) {
+      int left = (int) Math.floor(column - halfWidth + 0.5);
+      int top = (int) Math.floor(row - halfHeight + 0.5);
+      int right = Math.max(left + 1, (int) Math.floor(column + halfWidth + 0.5));
+      int bottom = Math.max(top + 1, (int) Math.floor(row + halfHeight + 0.5));
+      return new PixelRect(left, top, right, bottom);
+    }
+
+    boolean fitsWithin(int width, int height) {
+      return left >= 0 && top >= 0 && right <= width && bottom <= height;
+    }
+
+    int pixels() {
+      return (right - left) * (bottom - top);
+    }
+  }
+
+  /**
+   * The detection windows of all positions in front of a robot that a camera sees, on a lattice of
+   * {@value #STEP} m. Created once for a camera and valid as long as its mount does not change.
+   * Immutable.
+   */
+  static final class WindowGrid {
+
+    /** Spacing of the lattice, metres. */
+    static final double STEP = 0.05;
+
+    private static final double SIDEWAYS = 2.5; // metres to each side
+
+    private final PinholeCamera camera;
+    private final double near;
+    private final int rows;
+    private final int columns = 2 * (int) Math.round(SIDEWAYS / STEP) + 1;
+    private final @Nullable DetectionWindow[] windows;
+
+    /**
+     * @param near minimum distance, metres forward of the base
+     * @param far maximum distance, likewise
+     */
+    WindowGrid(PinholeCamera camera, MineModel target, double near, double far) {
+      this.camera = camera;
+      this.near = near;
+      this.rows = (int) ((far - near) / STEP) + 1;
+      this.windows = new DetectionWindow[rows * columns];
+      for (int i = 0; i < windows.length; i++) {
+        GroundPoint at = point(i);
+        windows[i] = DetectionWindow.at(at.x(), at.y(), target, camera);
+      }
+    }
+
+    PinholeCamera camera() {
+      return camera;
+    }
+
+    /** Number of positions, visible or not. */
+    int size() {
+      return windows.length;
+    }
+
+    /** Number of positions in a row of equal distance. */
+    int columns() {
+      return columns;
+    }
+
+    /** The position of that index. */
+    GroundPoint point(int index) {
+      return new GroundPoint(near + index / columns * STEP, (index % columns) * STEP - SIDEWAYS);
+    }
+
+    /** Its window; null where visibility is insufficient. */
+    @Nullable DetectionWindow at(int index) {
+      return windows[index];
+    }
+
+    /** Whether a mine there would be sufficiently visible. */
+    boolean covers(GroundPoint spot) {
+      long row = Math.round((spot.x() - near) / STEP);
+      long column = Math.round((spot.y() + SIDEWAYS) / STEP);
+      return row >= 0
+          && row < rows
+          && column >= 0
+          && column < columns
+          && windows[(int) (row * columns + column)] != null;
+    }
   }
 }

@@ -4,6 +4,10 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import org.dfra.behaviors.perceptual.mines.Fusion.Evidence;
+import org.dfra.behaviors.perceptual.mines.Fusion.Opinion;
+import org.dfra.behaviors.perceptual.mines.MineObservation.GroundPoint;
+import org.dfra.behaviors.perceptual.mines.MineObservation.Viewpoint;
 import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates.PreviousResult;
 import org.dfra.flow.sensor.CameraImage.Band;
 
@@ -75,7 +79,7 @@ final class MineCandidate {
   private void count(Band band, Viewpoint from, boolean isAlarm) {
     RepeatedDetectionRates repeated = rates.get(band);
     if (repeated == null) {
-      throw new IllegalStateException("no rates of a camera of band " + band);
+      throw new IllegalStateException("no detector rates for a camera of band " + band);
     }
     Evidence evidence = repeated.evidence(before.getOrDefault(band, PreviousResult.NONE), isAlarm);
     opinion = fusion.combine(opinion, fusion.opinionOf(evidence)).opinion();

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.dfra.behaviors.perceptual.mines.MineObservation.GroundPoint;
 import org.dfra.flow.sensor.CameraImage.Band;
 
 /**

@@ -1,5 +1,6 @@
 package org.dfra.behaviors.perceptual.mines;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -9,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.dfra.behaviors.perceptual.mines.MineObservation.Viewpoint;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.PerceptualSchemaImpl;
 import org.dfra.directory.ModuleListing;
@@ -31,10 +33,10 @@ import org.jspecify.annotations.Nullable;
  * its mount on the robot's base; a camera mounted on anything else, such as a head, is not used,
  * and the log reports that.
  *
- * <p>It takes an observation when the robot has moved by {@code look_spacing} or rotated by 0.3 rad
- * since the last one, with the next image of each band. It takes none while the yaw's standard
- * deviation exceeds 0.15 rad or the yaw rate 0.5 rad/s. Its percept has all detections since its
- * start.
+ * <p>It takes an observation when the robot has moved by {@code observation_spacing} or rotated by
+ * 0.3 rad since the last one, with the next image of each band. It takes none while the yaw's
+ * standard deviation exceeds 0.15 rad or the yaw rate 0.5 rad/s. Its percept has all detections
+ * since its start.
  *
  * <p>Parameters, read at the start:
  *
@@ -44,20 +46,21 @@ import org.jspecify.annotations.Nullable;
  *       1; default 0.01
  *   <li>{@code visible_true_positive}, {@code visible_false_positive}: probability of an alarm in
  *       one observation of a visible camera where there is a mine, and where there is none; with
- *       the suffixes {@code _after_alarm} and {@code _after_silence} in a repeated observation; the
- *       same with {@code thermal}; all required
+ *       the suffixes {@code _after_alarm} and {@code _after_no_alarm} in a repeated observation;
+ *       the same with {@code thermal}; all required
  *   <li>{@code bayes_true_positive}, {@code bayes_false_positive}, {@code
  *       dempster_shafer_true_positive}, {@code dempster_shafer_false_positive}: of both cameras
  *       fused; shown in its persona only
  *   <li>{@code mine_radius}, {@code mine_height}: metres; {@code mine_colour}: as {@code #3F4526}
- *   <li>{@code near}, {@code far}: distance range, metres forward of the base; default 0.9 and 3.5
- *   <li>{@code heat_contrast}: kelvin, default 1; {@code light_contrast}: natural logarithm,
+ *   <li>{@code min_distance}, {@code max_distance}: distance range, metres forward of the base;
+ *       default 0.9 and 3.5
+ *   <li>{@code thermal_contrast}: kelvin, default 1; {@code visible_contrast}: natural logarithm,
  *       default 0.18; {@code colour_tolerance}: default 0.03; see {@link ImageMineDetectorSettings}
- *   <li>{@code look_spacing}: metres, 0.05 to 10, default 0.5; {@code gate}: metres, 0.05 to 5,
- *       default 0.5
- *   <li>{@code least_probability}: minimum probability to report, 0 to 1; default 0.05
+ *   <li>{@code observation_spacing}: metres, 0.05 to 10, default 0.5; {@code association_gate}:
+ *       metres, 0.05 to 5, default 0.5
+ *   <li>{@code min_probability}: minimum probability to report, 0 to 1; default 0.05
  *   <li>{@code position}: name of the estimator to use; default the first
- *   <li>{@code longest_age}: as for every perceptual schema; default 5
+ *   <li>{@code max_age}: as for every perceptual schema; default 5
  * </ul>
  */
 public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
@@ -71,16 +74,32 @@ public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
   private final MineDetectorSettings detectorSettings;
   private final String base;
   private final Object lock = new Object();
-  private final MineCandidateMap places; // guarded by lock
-  private final PoseBuffer trail = new PoseBuffer(); // guarded by lock
-  private final ImageSynchronizer<ImageSource> pairing =
-      new ImageSynchronizer<>(); // guarded by lock
-  private final Map<String, ImageMineDetector> imageDetectors =
-      new HashMap<>(); // by camera; guarded by lock
-  private final Set<String> unusable = new HashSet<>(); // cameras; guarded by lock
-  private final Map<Band, Integer> broken = new EnumMap<>(Band.class); // guarded by lock
-  private @Nullable Viewpoint lastLook; // guarded by lock
-  private List<Detection> sightings = List.of(); // guarded by lock
+
+  @GuardedBy("lock")
+  private final MineCandidateMap places;
+
+  @GuardedBy("lock")
+  private final PoseBuffer trail = new PoseBuffer();
+
+  @GuardedBy("lock")
+  private final ImageSynchronizer<ImageSource> pairing = new ImageSynchronizer<>();
+
+  // by camera
+  @GuardedBy("lock")
+  private final Map<String, ImageMineDetector> imageDetectors = new HashMap<>();
+
+  // cameras
+  @GuardedBy("lock")
+  private final Set<String> unusable = new HashSet<>();
+
+  @GuardedBy("lock")
+  private final Map<Band, Integer> broken = new EnumMap<>(Band.class);
+
+  @GuardedBy("lock")
+  private @Nullable Viewpoint lastLook;
+
+  @GuardedBy("lock")
+  private List<Detection> sightings = List.of();
 
   /** Source of an image: its camera, and the poses of camera and robot. */
   private record ImageSource(String camera, Transform mount, Viewpoint from) {}
@@ -91,7 +110,7 @@ public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
   public MineDetectorImpl(ModuleContext context) {
     super(
         context,
-        "mines on the ground, by light and heat",
+        "mines on the ground, from visible and thermal images",
         "DFRA",
         "1",
         MinePercept.class,
@@ -109,8 +128,7 @@ public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
         PositionEstimator.class, "position", PoseEstimate.class, (source, pose) -> take(pose));
     declareInputFromAll(CameraSensor.class, CameraImage.class, this::take);
     parameterTable()
-        .declareReadOnly(
-            "undecoded", "images that were not what they said, by band", this::undecoded);
+        .declareReadOnly("undecoded", "images that could not be decoded, by band", this::undecoded);
   }
 
   private String undecoded() {
@@ -149,6 +167,7 @@ public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
     }
   }
 
+  @GuardedBy("lock")
   private boolean isElsewhere(Viewpoint from) {
     Viewpoint last = lastLook;
     return last == null
@@ -157,15 +176,16 @@ public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
   }
 
   /** Mount of the camera on the base, from its persona; empty if it has none. */
+  @GuardedBy("lock")
   private Optional<Transform> mount(ModuleListing<?> source) {
     Optional<PoseAttributes> pose = source.attributes(PoseAttributes.class);
     if (pose.isEmpty() || !pose.get().parent().equals(base)) {
       if (unusable.add(source.path())) {
         log.warn(
-            "{}: {} is not used, since it stands on {} and not on {}; set its mount_frame",
+            "{}: {} is not used, since it is mounted on {} and not on {}; set its mount_frame",
             identification().path(),
             source.path(),
-            pose.map(PoseAttributes::parent).orElse("nothing that is known"),
+            pose.map(PoseAttributes::parent).orElse("an unknown frame"),
             base);
       }
       return Optional.empty();
@@ -173,6 +193,7 @@ public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
     return pose.map(at -> Transform.of(at.x(), at.y(), at.z(), at.roll(), at.pitch(), at.yaw()));
   }
 
+  @GuardedBy("lock")
   private void look(List<ImageSynchronizer.TaggedImage<ImageSource>> images, Instant measured) {
     List<MineObservation.LocatedDetections> views = new ArrayList<>();
     for (ImageSynchronizer.TaggedImage<ImageSource> each : images) {
@@ -187,12 +208,13 @@ public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
     }
     if (!views.isEmpty()) {
       places.add(new MineObservation(views));
+      PoseBuffer poses = trail;
       sightings =
           places.candidates(detectorSettings.minProbability()).stream()
               .map(
                   each ->
                       new Detection(
-                          trail.toGeo(each.position()), each.probability(), each.observations()))
+                          poses.toGeo(each.position()), each.probability(), each.observations()))
               .toList();
       publishPercept(new MinePercept(measured, EARTH, sightings));
     }

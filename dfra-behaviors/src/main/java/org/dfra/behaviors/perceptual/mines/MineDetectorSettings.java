@@ -5,6 +5,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import org.dfra.behaviors.perceptual.mines.Fusion.BayesFusion;
+import org.dfra.behaviors.perceptual.mines.Fusion.DempsterShaferFusion;
+import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates.DetectorRates;
 import org.dfra.core.config.Parameters;
 import org.dfra.flow.sensor.CameraImage.Band;
 import org.jspecify.annotations.Nullable;
@@ -43,15 +46,17 @@ record MineDetectorSettings(
             parameters.number("mine_radius", usual.radius(), 0.02, 1),
             parameters.number("mine_height", usual.height(), 0, 1),
             colour(parameters, usual.colour()),
-            parameters.number("near", usual.minDistance(), 0, 50),
-            parameters.number("far", usual.maxDistance(), 0.5, 100),
-            parameters.number("heat_contrast", usual.minThermalContrast(), 0.05, 50),
-            parameters.number("light_contrast", usual.minVisibleContrast(), 0.01, 5),
+            parameters.number("min_distance", usual.minDistance(), 0, 50),
+            parameters.number("max_distance", usual.maxDistance(), 0.5, 100),
+            parameters.number("thermal_contrast", usual.minThermalContrast(), 0.05, 50),
+            parameters.number("visible_contrast", usual.minVisibleContrast(), 0.01, 5),
             parameters.number("colour_tolerance", usual.colourTolerance(), 0.001, 1));
     if (eye.maxDistance() <= eye.minDistance()) {
-      throw parameters.find("far").isPresent()
-          ? parameters.fault("far", "more than near, which is " + eye.minDistance() + " m", null)
-          : parameters.fault("near", "less than far, which is " + eye.maxDistance() + " m", null);
+      throw parameters.find("max_distance").isPresent()
+          ? parameters.fault(
+              "max_distance", "more than min_distance, which is " + eye.minDistance() + " m", null)
+          : parameters.fault(
+              "min_distance", "less than max_distance, which is " + eye.maxDistance() + " m", null);
     }
     double prior = parameters.number("prior", 0.01, RAREST, 1 - RAREST);
     String method = parameters.find("fusion").orElse(BAYES).strip();
@@ -71,9 +76,9 @@ record MineDetectorSettings(
         rates(parameters),
         fused.truePositive(),
         fused.falsePositive(),
-        parameters.number("look_spacing", 0.5, 0.05, 10),
-        parameters.number("gate", 0.5, 0.05, 5),
-        parameters.number("least_probability", 0.05, 0, 1));
+        parameters.number("observation_spacing", 0.5, 0.05, 10),
+        parameters.number("association_gate", 0.5, 0.05, 5),
+        parameters.number("min_probability", 0.05, 0, 1));
   }
 
   private static int colour(Parameters reported, int usual) {
@@ -97,7 +102,7 @@ record MineDetectorSettings(
           new RepeatedDetectionRates(
               rates(reported, name, ""),
               rates(reported, name, "_after_alarm"),
-              rates(reported, name, "_after_silence")));
+              rates(reported, name, "_after_no_alarm")));
     }
     return rates;
   }

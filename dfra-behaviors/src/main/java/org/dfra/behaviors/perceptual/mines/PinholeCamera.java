@@ -1,5 +1,6 @@
 package org.dfra.behaviors.perceptual.mines;
 
+import org.dfra.behaviors.perceptual.mines.MineObservation.GroundPoint;
 import org.dfra.geometry.Transform;
 import org.jspecify.annotations.Nullable;
 

@@ -6,6 +6,8 @@ import java.util.ArrayDeque;
 import java.util.Comparator;
 import java.util.Deque;
 import java.util.Optional;
+import org.dfra.behaviors.perceptual.mines.MineObservation.GroundPoint;
+import org.dfra.behaviors.perceptual.mines.MineObservation.Viewpoint;
 import org.dfra.flow.perceptual.PoseEstimate;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
@@ -68,7 +70,7 @@ final class PoseBuffer {
   private LocalFrame frame() {
     LocalFrame frame = map;
     if (frame == null) {
-      throw new IllegalStateException("there was no pose yet, so there is no map");
+      throw new IllegalStateException("no pose has been received yet, so there is no map");
     }
     return frame;
   }

@@ -5,7 +5,7 @@
  * <pre>
  *   CameraImage --&gt; DecodedImage --&gt; ContrastPeakFinder --&gt; ImageDetections --.
  *                   WindowGrid --------^                                      |
- *   PoseEstimate --&gt; PoseBuffer --&gt; Viewpoint --------------&gt; MineObservation <
+ *   PoseEstimate --&gt; PoseBuffer --&gt; Viewpoint --------------&gt; MineObservation &lt;
  *                                                                     |
  *                          MineCandidateMap (Fusion of Evidence) &lt;----'  --&gt; MinePercept
  * </pre>

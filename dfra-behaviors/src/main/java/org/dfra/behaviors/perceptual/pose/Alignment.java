@@ -46,12 +46,12 @@ record Alignment(
   }
 
   /** Standard deviation of the position of a point on the track along its worst direction. */
-  double positionSigma(DeadReckoningTrack.Pose pose, double bias) {
+  double positionSigma(DeadReckoningTrack.Pose pose, double biasSigma) {
     double far = Math.hypot(pose.x() - trackX, pose.y() - trackY) * yawSigma();
     double shared = 0;
     for (double share : shares) {
       shared += share * share;
     }
-    return Math.sqrt(sigma * sigma + bias * bias * shared + far * far);
+    return Math.sqrt(sigma * sigma + biasSigma * biasSigma * shared + far * far);
   }
 }

@@ -1,5 +1,7 @@
 package org.dfra.behaviors.perceptual.pose;
 
+import org.dfra.behaviors.perceptual.pose.FilterInput.LocalFix;
+import org.dfra.behaviors.perceptual.pose.FilterInput.MotionIncrement;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 

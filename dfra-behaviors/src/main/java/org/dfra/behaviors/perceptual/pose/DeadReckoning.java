@@ -3,6 +3,8 @@ package org.dfra.behaviors.perceptual.pose;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.dfra.behaviors.perceptual.pose.FilterInput.LocalFix;
+import org.dfra.behaviors.perceptual.pose.FilterInput.MotionIncrement;
 import org.dfra.flow.sensor.AngularRate;
 import org.dfra.flow.sensor.Odometry;
 import org.jspecify.annotations.Nullable;

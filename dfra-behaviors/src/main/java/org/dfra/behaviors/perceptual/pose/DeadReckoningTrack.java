@@ -1,5 +1,7 @@
 package org.dfra.behaviors.perceptual.pose;
 
+import org.dfra.behaviors.perceptual.pose.FilterInput.MotionIncrement;
+
 /**
  * The path by dead reckoning: concatenated motion increments, from 0, 0 and yaw 0. The gyro's bias
  * is its mean while the robot is stationary, over about the last minute of such time. A robot

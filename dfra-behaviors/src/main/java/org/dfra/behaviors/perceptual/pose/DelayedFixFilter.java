@@ -2,6 +2,8 @@ package org.dfra.behaviors.perceptual.pose;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.dfra.behaviors.perceptual.pose.FilterInput.LocalFix;
+import org.dfra.behaviors.perceptual.pose.FilterInput.MotionIncrement;
 
 /**
  * A belief that can be corrected in the past. It stores an old belief, the base, and all inputs

@@ -1,5 +1,6 @@
 package org.dfra.behaviors.perceptual.pose;
 
+import org.dfra.behaviors.perceptual.pose.FilterInput.LocalFix;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 

@@ -2,6 +2,7 @@ package org.dfra.behaviors.perceptual.pose;
 
 import java.time.Instant;
 import java.util.Optional;
+import org.dfra.behaviors.perceptual.pose.FilterInput.LocalFix;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;

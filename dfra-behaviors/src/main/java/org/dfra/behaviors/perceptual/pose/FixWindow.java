@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import org.dfra.behaviors.perceptual.pose.FilterInput.LocalFix;
 
 /**
  * The last fixes, each with the antenna's point on the track at that time. The track is aligned to

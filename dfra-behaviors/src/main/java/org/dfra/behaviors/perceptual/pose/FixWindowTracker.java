@@ -2,6 +2,7 @@ package org.dfra.behaviors.perceptual.pose;
 
 import java.time.Instant;
 import java.util.Optional;
+import org.dfra.behaviors.perceptual.pose.FilterInput.LocalFix;
 import org.dfra.flow.perceptual.PoseEstimate;
 import org.dfra.flow.sensor.AngularRate;
 import org.dfra.flow.sensor.GpsFix;
@@ -15,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * uses only these, so errors, and certainty, persist no longer than the window. Without a fix in
  * the window it keeps the last alignment. Confined to one thread.
  */
-public final class FixWindowTracker implements PoseTracker {
+final class FixWindowTracker implements PoseTracker {
 
   private final TrackerSettings settings;
   private final FixPreprocessor intake;

@@ -4,6 +4,8 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.dfra.behaviors.perceptual.pose.FilterInput.LocalFix;
+import org.dfra.behaviors.perceptual.pose.FilterInput.MotionIncrement;
 import org.dfra.flow.perceptual.PoseEstimate;
 import org.dfra.flow.sensor.AngularRate;
 import org.dfra.flow.sensor.GpsFix;
@@ -31,7 +33,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Confined to one thread.
  */
-public final class KalmanTracker implements PoseTracker {
+final class KalmanTracker implements PoseTracker {
 
   /** Minimum number of consecutive rejected fixes before the covariance is inflated. */
   private static final int ENOUGH = 5;
@@ -58,7 +60,7 @@ public final class KalmanTracker implements PoseTracker {
     public InitialYaw {
       if (!Double.isFinite(yaw) || !(sigma > 0 && sigma < Double.POSITIVE_INFINITY)) {
         throw new IllegalArgumentException(
-            "a yaw of " + yaw + " ± " + sigma + " rad is none; give a finite one");
+            "a yaw of " + yaw + " ± " + sigma + " rad is not finite; give finite numbers");
       }
     }
   }
@@ -278,5 +280,40 @@ public final class KalmanTracker implements PoseTracker {
   /** The newest belief, for tests; empty while ALIGNING. */
   Optional<Belief> belief() {
     return isTracking ? Optional.of(replay.head()) : Optional.empty();
+  }
+
+  /** Counts consecutive rejections. */
+  private static final class RejectionCounter {
+
+    private final int enough;
+    private final long span;
+    private int count;
+    private long since;
+
+    /**
+     * @param enough limit of consecutive rejections
+     * @param span minimum duration of the series, nanoseconds
+     */
+    RejectionCounter(int enough, long span) {
+      this.enough = enough;
+      this.span = span;
+    }
+
+    /** Counts one more; returns whether count and duration exceed the limits. */
+    boolean recordRejection(long time) {
+      since = count == 0 ? time : Math.min(since, time);
+      count++;
+      return count >= enough && time - since >= span;
+    }
+
+    /** Resets the count. */
+    void clear() {
+      count = 0;
+    }
+
+    /** Time of the first in the series, nanoseconds by the robot's clock. */
+    long since() {
+      return since;
+    }
   }
 }

@@ -1,5 +1,6 @@
 package org.dfra.behaviors.perceptual.pose;
 
+import org.dfra.behaviors.perceptual.pose.FilterInput.MotionIncrement;
 import org.dfra.flow.sensor.AngularRate;
 import org.dfra.flow.sensor.Odometry;
 import org.jspecify.annotations.Nullable;

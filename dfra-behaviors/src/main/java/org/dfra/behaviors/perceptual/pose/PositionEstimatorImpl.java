@@ -34,25 +34,29 @@ import org.jspecify.annotations.Nullable;
  * <p>Parameters, read at the start:
  *
  * <ul>
- *   <li>{@code method}: {@code kalman}, {@code history} or {@code raw}; default {@code kalman}
+ *   <li>{@code method}: {@code kalman}, {@code fix_window} or {@code raw}; default {@code kalman}
  *   <li>{@code datum}: latitude and longitude in degrees, the origin of east and north; default the
  *       first fix
- *   <li>{@code gps_white}, {@code gps_bias}: standard deviations of a fix, metres, 0.01 to 50 and 0
- *       to 50; {@code gps_bias_time}: correlation time of the second, seconds, 1 to 100 000
- *   <li>{@code wheel_scale}, {@code wheel_turn_scale}: standard deviations of the wheels' scale
- *       errors of distance and yaw, 0.001 to 1; {@code wheel_slip}: of the distance after a metre,
- *       metres, 0.001 to 1; {@code wheel_turn_slip}: of the yaw after a radian, radians, 0.001 to 2
- *   <li>{@code gyro_noise}: density of the gyro's white noise, rad/s per root hertz, 0.000001 to 1;
- *       {@code gyro_bias}: standard deviation of its bias, rad/s, 0.000001 to 1; {@code
- *       gyro_drift}: of the bias' change after a second, rad/s, 0.0000001 to 0.1
- *   <li>{@code gate}: squared Mahalanobis distance beyond which a fix is rejected, 1 to 1000;
- *       default 13.8
+ *   <li>{@code gps_white_noise_sigma}, {@code gps_bias_sigma}: standard deviations of a fix,
+ *       metres, 0.01 to 50 and 0 to 50; {@code gps_bias_correlation_time}: correlation time of the
+ *       second, seconds, 1 to 100 000
+ *   <li>{@code wheel_scale_sigma}, {@code wheel_yaw_scale_sigma}: standard deviations of the
+ *       wheels' scale errors of distance and yaw, 0.001 to 1; {@code wheel_slip}: of the distance
+ *       after a metre, metres, 0.001 to 1; {@code wheel_yaw_slip}: of the yaw after a radian,
+ *       radians, 0.001 to 2
+ *   <li>{@code gyro_noise_density}: density of the gyro's white noise, rad/s per root hertz,
+ *       0.000001 to 1; {@code gyro_bias_sigma}: standard deviation of its bias, rad/s, 0.000001 to
+ *       1; {@code gyro_bias_random_walk}: of the bias' change after a second, rad/s, 0.0000001 to
+ *       0.1
+ *   <li>{@code position_gate}: squared Mahalanobis distance beyond which a fix is rejected, 1 to
+ *       1000; default 13.8
  *   <li>{@code initial_yaw}: yaw at the start, radians, 0 is east, counter-clockwise is +, −6.3 to
  *       6.3, if known; {@code initial_yaw_sigma}: its standard deviation, radians, 0.01 to 1;
  *       default 0.1; only the method {@code kalman} uses them
- *   <li>{@code window}: length of the fix window of {@code history}, seconds, 2 to 120; default 20
+ *   <li>{@code fix_window}: length of the fix window of {@code fix_window}, seconds, 2 to 120;
+ *       default 20
  *   <li>{@code odometry}, {@code gyro}: names of the modules to use; default the first suitable one
- *   <li>{@code longest_age}: as for every perceptual schema; default 0.5
+ *   <li>{@code max_age}: as for every perceptual schema; default 0.5
  * </ul>
  */
 public final class PositionEstimatorImpl extends PerceptualSchemaImpl<PoseEstimate>
@@ -65,7 +69,7 @@ public final class PositionEstimatorImpl extends PerceptualSchemaImpl<PoseEstima
   public PositionEstimatorImpl(ModuleContext context) {
     super(
         context,
-        "where the robot is, by odometry, gyro and satellites",
+        "the robot's pose, from odometry, gyro and satellites",
         "DFRA",
         "1",
         PoseEstimate.class,
@@ -105,20 +109,21 @@ public final class PositionEstimatorImpl extends PerceptualSchemaImpl<PoseEstima
     GpsErrors gps = usual.gps();
     GpsErrors reported =
         new GpsErrors(
-            settings.number("gps_white", gps.whiteNoiseSigma(), 0.01, 50),
-            settings.number("gps_bias", gps.biasSigma(), 0, 50),
-            settings.number("gps_bias_time", gps.biasCorrelationTime(), 1, 100_000),
+            settings.number("gps_white_noise_sigma", gps.whiteNoiseSigma(), 0.01, 50),
+            settings.number("gps_bias_sigma", gps.biasSigma(), 0, 50),
+            settings.number("gps_bias_correlation_time", gps.biasCorrelationTime(), 1, 100_000),
             gps.velocitySigma(),
             gps.minCourseSpeed(),
             gps.minLatency(),
             gps.referenceDilution());
     Duration window =
-        settings.seconds("window", usual.fixWindow(), Duration.ofSeconds(2), Duration.ofMinutes(2));
+        settings.seconds(
+            "fix_window", usual.fixWindow(), Duration.ofSeconds(2), Duration.ofMinutes(2));
     return new TrackerSettings(
         reported,
         wheels(settings, usual.wheels()),
         gyro(settings, usual.gyro()),
-        settings.number("gate", usual.positionGate(), 1, 1000),
+        settings.number("position_gate", usual.positionGate(), 1, 1000),
         usual.courseGate(),
         window,
         usual.maxFixDelay(),
@@ -128,11 +133,11 @@ public final class PositionEstimatorImpl extends PerceptualSchemaImpl<PoseEstima
 
   private static WheelErrors wheels(Parameters settings, WheelErrors usual) {
     return new WheelErrors(
-        settings.number("wheel_scale", usual.scaleSigma(), 0.001, 1),
-        settings.number("wheel_turn_scale", usual.yawScaleSigma(), 0.001, 1),
+        settings.number("wheel_scale_sigma", usual.scaleSigma(), 0.001, 1),
+        settings.number("wheel_yaw_scale_sigma", usual.yawScaleSigma(), 0.001, 1),
         settings.number("wheel_slip", usual.longitudinalSlip(), 0.001, 1),
         usual.lateralSlip(),
-        settings.number("wheel_turn_slip", usual.yawSlip(), 0.001, 2),
+        settings.number("wheel_yaw_slip", usual.yawSlip(), 0.001, 2),
         usual.yawRandomWalk(),
         usual.maxSpeed(),
         usual.maxYawRate());
@@ -140,9 +145,9 @@ public final class PositionEstimatorImpl extends PerceptualSchemaImpl<PoseEstima
 
   private static GyroErrors gyro(Parameters settings, GyroErrors usual) {
     return new GyroErrors(
-        settings.number("gyro_noise", usual.noiseDensity(), 1e-6, 1),
-        settings.number("gyro_bias", usual.biasSigma(), 1e-6, 1),
-        settings.number("gyro_drift", usual.biasRandomWalk(), 1e-7, 0.1),
+        settings.number("gyro_noise_density", usual.noiseDensity(), 1e-6, 1),
+        settings.number("gyro_bias_sigma", usual.biasSigma(), 1e-6, 1),
+        settings.number("gyro_bias_random_walk", usual.biasRandomWalk(), 1e-7, 0.1),
         usual.scaleNoise());
   }
 
@@ -202,5 +207,42 @@ public final class PositionEstimatorImpl extends PerceptualSchemaImpl<PoseEstima
   @Override
   public PoseEstimate estimate() {
     return percept();
+  }
+
+  /** The methods of pose tracking. */
+  enum TrackerKind {
+    /** An extended Kalman filter: {@link KalmanTracker}. */
+    KALMAN,
+    /** The last fixes against dead reckoning: {@link FixWindowTracker}. */
+    FIX_WINDOW,
+    /** The last fix as it is: {@link RawGpsTracker}. */
+    RAW;
+
+    /**
+     * A new tracker of this kind.
+     *
+     * @param frame name of the frame of its estimates, e.g. {@code atrv1/map}
+     * @param datum origin of that frame; null to use the position of the first fix
+     */
+    public PoseTracker create(TrackerSettings settings, String frame, @Nullable GeoPosition datum) {
+      return create(settings, frame, datum, null);
+    }
+
+    /**
+     * The same.
+     *
+     * @param known prior of the initial yaw, which only {@link #KALMAN} uses; null for none
+     */
+    public PoseTracker create(
+        TrackerSettings settings,
+        String frame,
+        @Nullable GeoPosition datum,
+        KalmanTracker.@Nullable InitialYaw known) {
+      return switch (this) {
+        case KALMAN -> new KalmanTracker(settings, frame, datum, known);
+        case FIX_WINDOW -> new FixWindowTracker(settings, frame, datum);
+        case RAW -> new RawGpsTracker(settings, frame, datum);
+      };
+    }
   }
 }

@@ -2,6 +2,7 @@ package org.dfra.behaviors.perceptual.pose;
 
 import java.time.Instant;
 import java.util.Optional;
+import org.dfra.behaviors.perceptual.pose.FilterInput.LocalFix;
 import org.dfra.flow.perceptual.PoseEstimate;
 import org.dfra.flow.sensor.AngularRate;
 import org.dfra.flow.sensor.GpsFix;
@@ -14,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * The last fix of any receiver, unfiltered; for comparison. The yaw is the last course, which
  * assumes forward motion; it is used to remove the lever arm. Confined to one thread.
  */
-public final class RawGpsTracker implements PoseTracker {
+final class RawGpsTracker implements PoseTracker {
 
   private final TrackerSettings settings;
   private final FixPreprocessor intake;

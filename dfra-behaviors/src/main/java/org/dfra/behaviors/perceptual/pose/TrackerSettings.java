@@ -18,7 +18,7 @@ import java.time.Duration;
  * @param maxInitialYawSigma standard deviation of the initial yaw, radians, below which a Kalman
  *     filter starts
  */
-public record TrackerSettings(
+record TrackerSettings(
     GpsErrors gps,
     WheelErrors wheels,
     GyroErrors gyro,
@@ -43,10 +43,10 @@ public record TrackerSettings(
           0.2);
 
   public TrackerSettings {
-    SettingsValidation.requirePositive("gate", positionGate);
+    SettingsValidation.requirePositive("position_gate", positionGate);
     SettingsValidation.requirePositive("course gate", courseGate);
     SettingsValidation.requirePositive("first yaw's standard deviation", maxInitialYawSigma);
-    SettingsValidation.requireDuration("window", fixWindow);
+    SettingsValidation.requireDuration("fix_window", fixWindow);
     SettingsValidation.requireDuration("horizon", maxFixDelay);
     SettingsValidation.requireDuration("time until lost", rejectionTimeout);
   }
@@ -183,6 +183,34 @@ public record TrackerSettings(
       SettingsValidation.requirePositive("gyro bias", biasSigma);
       SettingsValidation.requirePositive("gyro drift", biasRandomWalk);
       SettingsValidation.requireNonNegative("gyro scale", scaleNoise);
+    }
+  }
+
+  /** Range checks of settings. */
+  private static final class SettingsValidation {
+
+    private static final Duration LONGEST = Duration.ofMinutes(2);
+
+    private SettingsValidation() {}
+
+    static void requirePositive(String what, double value) {
+      if (!(value > 0 && value < Double.POSITIVE_INFINITY)) {
+        throw new IllegalArgumentException(
+            what + " " + value + " is not above 0; give a greater one");
+      }
+    }
+
+    static void requireNonNegative(String what, double value) {
+      if (!(value >= 0 && value < Double.POSITIVE_INFINITY)) {
+        throw new IllegalArgumentException(what + " " + value + " is below 0; give 0 or more");
+      }
+    }
+
+    static void requireDuration(String what, Duration value) {
+      if (value.isNegative() || value.isZero() || value.compareTo(LONGEST) > 0) {
+        throw new IllegalArgumentException(
+            what + " " + value + " is outside 0 to " + LONGEST + "; give one in that range");
+      }
     }
   }
 }

@@ -9,8 +9,8 @@
  * </pre>
  *
  * <p>Enter at {@link org.dfra.behaviors.perceptual.pose.PoseTracker}; its kinds are listed in
- * {@link org.dfra.behaviors.perceptual.pose.TrackerKind}. The module that uses them is {@link
- * org.dfra.behaviors.perceptual.pose.PositionEstimatorImpl}.
+ * {@link org.dfra.behaviors.perceptual.pose.PositionEstimatorImpl.TrackerKind}. The module that
+ * uses them is {@link org.dfra.behaviors.perceptual.pose.PositionEstimatorImpl}.
  */
 @NullMarked
 package org.dfra.behaviors.perceptual.pose;

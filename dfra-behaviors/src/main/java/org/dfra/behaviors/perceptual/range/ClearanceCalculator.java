@@ -95,7 +95,7 @@ record ClearanceCalculator(double halfLength, double halfWidth, double maxRange)
    * The clearance reduced for moving objects. Without an object within the maximum range it is
    * unchanged.
    *
-   * @param distance of approach, metres
+   * @param by distance of approach, metres
    */
   Clearance reducedBy(Clearance seen, double by) {
     return new Clearance(

@@ -1,5 +1,6 @@
 package org.dfra.behaviors.perceptual.range;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Duration;
 import java.util.Optional;
 import org.dfra.core.module.ModuleContext;
@@ -30,17 +31,19 @@ import org.jspecify.annotations.Nullable;
  * <p>Parameters, read at the start:
  *
  * <ul>
- *   <li>{@code scans}: number of scans of the median, 1 to 15; default 5; 1 disables the filter
- *   <li>{@code scan_spacing}: minimum seconds between two of them, 0 to 1; default 0.09
- *   <li>{@code memory}: seconds for which it stores passed obstacles that are out of view, 0 to
- *       120; default 3
- *   <li>{@code peer_speed}: maximum speed of other robots, metres per second, 0 to 10; default 0.7
- *   <li>{@code reach}: maximum range, metres, 1 to 100; longer ranges are ignored; default 8
+ *   <li>{@code median_scans}: number of scans of the median, 1 to 15; default 5; 1 disables the
+ *       filter
+ *   <li>{@code min_scan_interval}: minimum seconds between two of them, 0 to 1; default 0.09
+ *   <li>{@code obstacle_memory}: seconds for which it stores passed obstacles that are out of view,
+ *       0 to 120; default 3
+ *   <li>{@code max_peer_speed}: maximum speed of other robots, metres per second, 0 to 10; default
+ *       0.7
+ *   <li>{@code max_range}: maximum range, metres, 1 to 100; longer ranges are ignored; default 8
  *   <li>{@code body_length}, {@code body_width}: of the robot, metres, 0.1 to 10; default those of
  *       an ATRV-Jr
  *   <li>{@code range_sensor}, {@code odometry}: names of the modules to use; default the first
  *       suitable one
- *   <li>{@code longest_age}: as for every perceptual schema; default 0.5
+ *   <li>{@code max_age}: as for every perceptual schema; default 0.5
  * </ul>
  */
 public final class RangeFilterImpl extends PerceptualSchemaImpl<Clearance> implements RangeFilter {
@@ -55,8 +58,13 @@ public final class RangeFilterImpl extends PerceptualSchemaImpl<Clearance> imple
 
   private final ClearanceCalculator surrounds;
   private final GhostFilter filter; // guarded by itself
-  private final ObstacleMemory obstacles; // guarded by filter
-  private @Nullable Odometry odometry; // guarded by filter
+
+  @GuardedBy("filter")
+  private final ObstacleMemory obstacles;
+
+  @GuardedBy("filter")
+  private @Nullable Odometry odometry;
+
   private final Scheduler time;
   private final String base;
   private final double peerSpeed;
@@ -66,28 +74,32 @@ public final class RangeFilterImpl extends PerceptualSchemaImpl<Clearance> imple
   public RangeFilterImpl(ModuleContext context) {
     super(
         context,
-        "the room around the robot, by its range sensor, without ghosts",
+        "clearance around the robot, from its range sensor, without ghost echoes",
         "DFRA",
         "1",
         Clearance.class,
         "Clearance",
         0.5);
     this.time = context.robotTime();
-    int scans = (int) settings().number("scans", 5, 1, 15);
-    double spacing = settings().number("scan_spacing", 0.09, 0, 1);
+    int scans = (int) settings().number("median_scans", 5, 1, 15);
+    double spacing = settings().number("min_scan_interval", 0.09, 0, 1);
     this.filter = new GhostFilter(scans, Duration.ofNanos(Math.round(spacing * 1e9)));
     int middle = scans / 2;
     this.usualLag = middle * spacing + USUAL_LAG;
-    this.peerSpeed = settings().number("peer_speed", 0.7, 0, 10);
+    this.peerSpeed = settings().number("max_peer_speed", 0.7, 0, 10);
     this.obstacles =
         new ObstacleMemory(
             settings()
-                .seconds("memory", Duration.ofSeconds(3), Duration.ZERO, Duration.ofMinutes(2)));
+                .seconds(
+                    "obstacle_memory",
+                    Duration.ofSeconds(3),
+                    Duration.ZERO,
+                    Duration.ofMinutes(2)));
     this.surrounds =
         new ClearanceCalculator(
             settings().number("body_length", LENGTH, 0.1, 10) / 2,
             settings().number("body_width", WIDTH, 0.1, 10) / 2,
-            settings().number("reach", 8, 1, 100));
+            settings().number("max_range", 8, 1, 100));
     this.base = context.robot() + "/base_link";
     declareInput(
         OdometrySensor.class, "odometry", Odometry.class, (source, reading) -> take(reading));
@@ -120,6 +132,7 @@ public final class RangeFilterImpl extends PerceptualSchemaImpl<Clearance> imple
   }
 
   /** The passed obstacles; the caller holds the filter's lock. */
+  @GuardedBy("filter")
   private ClearanceCalculator.SideClearance beside(
       RangeScan scan, float[] ranges, Transform mount) {
     ClearanceCalculator.SideClearance beside = surrounds.new SideClearance();

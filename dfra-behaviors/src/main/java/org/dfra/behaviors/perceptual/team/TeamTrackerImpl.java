@@ -16,7 +16,7 @@ import org.dfra.flow.perceptual.PositionEstimator;
 import org.dfra.flow.perceptual.TeamPositions;
 import org.dfra.flow.perceptual.TeamTracker;
 import org.dfra.flow.perceptual.Teammate;
-import org.dfra.module.Incident;
+import org.dfra.lifecycle.Incident;
 import org.dfra.persona.PerceptualSchemaAttributes;
 import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
@@ -33,9 +33,9 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code estimator}: name of the position estimator, the same on all robots; default {@code
  *       position}
  *   <li>{@code rate}: rate of its reports, hertz, 0.1 to 10; default 5
- *   <li>{@code silence}: seconds without a pose after which a robot is out of reach, 0.5 to 600;
- *       default 3
- *   <li>{@code longest_age}: as for every perceptual schema; default 1
+ *   <li>{@code peer_timeout}: seconds without a pose after which a robot is out of reach, 0.5 to
+ *       600; default 3
+ *   <li>{@code max_age}: as for every perceptual schema; default 1
  * </ul>
  */
 public final class TeamTrackerImpl extends PerceptualSchemaImpl<TeamPositions>
@@ -53,7 +53,7 @@ public final class TeamTrackerImpl extends PerceptualSchemaImpl<TeamPositions>
   public TeamTrackerImpl(ModuleContext context) {
     super(
         context,
-        "where the other robots are, and for how long they could not be heard",
+        "positions of the other robots, and for how long no message came from each",
         "DFRA",
         "1",
         TeamPositions.class,
@@ -61,7 +61,7 @@ public final class TeamTrackerImpl extends PerceptualSchemaImpl<TeamPositions>
         1);
     this.robot = context.robot();
     this.time = context.robotTime();
-    this.peerTimeoutNanos = Math.round(settings().number("silence", 3, 0.5, 600) * 1e9);
+    this.peerTimeoutNanos = Math.round(settings().number("peer_timeout", 3, 0.5, 600) * 1e9);
     this.interval = Duration.ofNanos(Math.round(1e9 / settings().number("rate", 5, 0.1, 10)));
     declareInputFromTeam(
         ModuleQuery.of(PositionEstimator.class)

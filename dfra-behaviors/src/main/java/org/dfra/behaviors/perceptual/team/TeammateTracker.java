@@ -94,7 +94,7 @@ final class TeammateTracker {
     return Optional.of(
         String.format(
             Locale.ROOT,
-            "%s is out of reach: nothing is heard of it for %.0f s",
+            "%s is out of reach: no message from it for %.0f s",
             robot,
             (nanos - receivedNanos) / 1e9));
   }

@@ -84,6 +84,11 @@ class LineGuidanceTest {
     for (int i = 0; i < 10_000; i++) {
       LocalPosition from = any(random);
       LocalPosition to = any(random);
+      double length = Math.hypot(to.east() - from.east(), to.north() - from.north());
+      while (length < LineGuidance.POINT) { // a line of no length has a test of its own
+        to = any(random);
+        length = Math.hypot(to.east() - from.east(), to.north() - from.north());
+      }
       PoseEstimate pose =
           pose(
               random.nextGaussian() * 20,
@@ -91,7 +96,6 @@ class LineGuidanceTest {
               (random.nextDouble() - 0.5) * 6);
       double lookahead = 0.5 + random.nextDouble() * 10;
       HeadingPercept seen = new LineGuidance(lookahead).towards(pose, from, to, "base_link");
-      double length = Math.hypot(to.east() - from.east(), to.north() - from.north());
       // The foot of the robot on the line, found by search rather than by projection.
       double foot = foot(pose, from, to, length);
       double aim = Math.min(length, Math.max(0, foot) + lookahead) / length;
@@ -102,8 +106,9 @@ class LineGuidanceTest {
       double ahead = Math.cos(look) * east + Math.sin(look) * north;
       assertThat(Math.abs(aside)).as("seed %s, line %s to %s", seed, from, to).isLessThan(1e-4);
       assertThat(ahead).as("seed %s", seed).isPositive();
-      assertThat(Math.abs(seen.headingError())).isLessThanOrEqualTo(Math.PI);
+      assertThat(Math.abs(seen.headingError())).as("seed %s", seed).isLessThanOrEqualTo(Math.PI);
       assertThat(Math.abs(seen.crossTrack()))
+          .as("seed %s, line %s to %s", seed, from, to)
           .isCloseTo(
               Math.hypot(
                   from.east() + foot / length * (to.east() - from.east()) - pose.east(),

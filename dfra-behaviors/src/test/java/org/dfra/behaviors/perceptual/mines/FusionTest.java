@@ -7,6 +7,11 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.assertj.core.data.Offset;
+import org.dfra.behaviors.perceptual.mines.Fusion.BayesFusion;
+import org.dfra.behaviors.perceptual.mines.Fusion.DempsterShaferFusion;
+import org.dfra.behaviors.perceptual.mines.Fusion.Evidence;
+import org.dfra.behaviors.perceptual.mines.Fusion.Opinion;
+import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates.DetectorRates;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -150,6 +155,7 @@ class FusionTest {
   @Test
   void refusesCertainty() {
     assertThatThrownBy(() -> new BayesFusion(1)).hasMessageContaining("prior 1.0");
-    assertThatThrownBy(() -> new DetectorRates(1, 0.1, 1)).hasMessageContaining("certain");
+    assertThatThrownBy(() -> new DetectorRates(1, 0.1, 1))
+        .hasMessageContaining("not both above 0 and below 1");
   }
 }

@@ -8,6 +8,7 @@ import java.time.Instant;
 import java.util.Random;
 import java.util.function.ToIntFunction;
 import javax.imageio.ImageIO;
+import org.dfra.behaviors.perceptual.mines.MineObservation.GroundPoint;
 import org.dfra.behaviors.perceptual.mines.PinholeCamera.Pixel;
 import org.dfra.flow.sensor.CameraImage;
 import org.dfra.flow.sensor.CameraImage.Band;

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Map;
 import java.util.TreeMap;
+import org.dfra.behaviors.perceptual.mines.Fusion.DempsterShaferFusion;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.Parameters;
 import org.dfra.flow.sensor.CameraImage.Band;
@@ -12,24 +13,24 @@ import org.junit.jupiter.api.Test;
 
 class MineDetectorSettingsTest {
 
-  private final Map<String, String> reported = new TreeMap<>();
+  private final Map<String, String> parameters = new TreeMap<>();
 
   MineDetectorSettingsTest() {
     for (String band : new String[] {"visible", "thermal"}) {
-      for (String when : new String[] {"", "_after_alarm", "_after_silence"}) {
-        reported.put(band + "_true_positive" + when, "0.8");
-        reported.put(band + "_false_positive" + when, "0.1");
+      for (String when : new String[] {"", "_after_alarm", "_after_no_alarm"}) {
+        parameters.put(band + "_true_positive" + when, "0.8");
+        parameters.put(band + "_false_positive" + when, "0.1");
       }
     }
   }
 
   private MineDetectorSettings settings() {
-    return MineDetectorSettings.of(Parameters.of("robot/mines", reported));
+    return MineDetectorSettings.of(Parameters.of("robot/mines", parameters));
   }
 
   @Test
   void ratesAreThoseOfTheirCameraAndOfTheLookBefore() {
-    reported.put("thermal_false_positive_after_alarm", "0.7");
+    parameters.put("thermal_false_positive_after_alarm", "0.7");
     RepeatedDetectionRates heat = settings().rates().get(Band.THERMAL);
     assertThat(heat).isNotNull();
     assertThat(heat.afterAlarm().falsePositive()).isEqualTo(0.7);
@@ -38,19 +39,19 @@ class MineDetectorSettingsTest {
 
   @Test
   void ratesThatNobodyMeasuredAreAskedFor() {
-    reported.remove("visible_false_positive_after_silence");
+    parameters.remove("visible_false_positive_after_no_alarm");
     assertThatThrownBy(this::settings)
         .isInstanceOf(ConfigurationException.class)
-        .hasMessageContaining("visible_false_positive_after_silence");
+        .hasMessageContaining("visible_false_positive_after_no_alarm");
   }
 
   @Test
   void theRatesShownAreThoseOfTheFusionChosen() {
-    reported.put("bayes_true_positive", "0.9");
-    reported.put("dempster_shafer_true_positive", "0.95");
+    parameters.put("bayes_true_positive", "0.9");
+    parameters.put("dempster_shafer_true_positive", "0.95");
     assertThat(settings().truePositive()).isEqualTo(0.9);
-    assertThat(settings().falsePositive()).as("not told").isNull();
-    reported.put("fusion", "dempster-shafer");
+    assertThat(settings().falsePositive()).as("not configured").isNull();
+    parameters.put("fusion", "dempster-shafer");
     assertThat(settings().truePositive()).isEqualTo(0.95);
     assertThat(settings().fusion()).isInstanceOf(DempsterShaferFusion.class);
   }
@@ -62,10 +63,10 @@ class MineDetectorSettingsTest {
                 "fusion", "majority",
                 "visible_true_positive", "1",
                 "mine_colour", "olive",
-                "far", "0.6",
+                "max_distance", "0.6",
                 "prior", "0")
             .entrySet()) {
-      Map<String, String> others = new TreeMap<>(reported);
+      Map<String, String> others = new TreeMap<>(parameters);
       others.put(wrong.getKey(), wrong.getValue());
       assertThatThrownBy(() -> MineDetectorSettings.of(Parameters.of("robot/mines", others)))
           .as("%s", wrong)

@@ -31,7 +31,7 @@ class PairingTest {
   }
 
   @Test
-  void imagesThatAreApartWaitForNearerOnes() {
+  void imagesWhoseTimesDifferTooMuchWaitForNearerOnes() {
     var unused = add(Band.THERMAL, 0);
     assertThat(add(Band.VISIBLE, 500)).isEmpty();
     assertThat(add(Band.THERMAL, 700)).isEmpty();

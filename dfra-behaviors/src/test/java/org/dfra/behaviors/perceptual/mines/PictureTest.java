@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.Random;
+import org.dfra.behaviors.perceptual.mines.DecodedImage.SummedTable;
+import org.dfra.behaviors.perceptual.mines.DetectionWindow.PixelRect;
 import org.dfra.flow.sensor.CameraImage;
 import org.dfra.flow.sensor.CameraImage.Band;
 import org.junit.jupiter.api.Test;

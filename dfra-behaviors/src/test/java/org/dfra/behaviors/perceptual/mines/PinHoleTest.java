@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Objects;
 import java.util.Random;
 import org.assertj.core.data.Offset;
+import org.dfra.behaviors.perceptual.mines.MineObservation.GroundPoint;
 import org.dfra.behaviors.perceptual.mines.PinholeCamera.Pixel;
 import org.dfra.geometry.Transform;
 import org.junit.jupiter.api.Test;

@@ -6,7 +6,13 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import org.dfra.behaviors.perceptual.mines.DetectionWindow.WindowGrid;
+import org.dfra.behaviors.perceptual.mines.Fusion.BayesFusion;
+import org.dfra.behaviors.perceptual.mines.ImageMineDetector.ImageDetections;
 import org.dfra.behaviors.perceptual.mines.MineCandidateMap.CandidateEstimate;
+import org.dfra.behaviors.perceptual.mines.MineObservation.GroundPoint;
+import org.dfra.behaviors.perceptual.mines.MineObservation.Viewpoint;
+import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates.DetectorRates;
 import org.dfra.flow.sensor.CameraImage.Band;
 import org.junit.jupiter.api.Test;
 

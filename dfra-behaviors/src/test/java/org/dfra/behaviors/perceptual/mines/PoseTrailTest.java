@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.time.Instant;
+import org.dfra.behaviors.perceptual.mines.MineObservation.GroundPoint;
+import org.dfra.behaviors.perceptual.mines.MineObservation.Viewpoint;
 import org.dfra.flow.perceptual.PoseEstimate;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatCode;
 import java.time.Instant;
 import java.util.Random;
 import org.dfra.behaviors.perceptual.pose.Field.Errors;
+import org.dfra.behaviors.perceptual.pose.PositionEstimatorImpl.TrackerKind;
 import org.dfra.flow.perceptual.PoseEstimate;
 import org.dfra.flow.sensor.AngularRate;
 import org.dfra.flow.sensor.GpsFix;
@@ -45,7 +46,11 @@ class AnyTrackerTest {
     PoseEstimate pose = tracker.estimate(field.host(59)).orElseThrow();
     GpsFix first =
         (GpsFix)
-            field.heard.stream().filter(h -> h.antenna() >= 0).findFirst().orElseThrow().reading();
+            field.measurements.stream()
+                .filter(h -> h.antenna() >= 0)
+                .findFirst()
+                .orElseThrow()
+                .reading();
     assertThat(pose.datum()).isEqualTo(first.position());
     assertThat(pose.frame()).isEqualTo("r/map");
     GeoPosition truth =
@@ -74,7 +79,7 @@ class AnyTrackerTest {
     PoseTracker twice = kind.create(TrackerSettings.DEFAULT, "r/map", Field.DATUM);
     new Ride(field, once).go(59);
     Ride again = new Ride(field, twice);
-    for (Field.Heard received : field.heard) {
+    for (Field.Measurement received : field.measurements) {
       if (received.at() <= 59) {
         again.give(received);
         again.give(received);
@@ -84,11 +89,11 @@ class AnyTrackerTest {
     assertThat(twice.estimate(field.host(59))).contains(expected);
   }
 
-  /** Else the turn would be taken for the gyro's error at rest, with great certainty. */
+  /** Otherwise it would take the rotation for the gyro's bias, with great certainty. */
   @ParameterizedTest
   @EnumSource
   void doesNotLearnTheGyrosErrorWhileItIsTurnedByHand(TrackerKind kind) {
-    PoseTracker tracker = kind.create(TrackerTable.told(0), "r/map", Field.DATUM);
+    PoseTracker tracker = kind.create(TrackerTable.settings(0), "r/map", Field.DATUM);
     Field field = new Field(1, Errors.WHITE, 120);
     for (int i = -1000; i < 0; i++) {
       Instant time = field.host(i / 100.0);
@@ -109,12 +114,12 @@ class AnyTrackerTest {
     Random random = new Random(seed);
     for (int round = 0; round < 5; round++) {
       String what = "-Ddfra.seed=" + seed + ", round " + round;
-      PoseTracker tracker = kind.create(TrackerTable.told(0), "r/map", Field.DATUM);
+      PoseTracker tracker = kind.create(TrackerTable.settings(0), "r/map", Field.DATUM);
       for (int i = 0; i < 4000; i++) {
         int at = i;
         assertThatCode(() -> nonsense(tracker, random, at)).as(what).doesNotThrowAnyException();
       }
-      // Sensors come to their senses: so does the tracker. Its clock begins anew.
+      // The sensors are right again, and so is the tracker. Its clock starts again.
       Field field = new Field(round, Errors.WHITE, 240);
       Ride ride = new Ride(field, tracker);
       ride.go(180).compare(180, 240);

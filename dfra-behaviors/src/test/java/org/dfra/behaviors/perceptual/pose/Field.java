@@ -14,9 +14,9 @@ import org.dfra.geometry.LocalPosition;
 import org.dfra.geometry.Transform;
 
 /**
- * A skid-steered robot that drives lanes on a field, and what its sensors say of that. It stands
- * for ten seconds, then goes lanes of 30 m, 2 m apart, at 0.6 m/s, turning on the spot at their
- * ends. A seed fixes it all.
+ * A skid-steered robot that drives lanes on a field, and the readings of its sensors. It stops for
+ * ten seconds, then drives lanes of 30 m, 2 m apart, at 0.6 m/s, turning on the spot at their ends.
+ * The seed determines everything.
  */
 final class Field {
 
@@ -39,33 +39,34 @@ final class Field {
   /**
    * Errors of the sensors.
    *
-   * @param white σ of a position's new error, m
+   * @param whiteSigma σ of a position's new error, m
    * @param bias σ of its slow error over 200 s, m
    * @param turnSlip mean part of the wheels' turn that the body lags; half of it comes and goes
    * @param hasGyro whether there is a gyro
    * @param hostAhead what the robot's clock is ahead of UTC, s
    */
-  record Errors(double white, double bias, double turnSlip, boolean hasGyro, double hostAhead) {
+  record Errors(
+      double whiteSigma, double biasSigma, double turnSlip, boolean hasGyro, double hostAhead) {
     static final Errors WHITE = new Errors(0.6, 0, 0.2, true, 3.7);
 
     Errors withBias(double other) {
-      return new Errors(white, other, turnSlip, hasGyro, hostAhead);
+      return new Errors(whiteSigma, other, turnSlip, hasGyro, hostAhead);
     }
 
     Errors withoutGyro(double slip) {
-      return new Errors(white, bias, slip, false, hostAhead);
+      return new Errors(whiteSigma, biasSigma, slip, false, hostAhead);
     }
   }
 
-  /** Something heard: an Odometry, AngularRate or GpsFix, and of which antenna. */
-  record Heard(double at, Object reading, int antenna) {}
+  /** A received measurement: an Odometry, AngularRate or GpsFix, and of which antenna. */
+  record Measurement(double at, Object reading, int antenna) {}
 
   /** The truth: metres east and north, yaw and speeds. */
   record Truth(double east, double north, double yaw, double speed, double rate) {}
 
   final Errors errors;
   final List<Truth> truth = new ArrayList<>();
-  final List<Heard> heard = new ArrayList<>();
+  final List<Measurement> measurements = new ArrayList<>();
   private final SplittableRandom random;
   private final LocalFrame frame = new LocalFrame(DATUM);
   private final double[][] slow = new double[2][2];
@@ -82,7 +83,7 @@ final class Field {
       gyro();
     }
     receivers();
-    heard.sort(Comparator.comparingDouble(Heard::at));
+    measurements.sort(Comparator.comparingDouble(Measurement::at));
   }
 
   double gaussian() {
@@ -154,7 +155,7 @@ final class Field {
         double t = i * TICK;
         Odometry reading =
             new Odometry(host(t), "r/odom", "r/base", wheelX, wheelY, wheelYaw, shown, turned);
-        heard.add(new Heard(t + 0.02, reading, -1));
+        measurements.add(new Measurement(t + 0.02, reading, -1));
       }
       wheelX += shown * TICK * Math.cos(wheelYaw);
       wheelY += shown * TICK * Math.sin(wheelYaw);
@@ -167,24 +168,26 @@ final class Field {
     for (int i = 0; i < truth.size(); i++) {
       bias += 2e-4 * Math.sqrt(TICK) * gaussian();
       double rate = truth.get(i).rate + bias + 0.003 * gaussian();
-      heard.add(new Heard(i * TICK + 0.005, new AngularRate(host(i * TICK), "r/gyro", rate), -1));
+      measurements.add(
+          new Measurement(i * TICK + 0.005, new AngularRate(host(i * TICK), "r/gyro", rate), -1));
     }
   }
 
   private void receivers() {
     double keep = Math.exp(-1 / 200.0);
     for (double[] each : slow) {
-      each[0] = errors.bias * gaussian();
-      each[1] = errors.bias * gaussian();
+      each[0] = errors.biasSigma * gaussian();
+      each[1] = errors.biasSigma * gaussian();
     }
     for (int s = 1; s * 100 < truth.size(); s++) {
       for (int antenna = 0; antenna < 2; antenna++) {
         for (int axis = 0; axis < 2; axis++) {
           slow[antenna][axis] =
-              keep * slow[antenna][axis] + errors.bias * Math.sqrt(1 - keep * keep) * gaussian();
+              keep * slow[antenna][axis]
+                  + errors.biasSigma * Math.sqrt(1 - keep * keep) * gaussian();
         }
         double latency = 0.16 - 0.02 * Math.log(1 - random.nextDouble());
-        heard.add(new Heard(s + latency, fix(s, antenna), antenna));
+        measurements.add(new Measurement(s + latency, fix(s, antenna), antenna));
       }
     }
   }
@@ -198,8 +201,8 @@ final class Field {
     double vn = now.speed * sin + now.rate * arm * cos + 0.05 * gaussian();
     return fix(
         second,
-        now.east + arm * cos + slow[antenna][0] + errors.white * gaussian(),
-        now.north + arm * sin + slow[antenna][1] + errors.white * gaussian(),
+        now.east + arm * cos + slow[antenna][0] + errors.whiteSigma * gaussian(),
+        now.north + arm * sin + slow[antenna][1] + errors.whiteSigma * gaussian(),
         ve,
         vn);
   }

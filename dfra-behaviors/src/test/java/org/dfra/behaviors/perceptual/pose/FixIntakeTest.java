@@ -3,6 +3,7 @@ package org.dfra.behaviors.perceptual.pose;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.dfra.behaviors.perceptual.pose.FilterInput.LocalFix;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.Transform;
 import org.jspecify.annotations.Nullable;
@@ -27,7 +28,7 @@ class FixIntakeTest {
   void putsAFixOnTheRobotsClockAndMap() {
     LocalFix local = take(fix(5), "a", 5.4);
     assertThat(local).isNotNull();
-    // Heard 0.4 s later, of which 0.16 s are known for latency.
+    // Received 0.4 s later, of which 0.16 s are known to be latency.
     assertThat(EpochNanos.instant(local.time())).isBetween(FIELD.host(5.239), FIELD.host(5.241));
     assertThat(local.east()).isCloseTo(3, within(1e-6));
     assertThat(local.north()).isCloseTo(4, within(1e-6));
@@ -37,7 +38,7 @@ class FixIntakeTest {
   }
 
   @Test
-  void goesByTheSoonestHeard() {
+  void usesTheLeastDelayedFix() {
     take(fix(5), "a", 5.9);
     take(fix(6), "a", 6.16);
     LocalFix late = take(fix(7), "a", 8.5);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Random;
+import org.dfra.behaviors.perceptual.pose.FilterInput.LocalFix;
 import org.junit.jupiter.api.Test;
 
 class FixWindowTest {
@@ -12,7 +13,7 @@ class FixWindowTest {
   private static final double EAST = -12;
   private static final double NORTH = 33;
 
-  private final FixWindow window = new FixWindow(TrackerTable.told(0));
+  private final FixWindow window = new FixWindow(TrackerTable.settings(0));
 
   /** Adds a fix of the antenna 0.3 m ahead, a track laid into the map by the constants above. */
   private void add(int i, int slot, double biasEast, double noiseEast, double noiseNorth) {

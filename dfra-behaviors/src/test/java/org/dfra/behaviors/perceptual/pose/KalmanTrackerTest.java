@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.SplittableRandom;
 import java.util.stream.LongStream;
 import org.dfra.behaviors.perceptual.pose.Field.Errors;
-import org.dfra.behaviors.perceptual.pose.Field.Heard;
+import org.dfra.behaviors.perceptual.pose.Field.Measurement;
 import org.dfra.flow.perceptual.PoseEstimate;
 import org.dfra.flow.sensor.AngularRate;
 import org.dfra.flow.sensor.GpsFix;
@@ -28,10 +28,10 @@ class KalmanTrackerTest {
   }
 
   private static KalmanTracker tracker() {
-    return new KalmanTracker(TrackerTable.told(0), "r/map", Field.DATUM, null);
+    return new KalmanTracker(TrackerTable.settings(0), "r/map", Field.DATUM, null);
   }
 
-  private static boolean isFix(Heard received) {
+  private static boolean isFix(Measurement received) {
     return received.reading() instanceof GpsFix;
   }
 
@@ -82,7 +82,7 @@ class KalmanTrackerTest {
         Field.Truth truth = field.at(at);
         double east = truth.east() + 50 * Math.cos(way);
         double north = truth.north() + 50 * Math.sin(way);
-        ride.give(new Heard(at + 0.2, field.fix(at, east, north, 0, 0), i % 2));
+        ride.give(new Measurement(at + 0.2, field.fix(at, east, north, 0, 0), i % 2));
         assertThat(ride.off(at + 0.5)).as("at %s s", at).isLessThan(FAR);
       }
     }
@@ -105,7 +105,7 @@ class KalmanTrackerTest {
 
   @ParameterizedTest
   @MethodSource("seeds")
-  void ignoresThatWheelsAreCountedAnew(long seed) {
+  void ignoresThatTheOdometryRestarts(long seed) {
     Field field = new Field(seed, Errors.WHITE, 300);
     KalmanTracker tracker = tracker();
     Ride ride = new Ride(field, tracker).go(100);
@@ -149,7 +149,7 @@ class KalmanTrackerTest {
     double yaw = field.at(0).yaw();
     KalmanTracker tracker =
         new KalmanTracker(
-            TrackerTable.told(0),
+            TrackerTable.settings(0),
             "r/map",
             Field.DATUM,
             new KalmanTracker.InitialYaw(yaw + 0.05, 0.1));
@@ -186,7 +186,7 @@ class KalmanTrackerTest {
     Field field = new Field(1, Errors.WHITE, 1);
     KalmanTracker tracker =
         new KalmanTracker(
-            TrackerTable.told(0), "r/map", Field.DATUM, new KalmanTracker.InitialYaw(0, 0.1));
+            TrackerTable.settings(0), "r/map", Field.DATUM, new KalmanTracker.InitialYaw(0, 0.1));
     for (int i = 0; i <= 600; i++) {
       double t = i / 10.0;
       tracker.addMeasurement(new AngularRate(field.host(t), "r/gyro", 0.02));
@@ -202,7 +202,7 @@ class KalmanTrackerTest {
   }
 
   @Test
-  void tellsHowFarTheClockIsAhead() {
+  void reportsHowFarTheClockIsAhead() {
     Field field = new Field(1, Errors.WHITE, 60);
     KalmanTracker tracker = tracker();
     new Ride(field, tracker).go(59);

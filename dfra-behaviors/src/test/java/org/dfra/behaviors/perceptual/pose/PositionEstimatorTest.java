@@ -11,12 +11,12 @@ import org.dfra.behaviors.ScriptedSensors.Receiver;
 import org.dfra.behaviors.ScriptedSensors.Wheels;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.Parameters;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.flow.perceptual.PoseEstimate;
 import org.dfra.flow.sensor.GpsFix;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -39,7 +39,7 @@ class PositionEstimatorTest {
     return robot.add(new PositionEstimatorImpl(robot.context("estimator", parameters)));
   }
 
-  /** Drives east for so long; whoever is given tells what it sees, wheels ten times a second. */
+  /** Drives east for so long. The wheels publish ten times a second, the receivers once. */
   private void drive(double seconds, Wheels wheels, Receiver... receivers) {
     for (int i = 0; i < Math.round(seconds * 10); i++) {
       driven += SPEED * 0.1;
@@ -59,7 +59,7 @@ class PositionEstimatorTest {
     Wheels wheels = robot.add(new Wheels(robot.context("odometry", Map.of())));
     Receiver front = robot.add(new Receiver(robot.context("front", Map.of())));
     Receiver rear = robot.add(new Receiver(robot.context("rear", Map.of())));
-    PositionEstimatorImpl estimator = estimator(Map.of("gps_bias", "0", "datum", "48 11"));
+    PositionEstimatorImpl estimator = estimator(Map.of("gps_bias_sigma", "0", "datum", "48 11"));
     drive(30, wheels, front, rear);
     assertThat(estimator.estimate().east()).isCloseTo(driven, within(0.7));
     robot.end(front);
@@ -95,13 +95,13 @@ class PositionEstimatorTest {
   }
 
   @Test
-  void knowsItsFirstYawWhereItIsTold() {
+  void knowsItsFirstYawWhereItIsConfigured() {
     Wheels wheels = robot.add(new Wheels(robot.context("odometry", Map.of())));
     Receiver front = robot.add(new Receiver(robot.context("front", Map.of())));
-    PositionEstimatorImpl reported =
+    PositionEstimatorImpl configured =
         estimator(Map.of("initial_yaw", "1.2", "initial_yaw_sigma", "0.05"));
-    PositionEstimatorImpl untold =
-        robot.add(new PositionEstimatorImpl(robot.context("untold", Map.of())));
+    PositionEstimatorImpl unconfigured =
+        robot.add(new PositionEstimatorImpl(robot.context("unconfigured", Map.of())));
     for (int i = 0; i < 30; i++) { // it stands
       robot.time.step(0.1);
       count(wheels);
@@ -110,9 +110,9 @@ class PositionEstimatorTest {
       }
     }
     robot.time.step(0);
-    assertThat(reported.estimate().yaw()).isCloseTo(1.2, within(0.01));
-    assertThat(reported.estimate().yawSigma()).isLessThan(0.1);
-    assertThat(untold.estimate().yawSigma()).isGreaterThan(1);
+    assertThat(configured.estimate().yaw()).isCloseTo(1.2, within(0.01));
+    assertThat(configured.estimate().yawSigma()).isLessThan(0.1);
+    assertThat(unconfigured.estimate().yawSigma()).isGreaterThan(1);
   }
 
   @Test
@@ -121,21 +121,21 @@ class PositionEstimatorTest {
         Map.ofEntries(
             Map.entry("method", "guess"),
             Map.entry("datum", "48 north"),
-            Map.entry("gps_white", "0"),
-            Map.entry("gps_bias_time", "-1"),
-            Map.entry("window", "1"),
-            Map.entry("gate", "0"),
+            Map.entry("gps_white_noise_sigma", "0"),
+            Map.entry("gps_bias_correlation_time", "-1"),
+            Map.entry("fix_window", "1"),
+            Map.entry("position_gate", "0"),
             Map.entry("wheel_slip", "9"),
-            Map.entry("gyro_noise", "NaN"),
+            Map.entry("gyro_noise_density", "NaN"),
             Map.entry("initial_yaw", "90"),
             Map.entry("initial_yaw_sigma", "0"),
-            Map.entry("longest_age", "0"));
+            Map.entry("max_age", "0"));
     wrong.forEach(
         (name, value) -> {
           Parameters parameters =
               new Parameters(
                   "atrv1/estimator",
-                  Map.of(name, new Parameters.Value(value, new Place("atrv1.xml", 12))));
+                  Map.of(name, new Parameters.Value(value, new SourceLocation("atrv1.xml", 12))));
           ModuleContext context = robot.context("estimator", parameters);
           assertThatThrownBy(() -> new PositionEstimatorImpl(context))
               .isInstanceOf(ConfigurationException.class)
@@ -144,7 +144,7 @@ class PositionEstimatorTest {
                       .formatted(name, value));
         });
     assertThatThrownBy(() -> estimator(Map.of("method", "guess")))
-        .hasMessageEndingWith("which is not one of kalman, history, raw");
+        .hasMessageEndingWith("which is not one of kalman, fix_window, raw");
   }
 
   private void count(Wheels wheels) {

@@ -7,6 +7,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Random;
+import org.dfra.behaviors.perceptual.pose.FilterInput.LocalFix;
+import org.dfra.behaviors.perceptual.pose.FilterInput.MotionIncrement;
 import org.junit.jupiter.api.Test;
 
 class ReplayTest {

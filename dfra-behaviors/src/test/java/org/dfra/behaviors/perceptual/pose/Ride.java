@@ -8,12 +8,12 @@ import org.dfra.flow.sensor.AngularRate;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.flow.sensor.Odometry;
 
-/** Gives a tracker what a field's robot hears, and compares its estimates with the truth. */
+/** Gives a tracker a field's measurements, and compares its estimates with the truth. */
 final class Ride {
 
   private final Field field;
   private final PoseTracker tracker;
-  private Predicate<Field.Heard> passes = received -> true;
+  private Predicate<Field.Measurement> passes = received -> true;
   private double[] shift = new double[3];
   private long set;
   private int next;
@@ -37,7 +37,7 @@ final class Ride {
     return Math.hypot(estimate.east() - truth.east(), estimate.north() - truth.north());
   }
 
-  /** The wheels are counted from another pose from now on: metres and radians added. */
+  /** The odometry starts at another pose from now on: metres and radians are added. */
   void shiftOdometry(double x, double y, double yaw) {
     shift = new double[] {x, y, yaw};
   }
@@ -65,15 +65,15 @@ final class Ride {
         o.yawRate());
   }
 
-  /** What is not heard from now on. */
-  void without(Predicate<Field.Heard> lost) {
+  /** These measurements are lost from now on. */
+  void without(Predicate<Field.Measurement> lost) {
     passes = lost.negate();
   }
 
   /** Goes on until a time, seconds from the beginning, without comparing. */
   Ride go(double until) {
-    while (next < field.heard.size() && field.heard.get(next).at() <= until) {
-      Field.Heard received = field.heard.get(next);
+    while (next < field.measurements.size() && field.measurements.get(next).at() <= until) {
+      Field.Measurement received = field.measurements.get(next);
       if (passes.test(received)) {
         give(received);
       }
@@ -82,7 +82,7 @@ final class Ride {
     return this;
   }
 
-  void give(Field.Heard received) {
+  void give(Field.Measurement received) {
     if (received.reading() instanceof Odometry odometry) {
       tracker.addMeasurement(shifted(odometry));
     } else if (received.reading() instanceof AngularRate rate) {

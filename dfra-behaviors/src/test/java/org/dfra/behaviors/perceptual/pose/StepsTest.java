@@ -3,6 +3,7 @@ package org.dfra.behaviors.perceptual.pose;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.dfra.behaviors.perceptual.pose.FilterInput.MotionIncrement;
 import org.dfra.flow.sensor.AngularRate;
 import org.dfra.flow.sensor.Odometry;
 import org.jspecify.annotations.Nullable;
@@ -107,7 +108,7 @@ class StepsTest {
   }
 
   @Test
-  void aGyroThatIsSilentTellsNothing() {
+  void aGyroThatIsSilentContributesNothing() {
     gyro(0, 0.5);
     wheels(0, 0, 0, 0, 0, 0);
     MotionIncrement step = wheels(1, 0, 0, 0.4, 0, 0.4);

@@ -12,7 +12,7 @@ class TrackerSettingsTest {
   @Test
   void refusesErrorsThatCannotBe() {
     assertThatThrownBy(() -> new GpsErrors(0, 1, 200, 0.05, 0.4, 0.16, 3))
-        .hasMessage("white noise 0.0 is not above 0; give one that is");
+        .hasMessage("white noise 0.0 is not above 0; give a greater one");
     assertThatThrownBy(() -> new GyroErrors(3e-4, Double.NaN, 2e-4, 0.01))
         .hasMessageContaining("gyro bias NaN");
     assertThatThrownBy(() -> GpsErrors.DEFAULT.withBias(-1))

@@ -2,6 +2,7 @@ package org.dfra.behaviors.perceptual.pose;
 
 import java.util.Arrays;
 import java.util.List;
+import org.dfra.behaviors.perceptual.pose.PositionEstimatorImpl.TrackerKind;
 
 /** Prints how good the trackers are, in Markdown: 20 seeds, ten minutes each. Run its main. */
 final class TrackerTable {
@@ -13,28 +14,28 @@ final class TrackerTable {
   private TrackerTable() {}
 
   public static void main(String[] args) {
-    System.out.println("| errors | told | tracker | RMS m | worst m | yaw RMS rad | NEES |");
+    System.out.println("| errors | assumed | tracker | RMS m | worst m | yaw RMS rad | NEES |");
     System.out.println("|---|---|---|---|---|---|---|");
     Field.Errors white = Field.Errors.WHITE;
     for (double bias : List.of(0.0, 0.3, 1.5)) {
-      row("gyro, bias " + bias, white.withBias(bias), "bias " + bias, told(bias));
+      row("gyro, bias " + bias, white.withBias(bias), "bias " + bias, settings(bias));
     }
-    row("gyro, bias 0", white, "bias 1.5", told(1.5));
-    row("no gyro, turn slip 0.1, bias 0", white.withoutGyro(0.1), "bias 0", told(0));
-    row("no gyro, turn slip 0.3, bias 0", white.withoutGyro(0.3), "bias 0", told(0));
+    row("gyro, bias 0", white, "bias 1.5", settings(1.5));
+    row("no gyro, turn slip 0.1, bias 0", white.withoutGyro(0.1), "bias 0", settings(0));
+    row("no gyro, turn slip 0.3, bias 0", white.withoutGyro(0.3), "bias 0", settings(0));
     row(
         "no gyro, turn slip 0.3, bias 1.5",
         white.withBias(1.5).withoutGyro(0.3),
         "bias 1.5",
-        told(1.5));
+        settings(1.5));
   }
 
-  static TrackerSettings told(double bias) {
-    return TrackerSettings.DEFAULT.with(TrackerSettings.GpsErrors.DEFAULT.withBias(bias));
+  static TrackerSettings settings(double biasSigma) {
+    return TrackerSettings.DEFAULT.with(TrackerSettings.GpsErrors.DEFAULT.withBias(biasSigma));
   }
 
   private static void row(
-      String name, Field.Errors errors, String reported, TrackerSettings settings) {
+      String name, Field.Errors errors, String assumed, TrackerSettings settings) {
     for (TrackerKind kind : TrackerKind.values()) {
       double[] rms = new double[SEEDS];
       double[] worst = new double[SEEDS];
@@ -52,7 +53,7 @@ final class TrackerTable {
       System.out.printf(
           "| %s | %s | %s | %.3f | %.2f | %.4f | %s |%n",
           name,
-          reported,
+          assumed,
           kind,
           rootMeanSquare(rms),
           Arrays.stream(worst).max().orElse(0),

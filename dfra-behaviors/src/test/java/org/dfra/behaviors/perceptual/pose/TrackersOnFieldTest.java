@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import org.dfra.behaviors.perceptual.pose.Field.Errors;
+import org.dfra.behaviors.perceptual.pose.PositionEstimatorImpl.TrackerKind;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -41,8 +42,8 @@ class TrackersOnFieldTest {
     }
   }
 
-  /** What more than one test asks about is ridden once. */
-  private record Question(TrackerKind kind, Errors errors, double told) {}
+  /** What more than one test needs is computed once. */
+  private record Question(TrackerKind kind, Errors errors, double assumedBias) {}
 
   private static final Map<Question, List<Ride>> RIDES = new HashMap<>();
 
@@ -50,9 +51,9 @@ class TrackersOnFieldTest {
   private static final Map<Errors, List<Field>> FIELDS = new HashMap<>();
 
   private static double[] ride(
-      TrackerKind kind, Errors errors, double reported, ToDoubleFunction<Ride> figure) {
+      TrackerKind kind, Errors errors, double assumedBias, ToDoubleFunction<Ride> figure) {
     return RIDES
-        .computeIfAbsent(new Question(kind, errors, reported), TrackersOnFieldTest::rides)
+        .computeIfAbsent(new Question(kind, errors, assumedBias), TrackersOnFieldTest::rides)
         .stream()
         .mapToDouble(figure)
         .toArray();
@@ -64,7 +65,9 @@ class TrackersOnFieldTest {
         .map(
             field -> {
               PoseTracker tracker =
-                  question.kind().create(TrackerTable.told(question.told()), "r/map", Field.DATUM);
+                  question
+                      .kind()
+                      .create(TrackerTable.settings(question.assumedBias()), "r/map", Field.DATUM);
               return new Ride(field, tracker).go(FROM).compare(FROM, SECONDS);
             })
         .toList();
@@ -82,7 +85,7 @@ class TrackersOnFieldTest {
   @Test
   void isFarBetterThanRawFixesWhenTheirNoiseIsWhite() {
     double[] kalman = ride(TrackerKind.KALMAN, Errors.WHITE, 0, Ride::rms);
-    double[] history = ride(TrackerKind.HISTORY, Errors.WHITE, 0, Ride::rms);
+    double[] history = ride(TrackerKind.FIX_WINDOW, Errors.WHITE, 0, Ride::rms);
     double[] raw = ride(TrackerKind.RAW, Errors.WHITE, 0, Ride::rms);
     // Required is 30 % better; dead reckoning over a lane averages tens of fixes.
     assertThat(ratio(kalman, raw).atMost()).isLessThan(0.7);
@@ -102,9 +105,10 @@ class TrackersOnFieldTest {
   @Test
   void isAsGoodAsItSays() {
     double[] nees = ride(TrackerKind.KALMAN, Errors.WHITE.withBias(1.5), 1.5, Ride::nees);
-    // Two numbers estimated: 2 for a linear filter that is told all. Slip comes in spells of 2 s
+    // Two numbers are estimated: 2 for a linear filter that knows all errors. Slip lasts for 2 s
     // and
-    // not white, encoders and turning are simplified; half of it to one and a half of it will do.
+    // is not white, encoders and turning are simplified; from half of 2 to one and a half is
+    // enough.
     Figure figure = Figure.of(nees);
     assertThat(figure.atMost()).as("not overcautious: %s", figure).isGreaterThan(1);
     assertThat(figure.atLeast()).as("not overconfident: %s", figure).isLessThan(3);
@@ -126,7 +130,7 @@ class TrackersOnFieldTest {
   }
 
   @Test
-  void toleratesNoiseThatIsNotAsTold() {
+  void toleratesNoiseThatIsNotAsConfigured() {
     double[] kalman = ride(TrackerKind.KALMAN, Errors.WHITE, 1.5, Ride::rms);
     double[] raw = ride(TrackerKind.RAW, Errors.WHITE, 1.5, Ride::rms);
     assertThat(ratio(kalman, raw).atMost()).isLessThan(0.7);

@@ -6,7 +6,7 @@ import java.util.SplittableRandom;
 import org.dfra.time.ClockOffset;
 import org.junit.jupiter.api.Test;
 
-/** How well a clock's offset is known, and that it says so. */
+/** How well a clock's offset is estimated, and that its uncertainty is right. */
 class UtcOffsetTest {
 
   private static final long LEAST = 160_000_000; // nanoseconds
@@ -26,7 +26,7 @@ class UtcOffsetTest {
   }
 
   @Test
-  void theErrorIsWithinWhatIsTold() {
+  void theErrorIsWithinTheReportedUncertainty() {
     int wrong = 0;
     int all = 0;
     for (long seed = 0; seed < 200; seed++) {
@@ -42,8 +42,10 @@ class UtcOffsetTest {
         }
       }
     }
-    // One in 150 may be by what is told of few latencies; drift and the rest leave some room.
-    assertThat(wrong).as("of %d, more are off than is told", all).isLessThanOrEqualTo(all / 100);
+    // With few latencies the reported uncertainty allows one in 150; drift and the rest add some.
+    assertThat(wrong)
+        .as("of %d, more are off than the reported uncertainty", all)
+        .isLessThanOrEqualTo(all / 100);
   }
 
   @Test

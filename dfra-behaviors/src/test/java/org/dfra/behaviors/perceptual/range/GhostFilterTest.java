@@ -132,7 +132,7 @@ class GhostFilterTest {
   }
 
   @Test
-  void beginsAnewWhereTheScansChangeTheirShapeOrTheTimeGoesBack() {
+  void restartsWhereTheScansChangeTheirShapeOrTheTimeGoesBack() {
     for (int i = 0; i < 5; i++) {
       filter.take(scan(i * 0.1, all(8)));
     }
@@ -144,7 +144,7 @@ class GhostFilterTest {
   }
 
   @Test
-  void beginsAnewWhereTheWheelsAreCountedAnew() {
+  void restartsWhereTheOdometryRestarts() {
     for (int i = 0; i < 6; i++) {
       filter.take(odometry(i * 0.1, 50 + i * 0.05, 3, 0));
       filter.take(scan(i * 0.1, all(8)));

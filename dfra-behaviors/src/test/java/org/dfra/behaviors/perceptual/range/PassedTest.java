@@ -27,7 +27,7 @@ class PassedTest {
 
   private final ObstacleMemory passed = new ObstacleMemory(Duration.ofSeconds(3));
 
-  /** A scan that meets a thing at a place of the odometry's frame where it sees it. */
+  /** A scan that detects a thing at a place of the odometry's frame, if it is in view. */
   private void scan(double seconds, double x, double y, double yaw, double thingX, double thingY) {
     Odometry at = odometry(seconds + clockStep, x, y, yaw);
     double forward = Math.cos(yaw) * (thingX - x) + Math.sin(yaw) * (thingY - y) - MOUNT.x();
@@ -52,7 +52,7 @@ class PassedTest {
     return Math.round(seconds * 1e9);
   }
 
-  private List<double[]> told(double x, double y, double yaw) {
+  private List<double[]> remembered(double x, double y, double yaw) {
     List<double[]> points = new ArrayList<>();
     passed.forEach(
         odometry(0, x, y, yaw), (forward, left) -> points.add(new double[] {forward, left}));
@@ -64,13 +64,13 @@ class PassedTest {
     for (int i = 0; i <= 15; i++) {
       scan(i * 0.1, i * 0.1, 0, 0, 1, 0.7);
     }
-    List<double[]> points = told(1.5, 0, 0);
+    List<double[]> points = remembered(1.5, 0, 0);
     assertThat(points).isNotEmpty();
     for (double[] each : points) {
       assertThat(each[0]).as("behind the middle, metres").isCloseTo(-0.5, within(0.06));
       assertThat(each[1]).as("to the left, metres").isCloseTo(0.7, within(0.06));
     }
-    double[] turned = told(1.5, 0, Math.PI / 2).get(0);
+    double[] turned = remembered(1.5, 0, Math.PI / 2).get(0);
     assertThat(turned[0]).as("ahead once it has turned left").isCloseTo(0.7, within(0.06));
     assertThat(turned[1]).isCloseTo(0.5, within(0.06));
   }
@@ -78,24 +78,24 @@ class PassedTest {
   @Test
   void takesTheSensorsWordForWhatTheSensorSees() {
     scan(0, 0, 0, 0, 1, 0.7);
-    assertThat(told(0, 0, 0)).hasSize(1);
+    assertThat(remembered(0, 0, 0)).hasSize(1);
     scan(0.1, 0, 0, 0, 9, 9); // it was carried away
-    assertThat(told(0, 0, 0)).isEmpty();
+    assertThat(remembered(0, 0, 0)).isEmpty();
   }
 
   @Test
   void forgetsAfterAWhileAndAtADistance() {
     scan(0, 0, 0, 0, 1, 0.7);
     scan(1, 1.5, 0, 0, 1, 0.7); // out of sight
-    assertThat(told(1.5, 0, 0)).hasSize(1);
+    assertThat(remembered(1.5, 0, 0)).hasSize(1);
     scan(2.9, 1.5, 0, 0, 1, 0.7);
-    assertThat(told(1.5, 0, 0)).hasSize(1);
+    assertThat(remembered(1.5, 0, 0)).hasSize(1);
     scan(3.1, 1.5, 0, 0, 1, 0.7);
-    assertThat(told(1.5, 0, 0)).as("3 s are over").isEmpty();
+    assertThat(remembered(1.5, 0, 0)).as("3 s are over").isEmpty();
 
     scan(4, 0, 0, 0, 1, 0.7);
     scan(5, 3.2, 0, 0, 1, 0.7);
-    assertThat(told(3.2, 0, 0)).as("farther than 2 m").isEmpty();
+    assertThat(remembered(3.2, 0, 0)).as("farther than 2 m").isEmpty();
   }
 
   /** A receiver's first fix sets the clock of a robot that is driving, say. */
@@ -106,11 +106,11 @@ class PassedTest {
     scan(1, 1.5, 0, 0, 1, 0.7); // out of sight
     clockStep = step;
     scan(1.1, 1.5, 0, 0, 1, 0.7);
-    assertThat(told(1.5, 0, 0)).as("passed 1.1 s ago").hasSize(1);
+    assertThat(remembered(1.5, 0, 0)).as("passed 1.1 s ago").hasSize(1);
     scan(2.9, 1.5, 0, 0, 1, 0.7);
-    assertThat(told(1.5, 0, 0)).as("passed 2.9 s ago").hasSize(1);
+    assertThat(remembered(1.5, 0, 0)).as("passed 2.9 s ago").hasSize(1);
     scan(3.1, 1.5, 0, 0, 1, 0.7);
-    assertThat(told(1.5, 0, 0)).as("3 s are over").isEmpty();
+    assertThat(remembered(1.5, 0, 0)).as("3 s are over").isEmpty();
   }
 
   @Test
@@ -122,6 +122,6 @@ class PassedTest {
     RangeScan scan =
         new RangeScan(BEGIN, "laser", -Math.PI / 2, Math.toRadians(1), 0, 0.02, 80, ranges);
     passed.take(scan, ranges, MOUNT, odometry(0, 0, 0, 0), 0);
-    assertThat(told(0, 0, 0)).isEmpty();
+    assertThat(remembered(0, 0, 0)).isEmpty();
   }
 }

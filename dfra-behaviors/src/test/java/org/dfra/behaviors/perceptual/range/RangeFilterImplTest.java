@@ -25,7 +25,9 @@ class RangeFilterImplTest {
   private final Wheels wheels = robot.add(new Wheels(robot.context("odometry", Map.of())));
   private final Laser laser = robot.add(new Laser(robot.context("laser", Map.of())));
   private final RangeFilterImpl filter =
-      robot.add(new RangeFilterImpl(robot.context("filter", Map.of("scans", "1", "memory", "3"))));
+      robot.add(
+          new RangeFilterImpl(
+              robot.context("filter", Map.of("median_scans", "1", "obstacle_memory", "3"))));
 
   @AfterEach
   void end() {

@@ -13,7 +13,7 @@ import org.dfra.time.ClockOffset;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
-/** What is said of another robot that falls silent and is heard again. */
+/** What is reported of another robot that falls silent and is received again. */
 class MateTrailTest {
 
   private static final Instant BEGIN = Instant.parse("2026-11-21T12:00:00Z");
@@ -21,7 +21,7 @@ class MateTrailTest {
 
   private final TeammateTracker mate = new TeammateTracker("atrv2");
 
-  private Optional<String> hear(double seconds, long number) {
+  private Optional<String> receive(double seconds, long number) {
     Instant now = BEGIN.plusNanos(Math.round(seconds * 1e9));
     PoseEstimate pose = pose(seconds, 0, null);
     return mate.receive(pose, number, now, Math.round(seconds * 1e9), LONGEST);
@@ -52,12 +52,12 @@ class MateTrailTest {
   }
 
   @Test
-  void withoutASatelliteHeardTheOffsetIsUnknownAndSoIsThePlace() {
+  void withoutSatellitesTheOffsetIsUnknownAndSoIsThePosition() {
     ClockOffset some = new ClockOffset(Duration.ofMillis(800), Duration.ofMillis(10));
     OwnPoseBuffer own = new OwnPoseBuffer();
     own.add(pose(0, 0, some));
     own.add(pose(1, 1, some));
-    assertThat(hear(0.5, 1)).as("its poses carry no offset").isEmpty();
+    assertThat(receive(0.5, 1)).as("its poses carry no offset").isEmpty();
     assertThat(mate.relativeTo(own).clockOffset()).isNull();
     assertThat(mate.relativeTo(own).relativePosition()).isNull();
     assertThat(mate.relativeTo(own).lastReceived()).isEqualTo(BEGIN.plusMillis(500));
@@ -86,14 +86,14 @@ class MateTrailTest {
   }
 
   @Test
-  void tellsTheGapWhenItIsOver() {
-    assertThat(hear(0, 100)).isEmpty();
-    assertThat(hear(0.1, 101)).isEmpty();
+  void reportsTheGapWhenItIsOver() {
+    assertThat(receive(0, 100)).isEmpty();
+    assertThat(receive(0.1, 101)).isEmpty();
     assertThat(look(3)).isEmpty();
-    assertThat(look(3.2)).contains("atrv2 is out of reach: nothing is heard of it for 3 s");
+    assertThat(look(3.2)).contains("atrv2 is out of reach: no message from it for 3 s");
     assertThat(look(40)).as("once").isEmpty();
     assertThat(known().isOutOfReach()).isTrue();
-    assertThat(hear(61.1, 711)).contains("atrv2 was out of reach for 61 s, 609 readings missed");
+    assertThat(receive(61.1, 711)).contains("atrv2 was out of reach for 61 s, 609 readings missed");
     assertThat(known().isOutOfReach()).isFalse();
     assertThat(known().missedReadings()).isEqualTo(609);
     assertThat(look(62)).isEmpty();
@@ -101,14 +101,14 @@ class MateTrailTest {
 
   @Test
   void countsWhatWasMissedWithoutASilence() {
-    assertThat(hear(0, 1)).isEmpty();
-    assertThat(hear(0.5, 6)).isEmpty();
+    assertThat(receive(0, 1)).isEmpty();
+    assertThat(receive(0.5, 6)).isEmpty();
     assertThat(known().missedReadings()).isEqualTo(4);
   }
 
   @Test
-  void whatWasToldBeforeItListenedIsNotMissed() {
-    assertThat(hear(100, 5000)).isEmpty();
+  void whatWasPublishedBeforeItSubscribedIsNotMissed() {
+    assertThat(receive(100, 5000)).isEmpty();
     assertThat(known().missedReadings()).isZero();
   }
 }

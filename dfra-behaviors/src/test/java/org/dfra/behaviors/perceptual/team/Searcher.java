@@ -68,7 +68,8 @@ final class Searcher implements AutoCloseable {
         add(
             new PositionEstimatorImpl(
                 context(
-                    "position", Map.of("datum", "48 11", "gps_bias", "0", "initial_yaw", yaw))));
+                    "position",
+                    Map.of("datum", "48 11", "gps_bias_sigma", "0", "initial_yaw", yaw))));
     this.team = add(new TeamTrackerImpl(context("team", Map.of())));
     tick();
   }

@@ -9,7 +9,7 @@ import org.dfra.behaviors.SteppedTime;
 import org.dfra.core.directory.InMemoryModuleDirectory;
 import org.dfra.flow.perceptual.PoseEstimate;
 import org.dfra.flow.perceptual.Teammate;
-import org.dfra.module.Incident;
+import org.dfra.lifecycle.Incident;
 import org.dfra.time.ClockOffset;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -56,7 +56,7 @@ class TeamTrackerTest {
 
   @ParameterizedTest
   @ValueSource(longs = {1, 2, 3, 4, 5})
-  void findsHowFarClocksAreApartAndDistancesAtOneInstant(long seed) {
+  void findsClockOffsetsAndDistancesAtOneInstant(long seed) {
     begin(seed);
     truth.step(60);
     double naiveMost = 0;
@@ -82,7 +82,9 @@ class TeamTrackerTest {
       assertThat(near.distance()).isCloseTo(Math.abs(separation), within(0.12));
       naiveMost = Math.max(naiveMost, Math.abs(naive() - separation));
     }
-    assertThat(naiveMost).as("what comparing as they are told is off by").isGreaterThan(0.6);
+    assertThat(naiveMost)
+        .as("error of comparing the poses as they are published")
+        .isGreaterThan(0.6);
   }
 
   /** Metres east from the first to the second, where both say they are at the same reading. */
@@ -102,7 +104,7 @@ class TeamTrackerTest {
     ClockOffset second = Objects.requireNonNull(mateOf(robots.get(0)).clockOffset());
     ClockOffset first = Objects.requireNonNull(mateOf(robots.get(1)).clockOffset());
     assertThat(second.seconds()).isCloseTo(-first.seconds(), within(1e-3));
-    // One is of poses that are a turn older than the other's, and clocks drift meanwhile.
+    // One is of poses that are a cycle older than the other's, and clocks drift meanwhile.
     assertThat(second.uncertaintySeconds()).isCloseTo(first.uncertaintySeconds(), within(1e-3));
     Teammate.RelativePosition near =
         Objects.requireNonNull(mateOf(robots.get(1)).relativePosition());

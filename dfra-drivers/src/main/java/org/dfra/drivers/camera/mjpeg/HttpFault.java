@@ -19,7 +19,7 @@ final class HttpFault {
     return switch (head.status()) {
       case 200 -> ofBody(head, path);
       case 301, 302, 303, 307, 308 ->
-          "the camera sends one on to \""
+          "the camera redirects to \""
               + withoutUser(head.header("location"))
               + "\" ("
               + answer
@@ -44,7 +44,7 @@ final class HttpFault {
       String type = head.header("content-type");
       return "what is at "
           + path
-          + " is no stream of images but "
+          + " is not a stream of images but "
           + (type.isEmpty() ? "of no type" : type)
           + "; set path to the camera's multipart stream";
     }
@@ -54,17 +54,17 @@ final class HttpFault {
   private static String unauthorized(HttpHead head, String answer, String user) {
     String challenge = head.header("www-authenticate").toLowerCase(Locale.ROOT);
     if (!challenge.isEmpty() && !challenge.contains("basic")) {
-      return "the camera wants authentication by "
+      return "the camera requires authentication by "
           + challenge.split("\\s", 2)[0]
           + " ("
           + answer
-          + "), here only basic is spoken; set the camera to that";
+          + "), but only basic is supported; set the camera to basic";
     }
     return user.isEmpty()
-        ? "the camera wants to know who asks (" + answer + "); set user and password"
-        : "the camera does not let user "
+        ? "the camera requires authentication (" + answer + "); set user and password"
+        : "the camera rejects user "
             + user
-            + " in with that password ("
+            + " with this password ("
             + answer
             + "); set user and password";
   }

@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
  * @param reason such as {@code Not Found}; may be empty
  * @param headers values by lower-case name; the first value of a repeated name
  */
-public record HttpHead(int status, String reason, Map<String, String> headers) {
+record HttpHead(int status, String reason, Map<String, String> headers) {
 
   private static final Pattern STATUS = Pattern.compile("HTTP/1\\.[01] ([1-5][0-9]{2})(?: (.*))?");
   private static final Pattern BOUNDARY =

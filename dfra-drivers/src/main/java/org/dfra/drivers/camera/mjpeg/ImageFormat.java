@@ -11,7 +11,7 @@ import java.util.Optional;
  * @param bits bits per sample
  * @param isGrey whether a pixel is one sample
  */
-public record ImageFormat(String mediaType, int width, int height, int bits, boolean isGrey) {
+record ImageFormat(String mediaType, int width, int height, int bits, boolean isGrey) {
 
   private static final int MOST_PIXELS = 16_384; // along one side
   private static final int MOST_PADDING = 16; // bytes that a camera may put behind an image

@@ -4,19 +4,22 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
-import org.dfra.core.module.LatestReading;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ParameterTable;
-import org.dfra.core.module.SensorImpl;
 import org.dfra.drivers.camera.mjpeg.MjpegMessage.Part;
 import org.dfra.drivers.device.DeviceLink;
+import org.dfra.drivers.device.LinkedSensorImpl;
 import org.dfra.drivers.link.LinkKeeper;
+import org.dfra.drivers.link.ReopeningLink;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.flow.sensor.CameraImage;
 import org.dfra.flow.sensor.CameraImage.Band;
 import org.dfra.flow.sensor.CameraSensor;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Precondition;
-import org.dfra.module.Readiness;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.CameraAttributes;
 import org.dfra.persona.SensorAttributes;
@@ -29,8 +32,8 @@ import org.jspecify.annotations.Nullable;
  * <p>Parameters:
  *
  * <ul>
- *   <li>{@code link}: {@code tcp://host:port}; required. {@code reopen_first}, {@code
- *       reopen_longest}: see {@link org.dfra.drivers.link.LinkSettings}
+ *   <li>{@code link}: {@code tcp://host:port}; required. {@code reopen_initial_delay}, {@code
+ *       reopen_max_delay}: see {@link org.dfra.drivers.link.LinkSettings}
  *   <li>{@code path}: path of the stream on the camera; default {@code /}
  *   <li>{@code user}, {@code password}: for cameras that require basic authentication; never shown,
  *       never logged
@@ -41,7 +44,7 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code idle_period}: seconds from one image to the next while there are no clients, 0 to
  *       3600; default 10; the connection is closed in between. 0: it always streams. Can be set
  *       while it runs
- *   <li>{@code largest_image}: bytes, 10 000 to 64 Mi; a larger image is dropped and counted;
+ *   <li>{@code max_image_bytes}: bytes, 10 000 to 64 Mi; a larger image is dropped and counted;
  *       default 4 Mi
  *   <li>{@code mount_frame} and so on: the camera's pose; it looks along x of its frame. See {@link
  *       org.dfra.core.module.DeviceImpl}
@@ -60,7 +63,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Threads: one reader ({@code name reader}), owned from {@code start} to {@code close}.
  */
-public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
+public final class MjpegCameraImpl extends LinkedSensorImpl<CameraImage> implements CameraSensor {
 
   private static final Duration OLDEST = Duration.ofSeconds(5);
 
@@ -74,7 +77,6 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
       List.of(new Precondition("temperature", -10, 50, "°C"));
 
   private final MjpegSettings written;
-  private final LatestReading<CameraImage> latest;
   private final DeviceLink deviceLink;
 
   private volatile double fieldOfView;
@@ -91,10 +93,8 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
 
   /** For tests: uses the given clock and source of links. */
   MjpegCameraImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
-    super(context, "network camera, MJPEG", "DFRA", "1.0", List.of("CameraImage"), PRECONDITIONS);
+    super(context, "network camera, MJPEG", List.of("CameraImage"), PRECONDITIONS, "image", ticker);
     this.written = MjpegSettings.of(settings());
-    this.latest =
-        new LatestReading<>("image", this, this::transitionTo, ticker::nanos, this::longestAge);
     this.fieldOfView = written.fieldOfView();
     this.idlePeriod = written.idlePeriod();
     LinkKeeper.Source connecting = source == null ? () -> written.address().open(ticker) : source;
@@ -133,15 +133,8 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
   }
 
   @Override
-  protected void onStart() {
-    latest.setMissing("its link is being opened");
-    deviceLink.start();
-  }
-
-  @Override
-  protected void onClose() {
-    deviceLink.close();
-    latest.clear("it has ended");
+  protected ReopeningLink link() {
+    return deviceLink;
   }
 
   @Override
@@ -157,10 +150,11 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
 
   @Override
   public CameraImage image() {
-    return latest.get();
+    return latest().get();
   }
 
-  private Duration longestAge() {
+  @Override
+  protected Duration longestAge() {
     return OLDEST.plusNanos(Math.round(idlePeriod * 1e9));
   }
 
@@ -185,27 +179,26 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
   private final class Camera implements MjpegProtocol.Listener {
 
     @Override
-    public boolean imageReceived(Part part) {
+    public String imageReceived(Part part) {
       ImageFormat shape = part.shape();
       boolean isThermal = written.band() == Band.THERMAL;
       boolean isRight =
           shape.mediaType().equals(written.mediaType())
               && (!isThermal || (shape.isGrey() && shape.bits() == 16));
       if (!isRight) {
-        latest.setMissing(
+        String why =
             "the camera sends "
                 + shape.mediaType()
                 + " of "
                 + shape.bits()
                 + " bits, but band "
-                + (isThermal
-                    ? "thermal is image/png, grey with 16 bits"
-                    : "visible is image/jpeg"));
-        log.debug("{}: {}", path(), latest.missing());
-        return false;
+                + (isThermal ? "thermal is image/png, grey with 16 bits" : "visible is image/jpeg");
+        latest().setMissing(why);
+        log.debug("{}: {}", path(), why);
+        return why;
       }
       serve(part);
-      return true;
+      return "";
     }
 
     private void serve(Part part) {
@@ -223,7 +216,7 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
               shape.mediaType(),
               part.data());
       can = new CameraAttributes(written.band(), shape.width(), shape.height(), angle);
-      latest.set(image);
+      latest().set(image);
       deviceLink.reportAlive();
       deviceLink.eventCounter().increment(ImageDiagnostics.IMAGE);
       publish(image);
@@ -241,16 +234,32 @@ public final class MjpegCameraImpl extends SensorImpl implements CameraSensor {
     public void refused(String reason) {
       log.debug("{}: {}", path(), reason);
       if (readiness() == Readiness.INITIALIZING) {
-        latest.setMissing(reason);
+        latest().setMissing(reason);
       }
     }
 
     @Override
     public void lost(String reason) {
-      boolean isVague =
-          reason.endsWith("no image for 5 s") && readiness() == Readiness.INITIALIZING;
-      boolean isKnown = isVague && latest.missing().startsWith("the camera sends");
-      latest.markLost(isKnown ? latest.missing() : reason);
+      latest().markLost(reason);
+    }
+  }
+
+  /** Reads {@code X-Timestamp}: seconds since 1970, UTC, with decimals. */
+  private static final class TimestampParser {
+
+    private static final Pattern SECONDS = Pattern.compile("([0-9]{1,10})(?:\\.([0-9]{1,9}))?");
+
+    private TimestampParser() {}
+
+    /** Parses the time; empty where the text is invalid. */
+    static Optional<Instant> of(String text) {
+      Matcher matcher = SECONDS.matcher(text);
+      if (!matcher.matches()) {
+        return Optional.empty();
+      }
+      String decimals = matcher.group(2) == null ? "" : matcher.group(2);
+      long nanos = Long.parseLong((decimals + "000000000").substring(0, 9));
+      return Optional.of(Instant.ofEpochSecond(Long.parseLong(matcher.group(1)), nanos));
     }
   }
 }

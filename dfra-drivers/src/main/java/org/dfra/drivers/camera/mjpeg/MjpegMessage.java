@@ -1,7 +1,7 @@
 package org.dfra.drivers.camera.mjpeg;
 
 /** A message from the camera. */
-public sealed interface MjpegMessage {
+sealed interface MjpegMessage {
 
   /**
    * The response has begun.

@@ -32,7 +32,7 @@ import org.dfra.drivers.frame.StreamParser;
  * <p>The parser buffers at most the largest allowed image and one head. Every byte is counted once:
  * as image data, as structure (heads and boundaries), or as dropped.
  */
-public final class MjpegParser implements StreamParser {
+final class MjpegParser implements StreamParser {
 
   /** Maximum size of a response's head, bytes. */
   static final int LONGEST_HEAD = 8 * 1024;
@@ -145,7 +145,7 @@ public final class MjpegParser implements StreamParser {
     byte[] bytes = pending.array();
     int start = pending.start();
     if (!Arrays.equals(bytes, start, start + begun, HTTP, 0, begun)) {
-      return end("what answers there speaks no HTTP");
+      return end("the answer is not HTTP");
     }
     int end = pending.endOfHead();
     if ((end < 0 ? pending.end() : end) - start > LONGEST_HEAD) { // however the stream was split
@@ -226,7 +226,7 @@ public final class MjpegParser implements StreamParser {
       return true;
     }
     if (!lengthText.matches("[0-9]{1,18}")) {
-      return refuse("a part's Content-Length is no number: " + lengthText);
+      return refuse("a part's Content-Length is not a number: " + lengthText);
     }
     long count = Long.parseLong(lengthText);
     if (count > largest) {
@@ -243,7 +243,7 @@ public final class MjpegParser implements StreamParser {
     }
     Optional<Part> part = part(length);
     if (part.isEmpty()) {
-      return refuse("a part is no whole image");
+      return refuse("a part is not a complete image");
     }
     take(part.get());
     return true;
@@ -265,7 +265,7 @@ public final class MjpegParser implements StreamParser {
     }
     Optional<Part> part = part(withoutLineEnd(size));
     if (part.isEmpty()) {
-      return refuse("a part is no whole image");
+      return refuse("a part is not a complete image");
     }
     take(part.get());
     return true;

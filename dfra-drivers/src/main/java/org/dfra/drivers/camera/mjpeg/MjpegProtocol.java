@@ -33,10 +33,14 @@ final class MjpegProtocol implements DeviceProtocol {
   /** Receives the events; called by the reader. */
   interface Listener {
 
-    /** An image of the expected type has arrived; returns whether it is to be served. */
-    boolean imageReceived(Part part);
+    /**
+     * An image has arrived.
+     *
+     * @return why it is not served, as a clause; empty if it is
+     */
+    String imageReceived(Part part);
 
-    /** A part was not of the expected type. */
+    /** A part was not an image. */
     void refused(String reason);
 
     /** The camera is lost. */
@@ -52,6 +56,8 @@ final class MjpegProtocol implements DeviceProtocol {
   private final MjpegParser parser;
 
   private String fault = ""; // why the stream must be reopened; empty without a fault
+  private String refusal = ""; // why the last image was not served; empty if it was
+  private long refusedNanos; // when that image arrived
   private boolean hasSeen; // an image has arrived since it was connected
   private volatile boolean isIdle; // also read by threads that wait for an image
   private volatile long connectedNanos;
@@ -78,6 +84,7 @@ final class MjpegProtocol implements DeviceProtocol {
 
   private void sendRequest(SerialLink link) throws IOException {
     fault = "";
+    refusal = "";
     hasSeen = false;
     isIdle = false;
     connectedNanos = ticker.nanos();
@@ -121,6 +128,13 @@ final class MjpegProtocol implements DeviceProtocol {
     return "image";
   }
 
+  /** A camera that still sends images, but not the configured ones, is not silent for its user. */
+  @Override
+  public String silenceReason(Duration timeout) {
+    boolean isSending = ticker.nanos() - refusedNanos < SILENCE.toNanos();
+    return refusal.isEmpty() || !isSending ? DeviceProtocol.super.silenceReason(timeout) : refusal;
+  }
+
   @Override
   public void lost(String reason) {
     listener.lost(reason);
@@ -130,7 +144,9 @@ final class MjpegProtocol implements DeviceProtocol {
     if (message instanceof Response response) {
       fault = HttpFault.of(response.head(), settings.path(), settings.user());
     } else if (message instanceof Part part) {
-      if (listener.imageReceived(part)) {
+      refusal = listener.imageReceived(part);
+      refusedNanos = ticker.nanos();
+      if (refusal.isEmpty()) {
         hasSeen = true;
         lifeNanos = ticker.nanos();
       }

@@ -7,7 +7,7 @@ import java.util.Optional;
 import org.dfra.core.config.Parameters;
 import org.dfra.drivers.link.LinkAddress;
 import org.dfra.drivers.link.LinkSettings;
-import org.dfra.drivers.link.SimAddress;
+import org.dfra.drivers.link.SimLinkRegistry.SimAddress;
 import org.dfra.drivers.link.TcpAddress;
 import org.dfra.flow.sensor.CameraImage.Band;
 
@@ -57,7 +57,7 @@ record MjpegSettings(
         fieldOfView(parameters),
         parameters.number("frame_rate", 10, 0.1, 120),
         parameters.number("idle_period", 10, 0, LONGEST_IDLE),
-        (int) parameters.number("largest_image", USUAL_LARGEST, 10_000, 64.0 * 1024 * 1024));
+        (int) parameters.number("max_image_bytes", USUAL_LARGEST, 10_000, 64.0 * 1024 * 1024));
   }
 
   private static LinkAddress address(Parameters parameters) {

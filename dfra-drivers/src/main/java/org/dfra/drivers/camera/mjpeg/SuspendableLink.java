@@ -1,5 +1,6 @@
 package org.dfra.drivers.camera.mjpeg;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.concurrent.locks.Condition;
@@ -21,8 +22,13 @@ final class SuspendableLink implements SerialLink {
   private final String name;
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition closing;
-  private @Nullable SerialLink connection; // guarded by lock; null while suspended
-  private boolean closed; // guarded by lock
+
+  // null while suspended
+  @GuardedBy("lock")
+  private @Nullable SerialLink connection;
+
+  @GuardedBy("lock")
+  private boolean closed;
 
   private SuspendableLink(LinkKeeper.Source source, Ticker ticker, SerialLink first) {
     this.source = source;

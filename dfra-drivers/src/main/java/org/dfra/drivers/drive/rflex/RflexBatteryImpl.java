@@ -1,21 +1,16 @@
 package org.dfra.drivers.drive.rflex;
 
 import java.time.Duration;
-import java.util.List;
 import java.util.Locale;
 import org.dfra.core.module.Diagnostics.DiagnosticFinding;
-import org.dfra.core.module.LatestReading;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ParameterTable.NumberRange;
-import org.dfra.core.module.SensorImpl;
 import org.dfra.drivers.drive.rflex.RflexMessage.SystemStatus;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.flow.sensor.BatterySensor;
 import org.dfra.flow.sensor.BatteryState;
 import org.dfra.module.NotReadyException;
-import org.dfra.persona.Attributes;
-import org.dfra.persona.SensorAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -30,7 +25,7 @@ import org.jspecify.annotations.Nullable;
  *       Measure it once with a voltmeter
  *   <li>{@code charge_curve}: remaining charge by voltage, {@code volts:share volts:share ...};
  *       default two 12 V lead-acid batteries in series, without load
- *   <li>{@code least_voltage}: volts, below which the test {@code voltage} fails; default 23
+ *   <li>{@code min_voltage}: volts, below which the test {@code voltage} fails; default 23
  * </ul>
  *
  * <p>The remaining charge is estimated from the voltage. The estimate is too low while the motors
@@ -42,19 +37,19 @@ import org.jspecify.annotations.Nullable;
  * <p>Tests: {@code link}, {@code readings}, {@code voltage}; recovery: {@code reopen_link}.
  * Threads: it owns none.
  */
-public final class RflexBatteryImpl extends SensorImpl implements BatterySensor {
+public final class RflexBatteryImpl extends RflexSensorImpl<BatteryState> implements BatterySensor {
 
-  private static final double SHORTEST = 0.2;
-  private static final double LONGEST = 60;
+  private static final PeriodicReport STATUS =
+      new PeriodicReport(
+          RflexController.STATUS,
+          "BatteryState",
+          "its status",
+          "its status has not been reported yet",
+          "status_period",
+          1,
+          0.2,
+          60);
 
-  private final SensorAttributes sensor =
-      new SensorAttributes(
-          "BatteryState", List.of("continuous"), 1 / LONGEST, 1 / SHORTEST, null, List.of());
-
-  private final LatestReading<BatteryState> latest;
-  private final RflexLinkHandle port;
-
-  private volatile double period;
   private volatile double offset;
   private volatile double least;
   private volatile ChargeCurve curve;
@@ -68,28 +63,11 @@ public final class RflexBatteryImpl extends SensorImpl implements BatterySensor 
 
   /** For tests: uses the given clock and source of links. */
   RflexBatteryImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
-    super(
-        context,
-        "battery of an ATRV-Jr, by an rFLEX controller",
-        "DFRA",
-        "1.0",
-        List.of("BatteryState"),
-        RflexDriveImpl.PRECONDITIONS);
-    this.latest =
-        new LatestReading<>("reading", this, this::transitionTo, ticker::nanos, this::longestAge);
-    this.period = settings().number("status_period", 1, SHORTEST, LONGEST);
+    super(context, "battery of an ATRV-Jr, by an rFLEX controller", STATUS, ticker, source);
     this.offset = settings().number("voltage_offset", 1.2, -5, 5);
-    this.least = settings().number("least_voltage", 23, 0, 60);
+    this.least = settings().number("min_voltage", 23, 0, 60);
     this.curve = curve();
-    this.port = new RflexLinkHandle(new Member(), context, ticker, source);
-    port.declareIn(diagnostics(), parameterTable());
-    diagnostics()
-        .addTest(
-            "readings",
-            port.arrivalCheck(
-                RflexController.STATUS,
-                () -> new DiagnosticFinding(true, "the controller tells its status")));
-    diagnostics().addTest("voltage", port.arrivalCheck(RflexController.STATUS, this::voltage));
+    diagnostics().addTest("voltage", link().arrivalCheck(RflexController.STATUS, this::voltage));
     declare();
   }
 
@@ -110,13 +88,6 @@ public final class RflexBatteryImpl extends SensorImpl implements BatterySensor 
   private void declare() {
     parameterTable()
         .declareNumber(
-            "status_period",
-            "from one reading to the next",
-            NumberRange.of(SHORTEST, LONGEST, "s"),
-            () -> period,
-            value -> period = value);
-    parameterTable()
-        .declareNumber(
             "voltage_offset",
             "at the battery above what the controller measures",
             NumberRange.of(-5, 5, "V"),
@@ -124,7 +95,7 @@ public final class RflexBatteryImpl extends SensorImpl implements BatterySensor 
             value -> offset = value);
     parameterTable()
         .declareNumber(
-            "least_voltage",
+            "min_voltage",
             "below it the test of the voltage fails",
             NumberRange.of(0, 60, "V"),
             () -> least,
@@ -137,23 +108,6 @@ public final class RflexBatteryImpl extends SensorImpl implements BatterySensor 
             text -> curve = ChargeCurve.parse(text));
   }
 
-  @Override
-  protected void onStart() {
-    latest.setMissing("its link is being opened");
-    port.start();
-  }
-
-  @Override
-  protected void onClose() {
-    port.close();
-    latest.clear("it has ended");
-  }
-
-  @Override
-  public double updateRate() {
-    return 1 / period;
-  }
-
   /**
    * {@inheritDoc}
    *
@@ -161,17 +115,18 @@ public final class RflexBatteryImpl extends SensorImpl implements BatterySensor 
    */
   @Override
   public BatteryState battery() {
-    return latest.get();
+    return latest().get();
   }
 
-  private Duration longestAge() {
-    return Duration.ofMillis(Math.round(3000 * period) + 2000);
+  @Override
+  protected Duration longestAge() {
+    return Duration.ofMillis(Math.round(3000 * period()) + 2000);
   }
 
   private DiagnosticFinding voltage() {
-    @Nullable BatteryState reported = latest.peek();
+    @Nullable BatteryState reported = latest().peek();
     if (reported == null) {
-      return new DiagnosticFinding(false, "no voltage has been told yet");
+      return new DiagnosticFinding(false, "no voltage has been reported yet");
     }
     double volts = reported.voltage();
     return volts >= least
@@ -185,42 +140,18 @@ public final class RflexBatteryImpl extends SensorImpl implements BatterySensor 
   }
 
   @Override
-  protected List<? extends Attributes> deviceAttributes() {
-    return List.of(sensor);
+  Duration status() {
+    return Duration.ofMillis(Math.round(period() * 1e3));
   }
 
-  /** On the reader thread. */
-  private final class Member implements RflexClient {
-
-    @Override
-    public String path() {
-      return RflexBatteryImpl.this.path();
-    }
-
-    @Override
-    public Duration status() {
-      return Duration.ofMillis(Math.round(period * 1e3));
-    }
-
-    @Override
-    public void opened() {
-      latest.setMissing("the link is open, its status has not been told yet");
-    }
-
-    @Override
-    public void messageReceived(RflexMessage message) {
-      if (message instanceof SystemStatus status) {
-        double volts = Math.max(0, status.voltage() + offset);
-        BatteryState now =
-            new BatteryState(clock().instant(), volts, null, curve.remaining(volts), true);
-        latest.set(now);
-        publish(now);
-      }
-    }
-
-    @Override
-    public void lost(String reason) {
-      latest.markLost(reason);
+  @Override
+  void messageReceived(RflexMessage message) {
+    if (message instanceof SystemStatus status) {
+      double volts = Math.max(0, status.voltage() + offset);
+      BatteryState now =
+          new BatteryState(clock().instant(), volts, null, curve.remaining(volts), true);
+      latest().set(now);
+      publish(now);
     }
   }
 }

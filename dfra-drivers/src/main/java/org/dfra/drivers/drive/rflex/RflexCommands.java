@@ -2,6 +2,7 @@ package org.dfra.drivers.drive.rflex;
 
 import java.nio.ByteBuffer;
 import org.dfra.drivers.drive.rflex.RflexMessage.Axis;
+import org.dfra.drivers.drive.rflex.RflexParser.RflexFramer;
 
 /**
  * Encodes commands to an rFLEX controller as frames. Pure.
@@ -11,7 +12,7 @@ import org.dfra.drivers.drive.rflex.RflexMessage.Axis;
  * counts (1.5 mm/s) where its second byte is 1B. If the checksum is 1B, the least important number,
  * a torque or a period, is changed until it is not.
  */
-public final class RflexCommands {
+final class RflexCommands {
 
   private static final int SET_VELOCITY = 7;
   private static final int SET_DEFAULTS = 10;
@@ -98,5 +99,59 @@ public final class RflexCommands {
     frame[end + 1] = RflexFramer.ESCAPE;
     frame[end + 2] = RflexFramer.END;
     return frame;
+  }
+
+  /**
+   * Four-byte numbers without the byte 1B. The controller treats every 1B as the beginning of an
+   * end mark, and its protocol has no escape sequence.
+   */
+  static final class EscapeFreeNumbers {
+
+    static final long MOST = 0xFFFF_FFFFL;
+
+    private EscapeFreeNumbers() {}
+
+    /**
+     * The nearest such number; the smaller of two equally near ones.
+     *
+     * @param value 0 to {@link #MOST}
+     */
+    static long nearest(long value) {
+      long below = atMost(value);
+      long above = atLeast(value);
+      return value - below <= above - value ? below : above;
+    }
+
+    /**
+     * The greatest such number that is not greater.
+     *
+     * @param value 0 to {@link #MOST}
+     */
+    static long atMost(long value) {
+      int shift = escapeIn(value);
+      return shift < 0 ? value : (value >>> shift << shift) - 1; // ends in 1A FF.., all free
+    }
+
+    /**
+     * The smallest such number that is not smaller.
+     *
+     * @param value 0 to {@link #MOST}
+     */
+    static long atLeast(long value) {
+      int shift = escapeIn(value);
+      return shift < 0 ? value : (value >>> shift << shift) + (1L << shift); // ends in 1C 00..
+    }
+
+    /** Position of the first byte that is 1B, in bits from the right; negative if there is none. */
+    private static int escapeIn(long value) {
+      if (value < 0 || value > MOST) {
+        throw new IllegalArgumentException(value + " is outside 0 to " + MOST);
+      }
+      int shift = 24;
+      while (shift >= 0 && (value >>> shift & 0xFF) != RflexFramer.ESCAPE) {
+        shift -= 8;
+      }
+      return shift;
+    }
   }
 }

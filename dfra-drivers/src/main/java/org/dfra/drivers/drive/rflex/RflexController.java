@@ -6,6 +6,7 @@ import org.dfra.core.module.ModuleContext;
 import org.dfra.drivers.device.DeviceLink;
 import org.dfra.drivers.device.DeviceProtocol;
 import org.dfra.drivers.device.SharedDeviceLink;
+import org.dfra.drivers.device.SharedLinkClient;
 import org.dfra.drivers.device.SharedLinkRegistry;
 import org.dfra.drivers.drive.rflex.RflexMessage.MotorReport;
 import org.dfra.drivers.link.LinkAddress;
@@ -27,7 +28,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Threads: one reader ({@code rflex reader}) and one writer ({@code rflex writer}, see {@link
  * RflexOutbox}), from the first module to the last.
  */
-final class RflexController extends SharedDeviceLink<RflexClient> {
+final class RflexController extends SharedDeviceLink<RflexController.RflexClient> {
 
   /** Time without a report after which the controller counts as lost. */
   static final Duration LOST_AFTER = Duration.ofSeconds(1);
@@ -207,5 +208,31 @@ final class RflexController extends SharedDeviceLink<RflexClient> {
       wasOpen = false;
       clients().notifyLost(isSoon ? reason + HINT : reason);
     }
+  }
+
+  /** A module that shares an {@link RflexController}. */
+  interface RflexClient extends SharedLinkClient {
+
+    /** Default period of axis reports. */
+    Duration USUAL_REPORTS = Duration.ofMillis(100);
+
+    /** Default period of battery and brake reports. */
+    Duration USUAL_STATUS = Duration.ofSeconds(1);
+
+    /** Required period of axis reports; queried repeatedly. */
+    default Duration reports() {
+      return USUAL_REPORTS;
+    }
+
+    /** Required period of battery and brake reports; queried repeatedly. */
+    default Duration status() {
+      return USUAL_STATUS;
+    }
+
+    /** The link is open; from now on messages are received and commands can be sent. */
+    void opened();
+
+    /** The controller has sent this message. */
+    void messageReceived(RflexMessage message);
   }
 }

@@ -9,9 +9,10 @@ import org.dfra.drivers.drive.rflex.RflexMessage.MotorReport;
 import org.dfra.drivers.drive.rflex.RflexMessage.Other;
 import org.dfra.drivers.drive.rflex.RflexMessage.SonarReport;
 import org.dfra.drivers.drive.rflex.RflexMessage.SystemStatus;
+import org.dfra.drivers.drive.rflex.RflexParser.RflexFramer;
 
 /** Decodes intact frames into messages. Pure; never throws, whatever the frame. */
-public final class RflexDecoder {
+final class RflexDecoder {
 
   static final int SYSTEM = 1;
   static final int MOTION = 2;

@@ -1,5 +1,6 @@
 package org.dfra.drivers.drive.rflex;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Duration;
 import java.util.EnumMap;
 import java.util.List;
@@ -9,14 +10,15 @@ import org.dfra.core.module.Diagnostics.DiagnosticFinding;
 import org.dfra.core.module.LatestReading;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.drivers.device.SharedLinkHandle;
+import org.dfra.drivers.drive.rflex.RflexController.RflexClient;
 import org.dfra.drivers.drive.rflex.RflexMessage.Axis;
 import org.dfra.drivers.drive.rflex.RflexMessage.MotorReport;
 import org.dfra.drivers.drive.rflex.RflexMessage.SystemStatus;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Precondition;
-import org.dfra.module.Readiness;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -29,12 +31,11 @@ import org.jspecify.annotations.Nullable;
  * <ul>
  *   <li>{@code units_per_metre}, {@code units_per_radian}: the controller's counts, 1000 to
  *       1000000, negative where it counts backwards or to the right; default 87462.73 and 36277.67
- *   <li>{@code acceleration}, {@code turn_acceleration}: acceleration of the drive, m/s² and
- *       rad/s²; default 1 and 2
- *   <li>{@code stop_deceleration}, {@code stop_turn_deceleration}: deceleration of a stop, m/s² and
- *       rad/s²; default 7 and 14. The stopping time from full speed limits {@code longest_silence}
- *   <li>{@code torque}, {@code turn_torque}: maximum torque, in the controller's unit; default
- *       30000
+ *   <li>{@code acceleration}, {@code yaw_acceleration}: acceleration of the drive, m/s² and rad/s²;
+ *       default 1 and 2
+ *   <li>{@code stop_deceleration}, {@code stop_yaw_deceleration}: deceleration of a stop, m/s² and
+ *       rad/s²; default 7 and 14. The stopping time from full speed limits {@code command_timeout}
+ *   <li>{@code torque}, {@code yaw_torque}: maximum torque, in the controller's unit; default 30000
  * </ul>
  *
  * <p>The module is INITIALIZING until both axes have been reported and the state of the brake is
@@ -65,7 +66,7 @@ public final class RflexDriveImpl extends DriveImpl {
   private static final Duration HALT_AGAIN = Duration.ofMillis(200);
 
   /** Time after a brake command during which a contradicting status is ignored. */
-  private static final Duration BRAKE_OBEYED = Duration.ofSeconds(2);
+  private static final Duration BRAKE_EXECUTED = Duration.ofSeconds(2);
 
   private final Ticker ticker;
   private final RflexDriveSettings wheels;
@@ -74,11 +75,18 @@ public final class RflexDriveImpl extends DriveImpl {
   /** Acquired after the base class' locks; no other lock is acquired while it is held. */
   private final Object commandLock = new Object();
 
-  private boolean halted = true; // guarded by commandLock
-  private long haltedNanos; // guarded by commandLock
-  private @Nullable Boolean
-      commandedBrake; // guarded by commandLock; null when the reported status applies
-  private long brakeNanos; // guarded by commandLock
+  @GuardedBy("commandLock")
+  private boolean halted = true;
+
+  @GuardedBy("commandLock")
+  private long haltedNanos;
+
+  // null when the reported status applies
+  @GuardedBy("commandLock")
+  private @Nullable Boolean commandedBrake;
+
+  @GuardedBy("commandLock")
+  private long brakeNanos;
 
   // written by the reader
   private final Map<Axis, MotorReport> reports = new EnumMap<>(Axis.class);
@@ -198,7 +206,7 @@ public final class RflexDriveImpl extends DriveImpl {
   private DiagnosticFinding brakeFinding() {
     @Nullable SystemStatus now = status;
     return now == null
-        ? new DiagnosticFinding(false, "the controller has not told its status yet")
+        ? new DiagnosticFinding(false, "the controller has not reported its status yet")
         : new DiagnosticFinding(
             true, now.brakeSet() ? "the brake is set" : "the brake is released");
   }
@@ -216,7 +224,7 @@ public final class RflexDriveImpl extends DriveImpl {
         controller -> {
           if (!driveState().velocity().isZero() || !stopped) {
             return new DiagnosticFinding(
-                false, "the wheels turn, or are not known to stand; halt them first");
+                false, "the wheels turn, or are not known to be stopped; halt them first");
           }
           controller.outbox().add(RflexCommands.defaults());
           long before = controller.deviceLink().eventCounter().total(RflexController.REPORT);
@@ -242,7 +250,7 @@ public final class RflexDriveImpl extends DriveImpl {
     /** Stops the wheels, whatever was sent before. */
     @Override
     public void opened() {
-      awaits = "the link is open, axes and brake have not been told yet";
+      awaits = "the link is open, axes and brake have not been reported yet";
       reports.clear();
       status = null;
       sendHalt();
@@ -305,11 +313,11 @@ public final class RflexDriveImpl extends DriveImpl {
     synchronized (commandLock) {
       Boolean commanded = commandedBrake;
       if (commanded != null && commanded != isSet) {
-        if (ticker.nanos() - brakeNanos < BRAKE_OBEYED.toNanos()) {
+        if (ticker.nanos() - brakeNanos < BRAKE_EXECUTED.toNanos()) {
           return;
         }
         log.warn(
-            "{}: its brake is {}, against what it was told", path(), isSet ? "set" : "released");
+            "{}: its brake is {}, unlike the last command", path(), isSet ? "set" : "released");
       }
       commandedBrake = null;
     }

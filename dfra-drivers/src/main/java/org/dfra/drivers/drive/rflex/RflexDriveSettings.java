@@ -55,11 +55,11 @@ record RflexDriveSettings(
             counts(parameters, "units_per_metre", PER_METRE),
             counts(parameters, "units_per_radian", PER_RADIAN),
             parameters.number("acceleration", 1, 0.05, 20),
-            parameters.number("turn_acceleration", 2, 0.1, 40),
+            parameters.number("yaw_acceleration", 2, 0.1, 40),
             parameters.number("stop_deceleration", 7, 0.05, 20),
-            parameters.number("stop_turn_deceleration", 14, 0.1, 40),
+            parameters.number("stop_yaw_deceleration", 14, 0.1, 40),
             parameters.number("torque", TORQUE, 0, MOST_TORQUE),
-            parameters.number("turn_torque", TORQUE, 0, MOST_TORQUE));
+            parameters.number("yaw_torque", TORQUE, 0, MOST_TORQUE));
     wheels.check(parameters);
     return wheels;
   }
@@ -87,8 +87,8 @@ record RflexDriveSettings(
       boolean isTurn =
           ATRV_JR.maxYawRate() / stopYawDeceleration > ATRV_JR.maxSpeed() / stopDeceleration;
       throw parameters.fault(
-          isTurn ? "stop_turn_deceleration" : "stop_deceleration",
-          "enough to stand in time: "
+          isTurn ? "stop_yaw_deceleration" : "stop_deceleration",
+          "enough to stop in time: "
               + Math.ceil(
                       (isTurn ? ATRV_JR.maxYawRate() : ATRV_JR.maxSpeed())
                           * 100

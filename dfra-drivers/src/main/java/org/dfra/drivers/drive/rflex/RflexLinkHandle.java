@@ -3,6 +3,7 @@ package org.dfra.drivers.drive.rflex;
 import org.dfra.core.module.Diagnostics.DiagnosticProcedure;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.drivers.device.SharedLinkHandle;
+import org.dfra.drivers.drive.rflex.RflexController.RflexClient;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.LinkSettings;
 import org.dfra.drivers.link.Ticker;
@@ -11,9 +12,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * A module's handle on the {@link RflexController} that it shares with others.
  *
- * <p>Parameters that it reads: {@code link}, {@code reopen_first}, {@code reopen_longest}; of the
- * last two, the values of the first module that starts apply. For its published parameters and
- * diagnostics see {@link SharedLinkHandle}.
+ * <p>Parameters that it reads: {@code link}, {@code reopen_initial_delay}, {@code
+ * reopen_max_delay}; of the last two, the values of the first module that starts apply. For its
+ * published parameters and diagnostics see {@link SharedLinkHandle}.
  */
 final class RflexLinkHandle extends SharedLinkHandle<RflexClient, RflexController> {
 

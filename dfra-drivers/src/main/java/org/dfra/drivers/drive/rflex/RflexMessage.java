@@ -6,7 +6,7 @@ import java.util.List;
  * A message from an rFLEX controller. Numbers are in the controller's own unit unless a unit is
  * named.
  */
-public sealed interface RflexMessage {
+sealed interface RflexMessage {
 
   /** One of the two axes of motion that the controller drives and counts. */
   enum Axis {

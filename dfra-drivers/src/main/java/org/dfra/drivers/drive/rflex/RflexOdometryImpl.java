@@ -1,20 +1,13 @@
 package org.dfra.drivers.drive.rflex;
 
 import java.time.Duration;
-import java.util.List;
-import org.dfra.core.module.Diagnostics.DiagnosticFinding;
-import org.dfra.core.module.LatestReading;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.core.module.ParameterTable.NumberRange;
-import org.dfra.core.module.SensorImpl;
 import org.dfra.drivers.drive.rflex.RflexMessage.MotorReport;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.flow.sensor.Odometry;
 import org.dfra.flow.sensor.OdometrySensor;
 import org.dfra.module.NotReadyException;
-import org.dfra.persona.Attributes;
-import org.dfra.persona.SensorAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -28,7 +21,7 @@ import org.jspecify.annotations.Nullable;
  *       same values
  *   <li>{@code report_period}: seconds from one reading to the next, 0.02 to 0.3; default 0.1; can
  *       be set while it runs
- *   <li>read-only: {@code restarts}, how often the controller restarted its counts
+ *   <li>read-only: {@code controller_restarts}, how often the controller restarted its counts
  * </ul>
  *
  * <p>The pose is that of {@code robot/base_link} in {@code robot/odom}, whose origin is the robot's
@@ -41,23 +34,23 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Tests: {@code link}, {@code readings}; recovery: {@code reopen_link}. Threads: it owns none.
  */
-public final class RflexOdometryImpl extends SensorImpl implements OdometrySensor {
+public final class RflexOdometryImpl extends RflexSensorImpl<Odometry> implements OdometrySensor {
 
-  private static final double SHORTEST = 0.02;
-  private static final double LONGEST = 0.3;
-  private static final double USUAL = 0.1;
-
-  private final SensorAttributes sensor =
-      new SensorAttributes(
-          "Odometry", List.of("continuous"), 1 / LONGEST, 1 / SHORTEST, null, List.of());
+  private static final PeriodicReport AXES =
+      new PeriodicReport(
+          RflexController.REPORT,
+          "Odometry",
+          "both axes",
+          "both axes have not been reported yet",
+          "report_period",
+          0.1,
+          0.02,
+          0.3);
 
   private final String odom;
   private final String base;
-  private final LatestReading<Odometry> latest;
-  private final RflexLinkHandle port;
   private final WheelOdometer count; // confined to the reader
 
-  private volatile double period;
   private volatile long restarts;
 
   /**
@@ -69,61 +62,20 @@ public final class RflexOdometryImpl extends SensorImpl implements OdometrySenso
 
   /** For tests: uses the given clock and source of links. */
   RflexOdometryImpl(ModuleContext context, Ticker ticker, LinkKeeper.@Nullable Source source) {
-    super(
-        context,
-        "odometry of an ATRV-Jr, by an rFLEX controller",
-        "DFRA",
-        "1.0",
-        List.of("Odometry"),
-        RflexDriveImpl.PRECONDITIONS);
+    super(context, "odometry of an ATRV-Jr, by an rFLEX controller", AXES, ticker, source);
     this.odom = context.robot() + "/odom";
     this.base = context.robot() + "/base_link";
-    this.latest =
-        new LatestReading<>("reading", this, this::transitionTo, ticker::nanos, this::longestAge);
     this.count =
         new WheelOdometer(
             RflexDriveSettings.countsPerMetre(settings()),
             RflexDriveSettings.countsPerRadian(settings()),
             RflexDriveSettings.ATRV_JR.maxSpeed(),
             RflexDriveSettings.ATRV_JR.maxYawRate());
-    this.period = settings().number("report_period", USUAL, SHORTEST, LONGEST);
-    this.port = new RflexLinkHandle(new Member(), context, ticker, source);
-    port.declareIn(diagnostics(), parameterTable());
-    diagnostics()
-        .addTest(
-            "readings",
-            port.arrivalCheck(
-                RflexController.REPORT,
-                () -> new DiagnosticFinding(true, "the controller reports both axes")));
-    parameterTable()
-        .declareNumber(
-            "report_period",
-            "from one reading to the next",
-            NumberRange.of(SHORTEST, LONGEST, "s"),
-            () -> period,
-            value -> period = value);
     parameterTable()
         .declareReadOnly(
-            "restarts",
-            "how often the controller began to count anew",
+            "controller_restarts",
+            "how often the controller's counters restarted",
             () -> Long.toString(restarts));
-  }
-
-  @Override
-  protected void onStart() {
-    latest.setMissing("its link is being opened");
-    port.start();
-  }
-
-  @Override
-  protected void onClose() {
-    port.close();
-    latest.clear("it has ended");
-  }
-
-  @Override
-  public double updateRate() {
-    return 1 / period;
   }
 
   /**
@@ -133,69 +85,50 @@ public final class RflexOdometryImpl extends SensorImpl implements OdometrySenso
    */
   @Override
   public Odometry odometry() {
-    return latest.get();
-  }
-
-  private Duration longestAge() {
-    return Duration.ofMillis(Math.max(500, Math.round(5000 * period)));
+    return latest().get();
   }
 
   @Override
-  protected List<? extends Attributes> deviceAttributes() {
-    return List.of(sensor);
+  protected Duration longestAge() {
+    return Duration.ofMillis(Math.max(500, Math.round(5000 * period())));
   }
 
-  /** On the reader thread. */
-  private final class Member implements RflexClient {
+  @Override
+  Duration reports() {
+    return Duration.ofNanos(Math.round(period() * 1e6) * 1000);
+  }
 
-    @Override
-    public String path() {
-      return RflexOdometryImpl.this.path();
-    }
+  @Override
+  void opened() {
+    count.linkInterrupted();
+  }
 
-    @Override
-    public Duration reports() {
-      return Duration.ofNanos(Math.round(period * 1e6) * 1000);
-    }
-
-    @Override
-    public void opened() {
-      latest.setMissing("the link is open, both axes have not been reported yet");
-      count.linkInterrupted();
-    }
-
-    @Override
-    public void messageReceived(RflexMessage message) {
-      if (message instanceof MotorReport report) {
-        boolean isNew = count.update(report);
-        if (restarts != count.restarts()) {
-          restarts = count.restarts();
-          log.info("{}: the controller counts anew; the pose goes on from where it was", path());
-        }
-        if (isNew) {
-          deliver();
-        }
+  @Override
+  void messageReceived(RflexMessage message) {
+    if (message instanceof MotorReport report) {
+      boolean isNew = count.update(report);
+      if (restarts != count.restarts()) {
+        restarts = count.restarts();
+        log.info("{}: the controller's counters restarted; the pose continues", path());
+      }
+      if (isNew) {
+        deliver();
       }
     }
+  }
 
-    private void deliver() {
-      Odometry now =
-          new Odometry(
-              clock().instant(),
-              odom,
-              base,
-              count.x(),
-              count.y(),
-              count.yaw(),
-              count.speed(),
-              count.yawRate());
-      latest.set(now);
-      publish(now);
-    }
-
-    @Override
-    public void lost(String reason) {
-      latest.markLost(reason);
-    }
+  private void deliver() {
+    Odometry now =
+        new Odometry(
+            clock().instant(),
+            odom,
+            base,
+            count.x(),
+            count.y(),
+            count.yaw(),
+            count.speed(),
+            count.yawRate());
+    latest().set(now);
+    publish(now);
   }
 }

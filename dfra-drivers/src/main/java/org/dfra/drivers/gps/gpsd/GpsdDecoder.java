@@ -21,11 +21,11 @@ import org.dfra.drivers.gps.gpsd.GpsdMessage.Version;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Decodes lines that {@link GpsdFramer} found, one at a time. Pure; never throws, whatever the
- * content of a line: an invalid line makes a {@link Malformed}. Unknown members are skipped,
- * because every version of gpsd adds some.
+ * Decodes lines that {@link GpsdParser.GpsdFramer} found, one at a time. Pure; never throws,
+ * whatever the content of a line: an invalid line makes a {@link Malformed}. Unknown members are
+ * skipped, because every version of gpsd adds some.
  */
-public final class GpsdDecoder {
+final class GpsdDecoder {
 
   private static final JsonFactory JSON =
       JsonFactory.builder()
@@ -243,7 +243,7 @@ public final class GpsdDecoder {
   private double number(String member, @Nullable JsonToken token, double least, double most)
       throws IOException {
     if (token != JsonToken.VALUE_NUMBER_INT && token != JsonToken.VALUE_NUMBER_FLOAT) {
-      throw new WrongValue(member + " is no number");
+      throw new WrongValue(member + " is not a number");
     }
     double value = in.getDoubleValue();
     if (least == 0 && value == UNKNOWN) {

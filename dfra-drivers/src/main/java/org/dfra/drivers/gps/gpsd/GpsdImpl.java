@@ -7,12 +7,12 @@ import java.util.List;
 import java.util.Locale;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.drivers.gps.FixedReportingPeriod;
 import org.dfra.drivers.gps.GpsReceiverImpl;
 import org.dfra.drivers.gps.GpsReceiverProtocol;
+import org.dfra.drivers.gps.GpsReceiverProtocol.GpsSolution;
+import org.dfra.drivers.gps.GpsReceiverProtocol.SatelliteInView;
 import org.dfra.drivers.gps.GpsReceiverType;
-import org.dfra.drivers.gps.GpsSolution;
-import org.dfra.drivers.gps.SatelliteInView;
+import org.dfra.drivers.gps.ReportingPeriod.FixedReportingPeriod;
 import org.dfra.drivers.gps.gpsd.GpsdMessage.Device;
 import org.dfra.drivers.gps.gpsd.GpsdMessage.Tpv;
 import org.dfra.drivers.link.LinkKeeper;
@@ -191,12 +191,12 @@ public final class GpsdImpl extends GpsReceiverImpl<GpsdImpl.Protocol> {
               none ? 0 : orZero(dilution),
               satellites.size(),
               received),
-          reported.time() == null ? "gpsd has not told the time yet" : null,
+          reported.time() == null ? "gpsd has not reported the time yet" : null,
           (none ? "searching for satellites, " : "giving a fix, ")
               + received
               + " of "
               + satellites.size()
-              + " heard",
+              + " tracked",
           reported.horizontalError(),
           reported.verticalError());
     }

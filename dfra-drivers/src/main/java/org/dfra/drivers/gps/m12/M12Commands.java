@@ -3,6 +3,8 @@ package org.dfra.drivers.gps.m12;
 import java.time.Instant;
 import java.time.LocalDateTime;
 import java.time.ZoneOffset;
+import org.dfra.drivers.gps.m12.M12Message.PositionControl;
+import org.dfra.drivers.gps.m12.M12Message.PositionHoldMode;
 
 /** Commands to the receiver, as the bytes to be sent. Source: Motorola Oncore M12+ user's guide. */
 public final class M12Commands {

@@ -5,19 +5,33 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.dfra.drivers.gps.m12.M12Fields.MalformedException;
+import org.dfra.drivers.gps.m12.M12Message.HeldPosition;
+import org.dfra.drivers.gps.m12.M12Message.M12UtcOffset;
+import org.dfra.drivers.gps.m12.M12Message.MalformedMessage;
+import org.dfra.drivers.gps.m12.M12Message.OtherMessage;
+import org.dfra.drivers.gps.m12.M12Message.PositionControl;
+import org.dfra.drivers.gps.m12.M12Message.PositionHoldMode;
+import org.dfra.drivers.gps.m12.M12Message.ReceiverClock;
+import org.dfra.drivers.gps.m12.M12Message.ReceiverIdentification;
+import org.dfra.drivers.gps.m12.M12Message.TimeRaim;
+import org.dfra.drivers.gps.m12.M12Message.TimeScale;
+import org.dfra.drivers.gps.m12.M12Message.VisibleSatellites;
+import org.dfra.drivers.gps.m12.M12PositionMessage.SatelliteChannel;
+import org.dfra.drivers.gps.m12.M12PositionMessage.ShortPosition;
+import org.dfra.drivers.gps.m12.M12PositionMessage.UtcState;
 
 /**
  * Decodes intact frames, one at a time. Pure; never throws, whatever the content of a frame: an
  * invalid value makes a {@link MalformedMessage}.
  */
-public final class M12Decoder {
+final class M12Decoder {
 
   private static final int HIGHEST_MODE = 8;
 
   private M12Decoder() {}
 
   /**
-   * Decodes a frame found by {@link M12Framer}.
+   * Decodes a frame found by {@link M12Parser.M12Framer}.
    *
    * @param bytes holds it
    * @param offset index of its first {@code @}

@@ -6,6 +6,8 @@ import java.util.Optional;
 import org.dfra.core.module.Diagnostics;
 import org.dfra.core.module.Diagnostics.DiagnosticFinding;
 import org.dfra.drivers.gps.GpsReceiverDiagnostics;
+import org.dfra.drivers.gps.m12.M12Message.ReceiverIdentification;
+import org.dfra.drivers.gps.m12.M12Message.TimeRaim;
 import org.dfra.module.Precondition;
 
 /**
@@ -68,7 +70,7 @@ final class M12Diagnostics {
     Optional<ReceiverStatus> last = protocol.status();
     if (last.isEmpty()) {
       return new DiagnosticFinding(
-          false, "no @@Ha has come, and only it tells of the antenna; eight channels have none");
+          false, "no @@Ha has come, and only it reports the antenna; eight channels have none");
     }
     return switch (last.get().antenna()) {
       case OK ->
@@ -88,14 +90,13 @@ final class M12Diagnostics {
     return protocol
         .timeRaim()
         .map(raim -> new DiagnosticFinding(raim.solution() == TimeRaim.Solution.OK, raim.inWords()))
-        .orElse(new DiagnosticFinding(false, "the receiver has told nothing by @@Hn or @@En"));
+        .orElse(new DiagnosticFinding(false, "the receiver has sent neither @@Hn nor @@En"));
   }
 
   private DiagnosticFinding reinitialise() throws InterruptedException {
     DiagnosticFinding done = receiver.ask(M12Commands.defaults(), "Cf", "@@Cf", () -> "");
     return done.passed()
-        ? receiver.solution(
-            "the receiver was set to its defaults and told anew what to send, and sends")
+        ? receiver.solution("the receiver was set to its defaults and configured again, and sends")
         : done;
   }
 

@@ -3,6 +3,8 @@ package org.dfra.drivers.gps.m12;
 import java.nio.charset.StandardCharsets;
 import java.time.DateTimeException;
 import java.time.LocalDate;
+import org.dfra.drivers.gps.m12.M12PositionMessage.M12Position;
+import org.dfra.drivers.gps.m12.M12PositionMessage.M12Time;
 
 /** The fields of one frame, by their offsets from the first {@code @}. */
 record M12Fields(byte[] bytes, int start) {

@@ -7,6 +7,10 @@ import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ParameterTable.NumberRange;
 import org.dfra.drivers.gps.GpsReceiverImpl;
 import org.dfra.drivers.gps.GpsReceiverType;
+import org.dfra.drivers.gps.m12.M12Message.HeldPosition;
+import org.dfra.drivers.gps.m12.M12Message.ReceiverIdentification;
+import org.dfra.drivers.gps.m12.M12Message.TimeRaim;
+import org.dfra.drivers.gps.m12.M12PositionMessage.M12Position;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.persona.GpsReceiverAttributes;
@@ -18,18 +22,18 @@ import org.jspecify.annotations.Nullable;
  * <p>Parameters, besides those of every {@link GpsReceiverImpl}:
  *
  * <ul>
- *   <li>{@code rate}: seconds from one position to the next, a whole number from 1 to 255; default
- *       1; can be set while it runs
- *   <li>{@code idle_rate}: the same while there are no clients any more, not less than {@code
+ *   <li>{@code period}: seconds from one position to the next, a whole number from 1 to 255;
+ *       default 1; can be set while it runs
+ *   <li>{@code idle_period}: the same while there are no clients any more, not less than {@code
  *       rate}; default 10; can be set while it runs
  *   <li>{@code positioning}: {@code position_3d} (default), {@code altitude_hold}, {@code hold} or
  *       {@code survey}; can be set while it runs
- *   <li>{@code positions}: {@code full} (default) or {@code short}, for a slow line
+ *   <li>{@code position_message}: {@code full} (default) or {@code short}, for a slow line
  *   <li>read-only: {@code integrity}, the result of time RAIM; {@code held_position}; {@code
  *       utc_offset}
  * </ul>
  *
- * <p>Until the first client arrives the receiver works at {@code rate}, so that it is ready for
+ * <p>Until the first client arrives the receiver works at {@code period}, so that it is ready for
  * that client. For tests and recoveries see {@link M12Diagnostics}.
  *
  * <p>Positions are the receiver's filtered ones, with the height above the ellipsoid; speed is over
@@ -92,14 +96,14 @@ public final class M12PlusImpl extends GpsReceiverImpl<M12Protocol> {
     NumberRange seconds = NumberRange.isInteger(1, M12ReportingPeriod.LONGEST, "s");
     parameterTable()
         .declareNumber(
-            "rate",
+            "period",
             "from one position to the next",
             seconds,
             rate::working,
             value -> rate.setWorking((int) value));
     parameterTable()
         .declareNumber(
-            "idle_rate",
+            "idle_period",
             "from one position to the next when the last client has gone",
             seconds,
             rate::idle,
@@ -117,12 +121,12 @@ public final class M12PlusImpl extends GpsReceiverImpl<M12Protocol> {
         .declareReadOnly(
             "integrity",
             "what time RAIM found of the last solution",
-            () -> protocol().timeRaim().map(TimeRaim::inWords).orElse("not told"));
+            () -> protocol().timeRaim().map(TimeRaim::inWords).orElse("not reported"));
     parameterTable()
         .declareReadOnly(
             "held_position",
             "the position for position hold, degrees and metres above the ellipsoid",
-            () -> protocol().held().map(M12PlusImpl::inWords).orElse("not told"));
+            () -> protocol().held().map(M12PlusImpl::inWords).orElse("not reported"));
     parameterTable()
         .declareReadOnly(
             "utc_offset",

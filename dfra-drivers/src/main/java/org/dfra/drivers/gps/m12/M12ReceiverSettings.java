@@ -1,7 +1,7 @@
 package org.dfra.drivers.gps.m12;
 
 import org.dfra.core.config.Parameters;
-import org.dfra.drivers.gps.m12.PositionControl.Mode;
+import org.dfra.drivers.gps.m12.M12Message.PositionControl.Mode;
 
 /**
  * The required settings of the receiver, except its rate. Safe for use by several threads.
@@ -11,8 +11,8 @@ import org.dfra.drivers.gps.m12.PositionControl.Mode;
  * <ul>
  *   <li>{@code positioning}: {@code position_3d} (default), {@code altitude_hold}, {@code hold} or
  *       {@code survey}; a receiver that holds its position reports a wrong one on a moving robot
- *   <li>{@code positions}: {@code full} ({@code @@Ha}, with satellites; default) or {@code short}
- *       ({@code @@Hb}), for a slow line
+ *   <li>{@code position_message}: {@code full} ({@code @@Ha}, with satellites; default) or {@code
+ *       short} ({@code @@Hb}), for a slow line
  * </ul>
  */
 final class M12ReceiverSettings {
@@ -35,9 +35,11 @@ final class M12ReceiverSettings {
       }
     }
     String positions =
-        parameters.find("positions").isPresent() ? parameters.text("positions") : "full";
+        parameters.find("position_message").isPresent()
+            ? parameters.text("position_message")
+            : "full";
     if (!positions.equals("full") && !positions.equals("short")) {
-      throw parameters.fault("positions", "full or short", null);
+      throw parameters.fault("position_message", "full or short", null);
     }
     return new M12ReceiverSettings(positions.equals("short"), mode);
   }

@@ -32,13 +32,13 @@ final class M12ReportingPeriod implements ReportingPeriod {
   }
 
   /**
-   * Reads {@code rate} and {@code idle_rate}.
+   * Reads {@code period} and {@code idle_period}.
    *
    * @throws org.dfra.core.config.ConfigurationException if one is not a valid number of seconds
    */
   static M12ReportingPeriod from(Parameters parameters) {
     return new M12ReportingPeriod(
-        seconds(parameters, "rate", 1), seconds(parameters, "idle_rate", 10));
+        seconds(parameters, "period", 1), seconds(parameters, "idle_period", 10));
   }
 
   private static int seconds(Parameters parameters, String name, int fallback) {

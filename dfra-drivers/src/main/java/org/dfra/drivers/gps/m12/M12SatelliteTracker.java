@@ -5,7 +5,9 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.dfra.drivers.gps.SatelliteInView;
+import org.dfra.drivers.gps.GpsReceiverProtocol.SatelliteInView;
+import org.dfra.drivers.gps.m12.M12Message.VisibleSatellites;
+import org.dfra.drivers.gps.m12.M12PositionMessage.SatelliteChannel;
 import org.dfra.flow.sensor.GpsFix;
 import org.jspecify.annotations.Nullable;
 

@@ -2,6 +2,10 @@ package org.dfra.drivers.gps.m12;
 
 import java.time.Instant;
 import java.util.List;
+import org.dfra.drivers.gps.m12.M12PositionMessage.M12Position;
+import org.dfra.drivers.gps.m12.M12PositionMessage.M12Time;
+import org.dfra.drivers.gps.m12.M12PositionMessage.SatelliteChannel;
+import org.dfra.drivers.gps.m12.M12PositionMessage.UtcState;
 import org.dfra.flow.sensor.GpsFix;
 
 /**

@@ -2,6 +2,9 @@ package org.dfra.drivers.gps.m12;
 
 import java.time.Instant;
 import java.util.List;
+import org.dfra.drivers.gps.m12.M12PositionMessage.M12Position;
+import org.dfra.drivers.gps.m12.M12PositionMessage.M12Time;
+import org.dfra.drivers.gps.m12.M12PositionMessage.SatelliteChannel;
 import org.dfra.flow.sensor.GpsFix;
 
 /**

@@ -16,7 +16,7 @@ public record ReceiverStatus(int bits) {
     /** Not used by the protocol. */
     RESERVED_1("in a state the protocol does not name"),
     /** The satellites are too close together for a position. */
-    BAD_GEOMETRY("tracking satellites that stand too close together"),
+    BAD_GEOMETRY("tracking satellites that are too close together"),
     /** Searching for satellites. */
     ACQUIRING("acquiring satellites"),
     /** The position is held and only time is solved for. */

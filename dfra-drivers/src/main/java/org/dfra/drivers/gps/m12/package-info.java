@@ -11,7 +11,7 @@
  * org.dfra.drivers.gps.m12.M12Parser} for the protocol alone. To support a further message, add a
  * record to {@link org.dfra.drivers.gps.m12.M12Message} and a case to {@link
  * org.dfra.drivers.gps.m12.M12Decoder}; until then it arrives as an {@link
- * org.dfra.drivers.gps.m12.OtherMessage}.
+ * org.dfra.drivers.gps.m12.M12Message.OtherMessage}.
  *
  * <p>A frame is {@code @@ ID1 ID2 payload C CR LF}: ID1 is A-Z, ID2 is A-Z or a-z, C is the
  * exclusive or of every byte from ID1 to the last of the payload, numbers have their highest byte

@@ -161,7 +161,8 @@ final class NmeaDecoder {
   private int system(int field) throws MalformedException {
     int digit = fields.isEmpty(field) ? -1 : Character.digit(fields.letter(field), 16);
     if (digit < 0 && !fields.isEmpty(field)) {
-      throw new MalformedException("system \"" + fields.text(field) + "\" is no hexadecimal digit");
+      throw new MalformedException(
+          "system \"" + fields.text(field) + "\" is not a hexadecimal digit");
     }
     return digit;
   }

@@ -5,8 +5,8 @@ import java.time.InstantSource;
 import java.time.LocalTime;
 import java.util.List;
 import java.util.function.Consumer;
-import org.dfra.drivers.gps.GpsSolution;
-import org.dfra.drivers.gps.SatelliteInView;
+import org.dfra.drivers.gps.GpsReceiverProtocol.GpsSolution;
+import org.dfra.drivers.gps.GpsReceiverProtocol.SatelliteInView;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Gga;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Gns;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Gsa;
@@ -175,7 +175,7 @@ final class NmeaEpochAssembler {
                 + tracked
                 + " of "
                 + Math.max(satellites.size(), tracked)
-                + " heard"));
+                + " tracked"));
   }
 
   private GpsFix.Mode mode() {
@@ -234,7 +234,7 @@ final class NmeaEpochAssembler {
 
   private @Nullable String utcUnconfirmedReason() {
     if (time == null) {
-      return "has not told the time yet";
+      return "has not reported the time yet";
     }
     return calendar.isKnown() ? null : "has not reported the date yet, which only RMC and ZDA do";
   }

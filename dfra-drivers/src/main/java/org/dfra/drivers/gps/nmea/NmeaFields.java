@@ -19,7 +19,7 @@ final class NmeaFields {
   private final int[] starts = new int[MOST + 1];
   private int count;
 
-  /** Sets the sentence, as found by {@link NmeaFramer}. */
+  /** Sets the sentence, as found by {@link NmeaParser.NmeaFramer}. */
   void take(byte[] sentence, int offset, int length) {
     bytes = sentence;
     count = 0;

@@ -2,10 +2,10 @@ package org.dfra.drivers.gps.nmea;
 
 import java.util.List;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.drivers.gps.FixedReportingPeriod;
 import org.dfra.drivers.gps.GpsReceiverImpl;
 import org.dfra.drivers.gps.GpsReceiverProtocol;
 import org.dfra.drivers.gps.GpsReceiverType;
+import org.dfra.drivers.gps.ReportingPeriod.FixedReportingPeriod;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.SerialLink;
 import org.dfra.drivers.link.Ticker;

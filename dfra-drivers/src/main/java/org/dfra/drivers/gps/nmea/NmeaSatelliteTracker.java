@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
-import org.dfra.drivers.gps.SatelliteInView;
+import org.dfra.drivers.gps.GpsReceiverProtocol.SatelliteInView;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Gsa;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Gsv;
 import org.dfra.drivers.gps.nmea.NmeaSentence.Satellite;

@@ -1,6 +1,7 @@
 package org.dfra.drivers.gps.ubx;
 
 import java.time.Duration;
+import org.dfra.drivers.gps.ubx.UbxParser.UbxFramer;
 
 /** Commands to the receiver, as the bytes to be sent. Source: u-blox receiver descriptions. */
 public final class UbxCommands {

@@ -14,13 +14,14 @@ import org.dfra.drivers.gps.ubx.UbxMessage.NavSat;
 import org.dfra.drivers.gps.ubx.UbxMessage.Other;
 import org.dfra.drivers.gps.ubx.UbxMessage.Satellite;
 import org.dfra.drivers.gps.ubx.UbxMessage.Version;
+import org.dfra.drivers.gps.ubx.UbxParser.UbxFramer;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Decodes intact frames, one at a time. Pure; never throws, whatever the content of a frame: an
  * invalid value makes a {@link Malformed}.
  */
-public final class UbxDecoder {
+final class UbxDecoder {
 
   private static final int VALID_DATE_AND_TIME = 3;
   private static final int RESOLVED = 4;

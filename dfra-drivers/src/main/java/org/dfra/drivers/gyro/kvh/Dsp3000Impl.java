@@ -8,12 +8,14 @@ import org.dfra.core.module.Diagnostics.DiagnosticFinding;
 import org.dfra.core.module.LatestReading;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ParameterTable;
-import org.dfra.core.module.SensorImpl;
 import org.dfra.drivers.device.DeviceLink;
 import org.dfra.drivers.device.DeviceProtocol;
+import org.dfra.drivers.device.LinkedSensorImpl;
 import org.dfra.drivers.gyro.kvh.Dsp3000Message.Malformed;
 import org.dfra.drivers.gyro.kvh.Dsp3000Message.Rate;
+import org.dfra.drivers.gyro.kvh.Dsp3000Parser.Dsp3000Decoder;
 import org.dfra.drivers.link.LinkKeeper;
+import org.dfra.drivers.link.ReopeningLink;
 import org.dfra.drivers.link.SerialLink;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.flow.sensor.AngularRate;
@@ -32,13 +34,13 @@ import org.jspecify.annotations.Nullable;
  * <p>Parameters:
  *
  * <ul>
- *   <li>{@code link}, {@code reopen_first}, {@code reopen_longest}: see {@link
+ *   <li>{@code link}, {@code reopen_initial_delay}, {@code reopen_max_delay}: see {@link
  *       org.dfra.drivers.link.LinkSettings}; the link is required
  *   <li>{@code inverted}: {@code true} for a gyro that is mounted upside down; default {@code
  *       false}; can be set while it runs
  *   <li>{@code bias}: the reported rate of a stationary gyro, radians per second, left is +,
  *       −{@value #MOST_BIAS} to {@value #MOST_BIAS}; default 0; can be set while it runs, also by
- *       the recovery {@code zero_while_standing}
+ *       the recovery {@code calibrate_bias_while_stationary}
  *   <li>{@code mount_frame} and so on: see {@link org.dfra.core.module.DeviceImpl}
  *   <li>read-only: {@code frames}, {@code dropped_bytes}, {@code malformed_frames}
  * </ul>
@@ -48,13 +50,13 @@ import org.jspecify.annotations.Nullable;
  * rate is not valid. A rate is served for 0.5 s.
  *
  * <p>Tests: {@code link}, {@code readings} (lines arrive), {@code validity} (the next line is
- * valid). Recoveries: {@code reopen_link}; {@code zero_while_standing}: sets the bias to the mean
- * of 5 s, and fails if the gyro measures a rotation. The caller must ensure that the robot is
- * stationary.
+ * valid). Recoveries: {@code reopen_link}; {@code calibrate_bias_while_stationary}: sets the bias
+ * to the mean of 5 s, and fails if the gyro measures a rotation. The caller must ensure that the
+ * robot is stationary.
  *
  * <p>Threads: one reader ({@code name reader}), owned from {@code start} to {@code close}.
  */
-public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
+public final class Dsp3000Impl extends LinkedSensorImpl<AngularRate> implements AngularRateSensor {
 
   static final double HERTZ = 100;
   static final double MOST_BIAS = 0.1;
@@ -71,7 +73,6 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
           new Precondition("turn rate", -Dsp3000Decoder.FASTEST, Dsp3000Decoder.FASTEST, "°/s"),
           new Precondition("temperature", -40, 75, "°C"));
 
-  private final LatestReading<AngularRate> latest;
   private final DeviceLink deviceLink;
 
   private volatile boolean inverted;
@@ -91,18 +92,16 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
     super(
         context,
         "fibre-optic rate gyro, KVH DSP-3000",
-        "DFRA",
-        "1.0",
         List.of("AngularRate"),
-        PRECONDITIONS);
-    this.latest =
-        new LatestReading<>("rate", this, this::transitionTo, ticker::nanos, () -> OLDEST);
+        PRECONDITIONS,
+        "rate",
+        ticker);
     this.inverted = invertedIn(settings().find("inverted").orElse("false"));
     this.bias = settings().number("bias", 0, -MOST_BIAS, MOST_BIAS);
     this.deviceLink = new DeviceLink(context, new Gyro(), ticker, source, log);
     this.deviceLink.declareIn(diagnostics(), parameterTable());
     diagnostics().addTest("validity", this::validity);
-    diagnostics().addRecovery("zero_while_standing", this::zero);
+    diagnostics().addRecovery("calibrate_bias_while_stationary", this::zero);
     parameterTable()
         .declareText(
             "inverted",
@@ -112,7 +111,7 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
     parameterTable()
         .declareNumber(
             "bias",
-            "what it tells while it stands, to the left +",
+            "the rate that it reports while it is stationary, to the left +",
             ParameterTable.NumberRange.of(-MOST_BIAS, MOST_BIAS, "rad/s"),
             () -> bias,
             value -> bias = value);
@@ -134,15 +133,13 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
   }
 
   @Override
-  protected void onStart() {
-    latest.setMissing("its link is being opened");
-    deviceLink.start();
+  protected ReopeningLink link() {
+    return deviceLink;
   }
 
   @Override
-  protected void onClose() {
-    deviceLink.close();
-    latest.clear("it has ended");
+  protected Duration longestAge() {
+    return OLDEST;
   }
 
   @Override
@@ -152,7 +149,7 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
 
   @Override
   public AngularRate rate() {
-    return latest.get();
+    return latest().get();
   }
 
   @Override
@@ -176,14 +173,14 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
       return new DiagnosticFinding(false, "no line has come within " + LatestReading.seconds(NEXT));
     }
     return lastWasValid
-        ? new DiagnosticFinding(true, "the gyro vouches for its rate")
+        ? new DiagnosticFinding(true, "the gyro reports that its rate is valid")
         : new DiagnosticFinding(
             false, "the gyro says that its rate is not valid: it starts, or is broken");
   }
 
   private DiagnosticFinding zero() throws InterruptedException {
     if (!readiness().serves()) {
-      return new DiagnosticFinding(false, "it tells no valid rate: " + latest.missing());
+      return new DiagnosticFinding(false, "it reports no valid rate: " + latest().missing());
     }
     StationaryBiasEstimator mean = new StationaryBiasEstimator();
     long before = deviceLink.eventCounter().total(MEAN);
@@ -193,7 +190,7 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
     if (!done) {
       return new DiagnosticFinding(
           false,
-          "it has not told "
+          "it has not sent "
               + StationaryBiasEstimator.READINGS
               + " valid rates within "
               + LatestReading.seconds(MEASURING));
@@ -219,7 +216,7 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
     @Override
     public void opened(SerialLink link) throws IOException {
       valid = 0;
-      latest.setMissing(link + " is open, no line has come yet");
+      latest().setMissing(link + " is open, no line has come yet");
       link.write(RATE_MODE.getBytes(StandardCharsets.US_ASCII));
     }
 
@@ -244,7 +241,7 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
         deviceLink.reportAlive();
         deviceLink.eventCounter().increment(LINE);
       } else if (message instanceof Malformed malformed) {
-        log.debug("{}: a line tells no rate: {}", path(), malformed.line());
+        log.debug("{}: a line contains no rate: {}", path(), malformed.line());
       }
     }
 
@@ -252,7 +249,7 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
       lastWasValid = reported.isValid();
       if (!reported.isValid()) {
         valid = 0;
-        latest.markLost("the gyro says that its rate is not valid");
+        latest().markLost("the gyro says that its rate is not valid");
         return;
       }
       double left =
@@ -262,7 +259,7 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
         return;
       }
       AngularRate rate = new AngularRate(clock().instant(), frame(), left - bias);
-      latest.set(rate);
+      latest().set(rate);
       publish(rate);
     }
 
@@ -276,7 +273,7 @@ public final class Dsp3000Impl extends SensorImpl implements AngularRateSensor {
 
     @Override
     public void lost(String reason) {
-      latest.markLost(reason);
+      latest().markLost(reason);
     }
   }
 }

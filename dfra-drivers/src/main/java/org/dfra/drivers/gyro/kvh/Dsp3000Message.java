@@ -1,7 +1,7 @@
 package org.dfra.drivers.gyro.kvh;
 
 /** The content of one line of the gyro. */
-public sealed interface Dsp3000Message {
+sealed interface Dsp3000Message {
 
   /**
    * A rate, in the mode {@code R}.

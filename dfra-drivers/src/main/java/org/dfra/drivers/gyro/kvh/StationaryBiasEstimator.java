@@ -44,8 +44,8 @@ final class StationaryBiasEstimator {
           false,
           String.format(
               Locale.ROOT,
-              "it does not stand: its rates differ by %.3f °/s > %.3f °/s (standard deviation of %d"
-                  + " readings); let it stand still and try again",
+              "it is moving: its rates differ by %.3f °/s > %.3f °/s (standard deviation of %d"
+                  + " readings); keep it still and try again",
               spread,
               MOST_SPREAD,
               count));
@@ -55,8 +55,8 @@ final class StationaryBiasEstimator {
           false,
           String.format(
               Locale.ROOT,
-              "it does not stand: it turns by %.3f °/s, and no bias is greater than %.3f °/s; let it"
-                  + " stand still and try again",
+              "it is moving: it turns by %.3f °/s, and no bias is greater than %.3f °/s; keep it"
+                  + " still and try again",
               bias,
               MOST_BIAS));
     }

@@ -1,6 +1,8 @@
 package org.dfra.drivers.laser.lms;
 
 import java.nio.charset.StandardCharsets;
+import org.dfra.drivers.laser.lms.LmsParser.LmsCrc;
+import org.dfra.drivers.laser.lms.LmsParser.LmsFramer;
 
 /** Encodes the telegrams to the laser. */
 public final class LmsCommands {

@@ -4,6 +4,7 @@ import java.util.EnumSet;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import org.dfra.drivers.laser.lms.LmsConfiguration.LmsUnit;
 import org.dfra.drivers.laser.lms.LmsRequest.Kind;
 import org.jspecify.annotations.Nullable;
 
@@ -223,10 +224,10 @@ final class LmsConfigurator {
     if (now != null && now.mode().isEmpty()) {
       return "its measuring mode is "
           + now.modeCode()
-          + ", of which nobody knows what its samples mean; set measuring_mode";
+          + ", whose samples cannot be interpreted; set measuring_mode";
     }
     LmsVariant beams = variant;
-    return now != null && beams == null ? "nobody knows where its beams are" : null;
+    return now != null && beams == null ? "the directions of its beams are not known" : null;
   }
 
   /** Whether it has the required settings, or the nearest possible ones. */

@@ -6,13 +6,15 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.dfra.drivers.laser.lms.LmsConfiguration.LmsUnit;
 import org.dfra.drivers.laser.lms.LmsMessage.LmsError;
+import org.dfra.drivers.laser.lms.LmsParser.LmsFramer;
 
 /**
  * Decodes intact frames, one at a time. Pure; never throws, whatever the content of a frame: an
  * invalid value makes a {@link LmsMessage.Malformed}.
  */
-public final class LmsDecoder {
+final class LmsDecoder {
 
   /** Bytes of a status reply up to the last of interest. */
   private static final int STATUS_BYTES = 124;
@@ -69,7 +71,7 @@ public final class LmsDecoder {
       return malformed(0xB0, count + " samples of unit " + (high >> 6) + " are no scan");
     }
     if ((high & 0x20) != 0) {
-      return malformed(0xB0, "it is a part of a scan, which nobody asked for");
+      return malformed(0xB0, "it is a part of a scan, which was not requested");
     }
     int[] samples = new int[count];
     for (int i = 0; i < count; i++) {

@@ -41,7 +41,7 @@ final class LmsDiagnostics {
   /** Time to stop a stream at 9600 baud, send a query, and retry twice. */
   private static final Duration ANSWER = Duration.ofSeconds(8);
 
-  private static final Duration ANEW = Duration.ofSeconds(30);
+  private static final Duration RENEGOTIATION = Duration.ofSeconds(30);
   private static final Duration WOKEN = Duration.ofSeconds(90);
 
   private final DeviceLink deviceLink;
@@ -51,7 +51,7 @@ final class LmsDiagnostics {
   // the laser's last reports; written by the reader, read by any thread
   private volatile @Nullable LmsStatus status;
   private volatile LmsMessage.@Nullable ErrorsReply errors;
-  private volatile String type = "a laser that has not told its type";
+  private volatile String type = "a laser that has not reported its type";
 
   LmsDiagnostics(DeviceLink line, LmsProtocol protocol, LmsIdlePolicy rest) {
     this.deviceLink = line;
@@ -65,7 +65,7 @@ final class LmsDiagnostics {
     examinations.addTest("errors", () -> asked(LmsRequest.ERRORS, "B2", this::errors));
     examinations.addRecovery("reset", () -> restart(protocol::reset, WOKEN, "was reset"));
     examinations.addRecovery(
-        "renegotiate", () -> restart(protocol::renegotiate, ANEW, "was searched"));
+        "renegotiate", () -> restart(protocol::renegotiate, RENEGOTIATION, "was searched"));
   }
 
   /** Processes a telegram from the laser. */
@@ -101,7 +101,7 @@ final class LmsDiagnostics {
   private DiagnosticFinding status() {
     LmsStatus reported = status;
     return reported == null
-        ? new DiagnosticFinding(false, "it has told nothing that can be understood")
+        ? new DiagnosticFinding(false, "it has sent nothing that can be decoded")
         : new DiagnosticFinding(reported.isSound(), reported.inWords());
   }
 
@@ -142,9 +142,11 @@ final class LmsDiagnostics {
           "the laser " + done + " but has not answered within " + LatestReading.seconds(patience));
     }
     idlePolicy.used();
-    return deviceLink.eventCounter().await(SCAN, deviceLink.eventCounter().total(SCAN), ANEW)
+    return deviceLink
+            .eventCounter()
+            .await(SCAN, deviceLink.eventCounter().total(SCAN), RENEGOTIATION)
         ? new DiagnosticFinding(
-            true, "the laser " + done + " and told anew what to do, and sends scans")
+            true, "the laser " + done + " and configured again, and sends scans")
         : new DiagnosticFinding(false, "the laser " + done + " but no scan has come");
   }
 }

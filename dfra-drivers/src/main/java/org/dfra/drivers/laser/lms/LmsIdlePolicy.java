@@ -26,7 +26,7 @@ final class LmsIdlePolicy {
 
   void declareIn(ParameterTable table) {
     table.declareNumber(
-        "idle_after",
+        "idle_timeout",
         "without clients before it stops sending, 0 is never",
         NumberRange.of(0, 3600, "s"),
         this::idleSeconds,

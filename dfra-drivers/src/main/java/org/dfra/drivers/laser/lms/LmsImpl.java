@@ -3,12 +3,13 @@ package org.dfra.drivers.laser.lms;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
-import org.dfra.core.module.LatestReading;
 import org.dfra.core.module.ModuleContext;
-import org.dfra.core.module.SensorImpl;
 import org.dfra.drivers.device.DeviceLink;
+import org.dfra.drivers.device.LinkedSensorImpl;
+import org.dfra.drivers.laser.lms.LmsProtocol.LmsListener;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.LinkSettings;
+import org.dfra.drivers.link.ReopeningLink;
 import org.dfra.drivers.link.Ticker;
 import org.dfra.flow.sensor.RangeScan;
 import org.dfra.flow.sensor.RangeSensor;
@@ -22,7 +23,8 @@ import org.jspecify.annotations.Nullable;
  * <p>Parameters:
  *
  * <ul>
- *   <li>{@code link}, {@code reopen_first}, {@code reopen_longest}: see {@link LinkSettings}
+ *   <li>{@code link}, {@code reopen_initial_delay}, {@code reopen_max_delay}: see {@link
+ *       LinkSettings}
  *   <li>{@code baud}: bits per second: 9600, 19200, 38400, 500000, or {@code keep} to use the
  *       link's current rate. Default 38400 on {@code serial:} and {@code sim:}, else {@code keep}:
  *       a serial server has its own rate, so set another value only for a server that follows the
@@ -34,9 +36,10 @@ import org.jspecify.annotations.Nullable;
  *       laser's flash memory, which is written only where it differs
  *   <li>{@code mode}: {@code continuous} (default) or {@code polled}, every {@code period} seconds,
  *       0.02 to 60, default 1; both can be set while it runs
- *   <li>{@code idle_after}: seconds without clients before scans are stopped, 0 to 3600, 0 is
+ *   <li>{@code idle_timeout}: seconds without clients before scans are stopped, 0 to 3600, 0 is
  *       never; default 10; can be set while it runs
- *   <li>{@code mount_frame}, {@code mount_x} and so on: its pose, see {@link SensorImpl}
+ *   <li>{@code mount_frame}, {@code mount_x} and so on: its pose, see {@link
+ *       org.dfra.core.module.SensorImpl}
  *   <li>read-only: {@code status}, {@code flash_writes}, and those of {@link DeviceLink}
  * </ul>
  *
@@ -51,9 +54,8 @@ import org.jspecify.annotations.Nullable;
  * <p>Threads: one reader ({@code name reader}), owned by a {@link DeviceLink} from {@code start} to
  * {@code close}, does all the work. Callers read immutable snapshots and never wait for the laser.
  */
-public final class LmsImpl extends SensorImpl implements RangeSensor {
+public final class LmsImpl extends LinkedSensorImpl<RangeScan> implements RangeSensor {
 
-  private final LatestReading<RangeScan> latest;
   private final LmsSettings settings;
   private final LmsIdlePolicy idlePolicy;
   private final LmsProtocol protocol;
@@ -81,12 +83,10 @@ public final class LmsImpl extends SensorImpl implements RangeSensor {
     super(
         context,
         "SICK LMS 200 scanning laser",
-        "DFRA",
-        "1.0",
         List.of("RangeScan"),
-        LmsDiagnostics.PRECONDITIONS);
-    this.latest =
-        new LatestReading<>("scan", this, this::transitionTo, ticker::nanos, () -> longestAge);
+        LmsDiagnostics.PRECONDITIONS,
+        "scan",
+        ticker);
     this.settings = LmsSettings.from(settings());
     this.idlePolicy = new LmsIdlePolicy(ticker, LmsSettings.idleAfterIn(settings()));
     this.persona = new LmsPersona(settings);
@@ -107,15 +107,13 @@ public final class LmsImpl extends SensorImpl implements RangeSensor {
   }
 
   @Override
-  protected void onStart() {
-    latest.setMissing("its link is being opened");
-    deviceLink.start();
+  protected ReopeningLink link() {
+    return deviceLink;
   }
 
   @Override
-  protected void onClose() {
-    deviceLink.close();
-    latest.clear("it has ended");
+  protected Duration longestAge() {
+    return longestAge;
   }
 
   @Override
@@ -141,15 +139,15 @@ public final class LmsImpl extends SensorImpl implements RangeSensor {
   public RangeScan scan() {
     boolean wasIdle = idlePolicy.mayIdle();
     idlePolicy.used();
-    if (wasIdle && latest.isTooOld()) {
+    if (wasIdle && latest().isTooOld()) {
       throw new NotReadyException(
           path(),
           readiness(),
-          "it rests, since nobody used it for "
+          "it is idle, since no client used it for "
               + idlePolicy.idleSeconds()
-              + " s; it wakes now, ask again in a second");
+              + " s; it starts now, ask again in a second");
     }
-    return latest.get();
+    return latest().get();
   }
 
   @Override
@@ -184,7 +182,7 @@ public final class LmsImpl extends SensorImpl implements RangeSensor {
               scan.ranges(mode));
       longestAge = Duration.ofMillis(Math.round(500 + 3000 * period));
       persona.updateRangeAttributes(mode, scan.unit(), variant);
-      latest.set(reading);
+      latest().set(reading);
       deviceLink.eventCounter().increment(LmsDiagnostics.SCAN);
       publish(reading);
     }
@@ -206,7 +204,8 @@ public final class LmsImpl extends SensorImpl implements RangeSensor {
         log.debug("malformed {}: {}", name, reason);
       } else {
         malformedReported = true;
-        log.warn("malformed {}: {}; more of them until scans come are told at DEBUG", name, reason);
+        log.warn(
+            "malformed {}: {}; more of them until scans come are logged at DEBUG", name, reason);
       }
     }
 
@@ -217,13 +216,13 @@ public final class LmsImpl extends SensorImpl implements RangeSensor {
 
     @Override
     public void awaiting(String what) {
-      latest.setMissing(what);
+      latest().setMissing(what);
     }
 
     @Override
     public void scansLost(String reason) {
       malformedReported = false;
-      latest.markLost(reason);
+      latest().markLost(reason);
     }
 
     @Override

@@ -1,6 +1,7 @@
 package org.dfra.drivers.laser.lms;
 
 import java.util.List;
+import org.dfra.drivers.laser.lms.LmsConfiguration.LmsUnit;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.RangeAttributes;
 import org.dfra.persona.SensorAttributes;

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.Optional;
 import org.dfra.drivers.device.DeviceProtocol;
+import org.dfra.drivers.device.PollTimer;
 import org.dfra.drivers.laser.lms.LmsRequest.Kind;
 import org.dfra.drivers.link.SerialLink;
 import org.dfra.drivers.link.Ticker;
@@ -268,7 +269,7 @@ final class LmsProtocol implements DeviceProtocol {
     configuredReported = false;
     pendingRequest.end();
     plan.forget();
-    listener.scansLost("the laser has woken and is told what to do");
+    listener.scansLost("the laser has restarted and is configured again");
   }
 
   private void answered(Kind kind, LmsMessage.Telegram answer) {
@@ -305,5 +306,42 @@ final class LmsProtocol implements DeviceProtocol {
       return;
     }
     listener.scanReceived(scan, mode.get(), variant, speeds.now().orElse(LmsBaud.B9600).rate());
+  }
+
+  /** Receives what the laser reports; on the reader thread. */
+  interface LmsListener {
+
+    /**
+     * An intact message has been received, or {@link LmsProtocol#PREPARED}; for threads that wait
+     * for it.
+     */
+    void messageReceived(String name);
+
+    /**
+     * A scan that can be interpreted.
+     *
+     * @param mode measuring mode, which defines the distance bits of a sample
+     * @param variant its field of view and resolution
+     * @param baud bits per second of its link
+     */
+    void scanReceived(LmsScan scan, MeasuringMode mode, LmsVariant variant, int baud);
+
+    /** Every intact telegram. */
+    void telegramReceived(LmsMessage.Telegram telegram);
+
+    /** An intact telegram with an invalid value. */
+    void malformedReceived(String name, String reason);
+
+    /** A warning for the operator, as a sentence. */
+    void warn(String sentence);
+
+    /** No scans are received, for this reason, a clause. */
+    void scansLost(String reason);
+
+    /** The laser answers, but no scan has been received yet: what is missing, a clause. */
+    void awaiting(String what);
+
+    /** Whether no scans are required now. */
+    boolean isIdleRequested();
   }
 }

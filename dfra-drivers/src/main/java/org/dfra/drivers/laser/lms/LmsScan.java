@@ -1,6 +1,7 @@
 package org.dfra.drivers.laser.lms;
 
 import java.util.Arrays;
+import org.dfra.drivers.laser.lms.LmsConfiguration.LmsUnit;
 
 /**
  * {@code B0}: a scan, its samples from right to left. The distance bits of a sample depend on the

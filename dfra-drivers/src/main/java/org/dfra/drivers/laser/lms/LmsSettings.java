@@ -6,10 +6,11 @@ import java.util.Optional;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.module.ParameterTable;
 import org.dfra.core.module.ParameterTable.NumberRange;
+import org.dfra.drivers.laser.lms.LmsConfiguration.LmsUnit;
 import org.dfra.drivers.link.LinkAddress;
 import org.dfra.drivers.link.LinkSettings;
 import org.dfra.drivers.link.SerialAddress;
-import org.dfra.drivers.link.SimAddress;
+import org.dfra.drivers.link.SimLinkRegistry.SimAddress;
 
 /**
  * The required settings of the laser, from the driver's parameters. Safe for use by several
@@ -73,9 +74,9 @@ final class LmsSettings {
         this::setPeriod);
   }
 
-  /** {@code idle_after}: seconds without clients before it becomes idle; 0 is never. */
+  /** {@code idle_timeout}: seconds without clients before it becomes idle; 0 is never. */
   static Duration idleAfterIn(Parameters parameters) {
-    return parameters.seconds("idle_after", Duration.ofSeconds(10), Duration.ZERO, HOUR);
+    return parameters.seconds("idle_timeout", Duration.ofSeconds(10), Duration.ZERO, HOUR);
   }
 
   private static Optional<LmsBaud> baudIn(Parameters parameters) {

@@ -3,6 +3,7 @@ package org.dfra.drivers.laser.lms;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.dfra.drivers.laser.lms.LmsConfiguration.LmsUnit;
 
 /**
  * {@code B1}: the laser's status report.

@@ -2,6 +2,7 @@ package org.dfra.drivers.laser.lms;
 
 import java.util.List;
 import java.util.Optional;
+import org.dfra.drivers.laser.lms.LmsParser.LmsFramer;
 
 /**
  * Field of view and resolution of the laser's beams. They sweep from right to left, the middle beam

@@ -1,6 +1,7 @@
 package org.dfra.drivers.laser.lms;
 
 import java.util.Optional;
+import org.dfra.drivers.laser.lms.LmsConfiguration.LmsUnit;
 
 /**
  * The layout of a sample's sixteen bits: the lowest are the distance, the others are field flags or

@@ -6,7 +6,7 @@ package org.dfra.drivers.laser.lms;
  * @param bits 7 the front window is dirty, 6 the measured values are not plausible, 5 it has been
  *     restarted, 4 and 3 its family, 2 to 0 the severity; 10 hex is a healthy LMS 200
  */
-public record StatusByte(int bits) {
+record StatusByte(int bits) {
 
   /** A healthy LMS 200. */
   public static final StatusByte OK = new StatusByte(0x10);

@@ -1,6 +1,7 @@
 package org.dfra.drivers.pantilt.ptu;
 
 import java.util.Locale;
+import org.dfra.drivers.pantilt.ptu.PtuCommands.PtuAxis;
 
 /**
  * The limits of an axis in the unit's own numbers, and their conversion.
@@ -12,7 +13,7 @@ import java.util.Locale;
  * @param minSpeed positions per second
  * @param maxSpeed positions per second, not below {@code minSpeed}
  */
-public record PtuAxisLimits(
+record PtuAxisLimits(
     PtuAxis axis, double resolution, int minPosition, int maxPosition, int minSpeed, int maxSpeed) {
 
   private static final double SECONDS_OF_ARC = Math.toRadians(1.0 / 3600);

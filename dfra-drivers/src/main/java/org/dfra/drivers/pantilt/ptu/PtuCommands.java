@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 
 /** Commands in the unit's format: upper-case letters, a number, a blank as the end. */
-public final class PtuCommands {
+final class PtuCommands {
 
   /** Disables the echo of commands. */
   public static final String NO_ECHO = "ED";
@@ -41,5 +41,30 @@ public final class PtuCommands {
   /** Commands as bytes, one after the other. */
   public static byte[] bytes(List<String> commands) {
     return (String.join(DELIMITER, commands) + DELIMITER).getBytes(StandardCharsets.US_ASCII);
+  }
+
+  /** One of the two axes. */
+  enum PtuAxis {
+    /** About the vertical; to the left is +. */
+    PAN('P'),
+    /** About the horizontal, after pan; up is +. */
+    TILT('T');
+
+    private final char envelope;
+
+    PtuAxis(char envelope) {
+      this.envelope = envelope;
+    }
+
+    /** The first letter of its commands. */
+    public char letter() {
+      return envelope;
+    }
+
+    /** {@code pan} or {@code tilt}. */
+    @Override
+    public String toString() {
+      return this == PAN ? "pan" : "tilt";
+    }
   }
 }

@@ -60,7 +60,7 @@ final class PtuDiagnostics {
   private DiagnosticFinding reset() throws InterruptedException {
     if (stopped.getAsBoolean()) {
       return new DiagnosticFinding(
-          false, "it moves the head, which is stopped for an emergency; have it released first");
+          false, "it moves the head, which is stopped for an emergency; release it first");
     }
     String someone = commander.get();
     if (someone != null) {

@@ -1,5 +1,6 @@
 package org.dfra.drivers.pantilt.ptu;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.List;
@@ -38,7 +39,9 @@ final class PtuDialogue {
   private final Predicate<byte[]> sender;
   private final Ticker ticker;
   private final BiConsumer<String, String> refusals;
-  private final ArrayDeque<Pending> queue = new ArrayDeque<>(); // guarded by this
+
+  @GuardedBy("this")
+  private final ArrayDeque<Pending> queue = new ArrayDeque<>();
 
   /**
    * Held during a write, so that commands are queued in the order of writing; acquired before

@@ -3,8 +3,10 @@ package org.dfra.drivers.pantilt.ptu;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.dfra.drivers.pantilt.ptu.PtuCommands.PtuAxis;
 import org.dfra.drivers.pantilt.ptu.PtuReply.Refused;
 import org.dfra.drivers.pantilt.ptu.PtuReply.Value;
+import org.dfra.persona.PanTiltAttributes;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -30,7 +32,7 @@ final class PtuGeometryQuery {
       return "it refuses to tell " + question + ": " + refused.message();
     }
     if (!(reply instanceof Value value) || value.number().isEmpty()) {
-      return "its answer to " + question + " is no number: " + reply;
+      return "its answer to " + question + " is not a number: " + reply;
     }
     answers.put(question, value.number().getAsDouble());
     if (answers.size() < ASKED.size()) {
@@ -40,7 +42,7 @@ final class PtuGeometryQuery {
       geometry = new PtuGeometry(limits(PtuAxis.PAN), limits(PtuAxis.TILT));
       return "";
     } catch (IllegalArgumentException e) {
-      return "it tells what cannot be: " + e.getMessage();
+      return "its answer is impossible: " + e.getMessage();
     }
   }
 
@@ -61,5 +63,24 @@ final class PtuGeometryQuery {
 
   private double number(PtuAxis axis, char what) {
     return answers.getOrDefault("" + axis.letter() + what, Double.NaN);
+  }
+
+  /**
+   * The limits of the two axes, as reported by the unit.
+   *
+   * @param pan to the left is +
+   * @param tilt up is +
+   */
+  record PtuGeometry(PtuAxisLimits pan, PtuAxisLimits tilt) {
+
+    /** The attributes for discovery; the speed is that of the slower axis. */
+    public PanTiltAttributes attributes() {
+      return new PanTiltAttributes(
+          pan.minAngle(),
+          pan.maxAngle(),
+          tilt.minAngle(),
+          tilt.maxAngle(),
+          Math.min(pan.fastestSpeed(), tilt.fastestSpeed()));
+    }
   }
 }

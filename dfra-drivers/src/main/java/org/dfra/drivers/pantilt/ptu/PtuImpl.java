@@ -10,15 +10,17 @@ import org.dfra.core.module.ParameterTable;
 import org.dfra.drivers.device.DeviceLink;
 import org.dfra.drivers.link.LinkKeeper;
 import org.dfra.drivers.link.Ticker;
+import org.dfra.drivers.pantilt.ptu.PtuCommands.PtuAxis;
+import org.dfra.drivers.pantilt.ptu.PtuGeometryQuery.PtuGeometry;
 import org.dfra.flow.effector.PanTiltCommand;
 import org.dfra.flow.effector.PanTiltCommand.Halt;
 import org.dfra.flow.effector.PanTiltCommand.PointAt;
 import org.dfra.flow.effector.PanTiltEffector;
 import org.dfra.flow.effector.PanTiltState;
 import org.dfra.geometry.Transform;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
 import org.dfra.module.Precondition;
-import org.dfra.module.Readiness;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.EffectorAttributes;
 import org.jspecify.annotations.Nullable;
@@ -29,14 +31,14 @@ import org.jspecify.annotations.Nullable;
  * <p>Parameters:
  *
  * <ul>
- *   <li>{@code link}, {@code reopen_first}, {@code reopen_longest}: see {@link
+ *   <li>{@code link}, {@code reopen_initial_delay}, {@code reopen_max_delay}: see {@link
  *       org.dfra.drivers.link.LinkSettings}; the link is required
  *   <li>{@code rate}: how often the position is queried, {@value #SLOWEST} to {@value #FASTEST} Hz;
  *       default {@value #USUAL}; can be set while it runs
  *   <li>{@code mount_frame}, {@code mount_x} and so on: the intersection of the two axes, and the
  *       head's orientation at 0, 0; see {@link org.dfra.core.module.DeviceImpl}
- *   <li>read-only: {@code refusals}, number of commands that the unit rejected; {@code frames},
- *       {@code dropped_bytes}, {@code malformed_frames}
+ *   <li>read-only: {@code refused_commands}, number of commands that the unit rejected; {@code
+ *       frames}, {@code dropped_bytes}, {@code malformed_frames}
  * </ul>
  *
  * <p>The head's frame moves with it: {@link #localTransform} is the mount, then pan about z, to the
@@ -125,7 +127,7 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
             value -> rate = value);
     parameterTable()
         .declareReadOnly(
-            "refusals", "commands that the unit refused", () -> Long.toString(refusals));
+            "refused_commands", "commands that the unit refused", () -> Long.toString(refusals));
   }
 
   private boolean send(byte[] bytes) {
@@ -178,7 +180,7 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
   private void sendToUnit(List<String> commands) {
     if (!protocol.send(commands)) {
       throw new NotReadyException(
-          path(), readiness(), "its link was lost just now, the head was not told");
+          path(), readiness(), "its link was lost just now, so the command was not sent");
     }
   }
 
@@ -294,7 +296,7 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
 
     @Override
     public void inconsistentReply(String how) {
-      log.warn("{}: {}; it is asked anew", path(), how);
+      log.warn("{}: {}; it is queried again", path(), how);
       if (readiness() == Readiness.INITIALIZING) {
         latest.setMissing(how);
       }
@@ -316,6 +318,36 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
     private void unknown(String reason) {
       target = null;
       latest.clear(reason);
+    }
+  }
+
+  /** Computes the pose of a pan-tilt head. */
+  static final class HeadPose {
+
+    private HeadPose() {}
+
+    /**
+     * The mount, then pan about its z axis, then tilt about the resulting y axis: transforms
+     * coordinates from the head's frame to the frame in which the unit is mounted.
+     *
+     * @param mount the intersection of the axes, and the head's orientation at 0, 0
+     * @param pan radians, to the left is +
+     * @param tilt radians, up is +
+     */
+    static Transform of(Transform mount, double pan, double tilt) {
+      Transform turn = Transform.of(0, 0, 0, 0, -tilt, pan); // pitch is + nose down
+      double w = mount.qw();
+      double x = mount.qx();
+      double y = mount.qy();
+      double z = mount.qz();
+      return new Transform(
+          mount.x(),
+          mount.y(),
+          mount.z(),
+          w * turn.qw() - x * turn.qx() - y * turn.qy() - z * turn.qz(),
+          w * turn.qx() + x * turn.qw() + y * turn.qz() - z * turn.qy(),
+          w * turn.qy() - x * turn.qz() + y * turn.qw() + z * turn.qx(),
+          w * turn.qz() + x * turn.qy() - y * turn.qx() + z * turn.qw());
     }
   }
 }

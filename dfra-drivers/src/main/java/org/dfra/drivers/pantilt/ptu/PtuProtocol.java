@@ -8,8 +8,11 @@ import java.util.function.DoubleSupplier;
 import java.util.function.IntConsumer;
 import java.util.function.Predicate;
 import org.dfra.drivers.device.DeviceProtocol;
+import org.dfra.drivers.device.PollTimer;
 import org.dfra.drivers.link.SerialLink;
 import org.dfra.drivers.link.Ticker;
+import org.dfra.drivers.pantilt.ptu.PtuCommands.PtuAxis;
+import org.dfra.drivers.pantilt.ptu.PtuGeometryQuery.PtuGeometry;
 import org.dfra.drivers.pantilt.ptu.PtuReply.LimitHit;
 import org.dfra.drivers.pantilt.ptu.PtuReply.Refused;
 
@@ -87,12 +90,12 @@ final class PtuProtocol implements DeviceProtocol {
   private final DoubleSupplier rate;
   private final PtuDialogue dialogue;
   private final PtuParser parser = new PtuParser(this::replyReceived);
+  private final PollTimer pollTimer = new PollTimer();
   private final Queue<String> requests = new ConcurrentLinkedQueue<>();
 
   private Phase phase = Phase.AWAITING_QUIET;
   private PtuGeometryQuery questions = new PtuGeometryQuery();
   private long quietSince;
-  private long polled;
   private int pendingConfigurationReplies;
   private int pan;
 
@@ -223,7 +226,7 @@ final class PtuProtocol implements DeviceProtocol {
     PtuGeometry geometry = questions.geometry();
     if (geometry != null) {
       phase = Phase.POLLING;
-      polled = ticker.nanos() - Math.round(1e9 / rate.getAsDouble());
+      pollTimer.begin();
       listener.geometryReceived(geometry);
     }
   }
@@ -236,10 +239,7 @@ final class PtuProtocol implements DeviceProtocol {
       }
       return;
     }
-    long period = Math.round(1e9 / rate.getAsDouble());
-    long late = ticker.nanos() - polled - period;
-    if (late >= 0) {
-      polled += period + Math.max(0, late - period); // periodic, without catching up
+    if (pollTimer.isDue(ticker.nanos(), 1 / rate.getAsDouble())) {
       ask(PtuAxis.PAN, position -> pan = position);
     }
   }
@@ -273,7 +273,7 @@ final class PtuProtocol implements DeviceProtocol {
     double number =
         reply instanceof PtuReply.Value value ? value.number().orElse(Double.NaN) : Double.NaN;
     if (number != Math.rint(number)) { // NaN too
-      resynchronize("it tells no position of " + axis);
+      resynchronize("its answer contains no position of " + axis);
       return;
     }
     taker.accept((int) number);

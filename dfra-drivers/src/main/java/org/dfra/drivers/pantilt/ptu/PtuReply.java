@@ -3,11 +3,12 @@ package org.dfra.drivers.pantilt.ptu;
 import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.dfra.drivers.pantilt.ptu.PtuCommands.PtuAxis;
 
 /**
  * A reply of the unit. Replies arrive in the order of the commands; a {@link LimitHit} at any time.
  */
-public sealed interface PtuReply {
+sealed interface PtuReply {
 
   /** {@code *}: the command was executed, or is being executed. */
   record Done() implements PtuReply {}

@@ -20,8 +20,8 @@ import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -106,14 +106,14 @@ class JdkHttpServerTest {
         camera("path", "/guarded", "user", "robot", "password", "pass word")) {
       awaitReadiness(camera, Readiness.READY);
     }
-    assertTrouble("does not let user robot in", "path", "/guarded", "user", "robot");
-    assertTrouble("wants to know who asks (401 Unauthorized)", "path", "/guarded");
+    assertTrouble("the camera rejects user robot", "path", "/guarded", "user", "robot");
+    assertTrouble("the camera requires authentication (401 Unauthorized)", "path", "/guarded");
   }
 
   @Test
   void saysWhatItAnswers() {
     assertTrouble("the camera has nothing at /other (404 Not Found)", "path", "/other");
-    assertTrouble("the camera sends one on to \"/counted\" (301 ", "path", "/moved");
+    assertTrouble("the camera redirects to \"/counted\" (301 ", "path", "/moved");
   }
 
   private void assertTrouble(String part, String... texts) {

@@ -24,8 +24,8 @@ import org.dfra.drivers.fixture.StepTicker;
 import org.dfra.flow.sensor.CameraImage;
 import org.dfra.flow.sensor.CameraImage.Band;
 import org.dfra.lease.ModuleLease;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.persona.CameraAttributes;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -99,24 +99,24 @@ class MjpegCameraImplTest {
   void saysInASentenceWhyThereIsNoStream() {
     assertTrouble(
         "HTTP/1.0 401 Unauthorized\r\nWWW-Authenticate: Basic realm=x\r\n\r\n",
-        "the camera wants to know who asks (401 Unauthorized); set user and password");
+        "the camera requires authentication (401 Unauthorized); set user and password");
     assertTrouble(
         "HTTP/1.0 401 No\r\nWWW-Authenticate: Digest realm=x, nonce=y\r\n\r\n",
-        "the camera wants authentication by digest (401 No), here only basic is spoken; set the"
-            + " camera to that");
+        "the camera requires authentication by digest (401 No), but only basic is supported; set"
+            + " the camera to basic");
     assertTrouble(
         "HTTP/1.1 404 Not Found\r\n\r\nno such page",
         "the camera has nothing at / (404 Not Found); set path to its stream");
     assertTrouble(
         "HTTP/1.1 302 Found\r\nLocation: http://me:secret@other/x\r\n\r\n",
-        "the camera sends one on to \"http://other/x\" (302 Found); set link and path to where its"
+        "the camera redirects to \"http://other/x\" (302 Found); set link and path to where its"
             + " stream is");
     assertTrouble("HTTP/1.1 503 Busy\r\n\r\n", "the camera answers 503 Busy; look at the camera");
     assertTrouble(
         "HTTP/1.1 200 OK\r\nContent-Type: text/html; charset=utf-8\r\n\r\n<html>",
-        "what is at / is no stream of images but text/html; charset=utf-8; set path to the camera's"
-            + " multipart stream");
-    assertTrouble("SSH-2.0-x\r\n", "what answers there speaks no HTTP");
+        "what is at / is not a stream of images but text/html; charset=utf-8; set path to the"
+            + " camera's multipart stream");
+    assertTrouble("SSH-2.0-x\r\n", "the answer is not HTTP");
     assertTrouble(STREAM + "--b--\r\n", "the camera has ended its stream");
   }
 
@@ -152,7 +152,7 @@ class MjpegCameraImplTest {
             () ->
                 assertThatThrownBy(camera::image)
                     .hasMessageEndingWith(
-                        "the camera does not let user robot in with that password (401"
+                        "the camera rejects user robot with this password (401"
                             + " Unauthorized); set user and password"));
     assertThatThrownBy(() -> camera.setParameter("password", "other"))
         .hasMessageContaining("cannot be set while it runs")
@@ -227,6 +227,35 @@ class MjpegCameraImplTest {
   }
 
   @Test
+  void namesTheWrongKindOfImageRatherThanSilence() {
+    start("band", "thermal", "idle_period", "0");
+    for (int i = 0; i < 4; i++) { // the last at 4.5 s
+      say(i == 0 ? STREAM : "", part("", jpeg));
+      awaitRefusal();
+      ticker.step(Duration.ofMillis(1500));
+    }
+    await().until(() -> !link.isOpen());
+    assertThatThrownBy(camera::image).hasMessageContaining("image/jpeg of 8 bits");
+  }
+
+  @Test
+  void namesTheSilenceOfACameraThatHasSentAWrongImageBefore() {
+    start("band", "thermal", "idle_period", "0");
+    say(STREAM, part("", jpeg));
+    awaitRefusal();
+    ticker.step(Duration.ofMillis(5001));
+    await().until(() -> !link.isOpen());
+    assertThatThrownBy(camera::image).hasMessageEndingWith("no image for 5 s");
+  }
+
+  private void awaitRefusal() {
+    await()
+        .untilAsserted(
+            () -> assertThatThrownBy(camera::image).hasMessageContaining("image/jpeg of 8 bits"));
+    await().until(() -> link.isTaken());
+  }
+
+  @Test
   void takesNoImageOfTheWrongKind() {
     start("band", "thermal", "idle_period", "0");
     byte[] heat = Images.heat(16, 12, new Random(3));
@@ -272,7 +301,7 @@ class MjpegCameraImplTest {
       {"path", "/\r\nX: y", "which is not a path"},
       {"user", "a:b", "is \"a:b\", which is not a user's name without colons"},
       {"link", "serial:/dev/ttyS0", "which is not a network camera's; write tcp://host:port"},
-      {"largest_image", "10", "is \"10\", which is not a number from 10000 to 67108864"},
+      {"max_image_bytes", "10", "is \"10\", which is not a number from 10000 to 67108864"},
       {"idle_period", "-1", "is \"-1\", which is not a number from 0 to 3600"},
     };
     for (String[] each : wrong) {

@@ -24,6 +24,8 @@ class MjpegParserTest {
   private static final String HEAD =
       "HTTP/1.0 200 OK\r\nContent-Type: multipart/x-mixed-replace; boundary=frame\r\n\r\n";
 
+  private static final List<byte[]> IMAGES = images();
+
   private final List<MjpegMessage> received = new ArrayList<>();
   private final MjpegParser parser = new MjpegParser(LARGEST, received::add);
   private final byte[] image = Images.jpeg(16, 8, new Random(1));
@@ -47,7 +49,7 @@ class MjpegParserTest {
   }
 
   @Test
-  void tellsAPartWithALengthWithItsLastByte() {
+  void reportsAPartWithALengthWithItsLastByte() {
     feed(HEAD, "--frame\r\nContent-Length: " + image.length + "\r\n\r\n");
     parser.feed(image, 0, image.length - 1);
     assertThat(received).hasSize(1);
@@ -109,7 +111,7 @@ class MjpegParserTest {
       }
       other.feed(stream.toByteArray(), 0, stream.size());
       assertThat(received.stream().filter(Part.class::isInstance)).as("%s", off).hasSize(40);
-      assertThat(received.get(1)).isEqualTo(new Malformed("a part is no whole image"));
+      assertThat(received.get(1)).isEqualTo(new Malformed("a part is not a complete image"));
     }
   }
 
@@ -124,7 +126,7 @@ class MjpegParserTest {
         .containsExactly(
             new Malformed("a part of 20001 bytes is larger than 20000"),
             new Malformed("a part without a Content-Length is larger than 20000 bytes"),
-            new Malformed("a part's Content-Length is no number: -3"),
+            new Malformed("a part's Content-Length is not a number: -3"),
             new Malformed("a part's head has no end"));
     assertThat(parser.counts().malformed()).isEqualTo(4);
     assertThat(parser.counts().frames()).isEqualTo(8);
@@ -132,11 +134,11 @@ class MjpegParserTest {
   }
 
   @Test
-  void hearsNothingMoreAfterWhatIsNoStream() {
+  void reportsNothingMoreAfterWhatIsNoStream() {
     for (String[] wrong :
         new String[][] {
-          {"SSH-2.0-OpenSSH_9.2\r\n", "what answers there speaks no HTTP"},
-          {"$GPGGA,1,2,3\r\n", "what answers there speaks no HTTP"},
+          {"SSH-2.0-OpenSSH_9.2\r\n", "the answer is not HTTP"},
+          {"$GPGGA,1,2,3\r\n", "the answer is not HTTP"},
           {"HTTP/2 200 OK\r\n\r\n", "its status line is none of HTTP"},
           {"HTTP/1.0 200 OK\r\nX: " + "y".repeat(9000), "its head has no end"},
         }) {
@@ -250,12 +252,23 @@ class MjpegParserTest {
     assertThat(parser.pendingBytes()).isZero();
   }
 
+  /** One of a few hundred, from 1 x 1 to 24 x 24: to encode each image took most of the time. */
   private static byte[] image(Random random) {
-    int width = 1 + random.nextInt(24);
-    int height = 1 + random.nextInt(24);
-    return random.nextBoolean()
-        ? Images.jpeg(width, height, random)
-        : Images.heat(width, height, random);
+    return IMAGES.get(random.nextInt(IMAGES.size()));
+  }
+
+  private static List<byte[]> images() {
+    Random random = new Random(3);
+    List<byte[]> images = new ArrayList<>();
+    for (int i = 0; i < 300; i++) {
+      int width = 1 + random.nextInt(24);
+      int height = 1 + random.nextInt(24);
+      images.add(
+          random.nextBoolean()
+              ? Images.jpeg(width, height, random)
+              : Images.heat(width, height, random));
+    }
+    return images;
   }
 
   private static byte[] damaged(byte[] whole, Random random) {

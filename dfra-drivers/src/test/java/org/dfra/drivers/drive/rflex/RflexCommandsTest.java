@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.nio.ByteBuffer;
 import java.util.HexFormat;
 import java.util.Random;
+import org.dfra.drivers.drive.rflex.RflexCommands.EscapeFreeNumbers;
 import org.dfra.drivers.drive.rflex.RflexMessage.Axis;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

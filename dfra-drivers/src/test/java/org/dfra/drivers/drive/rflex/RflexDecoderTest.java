@@ -41,7 +41,7 @@ class RflexDecoderTest {
   }
 
   @Test
-  void readsWhatTheSonarsHeard() {
+  void readsTheEchoesOfTheSonars() {
     // 1476 = 5C4 counts are 1 m
     List<RflexMessage> reported =
         parse("1B02 04 04 02 0E 00000000 00000005 03 05C4 0A 0B88 42 1B03");

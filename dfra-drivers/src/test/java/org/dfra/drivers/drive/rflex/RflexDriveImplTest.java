@@ -19,7 +19,7 @@ import org.dfra.drivers.fixture.StepTicker;
 import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.DriveCommand.Brake;
 import org.dfra.flow.effector.DriveCommand.Velocity;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -45,7 +45,8 @@ class RflexDriveImplTest {
               "atrv1",
               "drive",
               Parameters.of(
-                  "atrv1/drive", Map.of("link", "tcp://192.0.2.1:4001", "reopen_first", "0.01")),
+                  "atrv1/drive",
+                  Map.of("link", "tcp://192.0.2.1:4001", "reopen_initial_delay", "0.01")),
               InstantSource.system()),
           ticker,
           this::open);
@@ -83,8 +84,8 @@ class RflexDriveImplTest {
     }
   }
 
-  /** What was told along x, each as counts per second. */
-  private List<Integer> told() {
+  /** The velocities along x that were sent, each in counts per second. */
+  private List<Integer> sentVelocities() {
     return link().written().stream()
         .map(HEX::formatHex)
         .filter(each -> each.startsWith("1B0202000" + "70E00"))
@@ -103,7 +104,7 @@ class RflexDriveImplTest {
     drive.close();
   }
 
-  /** The controller goes on saying this, and time goes on, until it has come about. */
+  /** The controller repeats these frames, and time advances, until this is true. */
   private void saying(Callable<Boolean> enough, String... frames) {
     await()
         .until(
@@ -120,8 +121,8 @@ class RflexDriveImplTest {
 
   @Test
   void haltsTheWheelsFirstAndAsksForReportsAndStatus() {
-    saying(() -> told().size() >= 3, STANDING, NOT_TURNING);
-    assertThat(told()).as("1 takes the place of 0").containsOnly(1);
+    saying(() -> sentVelocities().size() >= 3, STANDING, NOT_TURNING);
+    assertThat(sentVelocities()).as("1 is sent instead of 0").containsOnly(1);
     List<String> requests = List.of("1B0202002208000186A0000000030C1B03", "1B0201000100001B03");
     saying(
         () -> link().written().stream().map(HEX::formatHex).toList().containsAll(requests),
@@ -147,15 +148,15 @@ class RflexDriveImplTest {
   }
 
   @Test
-  void tellsAVelocityOnceAndAHaltUntilTheWheelsAreSaidToStand() throws Exception {
+  void sendsAVelocityOnceAndAHaltUntilTheWheelsAreReportedStopped() throws Exception {
     serve(false);
     CommandKey key = drive.acquireCommandLease(Duration.ofSeconds(30)).key();
-    saying(() -> told().size() >= 3, STANDING, NOT_TURNING);
-    int before = told().size();
+    saying(() -> sentVelocities().size() >= 3, STANDING, NOT_TURNING);
+    int before = sentVelocities().size();
     drive.execute(key, new Velocity(0.5, 0));
-    // It is silent from here on, so it is halted, which this controller does not obey.
-    saying(() -> told().size() >= before + 1 + 3 * 3, MOVING, NOT_TURNING);
-    assertThat(told().subList(before, told().size()))
+    // No command follows, so it is halted, which this controller does not execute.
+    saying(() -> sentVelocities().size() >= before + 1 + 3 * 3, MOVING, NOT_TURNING);
+    assertThat(sentVelocities().subList(before, sentVelocities().size()))
         .as("one velocity, then halts")
         .startsWith(43_731, 1, 1, 1, 1)
         .containsOnlyOnce(43_731);
@@ -163,14 +164,14 @@ class RflexDriveImplTest {
   }
 
   @Test
-  void whatWasToldBeforeTheLinkWasLostIsNotToldAfterIt() throws Exception {
+  void whatWasCommandedBeforeTheLinkWasLostIsNotSentAfterIt() throws Exception {
     serve(false);
     CommandKey key = drive.acquireCommandLease(Duration.ofSeconds(30)).key();
     drive.execute(key, new Velocity(0.5, 0));
     link().unplug();
     saying(() -> links.size() >= 2);
-    saying(() -> told().size() >= 3, STANDING, NOT_TURNING);
-    assertThat(told()).containsOnly(1);
+    saying(() -> sentVelocities().size() >= 3, STANDING, NOT_TURNING);
+    assertThat(sentVelocities()).containsOnly(1);
     assertThat(drive.driveState().velocity()).isEqualTo(Velocity.ZERO);
   }
 }

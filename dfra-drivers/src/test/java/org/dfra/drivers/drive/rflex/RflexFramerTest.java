@@ -3,6 +3,7 @@ package org.dfra.drivers.drive.rflex;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Random;
+import org.dfra.drivers.drive.rflex.RflexParser.RflexFramer;
 import org.dfra.drivers.fixture.FrameScannerContract;
 import org.dfra.drivers.frame.FrameScanner;
 import org.junit.jupiter.api.Test;

@@ -70,7 +70,7 @@ class RflexOutboxTest {
   }
 
   @Test
-  void aVelocityGoesAfterWhatWasToldBefore() {
+  void aVelocityIsSentAfterEarlierCommands() {
     stuck();
     outbox.add(frame("release"));
     outbox.velocity(frame("t"), frame("r"));
@@ -98,7 +98,7 @@ class RflexOutboxTest {
   }
 
   @Test
-  void forgetsWhatNobodyCanBeTold() {
+  void discardsWhatCannotBeSent() {
     stuck();
     outbox.velocity(frame("t"), frame("r"));
     outbox.add(frame("b"));
@@ -118,7 +118,7 @@ class RflexOutboxTest {
   }
 
   @Test
-  void whoeverTellsItSomethingNeverWaitsForTheLine() {
+  void aCallerNeverWaitsForTheLine() {
     stuck();
     long before = sent.size();
     for (int i = 0; i < 100; i++) {

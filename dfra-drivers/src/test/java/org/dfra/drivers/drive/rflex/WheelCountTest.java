@@ -17,29 +17,29 @@ class WheelCountTest {
   private final WheelOdometer count = new WheelOdometer(PER_METRE, PER_RADIAN, 1, 2);
   private long timestamp = 1000;
 
-  private boolean tell(Axis axis, double at) {
+  private boolean report(Axis axis, double at) {
     double perUnit = axis == Axis.TRANSLATION ? PER_METRE : PER_RADIAN;
-    return tell(axis, (int) Math.round(at * perUnit));
+    return report(axis, (int) Math.round(at * perUnit));
   }
 
-  private boolean tell(Axis axis, int position) {
+  private boolean report(Axis axis, int position) {
     return count.update(new MotorReport(timestamp, axis, position, 4000, 0, 0));
   }
 
   /** Both axes at one moment. */
-  private void tell(double along, double about) {
+  private void report(double along, double about) {
     timestamp += 100;
-    tell(Axis.TRANSLATION, along);
-    tell(Axis.ROTATION, about);
+    report(Axis.TRANSLATION, along);
+    report(Axis.ROTATION, about);
   }
 
   @Test
   void beginsWhereItIsWhereverTheControllersCountIs() {
-    tell(17, 5);
+    report(17, 5);
     assertThat(count.x()).isZero();
     assertThat(count.y()).isZero();
     assertThat(count.yaw()).isZero();
-    tell(17.5, 5);
+    report(17.5, 5);
     assertThat(count.x()).isCloseTo(0.5, within(1e-12));
     assertThat(count.speed()).isEqualTo(0.04);
     assertThat(count.yawRate()).isEqualTo(0.1);
@@ -49,10 +49,10 @@ class WheelCountTest {
   @ParameterizedTest
   @ValueSource(ints = {5, 10, 100, 1000})
   void goesRoundACircleToTheLeft(int steps) {
-    tell(0, 0);
+    report(0, 0);
     for (int i = 1; i <= steps; i++) {
       double turned = 2 * Math.PI * i / steps;
-      tell(2 * turned, turned);
+      report(2 * turned, turned);
       // Each count is rounded, to 5 µm and 12.5 µrad.
       assertThat(count.x()).isCloseTo(2 * Math.sin(turned), within(1e-4));
       assertThat(count.y()).isCloseTo(2 * (1 - Math.cos(turned)), within(1e-4));
@@ -62,8 +62,8 @@ class WheelCountTest {
 
   @Test
   void goesBackToTheRight() {
-    tell(0, 0);
-    tell(-1, -Math.PI / 2);
+    report(0, 0);
+    report(-1, -Math.PI / 2);
     // Backwards on an arc of a quarter, radius 2/π, which bends to the left of where it goes.
     assertThat(count.x()).isCloseTo(-2 / Math.PI, within(1e-4));
     assertThat(count.y()).isCloseTo(2 / Math.PI, within(1e-4));
@@ -71,32 +71,32 @@ class WheelCountTest {
 
   @Test
   void aLostReportIsMadeGoodByTheNext() {
-    tell(0, 0);
-    tell(1, 0);
+    report(0, 0);
+    report(1, 0);
     timestamp += 100;
-    assertThat(tell(Axis.TRANSLATION, 1.5)).isFalse(); // the other axis' is lost
+    assertThat(report(Axis.TRANSLATION, 1.5)).isFalse(); // the other axis' is lost
     timestamp += 100;
-    assertThat(tell(Axis.TRANSLATION, 2.0)).isTrue();
-    assertThat(tell(Axis.ROTATION, 0.0)).isTrue();
+    assertThat(report(Axis.TRANSLATION, 2.0)).isTrue();
+    assertThat(report(Axis.ROTATION, 0.0)).isTrue();
     assertThat(count.x()).isCloseTo(2, within(1e-9));
     timestamp += 100;
-    assertThat(tell(Axis.ROTATION, 0.0)).as("in another order").isFalse();
-    assertThat(tell(Axis.TRANSLATION, 2.5)).isTrue();
+    assertThat(report(Axis.ROTATION, 0.0)).as("in another order").isFalse();
+    assertThat(report(Axis.TRANSLATION, 2.5)).isTrue();
     assertThat(count.x()).isCloseTo(2.5, within(1e-9));
     assertThat(count.restarts()).isZero();
   }
 
   @Test
   void countsOnWhereItWrapsAround() {
-    tell(Axis.TRANSLATION, Integer.MAX_VALUE - 1000);
-    tell(Axis.ROTATION, Integer.MIN_VALUE + 1000);
+    report(Axis.TRANSLATION, Integer.MAX_VALUE - 1000);
+    report(Axis.ROTATION, Integer.MIN_VALUE + 1000);
     timestamp += 100;
-    tell(Axis.TRANSLATION, Integer.MIN_VALUE + 999); // 2000 counts on
-    tell(Axis.ROTATION, Integer.MIN_VALUE + 1000);
+    report(Axis.TRANSLATION, Integer.MIN_VALUE + 999); // 2000 counts on
+    report(Axis.ROTATION, Integer.MIN_VALUE + 1000);
     assertThat(count.x()).isCloseTo(0.02, within(1e-12));
     timestamp += 100;
-    tell(Axis.TRANSLATION, Integer.MAX_VALUE - 1000); // and back
-    tell(Axis.ROTATION, Integer.MIN_VALUE + 1000);
+    report(Axis.TRANSLATION, Integer.MAX_VALUE - 1000); // and back
+    report(Axis.ROTATION, Integer.MIN_VALUE + 1000);
     assertThat(count.x()).isCloseTo(0, within(1e-12));
     assertThat(count.restarts()).isZero();
   }
@@ -104,50 +104,50 @@ class WheelCountTest {
   @Test
   void aClockThatWrapsAroundIsNoRestart() {
     timestamp = 0xFFFF_FFF0L;
-    tell(Axis.TRANSLATION, 0.0);
-    tell(Axis.ROTATION, 0.0);
+    report(Axis.TRANSLATION, 0.0);
+    report(Axis.ROTATION, 0.0);
     timestamp = 20;
-    tell(Axis.TRANSLATION, 0.1);
-    tell(Axis.ROTATION, 0.0);
+    report(Axis.TRANSLATION, 0.1);
+    report(Axis.ROTATION, 0.0);
     assertThat(count.x()).isCloseTo(0.1, within(1e-9));
     assertThat(count.restarts()).isZero();
   }
 
   @Test
   void aClockThatGoesBackIsARestartAndNoMotion() {
-    tell(0.0, 0.0);
-    tell(1.0, 0.5);
+    report(0.0, 0.0);
+    report(1.0, 0.5);
     timestamp = 0;
-    tell(0, 0);
+    report(0, 0);
     assertThat(count.x()).isCloseTo(Math.sin(0.5) / 0.5, within(1e-4));
     assertThat(count.yaw()).isCloseTo(0.5, within(1e-4));
     assertThat(count.restarts()).isEqualTo(2);
-    tell(0, 0.5);
+    report(0, 0.5);
     assertThat(count.yaw()).isCloseTo(1, within(1e-4));
   }
 
   @Test
   void aJumpThatNoWheelCanMakeIsARestart() {
-    tell(50, 0);
-    tell(0, 0);
+    report(50, 0);
+    report(0, 0);
     assertThat(count.x()).isZero();
     assertThat(count.restarts()).isEqualTo(1);
-    tell(2.9, 0);
+    report(2.9, 0);
     assertThat(count.x()).as("a second or three of a lost link").isCloseTo(2.9, within(1e-9));
   }
 
   @Test
   void aCountOfZeroAfterAGapIsARestartAndAnyOtherIsMotion() {
-    tell(2, 1);
+    report(2, 1);
     count.linkInterrupted();
-    tell(0, 0);
+    report(0, 0);
     assertThat(count.x()).isZero();
     assertThat(count.restarts()).isEqualTo(2);
-    tell(0.5, 0);
+    report(0.5, 0);
     count.linkInterrupted();
-    tell(0.7, 0);
+    report(0.7, 0);
     assertThat(count.x()).isCloseTo(0.7, within(1e-9));
-    tell(0, 0);
+    report(0, 0);
     assertThat(count.x()).as("without a gap it went there").isCloseTo(0, within(1e-9));
   }
 

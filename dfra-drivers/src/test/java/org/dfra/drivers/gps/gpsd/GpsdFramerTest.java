@@ -7,6 +7,7 @@ import java.util.Random;
 import org.dfra.drivers.fixture.FrameScannerContract;
 import org.dfra.drivers.fixture.Sentences;
 import org.dfra.drivers.frame.FrameScanner;
+import org.dfra.drivers.gps.gpsd.GpsdParser.GpsdFramer;
 import org.junit.jupiter.api.Test;
 
 class GpsdFramerTest extends FrameScannerContract {

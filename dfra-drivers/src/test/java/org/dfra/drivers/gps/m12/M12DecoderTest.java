@@ -8,6 +8,18 @@ import java.time.LocalDate;
 import java.time.LocalDateTime;
 import org.dfra.drivers.fixture.Frames;
 import org.dfra.drivers.frame.StreamCounts;
+import org.dfra.drivers.gps.m12.M12Message.M12UtcOffset;
+import org.dfra.drivers.gps.m12.M12Message.MalformedMessage;
+import org.dfra.drivers.gps.m12.M12Message.OtherMessage;
+import org.dfra.drivers.gps.m12.M12Message.PositionControl;
+import org.dfra.drivers.gps.m12.M12Message.PositionHoldMode;
+import org.dfra.drivers.gps.m12.M12Message.ReceiverClock;
+import org.dfra.drivers.gps.m12.M12Message.ReceiverIdentification;
+import org.dfra.drivers.gps.m12.M12Message.TimeRaim;
+import org.dfra.drivers.gps.m12.M12Message.TimeScale;
+import org.dfra.drivers.gps.m12.M12PositionMessage.M12Position;
+import org.dfra.drivers.gps.m12.M12PositionMessage.M12Time;
+import org.dfra.drivers.gps.m12.M12PositionMessage.ShortPosition;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
 import org.junit.jupiter.api.Test;
@@ -156,7 +168,7 @@ class M12DecoderTest {
   }
 
   @ParameterizedTest
-  @CsvSource({ // UTC byte, UTC told, known
+  @CsvSource({ // UTC byte, UTC reported, known
     "0xD2, 2026-01-21T07:33:29.500Z, true", // UTC, offset known
     "0x52, 2026-01-21T07:33:11.500Z, true", // GPS time, offset known: converted
     "0x80, 2026-01-21T07:33:29.500Z, false", // UTC with an offset not known yet
@@ -181,7 +193,7 @@ class M12DecoderTest {
     "0x2000, NONE",
     "0x0000, NONE"
   })
-  void twelveChannelStatusTellsWhatWasSolvedFor(int status, GpsFix.Mode mode) {
+  void twelveChannelStatusShowsWhatWasSolvedFor(int status, GpsFix.Mode mode) {
     GpsFix fix = ((M12PositionMessage) decode(Frames.ha(TIME, 1, 2, status))).toFix();
     assertThat(fix.mode()).isEqualTo(mode);
     assertThat(fix.position() == null).isEqualTo(mode == GpsFix.Mode.NONE);
@@ -199,7 +211,7 @@ class M12DecoderTest {
     "0x0A, NONE",
     "0x00, NONE"
   })
-  void eightChannelStatusTellsWhatWasSolvedFor(int status, GpsFix.Mode mode) {
+  void eightChannelStatusShowsWhatWasSolvedFor(int status, GpsFix.Mode mode) {
     M12PositionMessage message = (M12PositionMessage) decode(Frames.ea(TIME, 1, 2, status));
     assertThat(message.toFix().mode()).isEqualTo(mode);
     assertThat(message.stateInWords()).contains("0 of 0 tracked");
@@ -255,7 +267,7 @@ class M12DecoderTest {
                 "0",
                 "AUG 14 2002",
                 "P283T12T11",
-                "", // not told
+                "", // not reported
                 "P04DC2",
                 "2H17",
                 "IB MORE"));

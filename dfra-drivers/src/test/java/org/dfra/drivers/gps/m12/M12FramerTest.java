@@ -8,6 +8,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.TreeSet;
+import org.dfra.drivers.gps.m12.M12Parser.M12Framer;
+import org.dfra.drivers.gps.m12.M12Parser.M12Lengths;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -79,7 +81,7 @@ class M12FramerTest {
     assertThat(run.places).isEqualTo(scanned(bytes));
     assertThat(run.framer.droppedBytes()).isEqualTo(bytes.length - lengthOf(run.places));
     // A cut frame and what follows it may by chance make a right frame (1 in 256 of those whose
-    // ends meet), which no receiver can tell from a real one; then a frame inside it is missed.
+    // ends meet), which no receiver can distinguish; then a frame inside it is missed.
     List<Place> missed = new ArrayList<>(intact);
     missed.removeAll(new java.util.HashSet<>(run.places));
     assertThat(missed).allMatch(place -> isCovered(place, run.places));
@@ -101,7 +103,7 @@ class M12FramerTest {
   }
 
   @Test
-  void tellsAFrameWithItsLastByte() {
+  void reportsAFrameWithItsLastByte() {
     Run run = new Run();
     byte[] frame = M12Commands.encode("Gd", 3);
     for (int i = 0; i < frame.length; i++) {

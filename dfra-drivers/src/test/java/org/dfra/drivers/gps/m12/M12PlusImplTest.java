@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.dfra.drivers.fixture.Modules.await;
 import static org.dfra.drivers.fixture.Modules.parameter;
-import static org.dfra.module.Readiness.INITIALIZING;
+import static org.dfra.lifecycle.Readiness.INITIALIZING;
 
 import java.time.Duration;
 import java.time.Instant;
@@ -14,11 +14,13 @@ import java.util.Map;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.drivers.fixture.Frames;
 import org.dfra.drivers.fixture.ScriptedLink;
+import org.dfra.drivers.gps.m12.M12Message.PositionControl;
+import org.dfra.drivers.gps.m12.M12Message.PositionHoldMode;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.flow.sensor.TimeReading;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -73,7 +75,7 @@ class M12PlusImplTest extends ScriptedM12 {
   }
 
   @Test
-  void tellsTheReceiverWhatToSolveForWhileItRuns() {
+  void setsWhatTheReceiverSolvesForWhileItRuns() {
     gps.start();
     await().until(() -> link.written().size() == ORDERS);
     assertThatThrownBy(() -> gps.setParameter("positioning", "guess"))
@@ -90,7 +92,7 @@ class M12PlusImplTest extends ScriptedM12 {
     ScriptedLink brief = new ScriptedLink(URL);
     links.clear();
     links.add(brief);
-    try (M12PlusImpl driver = driver(Map.of("link", URL, "positions", "short"))) {
+    try (M12PlusImpl driver = driver(Map.of("link", URL, "position_message", "short"))) {
       driver.start();
       brief.say(Frames.hb(TIME, 52.91, 6.86, Frames.FIX_3D));
       await().until(() -> driver.readiness() == Readiness.READY);
@@ -110,7 +112,7 @@ class M12PlusImplTest extends ScriptedM12 {
   @Test
   void showsSatellitesAndIntegrity() {
     gps.start();
-    assertThat(parameter(gps, "integrity")).isEqualTo("not told");
+    assertThat(parameter(gps, "integrity")).isEqualTo("not reported");
     byte[] fix = Frames.with(FIX, 57, 14 << 24 | 8 << 16 | 47 << 8, 4);
     link.say(Frames.with(fix, 63, 23 << 24 | 1 << 16, 4));
     int[] visible = new int[85];
@@ -128,8 +130,8 @@ class M12PlusImplTest extends ScriptedM12 {
             () ->
                 assertThat(parameter(gps, "satellites"))
                     .isEqualTo(
-                        "3 in view, 1 heard, 1 used: G14 41° up, 60° from north, 47 dB-Hz, used;"
-                            + " G23 not heard; G09 5° up, 260° from north, not heard"));
+                        "3 in view, 1 tracked, 1 used: G14 41° up, 60° from north, 47 dB-Hz, used;"
+                            + " G23 not tracked; G09 5° up, 260° from north, not tracked"));
     assertThat(gps.test("integrity").finding())
         .isEqualTo(
             "ALARM, a wrong satellite would be detected and taken out, time accurate to 54 ns");
@@ -194,7 +196,7 @@ class M12PlusImplTest extends ScriptedM12 {
   }
 
   @Test
-  void tellsNoTimeBeforeItKnowsUtc() {
+  void reportsNoTimeBeforeItKnowsUtc() {
     gps.start();
     link.say(Frames.with(FIX, 141, 0x80, 1));
     awaitReadiness(Readiness.READY);
@@ -222,7 +224,7 @@ class M12PlusImplTest extends ScriptedM12 {
   }
 
   @Test
-  void eightChannelsTellNoTimeBeforeTheOffsetOfUtcIsKnown() {
+  void eightChannelsReportNoTimeBeforeTheOffsetOfUtcIsKnown() {
     LocalDateTime gpsTime = TIME.plusSeconds(18); // what the receiver shows until it knows better
     gps.start();
     link.say(M12Commands.utcTime());
@@ -244,7 +246,7 @@ class M12PlusImplTest extends ScriptedM12 {
   }
 
   @Test
-  void eightChannelsTellNoTimeBeforeTheyConfirmUtc() {
+  void eightChannelsReportNoTimeBeforeTheyConfirmUtc() {
     gps.start();
     link.say(M12Commands.encode("Bo", 18));
     link.say(Frames.ea(TIME, 57.71, 12.02, 0x20));
@@ -346,11 +348,11 @@ class M12PlusImplTest extends ScriptedM12 {
       value = {
         "link | | parameter link is not set",
         "link | udp://x:1 | parameter link is \"udp://x:1\", which is not a usable link: link",
-        "rate | 0 | parameter rate is \"0\", which is not a number from 1 to 255",
+        "period | 0 | parameter period is \"0\", which is not a number from 1 to 255",
         "positioning | fast | parameter positioning is \"fast\", which is not position_3d, altitude_hold",
-        "positions | none | parameter positions is \"none\", which is not full or short",
-        "rate | 1.5 | parameter rate is \"1.5\", which is not a whole number of seconds",
-        "reopen_first | 9 | parameter reopen_first is \"9\", which is not in order: reopen_first is",
+        "position_message | none | parameter position_message is \"none\", which is not full or short",
+        "period | 1.5 | parameter period is \"1.5\", which is not a whole number of seconds",
+        "reopen_initial_delay | 9 | parameter reopen_initial_delay is \"9\", which is not in order: reopen_initial_delay is",
       })
   void refusesWrongParametersWithTheirPlace(String name, String value, String sentence) {
     Map<String, String> texts = new HashMap<>(Map.of("link", URL));

@@ -11,8 +11,8 @@ import org.dfra.drivers.fixture.Frames;
 import org.dfra.drivers.fixture.ScriptedLink;
 import org.dfra.drivers.frame.StreamCounts;
 import org.dfra.flow.sensor.GpsFix;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.junit.jupiter.api.Test;
 
 /** What the driver does when its receiver falls silent, loses its satellites, or says nonsense. */
@@ -30,7 +30,7 @@ class M12PlusLinkTest extends ScriptedM12 {
   }
 
   @Test
-  void aSilentReceiverIsOpenedAnew() {
+  void theLinkOfASilentReceiverIsOpenedAgain() {
     ScriptedLink second = new ScriptedLink(URL);
     gps.start();
     link.say(FIX);
@@ -47,7 +47,7 @@ class M12PlusLinkTest extends ScriptedM12 {
     assertThat(link.isOpen()).isFalse();
     ticker.awaitWaiting();
     ticker.step(Duration.ofMillis(500));
-    await().until(() -> second.written().size() == ORDERS); // told again what to send
+    await().until(() -> second.written().size() == ORDERS); // it is configured again
     second.say(FIX);
     awaitReadiness(Readiness.READY);
   }
@@ -57,7 +57,7 @@ class M12PlusLinkTest extends ScriptedM12 {
     ScriptedLink slow = new ScriptedLink(URL);
     links.clear();
     links.add(slow);
-    try (M12PlusImpl driver = driver(Map.of("link", URL, "rate", "10"))) {
+    try (M12PlusImpl driver = driver(Map.of("link", URL, "period", "10"))) {
       assertThat(driver.updateRate()).isEqualTo(0.1);
       driver.start();
       slow.say(FIX);

@@ -19,9 +19,18 @@ import org.assertj.core.data.Offset;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.drivers.fixture.SharedData;
+import org.dfra.drivers.gps.m12.M12Message.HeldPosition;
+import org.dfra.drivers.gps.m12.M12Message.M12UtcOffset;
+import org.dfra.drivers.gps.m12.M12Message.MalformedMessage;
+import org.dfra.drivers.gps.m12.M12Message.PositionControl;
+import org.dfra.drivers.gps.m12.M12Message.TimeRaim;
+import org.dfra.drivers.gps.m12.M12Message.TimeScale;
+import org.dfra.drivers.gps.m12.M12Message.VisibleSatellites;
+import org.dfra.drivers.gps.m12.M12PositionMessage.M12Position;
+import org.dfra.drivers.gps.m12.M12PositionMessage.SatelliteChannel;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -36,14 +45,14 @@ class M12RecordingTest {
   private static final String EA = "gps/oncore-binary.log";
 
   /**
-   * The reference prints nine decimals and the receiver tells 2.8e-7°: half of the last decimal.
+   * The reference prints nine decimals and the receiver reports 2.8e-7°: half of the last decimal.
    */
   private static final Offset<Double> DEGREES = within(1e-9);
 
-  /** The receiver tells centimetres, the reference prints tenths of millimetres. */
+  /** The receiver reports centimetres, the reference prints tenths of millimetres. */
   private static final Offset<Double> METRES = within(1e-4);
 
-  /** The receiver tells centimetres per second, the reference prints millimetres. */
+  /** The receiver reports centimetres per second, the reference prints millimetres. */
   private static final Offset<Double> SPEED = within(1e-9);
 
   private static final Offset<Double> HEADING = within(1e-9); // tenths of a degree in both
@@ -140,7 +149,7 @@ class M12RecordingTest {
       assertThat(message.mode()).isEqualTo(GpsFix.Mode.POSITION_HOLD);
       assertThat(reports.get(i).get("leapseconds").asInt()).isEqualTo(message.utcState().offset());
     }
-    // Not compared: PDOP and HDOP. The receiver tells none in position hold; the reference's come
+    // Not compared: PDOP and HDOP. The receiver sends none in position hold; the reference's come
     // from its own geometry. altMSL comes from a geoid model, which the receiver does not have.
     assertThat(messages).allMatch(message -> message.dilution() == 0);
     compareSatellites(messages, reference(HA, "SKY"));
@@ -163,8 +172,8 @@ class M12RecordingTest {
       assertThat(message.isHorizontalDilution()).isFalse();
       assertThat(message.dilution()).isEqualTo(skies.get(i).get("pdop").asDouble());
       assertThat(message.antenna()).isEqualTo(ReceiverStatus.Antenna.OK);
-      // Not compared with nSat: the reference counts the satellites it was told of one by one, at
-      // most 12 by Bb. The receiver says that it sees 13.
+      // Not compared with nSat: the reference counts the satellites that Bb lists, at most 12. The
+      // receiver says that it sees 13.
       assertThat(message.visible()).isEqualTo(13);
     }
     compareSatellites(messages, skies);

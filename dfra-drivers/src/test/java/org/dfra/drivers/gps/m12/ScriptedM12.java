@@ -18,8 +18,8 @@ import org.dfra.drivers.fixture.Modules;
 import org.dfra.drivers.fixture.ScriptedLink;
 import org.dfra.drivers.fixture.ScriptedLinks;
 import org.dfra.drivers.fixture.StepTicker;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Timeout;
@@ -40,16 +40,16 @@ abstract class ScriptedM12 {
 
   final StepTicker ticker = new StepTicker(false);
   final ScriptedLinks links = new ScriptedLinks(URL);
-  final ListAppender<ILoggingEvent> told = new ListAppender<>();
+  final ListAppender<ILoggingEvent> logged = new ListAppender<>();
   final Logger log = (Logger) LoggerFactory.getLogger("dfra.atrv1.gps_front");
   final ScriptedLink link = new ScriptedLink(URL);
   final M12PlusImpl gps = driver(Map.of("link", URL));
 
   @BeforeEach
   void listen() {
-    told.list = new CopyOnWriteArrayList<>();
-    told.start();
-    log.addAppender(told);
+    logged.list = new CopyOnWriteArrayList<>();
+    logged.start();
+    log.addAppender(logged);
     log.setAdditive(false);
     links.add(link);
   }
@@ -57,7 +57,7 @@ abstract class ScriptedM12 {
   @AfterEach
   void end() {
     gps.close();
-    log.detachAppender(told);
+    log.detachAppender(logged);
   }
 
   M12PlusImpl driver(Map<String, String> texts) {
@@ -69,7 +69,7 @@ abstract class ScriptedM12 {
   }
 
   List<String> warnings() {
-    return told.list.stream()
+    return logged.list.stream()
         .filter(event -> event.getLevel().isGreaterOrEqual(Level.WARN))
         .map(ILoggingEvent::getFormattedMessage)
         .toList();

@@ -9,6 +9,7 @@ import org.dfra.drivers.fixture.FrameScannerContract;
 import org.dfra.drivers.fixture.Sentences;
 import org.dfra.drivers.frame.FrameScanner;
 import org.dfra.drivers.frame.StreamCounts;
+import org.dfra.drivers.gps.nmea.NmeaParser.NmeaFramer;
 import org.junit.jupiter.api.Test;
 
 class NmeaFramerTest extends FrameScannerContract {

@@ -18,7 +18,7 @@ import java.util.Random;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import org.dfra.drivers.fixture.Sentences;
-import org.dfra.drivers.gps.GpsSolution;
+import org.dfra.drivers.gps.GpsReceiverProtocol.GpsSolution;
 import org.dfra.flow.sensor.GpsFix;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Timeout;

@@ -11,6 +11,7 @@ import org.dfra.drivers.gps.ubx.UbxMessage.NavPvt;
 import org.dfra.drivers.gps.ubx.UbxMessage.NavSat;
 import org.dfra.drivers.gps.ubx.UbxMessage.Satellite;
 import org.dfra.drivers.gps.ubx.UbxMessage.Version;
+import org.dfra.drivers.gps.ubx.UbxParser.UbxFramer;
 import org.junit.jupiter.api.Test;
 
 class UbxDecoderTest {

@@ -10,7 +10,8 @@ import java.util.Map;
 import org.dfra.drivers.fixture.ScriptedLink;
 import org.dfra.drivers.fixture.ScriptedLinks;
 import org.dfra.drivers.fixture.StepTicker;
-import org.dfra.module.Readiness;
+import org.dfra.drivers.gps.ubx.UbxParser.UbxFramer;
+import org.dfra.lifecycle.Readiness;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 

@@ -11,6 +11,8 @@ import org.dfra.drivers.frame.FrameScanner;
 import org.dfra.drivers.frame.StreamCounts;
 import org.dfra.drivers.gyro.kvh.Dsp3000Message.Malformed;
 import org.dfra.drivers.gyro.kvh.Dsp3000Message.Rate;
+import org.dfra.drivers.gyro.kvh.Dsp3000Parser.Dsp3000Decoder;
+import org.dfra.drivers.gyro.kvh.Dsp3000Parser.Dsp3000Framer;
 import org.junit.jupiter.api.Test;
 
 class Dsp3000FramerTest extends FrameScannerContract {

@@ -20,9 +20,9 @@ import org.dfra.drivers.fixture.Modules;
 import org.dfra.drivers.fixture.ScriptedLink;
 import org.dfra.drivers.fixture.ScriptedLinks;
 import org.dfra.drivers.fixture.StepTicker;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Diagnosis;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -52,44 +52,44 @@ class Dsp3000ImplTest {
   }
 
   @Test
-  void setsTheModeAndTellsRatesToTheLeft() {
-    tell(Dsp3000Impl.TRUSTED, 0, true);
+  void setsTheModeAndReportsRatesThatArePositiveToTheLeft() {
+    send(Dsp3000Impl.TRUSTED, 0, true);
     awaitReadiness(Readiness.READY);
     assertThat(new String(link.written().get(0), StandardCharsets.US_ASCII)).isEqualTo("RRR");
-    tell(1, -90, true);
+    send(1, -90, true);
     assertThat(gyro.rate().rate()).isCloseTo(Math.PI / 2, within(1e-9));
     assertThat(gyro.rate().frame()).isEqualTo("atrv1/gyro");
     assertThat(gyro.updateRate()).isEqualTo(100);
     gyro.setParameter("inverted", "true");
-    tell(1, -90, true);
+    send(1, -90, true);
     assertThat(gyro.rate().rate()).isCloseTo(-Math.PI / 2, within(1e-9));
     gyro.setParameter("bias", "0.02");
-    tell(1, 0, true);
+    send(1, 0, true);
     assertThat(gyro.rate().rate()).isCloseTo(-0.02, within(1e-12));
   }
 
   @Test
   void isNotReadyWhileTheGyroDoesNotVouchForItself() {
-    tell(50, 0, false);
+    send(50, 0, false);
     assertThat(gyro.readiness()).isEqualTo(Readiness.INITIALIZING);
     assertThatThrownBy(gyro::rate)
         .isInstanceOf(NotReadyException.class)
         .hasMessageEndingWith("the gyro says that its rate is not valid");
-    tell(Dsp3000Impl.TRUSTED - 1, 0, true);
+    send(Dsp3000Impl.TRUSTED - 1, 0, true);
     assertThat(gyro.readiness()).as("too few in a row").isEqualTo(Readiness.INITIALIZING);
-    tell(1, 0, true);
+    send(1, 0, true);
     awaitReadiness(Readiness.READY);
-    tell(1, 0, false);
+    send(1, 0, false);
     awaitReadiness(Readiness.INITIALIZING);
     assertThatThrownBy(gyro::rate).isInstanceOf(NotReadyException.class);
     assertThat(gyro.history().failures()).isEqualTo(1);
-    tell(Dsp3000Impl.TRUSTED, 0, true);
+    send(Dsp3000Impl.TRUSTED, 0, true);
     awaitReadiness(Readiness.READY);
   }
 
   @Test
   void servesNothingOldAndReopensASilentLink() {
-    tell(Dsp3000Impl.TRUSTED, 5, true);
+    send(Dsp3000Impl.TRUSTED, 5, true);
     awaitReadiness(Readiness.READY);
     ticker.step(Duration.ofMillis(501));
     assertThatThrownBy(gyro::rate)
@@ -105,7 +105,7 @@ class Dsp3000ImplTest {
               ticker.step(Duration.ofMillis(100));
               return second.reads() > 0;
             });
-    tell(Dsp3000Impl.TRUSTED, 5, true);
+    send(Dsp3000Impl.TRUSTED, 5, true);
     awaitReadiness(Readiness.READY);
   }
 
@@ -113,7 +113,7 @@ class Dsp3000ImplTest {
   void takesTheMeanForTheBiasWhileItStands() {
     long seed = Long.getLong("dfra.seed", new Random().nextLong());
     Random random = new Random(seed);
-    tell(Dsp3000Impl.TRUSTED, 0.2, true);
+    send(Dsp3000Impl.TRUSTED, 0.2, true);
     awaitReadiness(Readiness.READY);
     Diagnosis zeroed = zero(() -> 0.2 + 0.05 * random.nextGaussian());
     assertThat(zeroed.passed()).as("-Ddfra.seed=%d: %s", seed, zeroed).isTrue();
@@ -121,27 +121,27 @@ class Dsp3000ImplTest {
     assertThat(Double.parseDouble(parameter(gyro, "bias")))
         .as("-Ddfra.seed=%d", seed)
         .isCloseTo(Math.toRadians(-0.2), within(Math.toRadians(0.0135)));
-    tell(1, 0.2, true);
+    send(1, 0.2, true);
     assertThat(gyro.rate().rate()).isCloseTo(0, within(Math.toRadians(0.0135)));
   }
 
   @Test
   void refusesABiasOfAGyroThatTurns() {
-    tell(Dsp3000Impl.TRUSTED, 0, true);
+    send(Dsp3000Impl.TRUSTED, 0, true);
     awaitReadiness(Readiness.READY);
     int[] count = {0};
     assertThat(zero(() -> count[0]++ % 2 == 0 ? 10 : -10).finding())
-        .startsWith("it does not stand: its rates differ by 10.000 °/s > 0.500 °/s");
+        .startsWith("it is moving: its rates differ by 10.000 °/s > 0.500 °/s");
     assertThat(zero(() -> 5).finding())
-        .startsWith("it does not stand: it turns by -5.000 °/s, and no bias is greater than 1.000");
+        .startsWith("it is moving: it turns by -5.000 °/s, and no bias is greater than 1.000");
     assertThat(parameter(gyro, "bias")).isEqualTo("0");
   }
 
   @Test
   void findsNoBiasWithoutValidRates() {
-    tell(50, 0, false);
-    assertThat(gyro.recover("zero_while_standing").finding())
-        .isEqualTo("it tells no valid rate: the gyro says that its rate is not valid");
+    send(50, 0, false);
+    assertThat(gyro.recover("calibrate_bias_while_stationary").finding())
+        .isEqualTo("it reports no valid rate: the gyro says that its rate is not valid");
   }
 
   @Test
@@ -157,15 +157,15 @@ class Dsp3000ImplTest {
 
   private Diagnosis zero(DoubleSupplier rates) {
     CompletableFuture<Diagnosis> zeroed =
-        CompletableFuture.supplyAsync(() -> gyro.recover("zero_while_standing"));
+        CompletableFuture.supplyAsync(() -> gyro.recover("calibrate_bias_while_stationary"));
     while (!zeroed.isDone()) {
-      tell(1, rates.getAsDouble(), true);
+      send(1, rates.getAsDouble(), true);
     }
     return zeroed.join();
   }
 
-  /** Tells so many lines, and waits until the driver has looked at them. */
-  private void tell(int times, double rate, boolean isValid) {
+  /** Sends so many lines, and waits until the driver has read them. */
+  private void send(int times, double rate, boolean isValid) {
     String line = String.format(Locale.ROOT, "\n%.6f %d\r", rate, isValid ? 1 : 0);
     for (int i = 0; i < times; i++) {
       link.say(line.getBytes(StandardCharsets.US_ASCII));

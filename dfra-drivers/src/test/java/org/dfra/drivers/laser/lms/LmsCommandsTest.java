@@ -3,6 +3,7 @@ package org.dfra.drivers.laser.lms;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.HexFormat;
+import org.dfra.drivers.laser.lms.LmsConfiguration.LmsUnit;
 import org.junit.jupiter.api.Test;
 
 /** The telegrams of the telegram listing, byte by byte. */
@@ -47,7 +48,7 @@ class LmsCommandsTest {
     bytes[6] = 1;
     assertThat(telegram).hasSize(41).startsWith(2, 0, 35, 0, 0x77);
     assertThat(telegram).containsSubsequence(bytes);
-    assertThat(reported.modeCode()).as("the one told stays as it is").isEqualTo(105);
+    assertThat(reported.modeCode()).as("the reported one is not changed").isEqualTo(105);
   }
 
   private static void assertTelegram(byte[] telegram, String hex) {

@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
+import org.dfra.drivers.laser.lms.LmsConfiguration.LmsUnit;
 import org.dfra.drivers.laser.lms.LmsMessage.LmsError;
 import org.dfra.drivers.laser.lms.LmsMessage.Malformed;
 import org.junit.jupiter.api.Test;
@@ -43,7 +44,7 @@ class LmsDecoderTest {
     assertThat(decode(Replies.telegram(0xB0, 0))).isInstanceOf(Malformed.class);
     assertThat(decode(Replies.telegram(0xB0))).isInstanceOf(Malformed.class);
     assertThat(decode(Replies.telegram(0xB0, 1, 0x20, 5, 5)))
-        .isEqualTo(new Malformed("B0", "it is a part of a scan, which nobody asked for"));
+        .isEqualTo(new Malformed("B0", "it is a part of a scan, which was not requested"));
   }
 
   @Test

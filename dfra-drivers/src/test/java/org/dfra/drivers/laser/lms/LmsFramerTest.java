@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Random;
 import org.dfra.drivers.fixture.FrameScannerContract;
 import org.dfra.drivers.frame.FrameScanner;
+import org.dfra.drivers.laser.lms.LmsParser.LmsFramer;
 import org.junit.jupiter.api.Test;
 
 class LmsFramerTest extends FrameScannerContract {

@@ -22,8 +22,8 @@ import org.dfra.drivers.fixture.ScriptedLink;
 import org.dfra.drivers.fixture.ScriptedLinks;
 import org.dfra.drivers.fixture.StepTicker;
 import org.dfra.flow.sensor.RangeScan;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -82,14 +82,14 @@ class LmsImplTest {
   }
 
   @Test
-  void tellsTheLaserWhatDiffersAndLeavesTheRestAsItIs() {
+  void configuresWhatDiffersAndLeavesTheRestAsItIs() {
     start("resolution", "1", "measuring_mode", "3");
     answer(LmsCommands.stop(), DONE);
     answer(LmsCommands.status(), status(0x8019, 180, 50));
     answer(LmsCommands.type(), Replies.telegram(0xBA, 'L'));
     answer(LmsCommands.configuration(), configuration(0xF4, 0, 0));
     answer(LmsCommands.installation(), DONE);
-    LmsConfiguration wanted = told(configuration(0xF4, 3, 1));
+    LmsConfiguration wanted = parsed(configuration(0xF4, 3, 1));
     answer(LmsCommands.configure(wanted), configuration(0xF7, 3, 1));
     answer(LmsCommands.configuration(), configuration(0xF4, 3, 1));
     answer(LmsCommands.stop(), DONE);
@@ -163,7 +163,7 @@ class LmsImplTest {
   }
 
   @Test
-  void doesNotTellALaserForEverThatDoesNotChangeItsSpeed() {
+  void doesNotRetryForEverWhereALaserDoesNotChangeItsSpeed() {
     start("baud", "38400");
     answer(LmsCommands.stop(), DONE);
     for (int tries = 0; tries < 3; tries++) {
@@ -187,7 +187,7 @@ class LmsImplTest {
       answer(LmsCommands.configuration(), configuration(0xF4, 0, 0));
       if (opening <= 3) {
         answer(LmsCommands.installation(), DONE);
-        LmsConfiguration wanted = told(configuration(0xF4, 0, 1));
+        LmsConfiguration wanted = parsed(configuration(0xF4, 0, 1));
         answer(LmsCommands.configure(wanted), configuration(0xF7, 0, 0));
         answer(LmsCommands.configuration(), configuration(0xF4, 0, 0));
         answer(LmsCommands.stop(), DONE);
@@ -283,7 +283,7 @@ class LmsImplTest {
   }
 
   private void streams() {
-    start("idle_after", "0");
+    start("idle_timeout", "0");
     answer(LmsCommands.stop(), DONE);
     answer(LmsCommands.status(), status(0x8019, 180, 50));
     answer(LmsCommands.type(), Replies.telegram(0xBA, 'L'));
@@ -311,7 +311,7 @@ class LmsImplTest {
     received++;
   }
 
-  private static LmsConfiguration told(byte[] telegram) {
+  private static LmsConfiguration parsed(byte[] telegram) {
     return ((LmsMessage.ConfigurationReply) LmsParser.parse(telegram).get(0)).configuration();
   }
 
@@ -319,7 +319,7 @@ class LmsImplTest {
     int from = command == 0xF7 ? 1 : 0;
     int[] data = new int[from + 34];
     data[0] = from;
-    data[from + 3] = 70; // what the driver knows nothing of
+    data[from + 3] = 70; // a field that the driver does not know
     data[from + 5] = mode;
     data[from + 6] = unit;
     return Replies.acknowledged(Replies.telegram(command, data));

@@ -8,7 +8,8 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.Parameters;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
+import org.dfra.drivers.laser.lms.LmsConfiguration.LmsUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -47,12 +48,12 @@ class LmsOrdersTest {
         "resolution     | 0.7   | 0.25, 0.5 or 1, degrees; 0.25 only with field_of_view 100",
         "mode           | often | continuous or polled",
         "period         | 0     | a number from 0.02 to 60",
-        "idle_after     | -1    | a number of seconds from 0 to 3600"
+        "idle_timeout     | -1    | a number of seconds from 0 to 3600"
       })
   void refusesWhatThereIsNotAndSaysWhereItStands(String name, String value, String allowed) {
     Map<String, Parameters.Value> written = new TreeMap<>();
-    written.put("link", new Parameters.Value("tcp://127.0.0.1:4001", Place.CODE));
-    written.put(name, new Parameters.Value(value, new Place("atrv1.xml", 12)));
+    written.put("link", new Parameters.Value("tcp://127.0.0.1:4001", SourceLocation.CODE));
+    written.put(name, new Parameters.Value(value, new SourceLocation("atrv1.xml", 12)));
     Parameters parameters = new Parameters("atrv1/laser", written);
     assertThatThrownBy(
             () -> {

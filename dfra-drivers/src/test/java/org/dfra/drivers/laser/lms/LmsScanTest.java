@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.dfra.drivers.fixture.SharedData;
+import org.dfra.drivers.laser.lms.LmsConfiguration.LmsUnit;
+import org.dfra.drivers.laser.lms.LmsParser.LmsCrc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -37,7 +39,7 @@ class LmsScanTest {
   }
 
   @Test
-  void tellsHowFarItSees() {
+  void computesItsMaximumRange() {
     assertThat(new MeasuringMode(0, 13).maxRange(LmsUnit.MM)).isCloseTo(8.182, within(1e-9));
     assertThat(new MeasuringMode(0, 13).maxRange(LmsUnit.CM)).isEqualTo(80);
     assertThat(new MeasuringMode(6, 15).maxRange(LmsUnit.MM)).isCloseTo(32.758, within(1e-9));
@@ -53,7 +55,7 @@ class LmsScanTest {
   }
 
   @Test
-  void tellsItsTimes() {
+  void computesItsTimes() {
     assertThat(new LmsVariant(180, 100).period()).isCloseTo(0.0133, within(1e-4));
     assertThat(new LmsVariant(180, 50).period()).isCloseTo(0.0267, within(1e-4));
     assertThat(new LmsVariant(100, 25).period()).isCloseTo(0.0533, within(1e-4));

@@ -1,5 +1,7 @@
 package org.dfra.drivers.laser.lms;
 
+import org.dfra.drivers.laser.lms.LmsParser.LmsFramer;
+
 /** The laser's telegrams with chosen content. */
 final class Replies {
 

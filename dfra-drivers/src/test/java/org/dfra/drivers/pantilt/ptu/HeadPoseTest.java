@@ -5,10 +5,11 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Random;
 import org.dfra.core.geometry.FrameTree;
+import org.dfra.drivers.pantilt.ptu.PtuImpl.HeadPose;
 import org.dfra.geometry.Transform;
 import org.junit.jupiter.api.Test;
 
-/** The composition against another one: a tree of frames, one for each turn, by matrices. */
+/** The pose compared with a tree of frames, one for each rotation, computed with matrices. */
 class HeadPoseTest {
 
   @Test
@@ -30,7 +31,7 @@ class HeadPoseTest {
       tree.put("mount", "base", mount);
       tree.put("panned", "mount", Transform.of(0, 0, 0, 0, 0, pan));
       tree.put("head", "panned", Transform.of(0, 0, 0, 0, -tilt, 0));
-      assertThat(apart(HeadPose.of(mount, pan, tilt), tree.transform("head", "base")))
+      assertThat(difference(HeadPose.of(mount, pan, tilt), tree.transform("head", "base")))
           .as("-Ddfra.seed=%d, try %s", seed, i)
           .isLessThan(1e-12);
     }
@@ -52,8 +53,8 @@ class HeadPoseTest {
     assertThat(camera.z()).isCloseTo(0.5 + 1, within(1e-12));
   }
 
-  /** Greatest difference; a quaternion and its negative turn the same. */
-  private static double apart(Transform a, Transform b) {
+  /** The greatest difference; a quaternion and its negative are the same rotation. */
+  private static double difference(Transform a, Transform b) {
     double sign = a.qw() * b.qw() + a.qx() * b.qx() + a.qy() * b.qy() + a.qz() * b.qz();
     double s = Math.signum(sign);
     double[] differences = {

@@ -14,7 +14,7 @@ import org.dfra.drivers.fixture.Modules;
 import org.dfra.drivers.fixture.ScriptedLink;
 import org.dfra.drivers.fixture.ScriptedLinks;
 import org.dfra.drivers.fixture.StepTicker;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Timeout;

@@ -6,6 +6,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.Random;
 import org.dfra.drivers.fixture.FrameScannerContract;
 import org.dfra.drivers.frame.FrameScanner;
+import org.dfra.drivers.pantilt.ptu.PtuCommands.PtuAxis;
+import org.dfra.drivers.pantilt.ptu.PtuParser.PtuDecoder;
+import org.dfra.drivers.pantilt.ptu.PtuParser.PtuFramer;
 import org.dfra.drivers.pantilt.ptu.PtuReply.Done;
 import org.dfra.drivers.pantilt.ptu.PtuReply.LimitHit;
 import org.dfra.drivers.pantilt.ptu.PtuReply.Refused;
@@ -74,7 +77,7 @@ class PtuFramerTest extends FrameScannerContract {
   }
 
   @Test
-  void tellsRefusalsFromLimits() {
+  void distinguishesRefusalsFromLimits() {
     assertThat(PtuParser.parse(bytes("! Maximum allowable Pan position is 3090\r\n")))
         .containsExactly(new Refused("Maximum allowable Pan position is 3090"));
     assertThat(PtuParser.parse(bytes("* 1\r!P\r\n* 2\r!T* 3\r!\r")))

@@ -12,7 +12,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.PanTiltCommand.PointAt;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.junit.jupiter.api.Test;
 
 /** What brings the head to rest and keeps it there, also past a write that hangs. */
@@ -87,6 +87,6 @@ class PtuHaltTest extends PtuFixture {
     beReady();
     assertThat(unit.emergencyStop("ops").latched()).isTrue();
     assertThat(unit.recover("reset_by_moving").finding())
-        .isEqualTo("it moves the head, which is stopped for an emergency; have it released first");
+        .isEqualTo("it moves the head, which is stopped for an emergency; release it first");
   }
 }

@@ -14,9 +14,9 @@ import org.dfra.drivers.fixture.ScriptedLink;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.PanTiltCommand.Halt;
 import org.dfra.flow.effector.PanTiltCommand.PointAt;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Diagnosis;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.persona.PanTiltAttributes;
 import org.junit.jupiter.api.Test;
 
@@ -48,7 +48,7 @@ class PtuImplTest extends PtuFixture {
   }
 
   @Test
-  void tellsNothingBeforeTheUnitDoes() {
+  void reportsNothingBeforeTheUnitDoes() {
     assertThatThrownBy(unit::panTiltState)
         .isInstanceOf(NotReadyException.class)
         .hasMessageStartingWith("atrv1/pan_tilt is INITIALIZING");
@@ -132,7 +132,7 @@ class PtuImplTest extends PtuFixture {
   }
 
   @Test
-  void asksAgainWhenTheUnitTellsWhatCannotBe() {
+  void asksAgainWhenTheUnitReportsWhatCannotBe() {
     answers.put("PX", "-4000");
     awaitWords();
     setUp();
@@ -178,7 +178,7 @@ class PtuImplTest extends PtuFixture {
   }
 
   @Test
-  void comesBackWithALinkAndForgetsWhatItWasTold() {
+  void comesBackWithALinkAndForgetsWhatItHadReceived() {
     beReady();
     ScriptedLink second = links.add();
     link.unplug();
@@ -219,7 +219,7 @@ class PtuImplTest extends PtuFixture {
       unit.execute(lease.key(), new PointAt(0.1, 0, 1));
       next();
       say("*\r\n*\r\n! Maximum allowable Pan position is 3090\r\n*\r\n");
-      await().until(() -> parameter(unit, "refusals").equals("1"));
+      await().until(() -> parameter(unit, "refused_commands").equals("1"));
     }
   }
 

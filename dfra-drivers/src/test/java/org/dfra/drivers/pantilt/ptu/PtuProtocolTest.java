@@ -12,6 +12,8 @@ import java.util.concurrent.TimeUnit;
 import org.dfra.drivers.fixture.ScriptedLink;
 import org.dfra.drivers.fixture.StepTicker;
 import org.dfra.drivers.link.SerialLink;
+import org.dfra.drivers.pantilt.ptu.PtuCommands.PtuAxis;
+import org.dfra.drivers.pantilt.ptu.PtuGeometryQuery.PtuGeometry;
 import org.dfra.drivers.pantilt.ptu.PtuReply.Refused;
 import org.dfra.drivers.pantilt.ptu.PtuReply.Value;
 import org.junit.jupiter.api.AfterEach;

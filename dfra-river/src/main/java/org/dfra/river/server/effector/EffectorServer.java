@@ -16,7 +16,7 @@ import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lease.LeaseRole;
 import org.dfra.river.lease.ModuleLandlord;
-import org.dfra.river.phoenix.stop.StopTarget;
+import org.dfra.river.phoenix.stop.StopTargetRegistry.StopTarget;
 import org.dfra.river.remote.GrantedModuleLease;
 import org.dfra.river.remote.effector.GrantedCommandLease;
 import org.dfra.river.remote.effector.RemoteEffector;

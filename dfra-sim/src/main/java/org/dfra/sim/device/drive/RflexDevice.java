@@ -4,8 +4,7 @@ import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.time.Instant;
 import org.dfra.sim.device.Schedule;
-import org.dfra.sim.device.SerialDevice;
-import org.dfra.sim.device.UartLine;
+import org.dfra.sim.device.UartDevice;
 import org.dfra.sim.physics.BatteryPhysics;
 import org.dfra.sim.physics.DrivetrainPhysics;
 import org.dfra.sim.physics.DrivetrainPhysics.Travel;
@@ -24,7 +23,7 @@ import org.jspecify.annotations.Nullable;
  * within half a second of the last velocity from 1 m/s. To switch it off and on, replace it by a
  * new one with the same wheels.
  */
-public final class RflexDevice implements SerialDevice {
+public final class RflexDevice extends UartDevice {
 
   /** Bits per second of its serial line. */
   public static final int BAUD = 115_200;
@@ -82,7 +81,6 @@ public final class RflexDevice implements SerialDevice {
 
   private final DrivetrainPhysics wheels;
   private final BatteryPhysics battery;
-  private final UartLine channel = new UartLine(BAUD);
   private final RflexCommandReader commands = new RflexCommandReader(this::execute);
   private final Schedule reports = new Schedule();
   private final Axis along;
@@ -107,6 +105,7 @@ public final class RflexDevice implements SerialDevice {
    * @param firstTurn its first count about z
    */
   public RflexDevice(DrivetrainPhysics wheels, BatteryPhysics battery, int first, int firstTurn) {
+    super(BAUD);
     this.wheels = wheels;
     this.battery = battery;
     this.along = new Axis(PER_METRE, first);
@@ -140,23 +139,13 @@ public final class RflexDevice implements SerialDevice {
   }
 
   @Override
-  public int baud() {
-    return BAUD;
-  }
-
-  @Override
   public void receive(byte[] bytes, int offset, int length, Instant time) {
-    pass(time);
+    advance(time);
     commands.feed(bytes, offset, length);
   }
 
   @Override
-  public void transmit(ByteBuffer out, Instant time) {
-    pass(time);
-    channel.drainTo(out, time);
-  }
-
-  private void pass(Instant time) {
+  protected void advance(Instant time) {
     if (powerOn == null) {
       powerOn = time;
       wheels.brake(time, true);
@@ -170,7 +159,7 @@ public final class RflexDevice implements SerialDevice {
     }
     now = time;
     Instant due = reports.due(time);
-    if (due != null && channel.waitingBytes() <= LONGEST_QUEUE) {
+    if (due != null && channel().waitingBytes() <= LONGEST_QUEUE) {
       report(due);
     }
   }
@@ -250,7 +239,7 @@ public final class RflexDevice implements SerialDevice {
 
   private void status() {
     int hundredths = (int) Math.round((battery.at(now).voltage() - OFFSET_VOLTS) * 100);
-    channel.send(RflexFrames.status(timestamp(now), Math.max(0, hundredths), brake), now);
+    channel().send(RflexFrames.status(timestamp(now), Math.max(0, hundredths), brake), now);
   }
 
   private void report(Instant due) {
@@ -270,12 +259,44 @@ public final class RflexDevice implements SerialDevice {
             about.count(travel.yaw()),
             about.rate(travel.yawRate()),
             about.rate(about.acceleration));
-    channel.send(first, due);
-    channel.send(second, due);
+    channel().send(first, due);
+    channel().send(second, due);
   }
 
   /** Microseconds since power-on; wraps around. */
   private int timestamp(Instant time) {
     return (int) (Duration.between(powerOn == null ? time : powerOn, time).toNanos() / 1000);
+  }
+
+  /** Encodes the frames of an rFLEX controller. Its numbers may contain 1B unescaped. */
+  private static final class RflexFrames {
+
+    private static final int AROUND = 9;
+
+    private RflexFrames() {}
+
+    /** Port 2, opcode 33: position and velocity of an axis. */
+    static byte[] report(int timestamp, int axis, int position, int velocity, int acceleration) {
+      ByteBuffer data = ByteBuffer.allocate(25);
+      data.putInt(0).putInt(timestamp).put((byte) axis).putInt(position).putInt(velocity);
+      return frame(2, 33, data.putInt(acceleration).putInt(30_000).array());
+    }
+
+    /** Port 1, opcode 1: hundredths of a volt, and the brake. */
+    static byte[] status(int timestamp, int hundredths, boolean brake) {
+      ByteBuffer data = ByteBuffer.allocate(9).putInt(timestamp).putInt(hundredths);
+      return frame(1, 1, data.put((byte) (brake ? 1 : 0)).array());
+    }
+
+    private static byte[] frame(int port, int opcode, byte[] data) {
+      ByteBuffer frame = ByteBuffer.allocate(data.length + AROUND);
+      frame.put((byte) 0x1B).put((byte) 0x02);
+      frame.put((byte) port).put((byte) 0).put((byte) opcode).put((byte) data.length).put(data);
+      byte sum = 0;
+      for (int i = 2; i < frame.position(); i++) {
+        sum ^= frame.get(i);
+      }
+      return frame.put(sum).put((byte) 0x1B).put((byte) 0x03).array();
+    }
   }
 }

@@ -1,11 +1,9 @@
 package org.dfra.sim.device.gyro;
 
-import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.time.Instant;
-import org.dfra.sim.device.SerialDevice;
-import org.dfra.sim.device.UartLine;
+import org.dfra.sim.device.UartDevice;
 import org.dfra.sim.physics.GyroInput;
 import org.jspecify.annotations.Nullable;
 
@@ -18,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * keeps its mode while it is on. Its lines are invalid during warm-up and above its maximum rate.
  * These two rules, and that commands need no end of line, are assumed or taken from other drivers.
  */
-public final class Dsp3000Device implements SerialDevice {
+public final class Dsp3000Device extends UartDevice {
 
   private static final Duration PERIOD = Duration.ofMillis(10);
   private static final double FASTEST = 375; // °/s
@@ -29,7 +27,6 @@ public final class Dsp3000Device implements SerialDevice {
       Duration.ofSeconds(10); // missed lines are sent for this
 
   private final GyroInput view;
-  private final UartLine line;
   private final Duration warmUp;
   private @Nullable Instant switchedOn;
   private Instant next = Instant.MIN;
@@ -42,19 +39,14 @@ public final class Dsp3000Device implements SerialDevice {
    * @param warmUp how long its lines are invalid after power-on
    */
   public Dsp3000Device(GyroInput view, int baud, Duration warmUp) {
+    super(baud);
     this.view = view;
-    this.line = new UartLine(baud);
     this.warmUp = warmUp;
   }
 
   @Override
-  public int baud() {
-    return line.baud();
-  }
-
-  @Override
   public void receive(byte[] bytes, int offset, int length, Instant time) {
-    pass(time);
+    advance(time);
     for (int i = offset; i < offset + length; i++) {
       char envelope = (char) (bytes[i] & 0xFF);
       if (envelope == 'R' || envelope == 'A' || envelope == 'P') {
@@ -66,12 +58,7 @@ public final class Dsp3000Device implements SerialDevice {
   }
 
   @Override
-  public void transmit(ByteBuffer out, Instant time) {
-    pass(time);
-    line.drainTo(out, time);
-  }
-
-  private void pass(Instant time) {
+  protected void advance(Instant time) {
     if (switchedOn == null) {
       switchedOn = time;
       next = time.plus(PERIOD);
@@ -92,8 +79,8 @@ public final class Dsp3000Device implements SerialDevice {
     angle += step;
     boolean isValid = reported == rate && !time.isBefore(begin.plus(warmUp));
     double number = mode == 'R' ? reported : mode == 'A' ? step : angle;
-    if (line.waitingBytes() <= LONGEST_QUEUE) {
-      line.send(text(number, isValid).getBytes(StandardCharsets.US_ASCII), time);
+    if (channel().waitingBytes() <= LONGEST_QUEUE) {
+      channel().send(text(number, isValid).getBytes(StandardCharsets.US_ASCII), time);
     }
   }
 

@@ -6,8 +6,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.Arrays;
 import java.util.Map;
-import org.dfra.sim.device.SerialDevice;
-import org.dfra.sim.device.UartLine;
+import org.dfra.sim.device.UartDevice;
 import org.dfra.sim.physics.RangeInput;
 import org.jspecify.annotations.Nullable;
 
@@ -26,7 +25,7 @@ import org.jspecify.annotations.Nullable;
  * configuration survives a reset; variant, baud rate and mode do not. All of them survive a change
  * of client. It has no permanent baud rate.
  */
-public final class LmsDevice implements SerialDevice {
+public final class LmsDevice extends UartDevice {
 
   private static final int WAKING_BAUD = 9600;
   private static final int DIRTY = 70; // per cent of a clean window
@@ -42,7 +41,6 @@ public final class LmsDevice implements SerialDevice {
 
   private final LmsMirror mirror;
   private final LmsEmulatorSettings makeup;
-  private final UartLine channel;
   private final LmsCommandReader commands = new LmsCommandReader(new CommandHandler());
   private final byte[] configuration = new byte[CONFIGURATION_BYTES];
 
@@ -59,9 +57,9 @@ public final class LmsDevice implements SerialDevice {
    * @param makeup its settings
    */
   public LmsDevice(RangeInput view, LmsEmulatorSettings makeup) {
+    super(makeup.baud() == 0 ? WAKING_BAUD : makeup.baud());
     this.mirror = new LmsMirror(view);
     this.makeup = makeup;
-    this.channel = new UartLine(makeup.baud() == 0 ? WAKING_BAUD : makeup.baud());
     configuration[MODE_AT] = (byte) makeup.measuringMode();
     configuration[UNIT_AT] = (byte) makeup.unit();
   }
@@ -77,13 +75,8 @@ public final class LmsDevice implements SerialDevice {
   }
 
   @Override
-  public int baud() {
-    return channel.baud();
-  }
-
-  @Override
   public void receive(byte[] bytes, int offset, int length, Instant time) {
-    pass(time);
+    advance(time);
     if (powerOnReportAt == null) {
       commands.feed(bytes, offset, length);
     }
@@ -91,12 +84,12 @@ public final class LmsDevice implements SerialDevice {
 
   @Override
   public void transmit(ByteBuffer out, Instant time) {
-    pass(time);
-    channel.drainTo(out, time);
+    super.transmit(out, time);
     applyPending(time);
   }
 
-  private void pass(Instant time) {
+  @Override
+  protected void advance(Instant time) {
     now = time;
     if (powerOn == null) {
       powerOn = time;
@@ -104,25 +97,25 @@ public final class LmsDevice implements SerialDevice {
     }
     if (powerOnReportAt != null && !time.isBefore(powerOnReportAt)) {
       powerOnReportAt = null;
-      channel.send(LmsTelegrams.telegram(0x90, LmsTelegrams.type(), status()), time);
+      channel().send(LmsTelegrams.telegram(0x90, LmsTelegrams.type(), status()), time);
     }
-    if (powerOnReportAt == null && operatingMode == STREAMS && channel.waitingBytes() == 0) {
+    if (powerOnReportAt == null && operatingMode == STREAMS && channel().waitingBytes() == 0) {
       stream(time);
     }
   }
 
   /** Actions delayed until the last byte of an answer. */
   private void applyPending(Instant time) {
-    if (channel.waitingBytes() > 0) {
+    if (channel().waitingBytes() > 0) {
       return;
     }
     if (nextBaud != 0) {
-      channel.setBaud(nextBaud);
+      channel().setBaud(nextBaud);
       nextBaud = 0;
     }
     if (resets) {
       resets = false;
-      channel.setBaud(WAKING_BAUD);
+      channel().setBaud(WAKING_BAUD);
       operatingMode = WAITS;
       mirror.reset();
       powerOnReportAt = time.plus(makeup.warmUp());
@@ -132,7 +125,7 @@ public final class LmsDevice implements SerialDevice {
   private void stream(Instant time) {
     Instant begin = mirror.complete(time);
     if (begin != null) {
-      channel.send(LmsTelegrams.telegram(0xB0, scan(begin), status()), time);
+      channel().send(LmsTelegrams.telegram(0xB0, scan(begin), status()), time);
     }
   }
 
@@ -156,7 +149,7 @@ public final class LmsDevice implements SerialDevice {
   }
 
   private void answer(int command, byte... data) {
-    channel.send(LmsTelegrams.reply(command, data, status()), now);
+    channel().send(LmsTelegrams.reply(command, data, status()), now);
   }
 
   /** Executes commands. */
@@ -164,7 +157,7 @@ public final class LmsDevice implements SerialDevice {
 
     @Override
     public void damaged() {
-      channel.send(LmsTelegrams.NAK, now);
+      channel().send(LmsTelegrams.NAK, now);
     }
 
     @Override
@@ -201,7 +194,7 @@ public final class LmsDevice implements SerialDevice {
           configuration[MODE_AT],
           mirror.degrees(),
           mirror.hundredths(),
-          channel.baud(),
+          channel().baud(),
           unit());
     }
 

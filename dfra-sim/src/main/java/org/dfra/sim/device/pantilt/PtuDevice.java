@@ -1,12 +1,11 @@
 package org.dfra.sim.device.pantilt;
 
-import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayDeque;
-import org.dfra.sim.device.SerialDevice;
-import org.dfra.sim.device.UartLine;
+import org.dfra.sim.device.UartDevice;
+import org.dfra.sim.device.pantilt.PtuConsole.PtuMotion;
 import org.dfra.sim.physics.PanTiltPhysics;
 import org.jspecify.annotations.Nullable;
 
@@ -30,16 +29,15 @@ import org.jspecify.annotations.Nullable;
  * Directed Perception, PTU-D46 User's Manual 2.14.0, section 4; the end stops beyond the limits and
  * the wording of some rejections are assumed.
  */
-public final class PtuDevice implements SerialDevice {
+public final class PtuDevice extends UartDevice {
 
   private static final double RADIANS_PER_POSITION = Math.toRadians(185.1428 / 3600);
   private static final int LONGEST_COMMAND = 40;
   private static final int LONGEST_INPUT = 1000; // characters of pending commands
-  private static final int TELL_EVERY = 10; // steps
+  private static final int REPORT_EVERY = 10; // steps
   private static final Duration LONGEST_SLEEP = Duration.ofSeconds(60); // any motion has ended
 
   private final PanTiltPhysics body;
-  private final UartLine channel;
   private final StepMotor pan = new StepMotor('P', "Pan", -3090, 3090);
   private final StepMotor tilt = new StepMotor('T', "Tilt", -907, 604);
   private final PtuConsole console = new PtuConsole(pan, tilt, this::enqueue, this::begin);
@@ -57,19 +55,14 @@ public final class PtuDevice implements SerialDevice {
    * @param resets whether it resets at power-on
    */
   public PtuDevice(PanTiltPhysics body, int baud, boolean resets) {
+    super(baud);
     this.body = body;
-    this.channel = new UartLine(baud);
     this.resets = resets;
   }
 
   @Override
-  public int baud() {
-    return channel.baud();
-  }
-
-  @Override
   public void receive(byte[] bytes, int offset, int length, Instant time) {
-    pass(time);
+    advance(time);
     for (int i = offset; i < offset + length && input.size() < LONGEST_INPUT; i++) {
       input.add((char) (bytes[i] & 0xFF));
     }
@@ -77,12 +70,7 @@ public final class PtuDevice implements SerialDevice {
   }
 
   @Override
-  public void transmit(ByteBuffer out, Instant time) {
-    pass(time);
-    channel.drainTo(out, time);
-  }
-
-  private void pass(Instant time) {
+  protected void advance(Instant time) {
     Instant last = now;
     if (last == null) {
       now = time;
@@ -97,7 +85,7 @@ public final class PtuDevice implements SerialDevice {
     for (long i = 1; i <= steps; i++) {
       Instant at = last.plusMillis(i);
       now = at;
-      step(at, i % TELL_EVERY == 0 || i == steps);
+      step(at, i % REPORT_EVERY == 0 || i == steps);
     }
     if (steps == 0) {
       now = last;
@@ -172,7 +160,7 @@ public final class PtuDevice implements SerialDevice {
   private void enqueue(String text) {
     Instant time = now;
     if (time != null && !text.isEmpty()) {
-      channel.send(text.getBytes(StandardCharsets.ISO_8859_1), time);
+      channel().send(text.getBytes(StandardCharsets.ISO_8859_1), time);
     }
   }
 }

@@ -1,6 +1,5 @@
 package org.dfra.sim.device.uav;
 
-import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.EnumMap;
@@ -9,8 +8,10 @@ import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.sim.device.AntennaTrajectory;
 import org.dfra.sim.device.Schedule;
-import org.dfra.sim.device.SerialDevice;
-import org.dfra.sim.device.UartLine;
+import org.dfra.sim.device.UartDevice;
+import org.dfra.sim.device.uav.AutopilotSettings.AutopilotSoftware;
+import org.dfra.sim.device.uav.MavlinkCommandReader.ReceivedCommand;
+import org.dfra.sim.device.uav.MavlinkFrameWriter.MavlinkMessageType;
 import org.dfra.sim.physics.BatteryPhysics;
 import org.dfra.sim.physics.MulticopterPhysics;
 import org.dfra.sim.physics.MulticopterPhysics.MulticopterState;
@@ -30,7 +31,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Its state survives a change of client, as a vehicle's state survives loss of the radio link.
  */
-public final class AutopilotDevice implements SerialDevice {
+public final class AutopilotDevice extends UartDevice {
 
   /**
    * If more bytes than this are queued, the baud rate is too low for the requested messages;
@@ -56,7 +57,6 @@ public final class AutopilotDevice implements SerialDevice {
   private final MulticopterPhysics body;
   private final AntennaTrajectory antenna;
   private final BatteryPhysics battery;
-  private final UartLine channel;
   private final AutopilotStateMachine pilot;
   private final Telemetry telemetry;
   private final MavlinkCommandReader reader;
@@ -78,12 +78,12 @@ public final class AutopilotDevice implements SerialDevice {
       MulticopterPhysics body,
       AntennaTrajectory antenna,
       BatteryPhysics battery) {
+    super(settings.baud());
     LocalFrame world = new LocalFrame(datum);
     this.settings = settings;
     this.body = body;
     this.antenna = antenna;
     this.battery = battery;
-    this.channel = new UartLine(settings.baud());
     this.pilot = new AutopilotStateMachine(settings, world, body, battery);
     this.telemetry = new Telemetry(settings, world);
     this.reader = new MavlinkCommandReader(settings.vehicle(), new Station());
@@ -96,24 +96,14 @@ public final class AutopilotDevice implements SerialDevice {
   }
 
   @Override
-  public int baud() {
-    return channel.baud();
-  }
-
-  @Override
   public void receive(byte[] bytes, int offset, int length, Instant time) {
-    pass(time);
+    advance(time);
     reader.take(bytes, offset, length);
     sendStatusTexts();
   }
 
   @Override
-  public void transmit(ByteBuffer out, Instant time) {
-    pass(time);
-    channel.drainTo(out, time);
-  }
-
-  private void pass(Instant time) {
+  protected void advance(Instant time) {
     now = time;
     if (powerOn == null) {
       powerOn = time;
@@ -126,7 +116,7 @@ public final class AutopilotDevice implements SerialDevice {
     pilot.step(time);
     schedules.forEach(
         (message, schedule) -> {
-          if (schedule.due(time) != null && channel.waitingBytes() <= LONGEST_QUEUE) {
+          if (schedule.due(time) != null && channel().waitingBytes() <= LONGEST_QUEUE) {
             sendMessage(message);
           }
         });
@@ -165,7 +155,7 @@ public final class AutopilotDevice implements SerialDevice {
   }
 
   private void enqueue(byte[] frame) {
-    channel.send(frame, now);
+    channel().send(frame, now);
   }
 
   private void sendStatusTexts() {
@@ -201,7 +191,8 @@ public final class AutopilotDevice implements SerialDevice {
 
   private int execute(ReceivedCommand command) {
     return switch (command.command()) {
-      case ReceivedCommand.ARM -> pilot.arm(command.parameter(1) == 1, hasFix(), now);
+      case ReceivedCommand.ARM ->
+          command.parameter(1) == 1 ? pilot.arm(hasFix(), now) : pilot.disarm(now);
       case ReceivedCommand.TAKE_OFF -> pilot.takeOff(command.parameter(7), now);
       case ReceivedCommand.SET_MODE -> pilot.set(mode(command), hasFix(), now);
       case ReceivedCommand.REPOSITION ->

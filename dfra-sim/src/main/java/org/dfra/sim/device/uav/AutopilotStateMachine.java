@@ -7,7 +7,8 @@ import java.util.List;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
-import org.dfra.sim.device.uav.AutopilotSoftware.Mode;
+import org.dfra.sim.device.uav.AutopilotSettings.AutopilotSoftware;
+import org.dfra.sim.device.uav.AutopilotSettings.AutopilotSoftware.Mode;
 import org.dfra.sim.physics.BatteryPhysics;
 import org.dfra.sim.physics.MulticopterPhysics;
 import org.dfra.sim.physics.MulticopterPhysics.MulticopterState;
@@ -179,18 +180,22 @@ final class AutopilotStateMachine {
     texts.add("Disarmed");
   }
 
-  /** Arms or disarms. */
-  int arm(boolean requested, boolean hasFix, Instant time) {
-    boolean stands = body.at(time).up() < GROUND && mode != Mode.TAKE_OFF;
-    if (armed == requested) {
+  /** Disarms, on the ground only. */
+  int disarm(Instant time) {
+    if (!armed) {
       return ACCEPTED;
     }
-    if (!requested) {
-      if (!stands) {
-        texts.add("Disarming denied: not landed");
-        return notNow();
-      }
-      disarmed(time);
+    if (body.at(time).up() >= GROUND || mode == Mode.TAKE_OFF) {
+      texts.add("Disarming denied: not landed");
+      return notNow();
+    }
+    disarmed(time);
+    return ACCEPTED;
+  }
+
+  /** Arms. */
+  int arm(boolean hasFix, Instant time) {
+    if (armed) {
       return ACCEPTED;
     }
     String fault = fault(hasFix, time);

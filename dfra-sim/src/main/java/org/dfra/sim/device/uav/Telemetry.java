@@ -8,8 +8,11 @@ import java.util.Arrays;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
-import org.dfra.sim.device.AntennaState;
-import org.dfra.sim.device.uav.AutopilotSoftware.Mode;
+import org.dfra.sim.device.AntennaTrajectory.AntennaState;
+import org.dfra.sim.device.uav.AutopilotSettings.AutopilotSoftware;
+import org.dfra.sim.device.uav.AutopilotSettings.AutopilotSoftware.Mode;
+import org.dfra.sim.device.uav.MavlinkCommandReader.ReceivedCommand;
+import org.dfra.sim.device.uav.MavlinkFrameWriter.MavlinkMessageType;
 import org.dfra.sim.physics.BatteryPhysics.Charge;
 import org.dfra.sim.physics.MulticopterPhysics.MulticopterState;
 

@@ -10,6 +10,9 @@ import java.util.stream.Stream;
 import org.dfra.core.config.ConfigurationFaults;
 import org.dfra.core.config.DescriptionRules;
 import org.dfra.core.config.NearestName;
+import org.dfra.sim.world.description.DeviceDescription.DeviceParameter;
+import org.dfra.sim.world.description.DeviceDescription.MountPose;
+import org.dfra.sim.world.description.VehicleDescription.VehicleType;
 
 /** Validates the devices of a robot. */
 final class DeviceRules {
@@ -75,7 +78,8 @@ final class DeviceRules {
     String parent = device.parent().get();
     String prefix = device.name() + " is mounted on " + parent + ", ";
     if (device.kind() == DeviceKind.PAN_TILT) {
-      return Optional.of(prefix + "but a pan-tilt stands on the robot itself; delete its parent");
+      return Optional.of(
+          prefix + "but a pan-tilt is mounted on the robot itself; delete its parent");
     }
     List<String> heads =
         robot.devices().stream()
@@ -88,7 +92,7 @@ final class DeviceRules {
         ? Optional.empty()
         : Optional.of(
             prefix
-                + "which is no pan-tilt of "
+                + "which is not a pan-tilt of "
                 + robot.name()
                 + NearestName.hint(parent, heads, otherwise));
   }

@@ -2,8 +2,9 @@ package org.dfra.sim.world.description;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 
 /**
  * A robot in a world: its body, its initial pose, and its devices.
@@ -21,7 +22,7 @@ import org.dfra.core.config.Place;
  */
 public record VehicleDescription(
     String name,
-    VehicleType type,
+    VehicleDescription.VehicleType type,
     double east,
     double north,
     double yaw,
@@ -29,7 +30,7 @@ public record VehicleDescription(
     double width,
     double height,
     List<DeviceDescription> devices,
-    Place place) {
+    SourceLocation place) {
 
   public VehicleDescription {
     devices = List.copyOf(devices);
@@ -47,7 +48,7 @@ public record VehicleDescription(
         type.width(),
         type.height(),
         List.of(),
-        Place.CODE);
+        SourceLocation.CODE);
   }
 
   /** The same robot with one device more. */
@@ -65,5 +66,43 @@ public record VehicleDescription(
   /** The first device of that kind, if it has one. */
   public Optional<DeviceDescription> device(DeviceKind kind) {
     return devices.stream().filter(one -> one.kind() == kind).findFirst();
+  }
+
+  /** Type of a robot's drive, with its default size. */
+  public enum VehicleType {
+    /** On four wheels, skid-steered; the size of an ATRV-Jr. */
+    UGV(0.78, 0.64, 0.55),
+    /** A multicopter. */
+    UAV(0.6, 0.6, 0.25);
+
+    private final double length;
+    private final double width;
+    private final double height;
+
+    VehicleType(double length, double width, double height) {
+      this.length = length;
+      this.width = width;
+      this.height = height;
+    }
+
+    /** Along its x axis, metres. */
+    public double length() {
+      return length;
+    }
+
+    /** Along its y axis, metres. */
+    public double width() {
+      return width;
+    }
+
+    /** From its base to its top, without masts, metres. */
+    public double height() {
+      return height;
+    }
+
+    /** Its name in XML: {@code ugv}, {@code uav}. */
+    public String text() {
+      return name().toLowerCase(Locale.ROOT);
+    }
   }
 }

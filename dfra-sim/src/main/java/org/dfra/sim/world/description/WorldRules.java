@@ -7,10 +7,14 @@ import java.util.Set;
 import java.util.stream.Stream;
 import org.dfra.core.config.ConfigurationFaults;
 import org.dfra.core.config.DescriptionRules;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.sim.world.shape.Disc;
+import org.dfra.sim.world.description.WorldDescription.GroundDescription;
+import org.dfra.sim.world.description.WorldDescription.MineDescription;
+import org.dfra.sim.world.description.WorldDescription.ObstacleDescription;
+import org.dfra.sim.world.description.WorldDescription.WeatherDescription;
 import org.dfra.sim.world.shape.OrientedRectangle;
+import org.dfra.sim.world.shape.PlanarShape.Disc;
 import org.dfra.sim.world.shape.StaticObstacle;
 import org.jspecify.annotations.Nullable;
 
@@ -33,23 +37,23 @@ public final class WorldRules {
       GeoPosition datum,
       GroundDescription ground,
       WeatherDescription weather,
-      Place place,
+      SourceLocation place,
       ConfigurationFaults faults) {
     FaultCollector notes = new FaultCollector(place, "", faults);
     notes.add(DescriptionRules.name("world", name));
     notes.between("latitude of the datum", "°", datum.latitude(), -LAST_LATITUDE, LAST_LATITUDE);
     FaultCollector field = new FaultCollector(ground.place(), "the ground's ", faults);
-    field.positive("width", ground.sizeEast(), LARGEST_FIELD);
-    field.positive("depth", ground.sizeNorth(), LARGEST_FIELD);
+    field.positive("size_east", ground.sizeEast(), LARGEST_FIELD);
+    field.positive("size_north", ground.sizeNorth(), LARGEST_FIELD);
     field.between("roughness", "rad", ground.roughness(), 0, ROUGHEST);
     FaultCollector sky = new FaultCollector(weather.place(), "the weather's ", faults);
     sky.between("temperature", "K", weather.temperature(), 200, 350);
-    sky.between("warming", "K", weather.groundWarming(), -30, 60);
+    sky.between("ground_warming", "K", weather.groundWarming(), -30, 60);
     sky.between("sun_azimuth", "rad", weather.sunAzimuth(), -10, 10);
     sky.between("sun_elevation", "rad", weather.sunElevation(), -Math.PI / 2, Math.PI / 2);
-    sky.between("wind", "m/s", weather.windSpeed(), 0, 50);
+    sky.between("wind_speed", "m/s", weather.windSpeed(), 0, 50);
     sky.between("wind_towards", "rad", weather.windTowards(), -10, 10);
-    sky.between("gusts", "m/s", weather.gustSigma(), 0, 50);
+    sky.between("gust_sigma", "m/s", weather.gustSigma(), 0, 50);
   }
 
   /** Records errors of a world's objects, of each alone and between them. */
@@ -79,7 +83,7 @@ public final class WorldRules {
           thing("mine", mine.name(), mine.east(), mine.north(), mine.place(), names, faults);
       notes.positive("radius", mine.radius(), 10);
       notes.positive("height", mine.height(), 10);
-      notes.between("contrast", "K", mine.thermalContrast(), -100, 100);
+      notes.between("thermal_contrast", "K", mine.thermalContrast(), -100, 100);
       notes.between("colour", "", mine.colour(), 0, 0xFFFFFF);
     }
     for (VehicleDescription robot : vehicles) {
@@ -99,7 +103,7 @@ public final class WorldRules {
       String name,
       double east,
       double north,
-      Place place,
+      SourceLocation place,
       Set<String> names,
       ConfigurationFaults faults) {
     FaultCollector notes = new FaultCollector(place, name + "'s ", faults);
@@ -147,7 +151,7 @@ public final class WorldRules {
               other ->
                   faults.add(
                       robot.place(),
-                      robot.name() + " starts where " + other + " is; move one of them"));
+                      robot.name() + " starts at the position of " + other + "; move one of them"));
       placed.add(robot);
     }
   }
@@ -160,7 +164,7 @@ public final class WorldRules {
   }
 
   /** Records errors of the numbers of one object. */
-  private record FaultCollector(Place place, String of, ConfigurationFaults faults) {
+  private record FaultCollector(SourceLocation place, String of, ConfigurationFaults faults) {
 
     void add(@Nullable String complaint) {
       if (complaint != null) {

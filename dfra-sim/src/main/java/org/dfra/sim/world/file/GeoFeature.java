@@ -1,22 +1,24 @@
 package org.dfra.sim.world.file;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.dfra.core.config.ConfigurationFaults;
 import org.dfra.core.config.NearestName;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.RenamedNames;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.core.geojson.GeoJsonFeature;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
-import org.dfra.sim.world.description.MineDescription;
-import org.dfra.sim.world.description.ObstacleDescription;
-import org.dfra.sim.world.shape.Disc;
+import org.dfra.sim.world.description.WorldDescription.MineDescription;
+import org.dfra.sim.world.description.WorldDescription.ObstacleDescription;
 import org.dfra.sim.world.shape.PlanarShape;
-import org.dfra.sim.world.shape.Polygon;
-import org.dfra.sim.world.shape.Vertex;
+import org.dfra.sim.world.shape.PlanarShape.Disc;
+import org.dfra.sim.world.shape.PlanarShape.Polygon;
+import org.dfra.sim.world.shape.PlanarShape.Vertex;
 import org.jspecify.annotations.Nullable;
 
 /** One feature of GeoJSON: an object in a world, if it is valid. */
@@ -27,7 +29,7 @@ final class GeoFeature {
 
   private final GeoJsonFeature feature;
   private final JsonNode properties;
-  private final Place place;
+  private final SourceLocation place;
   private final LocalFrame frame;
   private final WorldObjectCollector things;
   private final ConfigurationFaults faults;
@@ -54,7 +56,7 @@ final class GeoFeature {
               place,
               "the geometry of a feature is "
                   + feature.type()
-                  + ", which is nothing in a world; write a Point for a post or a mine, a Polygon"
+                  + ", which a world does not use; write a Point for a post or a mine, a Polygon"
                   + " for an obstacle or the region");
     }
   }
@@ -73,7 +75,7 @@ final class GeoFeature {
         "the kind of a "
             + feature.type().toLowerCase(Locale.ROOT)
             + (written.isMissingNode()
-                ? " is not told" + otherwise
+                ? " is missing" + otherwise
                 : " is "
                     + written.asText()
                     + NearestName.hint(written.asText(), known, otherwise)));
@@ -99,7 +101,7 @@ final class GeoFeature {
               north,
               radius,
               number("height", MineDescription.HEIGHT),
-              number("contrast", MineDescription.CONTRAST),
+              number(key("mine", "thermal_contrast"), MineDescription.CONTRAST),
               colour(MineDescription.COLOUR),
               place));
     } else if (radius > 0) {
@@ -140,6 +142,23 @@ final class GeoFeature {
   private String name(String kind) {
     JsonNode written = properties.path("name");
     return things.name(kind, written.isMissingNode() ? null : written.asText());
+  }
+
+  /** The key of a property: its name, or its old name where that is written. */
+  private String key(String element, String name) {
+    String scope = RenamedNames.attributesOf(element);
+    String key = name;
+    for (Iterator<String> each = properties.fieldNames(); each.hasNext(); ) {
+      String written = each.next();
+      if (!written.equals(name)
+          && RenamedNames.resolve(scope, place, "the property", written).equals(name)) {
+        key = written;
+      }
+    }
+    if (!key.equals(name) && properties.has(name)) {
+      faults.add(place, name + " and its old name " + key + " are both given; delete " + key);
+    }
+    return key;
   }
 
   private double number(String name, double absent) {

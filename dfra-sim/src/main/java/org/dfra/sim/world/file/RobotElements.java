@@ -9,13 +9,14 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Function;
 import org.dfra.core.config.NearestName;
+import org.dfra.core.config.RenamedNames;
 import org.dfra.core.config.XmlValues;
 import org.dfra.sim.world.description.DeviceDescription;
+import org.dfra.sim.world.description.DeviceDescription.EmulatorDescription;
+import org.dfra.sim.world.description.DeviceDescription.MountPose;
 import org.dfra.sim.world.description.DeviceKind;
-import org.dfra.sim.world.description.EmulatorDescription;
-import org.dfra.sim.world.description.MountPose;
 import org.dfra.sim.world.description.VehicleDescription;
-import org.dfra.sim.world.description.VehicleType;
+import org.dfra.sim.world.description.VehicleDescription.VehicleType;
 import org.jdom2.Element;
 
 /** Reads the robots of a world with their devices, and the defaults of each kind of device. */
@@ -36,7 +37,7 @@ final class RobotElements {
         .ifPresent(
             kind -> {
               Map<String, Double> of = defaults.computeIfAbsent(kind, k -> new TreeMap<>());
-              parameters(element, "the defaults of " + kind.text())
+              parameters(element, kind, "the defaults of " + kind.text())
                   .forEach(
                       (name, value) -> {
                         if (kind.parameter(name).isPresent()) {
@@ -98,7 +99,7 @@ final class RobotElements {
       return Optional.empty();
     }
     Map<String, Double> parameters = new TreeMap<>(defaults.getOrDefault(kind.get(), Map.of()));
-    parameters.putAll(parameters(element, name));
+    parameters.putAll(parameters(element, kind.get(), name));
     return Optional.of(
         new DeviceDescription(
             kind.get(),
@@ -118,12 +119,14 @@ final class RobotElements {
     return choice(element, "kind", DeviceKind.values(), DeviceKind::text);
   }
 
-  private Map<String, Double> parameters(Element element, String of) {
+  private Map<String, Double> parameters(Element element, DeviceKind kind, String of) {
+    String scope = RenamedNames.parametersOfDevice(kind.text());
     Map<String, Double> parameters = new TreeMap<>();
     XmlValues.UniqueNames names = values.uniqueNames();
     for (Element child : element.getChildren("parameter", WorldXml.SCHEMA.namespace())) {
-      String name = values.attribute(child, "name", "");
-      if (name != null) {
+      String written = values.attribute(child, "name", "");
+      if (written != null) {
+        String name = RenamedNames.resolve(scope, values.place(child), "the parameter", written);
         names.requireFirst(child, name, "parameter " + name + " of " + of, "delete one");
         parameters.put(name, numbers.number(child, "value", 0));
       }
@@ -147,7 +150,7 @@ final class RobotElements {
           attribute
               + " is \""
               + written
-              + "\", which is not known"
+              + "\", which is unknown"
               + NearestName.hint(written, known, "; write " + String.join(", ", known)));
     }
     return chosen;

@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dfra.core.config.ConfigurationFaults;
-import org.dfra.core.config.Place;
-import org.dfra.sim.world.description.MineDescription;
-import org.dfra.sim.world.description.ObstacleDescription;
-import org.dfra.sim.world.shape.Polygon;
+import org.dfra.core.config.SourceLocation;
+import org.dfra.sim.world.description.WorldDescription.MineDescription;
+import org.dfra.sim.world.description.WorldDescription.ObstacleDescription;
+import org.dfra.sim.world.shape.PlanarShape.Polygon;
 import org.jspecify.annotations.Nullable;
 
 /** Collects the objects of a world from its XML and its GeoJSON. */
@@ -40,7 +40,7 @@ final class WorldObjectCollector {
     mines.add(mine);
   }
 
-  void region(Polygon polygon, Place place, ConfigurationFaults faults) {
+  void region(Polygon polygon, SourceLocation place, ConfigurationFaults faults) {
     if (region != null) {
       faults.add(place, "there is a second region; delete one");
     }

@@ -7,20 +7,22 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.dfra.core.config.ConfigurationFaults;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.core.config.Substitution;
 import org.dfra.core.config.XmlValues;
+import org.dfra.core.geojson.GeoJsonFeature;
+import org.dfra.core.geojson.GeoJsonFile;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
-import org.dfra.sim.world.description.GroundDescription;
-import org.dfra.sim.world.description.MineDescription;
-import org.dfra.sim.world.description.ObstacleDescription;
 import org.dfra.sim.world.description.VehicleDescription;
-import org.dfra.sim.world.description.WeatherDescription;
 import org.dfra.sim.world.description.WorldDescription;
+import org.dfra.sim.world.description.WorldDescription.GroundDescription;
+import org.dfra.sim.world.description.WorldDescription.MineDescription;
+import org.dfra.sim.world.description.WorldDescription.ObstacleDescription;
+import org.dfra.sim.world.description.WorldDescription.WeatherDescription;
 import org.dfra.sim.world.description.WorldRules;
-import org.dfra.sim.world.shape.Disc;
 import org.dfra.sim.world.shape.PlanarShape;
+import org.dfra.sim.world.shape.PlanarShape.Disc;
 import org.jdom2.Element;
 
 /**
@@ -53,7 +55,7 @@ final class WorldReader {
     WeatherDescription weather = weather(root);
     things(root, new LocalFrame(datum));
     List<VehicleDescription> robots = robots(root);
-    Place whole = values.place(root);
+    SourceLocation whole = values.place(root);
     WorldRules.check(name == null ? "" : name, datum, ground, weather, whole, faults);
     WorldRules.check(things.obstacles(), things.mines(), robots, faults);
     return faults.isEmpty() && name != null
@@ -91,8 +93,8 @@ final class WorldReader {
     for (Element element : required(root, "ground")) {
       ground =
           new GroundDescription(
-              numbers.number(element, "width", 1),
-              numbers.number(element, "depth", 1),
+              numbers.number(element, "size_east", 1),
+              numbers.number(element, "size_north", 1),
               numbers.number(element, "roughness", 0),
               values.place(element));
     }
@@ -122,12 +124,12 @@ final class WorldReader {
       weather =
           new WeatherDescription(
               numbers.number(element, "temperature", fair.temperature()),
-              numbers.number(element, "warming", fair.groundWarming()),
+              numbers.number(element, "ground_warming", fair.groundWarming()),
               numbers.number(element, "sun_azimuth", fair.sunAzimuth()),
               numbers.number(element, "sun_elevation", fair.sunElevation()),
-              numbers.number(element, "wind", fair.windSpeed()),
+              numbers.number(element, "wind_speed", fair.windSpeed()),
               numbers.number(element, "wind_towards", fair.windTowards()),
-              numbers.number(element, "gusts", fair.gustSigma()),
+              numbers.number(element, "gust_sigma", fair.gustSigma()),
               values.place(element));
     }
     return weather;
@@ -187,7 +189,7 @@ final class WorldReader {
             numbers.number(element, "north", 0),
             numbers.number(element, "radius", MineDescription.RADIUS),
             numbers.number(element, "height", MineDescription.HEIGHT),
-            numbers.number(element, "contrast", MineDescription.CONTRAST),
+            numbers.number(element, "thermal_contrast", MineDescription.CONTRAST),
             numbers.colour(element, MineDescription.COLOUR),
             values.place(element)));
   }
@@ -220,5 +222,42 @@ final class WorldReader {
 
   private static List<Element> children(Element element, String name) {
     return element.getChildren(name, WorldXml.SCHEMA.namespace());
+  }
+
+  /**
+   * One reading of one GeoJSON file: a FeatureCollection whose polygons are obstacles or the
+   * region, whose points are posts or mines, by the property {@code kind}. Errors are recorded with
+   * the line in which the feature begins.
+   */
+  private static final class GeoJsonReader {
+
+    private final Path file;
+    private final LocalFrame frame;
+    private final WorldObjectCollector things;
+    private final ConfigurationFaults faults;
+
+    GeoJsonReader(
+        Path file, LocalFrame frame, WorldObjectCollector things, ConfigurationFaults faults) {
+      this.file = file;
+      this.frame = frame;
+      this.things = things;
+      this.faults = faults;
+    }
+
+    void read() {
+      GeoJsonFile read = GeoJsonFile.read(file, faults);
+      if (!read.isCollection() && !read.isBroken()) {
+        faults.add(
+            read.place(),
+            "its type is "
+                + read.type()
+                + "; write a FeatureCollection with an array of features, {\"type\":"
+                + " \"FeatureCollection\", \"features\": […]}");
+        return;
+      }
+      for (GeoJsonFeature feature : read.features()) {
+        new GeoFeature(feature, frame, things, faults).read();
+      }
+    }
   }
 }

@@ -6,15 +6,15 @@ import java.util.stream.Collectors;
 import org.dfra.core.config.Substitution;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.sim.world.description.DeviceDescription;
-import org.dfra.sim.world.description.GroundDescription;
-import org.dfra.sim.world.description.MineDescription;
-import org.dfra.sim.world.description.MountPose;
-import org.dfra.sim.world.description.ObstacleDescription;
+import org.dfra.sim.world.description.DeviceDescription.MountPose;
 import org.dfra.sim.world.description.VehicleDescription;
-import org.dfra.sim.world.description.WeatherDescription;
 import org.dfra.sim.world.description.WorldDescription;
-import org.dfra.sim.world.shape.Disc;
-import org.dfra.sim.world.shape.Polygon;
+import org.dfra.sim.world.description.WorldDescription.GroundDescription;
+import org.dfra.sim.world.description.WorldDescription.MineDescription;
+import org.dfra.sim.world.description.WorldDescription.ObstacleDescription;
+import org.dfra.sim.world.description.WorldDescription.WeatherDescription;
+import org.dfra.sim.world.shape.PlanarShape.Disc;
+import org.dfra.sim.world.shape.PlanarShape.Polygon;
 import org.jdom2.Document;
 import org.jdom2.Element;
 import org.jdom2.output.Format;
@@ -58,8 +58,8 @@ final class WorldWriter {
 
   private static Element ground(GroundDescription ground) {
     Element element = element("ground");
-    set(element, "width", ground.sizeEast());
-    set(element, "depth", ground.sizeNorth());
+    set(element, "size_east", ground.sizeEast());
+    set(element, "size_north", ground.sizeNorth());
     set(element, "roughness", ground.roughness());
     return element;
   }
@@ -67,12 +67,12 @@ final class WorldWriter {
   private static Element weather(WeatherDescription weather) {
     Element element = element("weather");
     set(element, "temperature", weather.temperature());
-    set(element, "warming", weather.groundWarming());
+    set(element, "ground_warming", weather.groundWarming());
     set(element, "sun_azimuth", weather.sunAzimuth());
     set(element, "sun_elevation", weather.sunElevation());
-    set(element, "wind", weather.windSpeed());
+    set(element, "wind_speed", weather.windSpeed());
     set(element, "wind_towards", weather.windTowards());
-    set(element, "gusts", weather.gustSigma());
+    set(element, "gust_sigma", weather.gustSigma());
     return element;
   }
 
@@ -102,7 +102,7 @@ final class WorldWriter {
     set(element, "north", mine.north());
     set(element, "radius", mine.radius());
     set(element, "height", mine.height());
-    set(element, "contrast", mine.thermalContrast());
+    set(element, "thermal_contrast", mine.thermalContrast());
     set(element, "colour", colour(mine.colour()));
     return element;
   }

@@ -7,8 +7,8 @@ import java.util.Optional;
 import java.util.function.Function;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.ConfigurationFaults;
-import org.dfra.core.config.Place;
 import org.dfra.core.config.SourceFile;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.core.config.Substitution;
 import org.dfra.core.config.XmlSchema;
 import org.dfra.sim.world.description.WorldDescription;
@@ -45,7 +45,7 @@ public final class WorldXml {
   public static WorldDescription read(Path file, Function<String, @Nullable String> lookup) {
     ConfigurationFaults faults = new ConfigurationFaults();
     byte[] text = SourceFile.readBytes(file, "the XML file of a world");
-    Element root = SCHEMA.read(text, new Place(file.toString(), 0), faults);
+    Element root = SCHEMA.read(text, new SourceLocation(file.toString(), 0), faults);
     Optional<WorldDescription> world =
         new WorldReader(file, new Substitution(lookup, faults), faults).world(root);
     faults.throwIfAny();

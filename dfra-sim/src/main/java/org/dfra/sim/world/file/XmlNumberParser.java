@@ -6,8 +6,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.regex.Pattern;
 import org.dfra.core.config.XmlValues;
-import org.dfra.sim.world.shape.Polygon;
-import org.dfra.sim.world.shape.Vertex;
+import org.dfra.sim.world.shape.PlanarShape.Polygon;
+import org.dfra.sim.world.shape.PlanarShape.Vertex;
 import org.jdom2.Element;
 
 /** Parses numbers from attributes. It records an invalid number and returns a default instead. */
@@ -94,7 +94,7 @@ final class XmlNumberParser {
       if (east.isEmpty() || north.isEmpty()) {
         values.check(
             element,
-            "\"" + pair + "\" in points is no point; write east,north in metres, as in 12.5,3");
+            "\"" + pair + "\" in points is not a point; write east,north in metres, as in 12.5,3");
         return Optional.empty();
       }
       corners.add(new Vertex(east.getAsDouble(), north.getAsDouble()));

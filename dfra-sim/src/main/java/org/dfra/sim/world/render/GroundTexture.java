@@ -1,6 +1,7 @@
 package org.dfra.sim.world.render;
 
 import org.dfra.sim.world.noise.RandomStream;
+import org.dfra.sim.world.render.Renderer.RenderMode;
 
 /**
  * The ground: a meadow with lush and dry patches, fixed to the world. Dry patches are warmer in the

@@ -1,6 +1,8 @@
 package org.dfra.sim.world.render;
 
-import org.dfra.sim.world.description.WeatherDescription;
+import org.dfra.sim.world.description.WorldDescription.WeatherDescription;
+import org.dfra.sim.world.render.Facet.Paint;
+import org.dfra.sim.world.render.Renderer.RenderMode;
 
 /** The sun and the sky: brightness and temperature of surfaces by their orientation. Immutable. */
 final class Light {

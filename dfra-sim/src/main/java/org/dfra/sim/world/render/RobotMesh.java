@@ -3,9 +3,10 @@ package org.dfra.sim.world.render;
 import java.util.ArrayList;
 import java.util.List;
 import org.dfra.sim.world.description.VehicleDescription;
-import org.dfra.sim.world.description.VehicleType;
-import org.dfra.sim.world.shape.Disc;
+import org.dfra.sim.world.description.VehicleDescription.VehicleType;
+import org.dfra.sim.world.render.Facet.Paint;
 import org.dfra.sim.world.shape.MutableTransform;
+import org.dfra.sim.world.shape.PlanarShape.Disc;
 
 /**
  * A robot's mesh, in its own frame: x forward, y left, z up from its base. It fills the box of its

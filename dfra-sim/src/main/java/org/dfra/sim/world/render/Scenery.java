@@ -2,11 +2,12 @@ package org.dfra.sim.world.render;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.dfra.sim.world.description.MineDescription;
-import org.dfra.sim.world.description.ObstacleDescription;
 import org.dfra.sim.world.description.WorldDescription;
+import org.dfra.sim.world.description.WorldDescription.MineDescription;
+import org.dfra.sim.world.description.WorldDescription.ObstacleDescription;
 import org.dfra.sim.world.noise.RandomStream;
-import org.dfra.sim.world.shape.Disc;
+import org.dfra.sim.world.render.Facet.Paint;
+import org.dfra.sim.world.shape.PlanarShape.Disc;
 
 /**
  * The meshes of a world's static objects. Created once for a world and shared by its cameras;

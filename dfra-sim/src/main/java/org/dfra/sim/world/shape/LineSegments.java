@@ -1,5 +1,7 @@
 package org.dfra.sim.world.shape;
 
+import org.dfra.sim.world.shape.PlanarShape.Vertex;
+
 /** Geometric predicates of line segments. */
 final class LineSegments {
 

@@ -2,6 +2,7 @@ package org.dfra.sim.world.shape;
 
 import java.util.Arrays;
 import java.util.List;
+import org.dfra.sim.world.shape.PlanarShape.Disc;
 
 /**
  * Spatial index of obstacles: squares of equal size, each with the obstacles whose bounds overlap

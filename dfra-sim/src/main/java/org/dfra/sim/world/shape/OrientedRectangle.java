@@ -1,5 +1,7 @@
 package org.dfra.sim.world.shape;
 
+import org.dfra.sim.world.shape.PlanarShape.Disc;
+
 /**
  * The footprint of a body at its current pose. Mutable, created once and moved; confined to one
  * thread.

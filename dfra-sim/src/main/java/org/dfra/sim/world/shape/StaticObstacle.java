@@ -1,5 +1,9 @@
 package org.dfra.sim.world.shape;
 
+import org.dfra.sim.world.shape.PlanarShape.Disc;
+import org.dfra.sim.world.shape.PlanarShape.Polygon;
+import org.dfra.sim.world.shape.PlanarShape.Vertex;
+
 /**
  * A static obstacle on the ground. Immutable.
  *

@@ -17,6 +17,7 @@ import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
 import org.dfra.sim.device.DeviceEmulator;
+import org.dfra.sim.device.camera.MjpegDevice.MjpegOptions;
 import org.dfra.sim.physics.CameraInput;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;

@@ -29,9 +29,10 @@ import org.dfra.event.ModuleEvent.NewReading;
 import org.dfra.event.Subscription;
 import org.dfra.flow.sensor.CameraImage;
 import org.dfra.lease.ModuleLease;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.sim.device.DeviceEmulator;
+import org.dfra.sim.device.camera.MjpegDevice.MjpegOptions;
 import org.dfra.sim.physics.CameraInput;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -86,7 +87,7 @@ class MjpegDriverTest {
   }
 
   @Test
-  void readsCamerasThatTellNeitherLengthNorTime() throws Exception {
+  void readsCamerasThatSendNeitherLengthNorTime() throws Exception {
     MjpegOptions terse = MjpegOptions.visible(20).withoutPartHeaders();
     try (DeviceEmulator camera = emulated(TestPattern.light(64, 48), terse);
         MjpegCameraImpl driver = driver(camera.url(), Map.of())) {
@@ -106,7 +107,7 @@ class MjpegDriverTest {
           .untilAsserted(
               () ->
                   assertThatThrownBy(stranger::image)
-                      .hasMessageContaining("the camera wants to know who asks"));
+                      .hasMessageContaining("the camera requires authentication"));
       stranger.close();
       try (MjpegCameraImpl known =
           driver(camera.url(), Map.of("user", "robot", "password", "s3cret"))) {
@@ -234,7 +235,7 @@ class MjpegDriverTest {
     all.put("link", link);
     all.put("path", "/video");
     all.put("field_of_view", "1");
-    all.put("reopen_longest", "1");
+    all.put("reopen_max_delay", "1");
     all.putAll(more);
     MjpegCameraImpl made =
         new MjpegCameraImpl(

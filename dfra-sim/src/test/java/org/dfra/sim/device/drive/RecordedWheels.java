@@ -7,13 +7,13 @@ import org.dfra.sim.physics.DrivetrainPhysics;
 import org.dfra.sim.physics.IdealDrivetrain;
 import org.jspecify.annotations.Nullable;
 
-/** Wheels on blocks, and what the controller had them do. */
+/** Wheels on blocks, and the commands of the controller. */
 final class RecordedWheels implements DrivetrainPhysics {
 
   /** Slower is standing: a wheel of 0.155 m turns by less than a degree in a second. */
   private static final double STANDING = 1e-3;
 
-  /** What they were told once. */
+  /** One command that they received. */
   record Order(Instant time, double speed, double turnRate) {
 
     boolean moves() {

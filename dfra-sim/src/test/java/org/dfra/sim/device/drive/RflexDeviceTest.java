@@ -11,7 +11,7 @@ import org.dfra.sim.physics.BatteryPhysics.Charge;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** The controller alone, told and heard byte by byte. */
+/** The controller alone, byte by byte. */
 class RflexDeviceTest {
 
   private static final Instant BEGIN = Instant.parse("2026-01-21T07:33:29Z");
@@ -44,7 +44,7 @@ class RflexDeviceTest {
   }
 
   @Test
-  void tellsBatteryAndBrakeWhenItIsAsked() {
+  void reportsBatteryAndBrakeOnRequest() {
     pass(Duration.ofSeconds(1));
     say("1B02 01 00 01 00 00 1B03");
     // 24.30 V are 2430 = 97E hundredths; a million microseconds are F4240
@@ -62,7 +62,7 @@ class RflexDeviceTest {
     assertThat(pass(Duration.ofNanos(20_000))).isEqualTo("03");
     assertThat(pass(Duration.ofMillis(3))).hasSize(2 * 34).startsWith("1B0202002119");
     assertThat(pass(Duration.ofMillis(90))).isEmpty();
-    say("1B02020022080000000000000003291B03"); // damaged: it goes on
+    say("1B02020022080000000000000003291B03"); // damaged: it keeps reporting
     assertThat(pass(Duration.ofMillis(20))).hasSize(4 * 34);
     say("1B020200220800000000000000032B1B03");
     assertThat(pass(Duration.ofSeconds(1))).isEmpty();
@@ -93,7 +93,7 @@ class RflexDeviceTest {
     }
     assertThat(wheels.travel(now).speed()).isCloseTo(1, within(1e-5));
     double driven = wheels.travel(now).distance() - 0.1; // when the last velocity came
-    pass(Duration.ofSeconds(3)); // nobody looked when it was due
+    pass(Duration.ofSeconds(3)); // the device was not advanced when it was due
     assertThat(wheels.stand(now)).isTrue();
     // Half of 1 m/s for a sixth of a second, after 0.3 s of it.
     assertThat(wheels.travel(now).distance()).isCloseTo(driven + 0.3 + 0.5 / 6, within(1e-4));
@@ -118,7 +118,7 @@ class RflexDeviceTest {
     say("1B02 02 00 07 1B03");
     say("0000 1B03 FF");
     assertThat(wheels.orders).isEmpty();
-    say("1B02 02 00" + HALF); // cut, and begun anew
+    say("1B02 02 00" + HALF); // cut off, and started again
     assertThat(wheels.orders).hasSize(1);
     assertThat(wheels.orders.get(0).speed()).isCloseTo(0.5, within(1e-5));
   }

@@ -13,7 +13,7 @@ import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.DriveCommand.Brake;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.sensor.Odometry;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.persona.DriveAttributes;
 import org.dfra.persona.EffectorAttributes;
 import org.dfra.persona.SensorAttributes;
@@ -44,7 +44,7 @@ class RflexDriverTest extends RflexInLockStep {
     assertThat(reported.yaw()).isBetween(1.9, 2.0);
     assertThat(reported.x()).isCloseTo(2 * Math.sin(reported.yaw()), within(0.1));
     assertThat(reported.y()).isCloseTo(2 * (1 - Math.cos(reported.yaw())), within(0.1));
-    // 25.2 V less 1.2 V told in hundredths
+    // 25.2 V less 1.2 V, reported in hundredths
     assertThat(battery.battery().voltage()).isCloseTo(25.2, within(0.005));
     assertThat(battery.battery().remaining()).isCloseTo(0.75, within(0.01));
     assertThat(battery.battery().isEstimated()).isTrue();
@@ -80,7 +80,7 @@ class RflexDriverTest extends RflexInLockStep {
 
   private String restarts() {
     return odometry.parameters().stream()
-        .filter(each -> each.name().equals("restarts"))
+        .filter(each -> each.name().equals("controller_restarts"))
         .findFirst()
         .orElseThrow()
         .value();
@@ -117,7 +117,7 @@ class RflexDriverTest extends RflexInLockStep {
   }
 
   @Test
-  void whatTheBrakeIsToldIsNotTakenBackByAStatusThatWasUnderWay() throws Exception {
+  void aBrakeCommandIsNotUndoneByAStatusThatWasUnderWay() throws Exception {
     startAll();
     CommandLease lease = drive.acquireCommandLease(Duration.ofSeconds(30));
     for (int i = 0; i < 200; i++) { // at every phase of the status' second

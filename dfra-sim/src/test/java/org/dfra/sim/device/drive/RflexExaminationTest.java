@@ -12,9 +12,9 @@ import org.dfra.drivers.drive.rflex.RflexDriveImpl;
 import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Diagnosis;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -79,11 +79,11 @@ class RflexExaminationTest extends RflexInLockStep {
     CommandKey key = commander();
     driveOn(key, new Velocity(0.5, 0), Duration.ofSeconds(1));
     assertThat(drive.recover("reset_defaults").finding())
-        .isEqualTo("the wheels turn, or are not known to stand; halt them first");
+        .isEqualTo("the wheels turn, or are not known to be stopped; halt them first");
   }
 
   @Test
-  void saysWhyItDoesNotObey() throws Exception {
+  void saysWhyItDoesNotExecuteCommands() throws Exception {
     port.cable().unplug();
     drive.start();
     CommandLease lease = drive.acquireCommandLease(Duration.ofSeconds(30));
@@ -120,9 +120,9 @@ class RflexExaminationTest extends RflexInLockStep {
       value = {
         "units_per_metre | 5 | units_per_metre is \"5\", which is not 1000 to 1000000 counts either",
         "units_per_radian | east | units_per_radian is \"east\", which is not a number from",
-        "stop_deceleration | 2 | \"2\", which is not enough to stand in time: 2.39 m/s² or more",
-        "stop_turn_deceleration | 4 | not enough to stand in time: 4.77 rad/s² or more",
-        "longest_silence | 0.4 | \"0.4\", which is not a number from 0.05 to 0.327",
+        "stop_deceleration | 2 | \"2\", which is not enough to stop in time: 2.39 m/s² or more",
+        "stop_yaw_deceleration | 4 | not enough to stop in time: 4.77 rad/s² or more",
+        "command_timeout | 0.4 | \"0.4\", which is not a number from 0.05 to 0.327",
         "link | rflex | parameter link is \"rflex\", which is not a usable link",
       })
   void refusesParametersThatCannotBe(String name, String text, String sentence) {

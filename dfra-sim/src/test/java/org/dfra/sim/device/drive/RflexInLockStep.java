@@ -19,7 +19,7 @@ import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.DriveCommand.Brake;
 import org.dfra.flow.effector.DriveCommand.Velocity;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.sim.device.SimPort;
 import org.dfra.sim.physics.BatteryPhysics.Charge;
 import org.dfra.sim.time.LockStep;

@@ -13,14 +13,14 @@ import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.DriveCommand.Brake;
 import org.dfra.flow.effector.DriveCommand.Velocity;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The wheels stand in time, whatever befalls the commander, the cable or the controller. */
+/** The wheels stop in time, whatever happens to the commander, the cable or the controller. */
 class RflexStandingTest extends RflexInLockStep {
 
   @ParameterizedTest
@@ -49,7 +49,7 @@ class RflexStandingTest extends RflexInLockStep {
   }
 
   @Test
-  void standsAsFastWhenItIsToldToAndItsCommanderDiesThen() throws Exception {
+  void stopsAsFastWhenItsCommanderDiesAfterTheStopCommand() throws Exception {
     startAll();
     CommandKey key = commander();
     driveOn(key, new Velocity(1, 0), Duration.ofSeconds(2));
@@ -180,7 +180,7 @@ class RflexStandingTest extends RflexInLockStep {
       try {
         drive.execute(key, new Velocity(random.nextDouble() * 2 - 1, random.nextDouble() * 4 - 2));
       } catch (NotReadyException | IllegalArgumentException e) {
-        // the link or the brake; it says so
+        // the link or the brake; the message names it
       }
       time.advance(random.nextInt(20) == 0 ? Duration.ofSeconds(1) : TENTH);
     }

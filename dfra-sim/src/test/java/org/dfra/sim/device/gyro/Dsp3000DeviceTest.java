@@ -20,7 +20,7 @@ class Dsp3000DeviceTest {
   private Instant now = BEGIN;
 
   @Test
-  void tellsAHundredLinesASecondClockwise() {
+  void sendsAHundredLinesASecondClockwise() {
     Dsp3000Device gyro = gyro(time -> Math.toRadians(-12.5), Duration.ZERO);
     List<String> lines = run(gyro, Duration.ofSeconds(1)).lines().toList();
     assertThat(lines).hasSizeBetween(99, 100).allMatch("12.500000 1"::equals);
@@ -53,7 +53,7 @@ class Dsp3000DeviceTest {
   }
 
   @Test
-  void tellsAnglesInItsOtherModes() {
+  void sendsAnglesInItsOtherModes() {
     Dsp3000Device gyro = gyro(time -> Math.toRadians(-50), Duration.ZERO);
     say(gyro, "AAA");
     assertThat(run(gyro, Duration.ofMillis(100))).startsWith("0.500000 1\r\n");

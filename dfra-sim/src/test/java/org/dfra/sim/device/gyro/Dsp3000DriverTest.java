@@ -25,9 +25,9 @@ import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleEvent.NewReading;
 import org.dfra.event.Subscription;
 import org.dfra.flow.sensor.AngularRate;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Diagnosis;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.persona.SensorAttributes;
 import org.dfra.sim.device.DeviceEmulator;
 import org.dfra.sim.device.FastClock;
@@ -39,7 +39,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 
-/** The real driver and the emulated gyro over TCP; both live by a clock twice as fast. */
+/** The real driver and the emulated gyro over TCP; both use a clock twice as fast. */
 @Timeout(240)
 @Execution(ExecutionMode.CONCURRENT) // devices are waited for
 class Dsp3000DriverTest {
@@ -63,12 +63,12 @@ class Dsp3000DriverTest {
   }
 
   @Test
-  void tellsHowTheRobotTurns() throws Exception {
+  void reportsHowTheRobotRotates() throws Exception {
     awaitReadiness(gyro, Readiness.READY);
     List<AngularRate> reported = new CopyOnWriteArrayList<>();
     try (Subscription unused = listen(reported)) {
       await().until(() -> reported.size() > 50);
-      // A line tells six decimals of a degree per second.
+      // A line has six decimals of a degree per second.
       assertThat(reported).allMatch(each -> Math.abs(each.rate() - 0.25) < 1e-7);
       rate = -3;
       await().until(() -> Math.abs(reported.get(reported.size() - 1).rate() + 3) < 1e-7);
@@ -116,13 +116,15 @@ class Dsp3000DriverTest {
       biased.start();
       awaitReadiness(biased, Readiness.READY);
       await("-Ddfra.seed=" + seed)
-          .until(() -> biased.recover("zero_while_standing"), Diagnosis::passed);
+          .until(() -> biased.recover("calibrate_bias_while_stationary"), Diagnosis::passed);
       assertThat(Double.parseDouble(parameter(biased, "bias")))
           .as("-Ddfra.seed=%d", seed)
           .isCloseTo(bias, within(Math.toRadians(0.006))); // six deviations of the mean
     }
     awaitReadiness(gyro, Readiness.READY);
-    assertThat(gyro.recover("zero_while_standing").passed()).as("this one turns").isFalse();
+    assertThat(gyro.recover("calibrate_bias_while_stationary").passed())
+        .as("this one turns")
+        .isFalse();
   }
 
   @Test
@@ -180,7 +182,7 @@ class Dsp3000DriverTest {
         new ModuleContext(
             "atrv1",
             "gyro",
-            Parameters.of("atrv1/gyro", Map.of("link", link, "reopen_longest", "1")),
+            Parameters.of("atrv1/gyro", Map.of("link", link, "reopen_max_delay", "1")),
             clock));
   }
 }

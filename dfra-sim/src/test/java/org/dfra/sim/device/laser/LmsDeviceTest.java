@@ -9,11 +9,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
+import org.dfra.drivers.laser.lms.LmsConfiguration.LmsUnit;
 import org.dfra.drivers.laser.lms.LmsMessage;
 import org.dfra.drivers.laser.lms.LmsParser;
 import org.dfra.drivers.laser.lms.LmsScan;
 import org.dfra.drivers.laser.lms.LmsStatus;
-import org.dfra.drivers.laser.lms.LmsUnit;
 import org.dfra.drivers.laser.lms.MeasuringMode;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -58,7 +58,7 @@ class LmsDeviceTest {
     laser = laser(LmsEmulatorSettings.factoryDefault().withWarmUp(Duration.ofSeconds(30)));
     say(STATUS);
     assertThat(run(Duration.ofSeconds(29))).isEmpty();
-    List<LmsMessage> woken = heard(run(Duration.ofSeconds(2)));
+    List<LmsMessage> woken = parsed(run(Duration.ofSeconds(2)));
     assertThat(woken).hasSize(1);
     assertThat(woken.get(0).name()).isEqualTo("90");
     assertThat(((LmsMessage.TypeReply) woken.get(0)).type()).isEqualTo("LMS200;30106;V02.30");
@@ -97,7 +97,7 @@ class LmsDeviceTest {
     laser = laser(LmsEmulatorSettings.factoryDefault().withBaud(baud));
     ask(STREAM);
     looks.clear();
-    List<LmsMessage> scans = heard(run(Duration.ofSeconds(10)));
+    List<LmsMessage> scans = parsed(run(Duration.ofSeconds(10)));
     assertThat((double) scans.size()).isBetween(hertz * 10 * 0.9 - 1, hertz * 10 + 1);
     assertThat(laser.isStreaming()).isTrue();
     for (int i = 1; i < looks.size(); i++) {
@@ -112,7 +112,7 @@ class LmsDeviceTest {
   void changesItsSpeedWhenTheAnswerIsOut() {
     say(BAUD_38400);
     assertThat(laser.baud()).isEqualTo(9600);
-    assertThat(heard(run(Duration.ofMillis(20)))).hasSize(1); // ten bytes and a half take 10.4 ms
+    assertThat(parsed(run(Duration.ofMillis(20)))).hasSize(1); // ten bytes and a half take 10.4 ms
     assertThat(laser.baud()).isEqualTo(38_400);
     ask(BAUD_500000);
     assertThat(laser.baud()).isEqualTo(500_000);
@@ -123,7 +123,7 @@ class LmsDeviceTest {
   void forgetsAllButItsConfigurationWhenItIsReset() {
     ask(VARIANT_100_25);
     ask(BAUD_38400);
-    List<LmsMessage> reset = heard(ask(RESET));
+    List<LmsMessage> reset = parsed(ask(RESET));
     assertThat(reset.get(0).name()).isEqualTo("91");
     assertThat(reset.get(1).name()).isEqualTo("90"); // after two seconds
     assertThat(laser.baud()).isEqualTo(9600);
@@ -137,7 +137,7 @@ class LmsDeviceTest {
     say(STREAM);
     run(Duration.ofSeconds(1));
     say(VARIANT_180_100);
-    assertThat(heard(run(Duration.ofSeconds(3))))
+    assertThat(parsed(run(Duration.ofSeconds(3))))
         .anyMatch(LmsMessage.RefusedReply.class::isInstance);
     say(STOP);
     run(Duration.ofSeconds(3));
@@ -208,7 +208,7 @@ class LmsDeviceTest {
     return all.toByteArray();
   }
 
-  private static List<LmsMessage> heard(byte[] bytes) {
+  private static List<LmsMessage> parsed(byte[] bytes) {
     return LmsParser.parse(bytes);
   }
 

@@ -23,8 +23,8 @@ import org.dfra.event.ModuleEvent.NewReading;
 import org.dfra.event.Subscription;
 import org.dfra.flow.sensor.RangeScan;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.persona.RangeAttributes;
 import org.dfra.persona.SensorAttributes;
 import org.dfra.sim.device.AntennaTrajectory;
@@ -37,7 +37,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 
-/** The real driver and the emulated laser over TCP, when all is well and when it is not. */
+/** The real driver and the emulated laser over TCP, without faults and with them. */
 @Timeout(240)
 @Execution(ExecutionMode.CONCURRENT) // devices are waited for
 class LmsDriverTest {
@@ -71,7 +71,7 @@ class LmsDriverTest {
               .isCloseTo(Laser.distance(scan.angle(beam)), within(0.000501));
         }
       }
-      if (driver.history().failures() == 0) { // else it was opened anew, amid a telegram
+      if (driver.history().failures() == 0) { // else it was opened again, amid a telegram
         assertThat(parameter(driver, "dropped_bytes")).isEqualTo("0");
       }
       assertThat(parameter(driver, "malformed_frames")).isEqualTo("0");
@@ -116,7 +116,7 @@ class LmsDriverTest {
   }
 
   @Test
-  void placesItsBeamsAnewWhileItRuns() throws IOException {
+  void changesItsBeamsWhileItRuns() throws IOException {
     try (Laser laser = new Laser(makeup, clock);
         LmsImpl driver = laser.driver()) {
       awaitReadiness(driver, Readiness.READY);
@@ -158,7 +158,7 @@ class LmsDriverTest {
   @Test
   void restsWithoutClientsAndWakesForTheFirst() throws Exception {
     try (Laser laser = new Laser(makeup, clock);
-        LmsImpl driver = laser.driver("idle_after", "3")) {
+        LmsImpl driver = laser.driver("idle_timeout", "3")) {
       awaitReadiness(driver, Readiness.READY);
       await("rest is no failure")
           .until(
@@ -172,11 +172,11 @@ class LmsDriverTest {
               });
       assertThatThrownBy(driver::scan)
           .isInstanceOf(NotReadyException.class)
-          .hasMessageContaining("it rests, since nobody used it for 3.0 s; it wakes now");
+          .hasMessageContaining("it is idle, since no client used it for 3.0 s; it starts now");
       await().until(() -> beams(driver) == 361);
       List<RangeScan> scans = new CopyOnWriteArrayList<>();
       try (Subscription unused = listen(driver, scans)) {
-        await().until(() -> scans.size() >= 20); // longer than idle_after
+        await().until(() -> scans.size() >= 20); // longer than idle_timeout
         awaitReadiness(driver, Readiness.ACTIVE);
       }
       assertThat(failuresButSilence(driver)).isEmpty();
@@ -200,7 +200,7 @@ class LmsDriverTest {
   @Test
   void noticesASilentLaserAndItsReturn() throws IOException {
     try (Laser laser = new Laser(makeup, clock);
-        LmsImpl driver = laser.driver("idle_after", "0")) {
+        LmsImpl driver = laser.driver("idle_timeout", "0")) {
       awaitReadiness(driver, Readiness.READY);
       laser.cable().mute();
       awaitReadiness(driver, Readiness.INITIALIZING);
@@ -214,7 +214,7 @@ class LmsDriverTest {
     long seed = Long.getLong("dfra.seed", new Random().nextLong());
     try (Laser laser = new Laser(makeup, clock)) {
       laser.cable().injectNoiseBursts(seed);
-      try (LmsImpl driver = laser.driver("idle_after", "0")) {
+      try (LmsImpl driver = laser.driver("idle_timeout", "0")) {
         await("-Ddfra.seed=" + seed).until(() -> number(driver, "dropped_bytes") > 20_000);
         laser.cable().restore();
         await("-Ddfra.seed=" + seed).until(driver::readiness, Readiness.READY::equals);
@@ -224,7 +224,7 @@ class LmsDriverTest {
   }
 
   @Test
-  void setsALaserUpAnewThatWasSwitchedOffAndOn() throws IOException {
+  void configuresALaserAgainThatWasSwitchedOffAndOn() throws IOException {
     Laser laser = new Laser(makeup, clock);
     int port = laser.emulator().port();
     try (LmsImpl driver = Laser.driverAt(laser.emulator().url(), clock, "resolution", "1")) {

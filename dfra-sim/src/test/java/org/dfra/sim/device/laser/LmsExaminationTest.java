@@ -13,8 +13,8 @@ import java.io.IOException;
 import java.time.Duration;
 import java.time.InstantSource;
 import org.dfra.drivers.laser.lms.LmsImpl;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Diagnosis;
-import org.dfra.module.Readiness;
 import org.dfra.sim.device.FastClock;
 import org.dfra.sim.device.laser.LmsEmulatorSettings.StoredError;
 import org.junit.jupiter.api.Test;
@@ -33,7 +33,7 @@ class LmsExaminationTest {
   @Test
   void passesItsTestsWhenAllIsWell() throws IOException {
     try (Laser laser = new Laser(makeup, clock);
-        LmsImpl driver = laser.driver("idle_after", "0")) {
+        LmsImpl driver = laser.driver("idle_timeout", "0")) {
       awaitReadiness(driver, Readiness.READY);
       assertThat(driver.tests()).containsExactly("link", "readings", "status", "type", "errors");
       awaitPassed(driver);
@@ -59,7 +59,7 @@ class LmsExaminationTest {
   @Test
   void asksALaserThatRests() throws IOException {
     try (Laser laser = new Laser(makeup, clock);
-        LmsImpl driver = laser.driver("idle_after", "0.5")) {
+        LmsImpl driver = laser.driver("idle_timeout", "0.5")) {
       awaitReadiness(driver, Readiness.READY);
       awaitPassed(driver);
     }
@@ -128,7 +128,7 @@ class LmsExaminationTest {
   }
 
   @Test
-  void resetsTheLaserAndTellsItAnewWhatToDo() throws IOException {
+  void resetsTheLaserAndConfiguresItAgain() throws IOException {
     try (Laser laser = new Laser(makeup.withWarmUp(Duration.ofSeconds(3)), clock);
         LmsImpl driver = laser.driver("resolution", "1", "baud", "38400")) {
       awaitReadiness(driver, Readiness.READY);
@@ -142,7 +142,7 @@ class LmsExaminationTest {
   }
 
   @Test
-  void searchesTheLaserAnew() throws IOException {
+  void searchesForTheLaserAgain() throws IOException {
     try (Laser laser = new Laser(makeup, clock);
         LmsImpl driver = laser.driver()) {
       awaitReadiness(driver, Readiness.READY);

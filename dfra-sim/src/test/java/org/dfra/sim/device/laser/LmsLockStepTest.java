@@ -15,7 +15,7 @@ import org.dfra.drivers.laser.lms.LmsImpl;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleEvent.NewReading;
 import org.dfra.flow.sensor.RangeScan;
-import org.dfra.module.Readiness;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.sim.device.Cable;
 import org.dfra.sim.device.SimPort;
 import org.dfra.sim.physics.RangeInput;
@@ -52,7 +52,7 @@ class LmsLockStepTest {
   void aScanHasTheTimeWhenTheMirrorBeganToTurn() {
     LmsDevice device = new LmsDevice(counting, LmsEmulatorSettings.factoryDefault());
     try (SimPort port = new SimPort("laser", device, time);
-        LmsImpl driver = driver(port, "idle_after", "0")) {
+        LmsImpl driver = driver(port, "idle_timeout", "0")) {
       port.start();
       driver.start();
       assertThat(comesTo(driver, Readiness.ACTIVE)).isTrue();

@@ -29,7 +29,7 @@ class PtuDeviceTest {
   }
 
   @Test
-  void echoesAndSpeaksInSentencesUntilItIsToldNotTo() {
+  void echoesAndAnswersInSentencesUntilBothAreDisabled() {
     say("");
     assertThat(say("PP ")).isEqualTo("PP * Current Pan position is 0\r\n");
     assertThat(say("ED ")).isEqualTo("ED *\r\n");
@@ -42,7 +42,7 @@ class PtuDeviceTest {
   }
 
   @Test
-  void tellsItsLimitsAndRefusesWhatIsBeyondThem() {
+  void reportsItsLimitsAndRefusesWhatIsBeyondThem() {
     begin();
     assertThat(say("PN PX TN TX ")).isEqualTo("* -3090\r\n* 3090\r\n* -907\r\n* 604\r\n");
     assertThat(say("PP3200 ")).isEqualTo("! Maximum allowable Pan position is 3090\r\n");
@@ -108,7 +108,7 @@ class PtuDeviceTest {
     say("H ");
     run(Duration.ofSeconds(3), Duration.ofMillis(10));
     int stood = position();
-    // 2000/s comes to stand by 2000/s² within 1000 positions; 10 ms passed before it was told to.
+    // 2000/s is stopped by 2000/s² within 1000 positions; 10 ms passed before the command.
     assertThat(stood - at).isBetween(900, 1030);
     run(Duration.ofSeconds(1), Duration.ofMillis(10));
     assertThat(position()).isEqualTo(stood);
@@ -167,7 +167,7 @@ class PtuDeviceTest {
   }
 
   @Test
-  void tellsWhenAnAxisRunsAgainstItsEnd() {
+  void reportsWhenAnAxisReachesItsEnd() {
     begin();
     assertThat(say("LD TP2000 ")).isEqualTo("*\r\n*\r\n");
     assertThat(run(Duration.ofSeconds(5), Duration.ofMillis(10))).isEqualTo("!T\r\n");
@@ -196,7 +196,7 @@ class PtuDeviceTest {
     return Integer.parseInt(say("PP ").strip().substring(2));
   }
 
-  /** Says something and hears all of the answer; time passes as the line needs. */
+  /** Sends something and receives the whole answer; time passes as the line needs. */
   private String say(String text) {
     String said = exchange(unit, text);
     return said + run(Duration.ofMillis(10), Duration.ofMillis(10));

@@ -27,9 +27,9 @@ import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.PanTiltCommand.Halt;
 import org.dfra.flow.effector.PanTiltCommand.PointAt;
 import org.dfra.flow.effector.PanTiltState;
+import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Diagnosis;
 import org.dfra.module.NotReadyException;
-import org.dfra.module.Readiness;
 import org.dfra.sim.device.DeviceEmulator;
 import org.dfra.sim.device.FastClock;
 import org.dfra.sim.device.Modules;
@@ -75,7 +75,7 @@ class PtuDriverTest {
   }
 
   @Test
-  void pointsWhereItIsToldAndTellsItAsItMoves() throws Exception {
+  void pointsInTheCommandedDirectionAndReportsItsMotion() throws Exception {
     awaitReadiness(Readiness.READY);
     List<PanTiltState> states = new CopyOnWriteArrayList<>();
     try (CommandLease lease = unit.acquireCommandLease(Duration.ofMinutes(5));
@@ -106,7 +106,7 @@ class PtuDriverTest {
       await().until(() -> unit.panTiltState().isMoving());
     }
     awaitStandstill();
-    assertThat(head.pan).as("it did not go on to where it was told").isGreaterThan(-2.4);
+    assertThat(head.pan).as("it did not go on to the commanded angle").isGreaterThan(-2.4);
   }
 
   @Test
@@ -142,7 +142,7 @@ class PtuDriverTest {
     emulator.cable().injectNoiseBursts(seed);
     await("-Ddfra.seed=" + seed).until(() -> number(unit, "dropped_bytes") > 5_000);
     emulator.cable().restore();
-    // Noise that reads !P is believed, and then nobody knows any more where the head points.
+    // Noise that reads !P is taken for a limit, and then the direction of the head is unknown.
     await("-Ddfra.seed=" + seed)
         .until(
             () ->
@@ -256,7 +256,7 @@ class PtuDriverTest {
         new ModuleContext(
             "atrv1",
             "pan_tilt",
-            Parameters.of("atrv1/pan_tilt", Map.of("link", link, "reopen_longest", "1")),
+            Parameters.of("atrv1/pan_tilt", Map.of("link", link, "reopen_max_delay", "1")),
             clock,
             StateStore.inMemory(),
             Modules.LONG_LEASES,

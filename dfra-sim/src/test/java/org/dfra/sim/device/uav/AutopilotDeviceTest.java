@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Random;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.sim.device.AntennaTrajectory;
+import org.dfra.sim.device.uav.AutopilotSettings.AutopilotSoftware;
 import org.dfra.sim.physics.BatteryPhysics.Charge;
 import org.dfra.sim.physics.MulticopterPhysics;
 import org.junit.jupiter.api.Test;
@@ -57,7 +58,7 @@ class AutopilotDeviceTest {
   }
 
   @Test
-  void tellsWhyItDoesNotArmAndArmsWhenTheReasonHasGone() {
+  void reportsWhyItDoesNotArmAndArmsWhenTheReasonHasGone() {
     for (AutopilotSoftware software : AutopilotSoftware.values()) {
       AutopilotDevice device =
           device(AutopilotSettings.of(software).withTimeToFirstFix(Duration.ofSeconds(5)));
@@ -110,7 +111,7 @@ class AutopilotDeviceTest {
   }
 
   @Test
-  void obeysNoCommandThatIsForAnotherVehicleOrDamaged() {
+  void executesNoCommandThatIsForAnotherVehicleOrDamaged() {
     AutopilotDevice device = device(AutopilotSettings.of(AutopilotSoftware.PX4));
     sent(device, Duration.ofMillis(10));
     byte[] damaged = HexFormat.of().parseHex(ARM);
@@ -185,7 +186,7 @@ class AutopilotDeviceTest {
     return String.format("%02X%02X", sum & 0xFF, sum >> 8 & 0xFF);
   }
 
-  /** A body that stands, whatever it is told. */
+  /** A body that does not move, whatever is commanded. */
   private static final class Still implements MulticopterPhysics {
 
     private boolean rotors;

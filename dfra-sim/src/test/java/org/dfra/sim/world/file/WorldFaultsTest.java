@@ -37,8 +37,8 @@ class WorldFaultsTest {
         "<mine east=\"1m\" north=\"1\"/>|east is \"1m\"; write a number, such as 1.5",
         "<mine east=\"1\" north=\"1\" radius=\"-1\"/>"
             + "|mine_1's radius is -1.0 m; write a number above 0, up to 10.0 m",
-        "<mine east=\"1\" north=\"1\" contrast=\"500\"/>"
-            + "|mine_1's contrast is 500.0 K; write a number from -100.0 to 100.0 K",
+        "<mine east=\"1\" north=\"1\" thermal_contrast=\"500\"/>"
+            + "|mine_1's thermal_contrast is 500.0 K; write a number from -100.0 to 100.0 K",
         "<mine east=\"1\" north=\"1\" colour=\"green\"/>"
             + "|colour is \"green\"; write red, green and blue as in #3F4526",
         "<mine name=\"Big One\" east=\"1\" north=\"1\"/>"
@@ -62,22 +62,22 @@ class WorldFaultsTest {
         "<obstacle points=\"0,0 1,0 1,0 1,1\"/>"
             + "|the corner 1.0,0.0 is given twice in a row; delete one",
         "<obstacle points=\"0,0 1;0 1,1\"/>"
-            + "|\"1;0\" in points is no point; write east,north in metres, as in 12.5,3",
+            + "|\"1;0\" in points is not a point; write east,north in metres, as in 12.5,3",
         "<obstacle points=\"0,0 1,NaN 1,1\"/>"
-            + "|\"1,NaN\" in points is no point; write east,north in metres, as in 12.5,3",
+            + "|\"1,NaN\" in points is not a point; write east,north in metres, as in 12.5,3",
         "<datum latitude=\"1\" longitude=\"1\"/>"
             + "|there is a second <datum>, the first is in line 1; make them one",
-        "<weather wind=\"-1\"/>"
-            + "|the weather's wind is -1.0 m/s; write a number from 0.0 to 50.0 m/s",
+        "<weather wind_speed=\"-1\"/>"
+            + "|the weather's wind_speed is -1.0 m/s; write a number from 0.0 to 50.0 m/s",
         "<weather temperature=\"20\"/>"
             + "|the weather's temperature is 20.0 K; write a number from 200.0 to 350.0 K",
-        "<defaults kind=\"lasr\"/>|kind is \"lasr\", which is not known; did you mean \"laser\"?",
-        "<defaults kind=\"gps\"><parameter name=\"whit\" value=\"1\"/></defaults>"
-            + "|a gps has no parameter whit; did you mean \"white\"?",
+        "<defaults kind=\"lasr\"/>|kind is \"lasr\", which is unknown; did you mean \"laser\"?",
+        "<defaults kind=\"gps\"><parameter name=\"white_noise_sigm\" value=\"1\"/></defaults>"
+            + "|a gps has no parameter white_noise_sigm; did you mean \"white_noise_sigma\"?",
         "<features href=\"nowhere.geojson\"/>"
             + "|the file \"nowhere.geojson\" does not exist; name one, relative to world.xml",
         "<robot name=\"r\" type=\"usv\" east=\"1\" north=\"1\"/>"
-            + "|type is \"usv\", which is not known; did you mean \"ugv\"?",
+            + "|type is \"usv\", which is unknown; did you mean \"ugv\"?",
         "<robot name=\"r\" type=\"ugv\" east=\"1\" north=\"1\" length=\"0\"/>"
             + "|r's length is 0.0 m; write a number above 0, up to 100.0 m",
         "<robot name=\"r\" type=\"ugv\" east=\"1\" north=\"1\" yaw=\"90\"/>"
@@ -96,7 +96,7 @@ class WorldFaultsTest {
       quoteCharacter = '`',
       value = {
         "<device kind=\"radar\" name=\"a\"/>"
-            + "|kind is \"radar\", which is not known; write gps, laser, drive, gyro, pan-tilt,"
+            + "|kind is \"radar\", which is unknown; write gps, laser, drive, gyro, pan-tilt,"
             + " camera, thermal, battery, flight",
         "<device kind=\"gps\" name=\"a\"/><device kind=\"laser\" name=\"a\"/>"
             + "|r has a second device a; rename or delete one",
@@ -105,23 +105,23 @@ class WorldFaultsTest {
         "<device kind=\"flight\" name=\"a\"/>"
             + "|r is a ugv and cannot have a flight; delete it, or make the robot a uav",
         "<device kind=\"camera\" name=\"a\" parent=\"head\"/>"
-            + "|a is mounted on head, which is no pan-tilt of r; it has none, so delete the parent",
+            + "|a is mounted on head, which is not a pan-tilt of r; it has none, so delete the parent",
         "<device kind=\"pan-tilt\" name=\"head\"/><device kind=\"gps\" name=\"a\" parent=\"haed\"/>"
-            + "|a is mounted on haed, which is no pan-tilt of r; did you mean \"head\"?",
+            + "|a is mounted on haed, which is not a pan-tilt of r; did you mean \"head\"?",
         "<device kind=\"pan-tilt\" name=\"head\"/>"
             + "<device kind=\"pan-tilt\" name=\"two\" parent=\"head\"/>"
-            + "|two is mounted on head, but a pan-tilt stands on the robot itself; delete its parent",
+            + "|two is mounted on head, but a pan-tilt is mounted on the robot itself; delete its parent",
         "<device kind=\"laser\" name=\"a\" pitch=\"1.5\"/>"
             + "|a is tilted by more than 60° from the level, which is not simulated; tilt it less",
-        "<device kind=\"gps\" name=\"a\"><parameter name=\"bias\" value=\"-1\"/></device>"
-            + "|bias is -1.0 m; write a number from 0.0 to 100.0 m",
-        "<device kind=\"gps\" name=\"a\"><parameter name=\"bais\" value=\"1\"/></device>"
-            + "|a gps has no parameter bais; did you mean \"bias\"?",
-        "<device kind=\"gps\" name=\"a\"><parameter name=\"bias\" value=\"x\"/></device>"
+        "<device kind=\"gps\" name=\"a\"><parameter name=\"bias_sigma\" value=\"-1\"/></device>"
+            + "|bias_sigma is -1.0 m; write a number from 0.0 to 100.0 m",
+        "<device kind=\"gps\" name=\"a\"><parameter name=\"bais_sigma\" value=\"1\"/></device>"
+            + "|a gps has no parameter bais_sigma; did you mean \"bias_sigma\"?",
+        "<device kind=\"gps\" name=\"a\"><parameter name=\"bias_sigma\" value=\"x\"/></device>"
             + "|value is \"x\"; write a number, such as 1.5",
-        "<device kind=\"gps\" name=\"a\"><parameter name=\"bias\" value=\"1\"/>"
-            + "<parameter name=\"bias\" value=\"2\"/></device>"
-            + "|there is a second parameter bias of a, the first is in line 2; delete one",
+        "<device kind=\"gps\" name=\"a\"><parameter name=\"bias_sigma\" value=\"1\"/>"
+            + "<parameter name=\"bias_sigma\" value=\"2\"/></device>"
+            + "|there is a second parameter bias_sigma of a, the first is in line 2; delete one",
         "<device kind=\"gps\" name=\"Front\"/>"
             + "|the device name \"Front\" is not lower_snake_case; write \"front\"",
         "<device kind=\"gps\" name=\"a\" x=\"Infinity\"/>"
@@ -150,8 +150,8 @@ class WorldFaultsTest {
                     "<robot name=\"t\" type=\"ugv\" east=\"20.5\" north=\"20\"/>")
                 .complaints())
         .containsExactly(
-            "world.xml:3: r starts where house is; move one of them",
-            "world.xml:5: t starts where s is; move one of them");
+            "world.xml:3: r starts at the position of house; move one of them",
+            "world.xml:5: t starts at the position of s; move one of them");
   }
 
   @Test
@@ -171,20 +171,20 @@ class WorldFaultsTest {
   }
 
   @Test
-  void tellsEverythingThatIsWrongAtOnce() {
+  void reportsEverythingThatIsWrongAtOnce() {
     assertThat(
             new WorldFolder(temp)
                 .document(
                     "<world xmlns=\"urn:dfra:world:1\" name=\"Field\" seed=\"x\">\n"
-                        + "<ground width=\"-1\" depth=\"nan\"/>\n"
+                        + "<ground size_east=\"-1\" size_north=\"nan\"/>\n"
                         + "<post east=\"1\" north=\"1\" height=\"0\"/>\n</world>")
                 .complaints())
         .containsExactly(
             "world.xml:1: seed is \"x\"; write a whole number, such as 1",
             "world.xml:1: the world has no <datum>; add one",
             "world.xml:1: the world name \"Field\" is not lower_snake_case; write \"field\"",
-            "world.xml:2: depth is \"nan\"; write a number, such as 1.5",
-            "world.xml:2: the ground's width is -1.0 m; write a number above 0, up to 100000.0 m",
+            "world.xml:2: size_north is \"nan\"; write a number, such as 1.5",
+            "world.xml:2: the ground's size_east is -1.0 m; write a number above 0, up to 100000.0 m",
             "world.xml:3: post_1's height is 0.0 m; write a number above 0, up to 1000.0 m");
   }
 
@@ -205,8 +205,8 @@ class WorldFaultsTest {
     assertThat(
             folder
                 .document(
-                    "<world xmlns=\"urn:dfra:world:1\" name=\"w\"><ground width=\"1\""
-                        + " depth=\"1\"/><datum latitude=\"91\" longitude=\"0\"/></world>")
+                    "<world xmlns=\"urn:dfra:world:1\" name=\"w\"><ground size_east=\"1\""
+                        + " size_north=\"1\"/><datum latitude=\"91\" longitude=\"0\"/></world>")
                 .complaints())
         .containsExactly("world.xml:1: latitude 91.0° is outside −90° to 90°; write degrees");
   }
@@ -220,15 +220,15 @@ class WorldFaultsTest {
   void refusesWrongFeatures() {
     refusesFeature(
         feature("LineString", "[[11, 48], [11, 48.1]]", ""),
-        "the geometry of a feature is LineString, which is nothing in a world; write a Point for a"
+        "the geometry of a feature is LineString, which a world does not use; write a Point for a"
             + " post or a mine, a Polygon for an obstacle or the region");
     refusesFeature(
         "{\"type\": \"Feature\"}",
-        "the geometry of a feature is none, which is nothing in a world; write a Point for a post"
+        "the geometry of a feature is none, which a world does not use; write a Point for a post"
             + " or a mine, a Polygon for an obstacle or the region");
     refusesFeature(
         feature("Point", "[11, 48]", ""),
-        "the kind of a point is not told; write post or mine in its properties");
+        "the kind of a point is missing; write post or mine in its properties");
     refusesFeature(
         feature("Point", "[11, 48]", "\"kind\": \"mien\""),
         "the kind of a point is mien; did you mean \"mine\"?");
@@ -237,10 +237,10 @@ class WorldFaultsTest {
         "the kind of a polygon is post; write obstacle or region in its properties");
     refusesFeature(
         feature("Point", "[11]", "\"kind\": \"mine\""),
-        "[11] is no position; write [longitude, latitude] in degrees, longitude first");
+        "[11] is not a position; write [longitude, latitude] in degrees, longitude first");
     refusesFeature(
         feature("Point", "[11, 480]", "\"kind\": \"mine\""),
-        "[11,480] is no position; write [longitude, latitude] in degrees, longitude first");
+        "[11,480] is not a position; write [longitude, latitude] in degrees, longitude first");
     refusesFeature(
         feature("Point", "[48, 11]", "\"kind\": \"mine\""),
         "mine_1 is 4747 km from the datum, farther than 10 km; correct it or the datum, and see"
@@ -280,13 +280,13 @@ class WorldFaultsTest {
     assertThat(folder.geoJson("{\n\"type\": \"FeatureCollection\",\n\"features\": [}").complaints())
         .singleElement()
         .asString()
-        .startsWith("things.geojson:3: this is no JSON (");
+        .startsWith("things.geojson:3: this is not JSON (");
     assertThat(folder.geoJson("[]").complaints())
         .containsExactly(
-            "things.geojson:1: this is no JSON object; write a FeatureCollection of GeoJSON");
+            "things.geojson:1: this is not a JSON object; write a FeatureCollection of GeoJSON");
     assertThat(folder.geoJson("").complaints())
         .containsExactly(
-            "things.geojson:1: this is no JSON object; write a FeatureCollection of GeoJSON");
+            "things.geojson:1: this is not a JSON object; write a FeatureCollection of GeoJSON");
     assertThat(folder.geoJson("{\"type\": \"Feature\", \"geometry\": {}}").complaints())
         .singleElement()
         .asString()
@@ -298,7 +298,7 @@ class WorldFaultsTest {
     assertThat(folder.features("{\"geometry\": NaN}").complaints())
         .singleElement()
         .asString()
-        .startsWith("things.geojson:2: this is no JSON (");
+        .startsWith("things.geojson:2: this is not JSON (");
   }
 
   @Test

@@ -15,7 +15,7 @@ final class WorldFolder {
 
   private static final String ROOT =
       "<world xmlns=\"urn:dfra:world:1\" name=\"field\">"
-          + "<datum latitude=\"48\" longitude=\"11\"/><ground width=\"60\" depth=\"40\"/>\n";
+          + "<datum latitude=\"48\" longitude=\"11\"/><ground size_east=\"60\" size_north=\"40\"/>\n";
 
   private final Path folder;
 

@@ -13,13 +13,13 @@ import java.util.TreeMap;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.dfra.sim.world.description.DeviceDescription.DeviceParameter;
 import org.dfra.sim.world.description.DeviceKind;
-import org.dfra.sim.world.description.DeviceParameter;
-import org.dfra.sim.world.description.MineDescription;
-import org.dfra.sim.world.description.ObstacleDescription;
-import org.dfra.sim.world.description.VehicleType;
-import org.dfra.sim.world.description.WeatherDescription;
-import org.dfra.sim.world.shape.Disc;
+import org.dfra.sim.world.description.VehicleDescription.VehicleType;
+import org.dfra.sim.world.description.WorldDescription.MineDescription;
+import org.dfra.sim.world.description.WorldDescription.ObstacleDescription;
+import org.dfra.sim.world.description.WorldDescription.WeatherDescription;
+import org.dfra.sim.world.shape.PlanarShape.Disc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -109,11 +109,11 @@ class WorldReferenceTest {
     assertThat(reference())
         .contains("`" + WorldXml.SCHEMA.namespace().getURI() + "`")
         .contains("| `temperature` | default `" + fair.temperature() + "` |")
-        .contains("| `warming` | default `" + number(fair.groundWarming()) + "` |")
+        .contains("| `ground_warming` | default `" + number(fair.groundWarming()) + "` |")
         .contains("| `sun_azimuth` | default `" + fair.sunAzimuth() + "` |")
         .contains("| `sun_elevation` | default `" + fair.sunElevation() + "` |")
-        .contains("| `wind` | default `" + number(fair.windSpeed()) + "` |")
-        .contains("| `gusts` | default `" + fair.gustSigma() + "` |")
+        .contains("| `wind_speed` | default `" + number(fair.windSpeed()) + "` |")
+        .contains("| `gust_sigma` | default `" + fair.gustSigma() + "` |")
         .contains("| `radius` | default `" + WorldObjectCollector.POST_RADIUS + "` |")
         .contains("| `height` | default `" + WorldObjectCollector.HEIGHT + "` |")
         .contains("| `reflectivity` | default `" + ObstacleDescription.REFLECTIVITY + "` |")
@@ -121,7 +121,7 @@ class WorldReferenceTest {
             String.format(
                 "| `colour` | default `#%06X` |", ObstacleDescription.colour(new Disc(0, 0, 1))))
         .contains("| `radius` | default `" + MineDescription.RADIUS + "` |")
-        .contains("| `contrast` | default `" + number(MineDescription.CONTRAST) + "` |")
+        .contains("| `thermal_contrast` | default `" + number(MineDescription.CONTRAST) + "` |")
         .contains(String.format("| `colour` | default `#%06X` |", MineDescription.COLOUR))
         .contains(
             "| `length` | default `"

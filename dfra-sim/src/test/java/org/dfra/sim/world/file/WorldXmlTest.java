@@ -9,18 +9,18 @@ import java.time.Instant;
 import java.util.Arrays;
 import java.util.Map;
 import java.util.Objects;
-import org.dfra.core.config.Place;
+import org.dfra.core.config.SourceLocation;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.sim.world.World;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceKind;
-import org.dfra.sim.world.description.MineDescription;
-import org.dfra.sim.world.description.ObstacleDescription;
-import org.dfra.sim.world.description.VehicleType;
+import org.dfra.sim.world.description.VehicleDescription.VehicleType;
 import org.dfra.sim.world.description.WorldDescription;
-import org.dfra.sim.world.shape.Disc;
-import org.dfra.sim.world.shape.Polygon;
-import org.dfra.sim.world.shape.Vertex;
+import org.dfra.sim.world.description.WorldDescription.MineDescription;
+import org.dfra.sim.world.description.WorldDescription.ObstacleDescription;
+import org.dfra.sim.world.shape.PlanarShape.Disc;
+import org.dfra.sim.world.shape.PlanarShape.Polygon;
+import org.dfra.sim.world.shape.PlanarShape.Vertex;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -60,16 +60,16 @@ class WorldXmlTest {
                 <robot name="r" type="ugv" east="3" north="4" yaw="0.5" length="1" width="0.8" height="0.7">
                 <device kind="pan-tilt" name="head" x="0.1" y="0.2" z="0.3" roll="0.4" pitch="0.5" yaw="0.6"/>
                 <device kind="laser" name="eye" parent="head" protocol="lms200" link="sim:a" port="1" baud="2">
-                <parameter name="miss" value=".25"/></device>
+                <parameter name="dropout_probability" value=".25"/></device>
                 <device kind="laser" name="other"/>
                 </robot>
-                <defaults kind="laser"><parameter name="miss" value="0.5"/><parameter name="white" value="1e-2"/></defaults>
-                <mine name="m" east="1" north="2" radius="0.3" height="0.2" contrast="-1.5" colour="#0102fF"/>
+                <defaults kind="laser"><parameter name="dropout_probability" value="0.5"/><parameter name="white_noise_sigma" value="1e-2"/></defaults>
+                <mine name="m" east="1" north="2" radius="0.3" height="0.2" thermal_contrast="-1.5" colour="#0102fF"/>
                 <post name="p" east="-1" north="20" radius="0.5" height="3" reflectivity="0.9"/>
                 <obstacle name="o" points="10,10 10,12 12,12" height="2" reflectivity="0.1"/>
                 <region points="0,0 5,0 5,5"/>
-                <weather temperature="280" warming="5" sun_azimuth="1" sun_elevation="0.2" wind="3" wind_towards="2" gusts="1"/>
-                <ground width="50" depth="30" roughness="0.05"/>
+                <weather temperature="280" ground_warming="5" sun_azimuth="1" sun_elevation="0.2" wind_speed="3" wind_towards="2" gust_sigma="1"/>
+                <ground size_east="50" size_north="30" roughness="0.05"/>
                 <datum latitude="-10" longitude="170" height="5"/>
                 </world>
                 """)
@@ -93,11 +93,12 @@ class WorldXmlTest {
     assertThat(eye.emulator().link()).contains("sim:a");
     assertThat(eye.emulator().port()).contains("1");
     assertThat(eye.emulator().baud()).contains("2");
-    assertThat(eye.parameters()).isEqualTo(Map.of("miss", 0.25, "white", 0.01));
+    assertThat(eye.parameters())
+        .isEqualTo(Map.of("dropout_probability", 0.25, "white_noise_sigma", 0.01));
     DeviceDescription other = world.vehicle("r").device("other").orElseThrow();
-    assertThat(other.parameter("miss", VehicleType.UGV)).isEqualTo(0.5);
-    assertThat(other.parameter("reach", VehicleType.UGV))
-        .isEqualTo(DeviceKind.LASER.parameter("reach").orElseThrow().ugvDefault());
+    assertThat(other.parameter("dropout_probability", VehicleType.UGV)).isEqualTo(0.5);
+    assertThat(other.parameter("range_at_10_percent", VehicleType.UGV))
+        .isEqualTo(DeviceKind.LASER.parameter("range_at_10_percent").orElseThrow().ugvDefault());
     assertThat(world.vehicle("r").device("head").orElseThrow().mount().pitch()).isEqualTo(0.5);
   }
 
@@ -123,7 +124,7 @@ class WorldXmlTest {
       WorldDescription again = WorldXml.read(copy, name -> null);
       assertThat(again)
           .usingRecursiveComparison()
-          .ignoringFieldsOfTypes(Place.class)
+          .ignoringFieldsOfTypes(SourceLocation.class)
           .isEqualTo(one);
       assertThat(WorldXml.text(again)).isEqualTo(WorldXml.text(one));
     }

@@ -2,6 +2,9 @@ package org.dfra.sim.world.shape;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.dfra.sim.world.shape.PlanarShape.Disc;
+import org.dfra.sim.world.shape.PlanarShape.Polygon;
+import org.dfra.sim.world.shape.PlanarShape.Vertex;
 
 /**
  * One beam followed through a world, slowly and plainly: the reference for {@link RayCaster}. All

@@ -6,6 +6,9 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.dfra.sim.world.shape.PlanarShape.Disc;
+import org.dfra.sim.world.shape.PlanarShape.Polygon;
+import org.dfra.sim.world.shape.PlanarShape.Vertex;
 import org.junit.jupiter.api.Test;
 
 class PolygonTest {

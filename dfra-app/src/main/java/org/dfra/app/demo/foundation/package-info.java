@@ -1,5 +1,0 @@
-/** {@code ./dfra demo foundation}: finds a receiver by capability, and recovers after kill -9. */
-@NullMarked
-package org.dfra.app.demo.foundation;
-
-import org.jspecify.annotations.NullMarked;

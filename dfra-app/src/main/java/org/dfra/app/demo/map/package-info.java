@@ -1,8 +1,0 @@
-/**
- * Maps for the reports of demonstrations that move on a field: obstacles, the robots' true paths,
- * and the places of events. Entry point: {@link org.dfra.app.demo.map.FieldMap}.
- */
-@NullMarked
-package org.dfra.app.demo.map;
-
-import org.jspecify.annotations.NullMarked;

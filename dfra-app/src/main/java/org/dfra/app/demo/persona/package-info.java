@@ -1,5 +1,0 @@
-/** {@code ./dfra demo persona}: modules found by capability and kept through failures. */
-@NullMarked
-package org.dfra.app.demo.persona;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,8 +1,0 @@
-/**
- * Measured values with targets, printed and appended to a CSV file alike by the demonstrations and
- * the benchmarks. Entry point: {@link org.dfra.app.measurement.RunMeasurements}.
- */
-@NullMarked
-package org.dfra.app.measurement;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,5 +1,0 @@
-/** The subcommands of {@code ./dfra module}: queries and changes of modules. */
-@NullMarked
-package org.dfra.app.module;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,8 +1,0 @@
-/**
- * Sensor errors while the robot is stopped, as parameters for the estimators; the procedures of
- * {@code docs/reference/sensor-noise.md}. Entry point: {@link org.dfra.app.noise.NoiseStudy}.
- */
-@NullMarked
-package org.dfra.app.noise;
-
-import org.jspecify.annotations.NullMarked;

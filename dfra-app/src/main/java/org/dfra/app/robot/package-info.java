@@ -1,5 +1,0 @@
-/** Brings the robots of this host up and down, and shows their status. */
-@NullMarked
-package org.dfra.app.robot;
-
-import org.jspecify.annotations.NullMarked;

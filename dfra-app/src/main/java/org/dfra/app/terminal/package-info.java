@@ -1,7 +1,0 @@
-/**
- * The output of a command: tables and paragraphs as text, JSON for programs, and the exit status.
- */
-@NullMarked
-package org.dfra.app.terminal;
-
-import org.jspecify.annotations.NullMarked;

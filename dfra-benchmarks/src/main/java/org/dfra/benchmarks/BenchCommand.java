@@ -1,0 +1,156 @@
+package org.dfra.benchmarks;
+
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.function.Supplier;
+import java.util.regex.Pattern;
+import java.util.regex.PatternSyntaxException;
+import java.util.stream.Collectors;
+import org.dfra.benchmarks.micro.MicroBenchmark;
+import org.dfra.benchmarks.micro.MicroTask.MicroSettings;
+import org.dfra.report.measurement.RecordOption;
+import org.dfra.report.terminal.ExitCode;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code ./dfra bench}: measures the quantities for which the requirements state a target. */
+@Command(
+    name = "bench",
+    description = "Runs the benchmarks of the requirements on this machine.",
+    footer = {
+      "",
+      "Benchmarks:",
+      "  attack        a robot that other programs attack (twelve minutes; less with --seconds)",
+      "  calls         a small remote call, and the check of its bytes (fifteen seconds)",
+      "  distributed   lookup, queries, staleness, renewals, events (four minutes)",
+      "  events        of these, only the latency of events",
+      "  fuzzy         fuzzy inference with 135 rules (thirty seconds)",
+      "  lockstep      how much faster than real time drivers run in lock-step (one minute)",
+      "  micro         single operations: a call, marshalling, a parser (seven minutes; less with --only)",
+      "  mines         how often the mine detector is right, over many images (one minute)",
+      "  navigation    robots that search a field, over many seeds (an hour; less with --seeds)",
+      "  parsers       the devices' parsers (fifteen seconds)",
+      "  recruit       messages between agents, latency of messages and events (three minutes)",
+      "  world         simulated robots with laser scans and images (half a minute)"
+    })
+public final class BenchCommand implements Callable<Integer> {
+
+  private final Map<String, Supplier<Bench>> benches = new LinkedHashMap<>();
+
+  /** Lists all benchmarks; runs none. */
+  public BenchCommand() {
+    benches.put("attack", () -> new AttackBench(seconds));
+    benches.put("calls", CallBench::new);
+    benches.put("distributed", DistributedBench::new);
+    benches.put("events", EventBench::new);
+    benches.put("fuzzy", FuzzyBench::new);
+    benches.put("lockstep", LockStepBench::new);
+    benches.put("micro", this::micro);
+    benches.put("mines", MinesBench::new);
+    benches.put("navigation", () -> new NavigationBench(seeds, folder("navigation")));
+    benches.put("parsers", ParserBench::new);
+    benches.put("recruit", () -> new RecruitBench(folder("recruit")));
+    benches.put("world", WorldBench::new);
+  }
+
+  @Parameters(paramLabel = "NAME", description = "Name of the benchmark.")
+  private String name = "";
+
+  @Option(
+      names = "--seeds",
+      paramLabel = "N",
+      description = "How many seeds the benchmark navigation runs (default ${DEFAULT-VALUE}).")
+  private int seeds = 200;
+
+  @Option(
+      names = "--seconds",
+      paramLabel = "S",
+      description = "How long the benchmark attack repeats each attack (default ${DEFAULT-VALUE}).")
+  private int seconds = 30;
+
+  @Option(
+      names = "--report",
+      paramLabel = "DIR",
+      description =
+          "Folder for the output of the benchmarks navigation and recruit (default reports/NAME).")
+  private @Nullable Path folder;
+
+  @Option(
+      names = "--only",
+      paramLabel = "REGEX",
+      description = "Which operations the benchmark micro runs (default: all).")
+  private @Nullable String only;
+
+  @Option(
+      names = "--quick",
+      description = "The benchmark micro runs for half a minute; its figures are inaccurate.")
+  private boolean quick;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
+  private RecordOption record;
+
+  @Spec
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
+  private CommandSpec spec;
+
+  private Path folder(String ofBench) {
+    return folder == null ? Path.of("reports", ofBench) : folder;
+  }
+
+  private Bench micro() {
+    List<MicroBenchmark> chosen;
+    try {
+      chosen = MicroBenchmark.matching(only == null ? null : Pattern.compile(only));
+    } catch (PatternSyntaxException e) {
+      throw new ParameterException(
+          spec.commandLine(),
+          "--only \"" + only + "\" is no regular expression: " + e.getDescription(),
+          e);
+    }
+    if (chosen.isEmpty()) {
+      throw new ParameterException(
+          spec.commandLine(),
+          "--only \""
+              + only
+              + "\" matches none of: "
+              + MicroBenchmark.ALL.stream()
+                  .map(MicroBenchmark::operation)
+                  .distinct()
+                  .collect(Collectors.joining("; ")));
+    }
+    return new MicroBench(chosen, quick ? MicroSettings.QUICK : MicroSettings.FULL);
+  }
+
+  /** The name in records, where a short run is not to be taken for a full one. */
+  private String recordedName() {
+    return name.equals("micro") && quick ? "micro quick" : name;
+  }
+
+  @Override
+  public Integer call() throws Exception {
+    @Nullable Supplier<Bench> bench = benches.get(name);
+    if (bench == null) {
+      throw new ParameterException(
+          spec.commandLine(),
+          "there is no benchmark \"" + name + "\"; there is " + benches.keySet());
+    }
+    if (seconds < 1) {
+      throw new ParameterException(
+          spec.commandLine(), "--seconds " + seconds + " is below 1; give 1 or more");
+    }
+    Report report = new Report(spec.commandLine().getOut());
+    bench.get().run(report);
+    record.append(report.figures(), "bench", recordedName());
+    return report.figures().missed().isEmpty() ? ExitCode.SUCCESS : ExitCode.FAILED;
+  }
+}

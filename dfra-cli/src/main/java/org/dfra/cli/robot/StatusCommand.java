@@ -1,0 +1,155 @@
+package org.dfra.cli.robot;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.dfra.cli.team.PhoenixOptions;
+import org.dfra.core.config.RobotXml;
+import org.dfra.report.terminal.CommandOutput;
+import org.dfra.report.terminal.ExitCode;
+import org.dfra.report.terminal.Table;
+import org.dfra.river.bootstrap.PhoenixInventory;
+import org.dfra.river.bootstrap.PhoenixInventory.ServiceGroup;
+import org.dfra.river.bootstrap.PhoenixProcess;
+import org.dfra.river.bootstrap.StoredStopStates;
+import org.dfra.river.phoenix.GroupStatus;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** {@code ./dfra status}. */
+@Command(
+    name = "status",
+    description = "Shows the state of the service groups of this host's robots.",
+    footer = {"", "Exits with 4 if phoenix does not answer. For the modules: ./dfra module list."})
+public final class StatusCommand implements Callable<Integer> {
+
+  @Parameters(
+      paramLabel = "ROBOT.XML",
+      arity = "0..*",
+      description = "Only these robots (default: all of this host).")
+  private List<Path> xml = List.of();
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
+  private PhoenixOptions options;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
+  private CommandOutput answer;
+
+  /**
+   * A group in the command's output.
+   *
+   * @param services its running services
+   * @param idle its services that do not run: they did not start, crashed or were stopped
+   * @param stopped its effectors in emergency stop
+   */
+  record Group(
+      String robot,
+      String group,
+      String state,
+      long pid,
+      long started,
+      int crashes,
+      @Nullable String lastCrash,
+      List<String> services,
+      List<String> idle,
+      List<String> stopped,
+      String log) {}
+
+  @Override
+  public Integer call() throws Exception {
+    List<String> wanted = new ArrayList<>();
+    for (Path each : xml) {
+      wanted.add(RobotXml.read(each).name());
+    }
+    PhoenixProcess phoenix = options.requireRunning();
+    List<Group> groups = new ArrayList<>();
+    for (ServiceGroup each : PhoenixInventory.groups(phoenix, PhoenixOptions.TIMEOUT)) {
+      if (wanted.isEmpty() || wanted.contains(each.robot())) {
+        groups.add(group(each, phoenix.state()));
+      }
+    }
+    Table table = new Table("GROUP", "STATE", "PROCESS", "STARTS", "CRASHES", "SERVICES");
+    for (Group each : groups) {
+      table.row(
+          each.robot() + "." + each.group(),
+          each.state(),
+          each.pid() < 0 ? "-" : Long.toString(each.pid()),
+          Long.toString(each.started()),
+          Integer.toString(each.crashes()),
+          services(each));
+    }
+    answer.table(groups, table, "Phoenix answers, but no such robot is up on this host.");
+    if (!answer.isJson()) {
+      for (Group each : groups) {
+        StoppedEffectors.notices(phoenix.state(), each.robot(), each.stopped())
+            .forEach(sentence -> answer.line(sentence, sentence + "."));
+      }
+    }
+    return ExitCode.SUCCESS;
+  }
+
+  private static String services(Group group) {
+    return Stream.concat(
+            group.services().stream(), group.idle().stream().map(each -> each + " (not running)"))
+        .collect(Collectors.joining(", "));
+  }
+
+  private static Group group(ServiceGroup group, Path kept) {
+    GroupStatus status = group.status();
+    List<String> services = new ArrayList<>();
+    List<String> idle = new ArrayList<>();
+    if (group.hasRegistrar()) {
+      (group.isRegistrarRunning() ? services : idle).add("registrar");
+    }
+    for (String module : group.modules()) {
+      (group.runningModules().contains(module) ? services : idle).add(module);
+    }
+    String state = status.state().name().toLowerCase(Locale.ROOT);
+    return new Group(
+        group.robot(),
+        group.name(),
+        status.heldOffUntil() == null ? state : "held off until " + status.heldOffUntil(),
+        status.pid(),
+        status.incarnation(),
+        status.totalCrashes(),
+        status.lastCrash(),
+        services,
+        idle,
+        List.copyOf(StoredStopStates.latched(kept, group.robot(), group.modules()).keySet()),
+        status.output());
+  }
+
+  /** The emergency stops of this host's effectors, as text. */
+  static final class StoppedEffectors {
+
+    private StoppedEffectors() {}
+
+    /**
+     * A sentence with the remedy for each of a robot's modules in emergency stop.
+     *
+     * @param state phoenix's state folder
+     */
+    static List<String> notices(Path state, String robot, Collection<String> modules) {
+      return StoredStopStates.latched(state, robot, modules).entrySet().stream()
+          .map(
+              each ->
+                  robot
+                      + "/"
+                      + each.getKey()
+                      + " is stopped for an emergency "
+                      + each.getValue().inWords()
+                      + "; when it is safe: ./dfra stop --release "
+                      + robot)
+          .toList();
+    }
+  }
+}

@@ -1,0 +1,169 @@
+package org.dfra.river.call;
+
+import com.google.errorprone.annotations.concurrent.GuardedBy;
+import java.io.Closeable;
+import java.io.IOException;
+import java.lang.System.Logger.Level;
+import net.jini.jeri.OutboundRequest;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One running call, shared between the caller that may abandon it and the thread that waits for its
+ * response.
+ */
+final class CallInFlight {
+
+  private static final System.Logger LOG = System.getLogger(CallInFlight.class.getName());
+  private static final ThreadLocal<@Nullable CallInFlight> CURRENT = new ThreadLocal<>();
+
+  private final boolean closesConnection;
+
+  @GuardedBy("this")
+  private @Nullable OutboundRequest request;
+
+  // until the request is sent
+  @GuardedBy("this")
+  private @Nullable Closeable connection;
+
+  @GuardedBy("this")
+  private boolean abandoned;
+
+  @GuardedBy("this")
+  private boolean ended;
+
+  /** A call that, when abandoned, does not close a connection that is still being established. */
+  CallInFlight() {
+    this(false);
+  }
+
+  /**
+   * A call.
+   *
+   * @param closesConnection whether abandoning it closes a connection that is still being
+   *     established for it, so that its thread does not wait for a peer that accepts connections
+   *     and sends nothing
+   */
+  CallInFlight(boolean closesConnection) {
+    this.closesConnection = closesConnection;
+  }
+
+  /** Makes this the call of the current thread while {@code body} runs. */
+  <T extends @Nullable Object> T runAsCurrent(Invocation<T> body) throws Throwable {
+    CURRENT.set(this);
+    try {
+      return body.run();
+    } finally {
+      CURRENT.remove();
+    }
+  }
+
+  /**
+   * Records the request that sends the current thread's call, if there is one.
+   *
+   * @return the request
+   */
+  static OutboundRequest attachRequest(OutboundRequest request) {
+    @Nullable CallInFlight call = CURRENT.get();
+    if (call != null) {
+      call.setRequest(request);
+    }
+    return request;
+  }
+
+  /**
+   * Records the connection that the current thread's call, if there is one, establishes.
+   *
+   * @throws IOException if the call was already abandoned
+   */
+  static void attachConnection(Closeable connection) throws IOException {
+    @Nullable CallInFlight call = CURRENT.get();
+    if (call != null && call.closesConnection) {
+      call.setConnection(connection);
+    }
+  }
+
+  private synchronized void setConnection(Closeable made) throws IOException {
+    if (abandoned) {
+      throw new IOException("the call was given up before a connection was made for it");
+    }
+    connection = made;
+  }
+
+  private void setRequest(OutboundRequest leaving) {
+    boolean tooLate;
+    synchronized (this) {
+      request = leaving;
+      connection = null; // others may use it now
+      tooLate = abandoned;
+    }
+    if (tooLate) {
+      leaving.abort();
+    }
+  }
+
+  /**
+   * Abandons the call: its request is aborted and its thread is released.
+   *
+   * @return false if the call had already ended
+   */
+  boolean abandon() {
+    @Nullable OutboundRequest leaving;
+    @Nullable Closeable unfinished;
+    synchronized (this) {
+      if (ended) {
+        return false;
+      }
+      abandoned = true;
+      leaving = request;
+      unfinished = connection;
+    }
+    if (leaving != null) {
+      leaving.abort();
+    }
+    if (unfinished != null) {
+      close(unfinished);
+    }
+    return true;
+  }
+
+  private static void close(Closeable unfinished) {
+    try {
+      unfinished.close();
+    } catch (IOException e) {
+      LOG.log(Level.DEBUG, "A connection of a call that was given up was not closed in order.", e);
+    }
+  }
+
+  /** Whether it was abandoned. */
+  synchronized boolean isAbandoned() {
+    return abandoned;
+  }
+
+  /**
+   * Records that the call's thread is free again.
+   *
+   * @return whether the call had already been abandoned
+   */
+  synchronized boolean finish() {
+    ended = true;
+    return abandoned;
+  }
+
+  /** Whether a connection was found for the call. */
+  synchronized boolean hasRequest() {
+    return request != null;
+  }
+
+  /**
+   * Whether bytes of the call may have reached the server. The answer is final once the call was
+   * abandoned or has ended; before that, its first bytes may be sent right after the answer.
+   */
+  synchronized boolean mayHaveRun() {
+    return request != null && request.getDeliveryStatus();
+  }
+
+  /** The work of a call. */
+  interface Invocation<T extends @Nullable Object> {
+    T run() throws Throwable;
+  }
+}

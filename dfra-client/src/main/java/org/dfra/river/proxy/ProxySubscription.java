@@ -1,0 +1,169 @@
+package org.dfra.river.proxy;
+
+import java.io.IOException;
+import java.rmi.ConnectIOException;
+import java.rmi.RemoteException;
+import java.time.Instant;
+import java.util.EnumSet;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import net.jini.core.lease.Lease;
+import net.jini.export.Exporter;
+import net.jini.jeri.BasicJeriExporter;
+import org.dfra.event.Delivery;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.ModuleListener;
+import org.dfra.event.Subscription;
+import org.dfra.event.delivery.DeliveryCounter;
+import org.dfra.event.delivery.DeliveryPool;
+import org.dfra.event.delivery.ListenerQueue;
+import org.dfra.river.call.CallbackHost;
+import org.dfra.river.call.DeadlineExceededException;
+import org.dfra.river.call.DeadlineILFactory;
+import org.dfra.river.call.Endpoints;
+import org.dfra.river.remote.GrantedSubscription;
+import org.dfra.river.remote.RemoteModule;
+import org.dfra.river.remote.RemoteModuleListener;
+import org.dfra.time.Scheduler;
+
+/**
+ * A local listener's subscription to a remote module.
+ *
+ * <pre>
+ *   server --&gt; this (exported) --&gt; ListenerQueue --&gt; DeliveryCounter --&gt; listener
+ * </pre>
+ *
+ * <p>The server's call ends when the event is queued, so a slow listener does not delay it.
+ */
+final class ProxySubscription implements RemoteModuleListener, Subscription {
+
+  /** JERI holds what it exports weakly, so open subscriptions are referenced here. */
+  private static final Set<ProxySubscription> OPEN = ConcurrentHashMap.newKeySet();
+
+  private final DeliveryCounter tally;
+  private final ListenerQueue queue;
+  private final Exporter exporter;
+  private final LeaseRenewer renewer;
+
+  private ProxySubscription(
+      String path, RemoteModule server, ModuleListener listener, DeliveryPolicy policy)
+      throws RemoteException {
+    this.tally = new DeliveryCounter(listener);
+    // The server has applied the kinds and the rate; here the queue only limits waiting events.
+    this.queue =
+        new ListenerQueue(
+            tally,
+            new DeliveryPolicy(
+                EnumSet.allOf(DeliveryPolicy.EventKind.class),
+                policy.queueDepth(),
+                Double.POSITIVE_INFINITY),
+            ListenerQueue.NEVER_GIVE_UP,
+            () -> {},
+            DeliveryPool.shared(),
+            Scheduler.system());
+    this.exporter =
+        new BasicJeriExporter(
+            Endpoints.tcp(host(server), 0), new DeadlineILFactory(), false, false);
+    ModuleListener stub = (ModuleListener) exporter.export(this);
+    OPEN.add(this);
+    try {
+      GrantedSubscription first = registerFirst(server, stub, policy);
+      this.renewer =
+          new LeaseRenewer(
+              "subscription to " + path,
+              () -> register(server, stub, policy).lease(),
+              Lease.ANY,
+              first.lease(),
+              Scheduler.system());
+    } catch (RemoteException | RuntimeException e) {
+      unexport();
+      throw e;
+    }
+  }
+
+  /**
+   * Subscribes.
+   *
+   * @param path the module's path, for the log
+   * @throws RemoteException if the server cannot be reached, or cannot reach this client
+   */
+  static ProxySubscription open(
+      String path, RemoteModule server, ModuleListener listener, DeliveryPolicy policy)
+      throws RemoteException {
+    ProxySubscription subscription = new ProxySubscription(path, server, listener, policy);
+    subscription.renewer.start();
+    return subscription;
+  }
+
+  private static String host(RemoteModule server) throws RemoteException {
+    try {
+      return CallbackHost.addressReachableFrom(server);
+    } catch (IOException e) {
+      throw new ConnectIOException(
+          "this machine finds no way to the server; name its own address with -D"
+              + CallbackHost.PROPERTY,
+          e);
+    }
+  }
+
+  /**
+   * Registers once more if the answer is late, as that of a busy computer's first call: the server
+   * replaces a listener that it has already.
+   */
+  private GrantedSubscription registerFirst(
+      RemoteModule server, ModuleListener stub, DeliveryPolicy policy) throws RemoteException {
+    try {
+      return register(server, stub, policy);
+    } catch (DeadlineExceededException e) {
+      return register(server, stub, policy);
+    }
+  }
+
+  private GrantedSubscription register(
+      RemoteModule server, ModuleListener stub, DeliveryPolicy policy) throws RemoteException {
+    if (server.subscribe(stub, policy) instanceof GrantedSubscription leased) {
+      tally.startAfter(leased.sequenceNumbers().stream().mapToLong(Long::longValue).toArray());
+      return leased;
+    }
+    throw new RemoteException("the server gave no lease for the listener");
+  }
+
+  /** Receives an event from the server. */
+  @Override
+  public void notify(Delivery delivery) {
+    queue.offer(delivery);
+  }
+
+  @Override
+  public long received() {
+    return tally.received();
+  }
+
+  @Override
+  public long lost() {
+    return tally.lost();
+  }
+
+  @Override
+  public Optional<Instant> interruptedSince() {
+    return renewer.interruptedSince();
+  }
+
+  @Override
+  public boolean isOpen() {
+    return !renewer.isClosed();
+  }
+
+  @Override
+  public void close() {
+    renewer.close();
+    queue.close();
+    unexport();
+  }
+
+  private void unexport() {
+    boolean unused = exporter.unexport(true);
+    OPEN.remove(this);
+  }
+}

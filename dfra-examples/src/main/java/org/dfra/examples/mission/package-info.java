@@ -1,0 +1,15 @@
+/**
+ * Searches of a field by raster with several robots.
+ *
+ * <pre>
+ *   world, robots' XML, region --Scenario--&gt; Mission --MissionResult--&gt; Scores
+ *                                            | '--progress--&gt; MissionListener
+ *                                     LocalMission (lock-step)
+ * </pre>
+ *
+ * <p>Entry point: {@link org.dfra.examples.mission.Mission}.
+ */
+@NullMarked
+package org.dfra.examples.mission;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,5 @@
+/** {@code ./dfra demo persona}: modules found by capability and kept through failures. */
+@NullMarked
+package org.dfra.examples.persona;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,7 +1,0 @@
-package org.dfra.river.filter;
-
-/**
- * Marks a class loader whose classes passed the trust check: a peer that may run code here may also
- * send data of that code's classes.
- */
-public interface TrustedLoader {}

@@ -1,2 +1,0 @@
-/** The benchmarks' own parts, held to what they are to do rather than to a figure. */
-package org.dfra.app.benchmark;

@@ -1,2 +1,0 @@
-/** Bringing robots up among others. */
-package org.dfra.app.robot;

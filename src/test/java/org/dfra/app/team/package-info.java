@@ -1,2 +1,0 @@
-/** How commands find the modules that they are about. */
-package org.dfra.app.team;

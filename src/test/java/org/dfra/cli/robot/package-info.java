@@ -1,0 +1,2 @@
+/** Bringing robots up among others. */
+package org.dfra.cli.robot;

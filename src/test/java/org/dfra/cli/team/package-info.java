@@ -1,0 +1,2 @@
+/** How commands find the modules that they are about. */
+package org.dfra.cli.team;
