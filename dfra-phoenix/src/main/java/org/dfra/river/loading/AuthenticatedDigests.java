@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Plain TCP does not authenticate the peer and must never open a scope. A scope belongs to the
  * thread that opened it; an inner scope hides the outer one until it is closed.
  */
-public final class AuthenticatedDigests {
+final class AuthenticatedDigests {
 
   private static final ThreadLocal<@Nullable Scope> CURRENT = new ThreadLocal<>();
 
@@ -33,7 +33,7 @@ public final class AuthenticatedDigests {
    *
    * @param peer its identity, for the log
    */
-  public static Scope open(String peer) {
+  static Scope open(String peer) {
     Scope scope = new Scope(peer, CURRENT.get());
     CURRENT.set(scope);
     return scope;
@@ -46,7 +46,7 @@ public final class AuthenticatedDigests {
   }
 
   /** The digests that one peer vouches for, until the scope is closed. */
-  public static final class Scope implements AutoCloseable {
+  static final class Scope implements AutoCloseable {
 
     private final String peer;
     private final @Nullable Scope outer;
@@ -64,7 +64,7 @@ public final class AuthenticatedDigests {
      * @throws CodeRefusedException if it is not of the form {@code httpmd:…;sha-256=…}
      * @throws IllegalStateException in another thread, or when the scope is closed or hidden
      */
-    public void vouch(String codebase) {
+    void vouch(String codebase) {
       checkCurrent();
       CodebaseUrl.parse(codebase).forEach(url -> digests.add(url.digest()));
     }

@@ -11,7 +11,7 @@ import org.dfra.river.access.AdministrationPolicy;
  *
  * <p>In each text {@code *} matches any characters.
  */
-public final class StandardExecPermissions {
+final class StandardExecPermissions {
 
   /** Permitted options of the virtual machine. */
   static final List<String> OPTIONS =
@@ -75,12 +75,12 @@ public final class StandardExecPermissions {
   private StandardExecPermissions() {}
 
   /** The standard options and further ones, for {@code permittedOptions} in a configuration. */
-  public static String[] options(String[] further) {
+  static String[] options(String[] further) {
     return with(OPTIONS, further);
   }
 
   /** The standard properties and further ones, for {@code permittedProperties}. */
-  public static String[] properties(String[] further) {
+  static String[] properties(String[] further) {
     return with(PROPERTIES, further);
   }
 
