@@ -57,14 +57,21 @@ public record RecruitmentSettings(
     }
     if (replaceAfter.compareTo(margin) <= 0) {
       throw new IllegalArgumentException(
-          "replaceAfter "
+          "no robot could arrive in time, since replace_after, "
               + replaceAfter.toMillis()
-              + " ms <= margin "
+              + " ms, is not above margin, "
               + margin.toMillis()
-              + " ms; choose a longer replace_after, since no robot could arrive in time");
+              + " ms; choose a longer replace_after");
     }
     if (roundsPerConversation < 1 || acceptSends < 1 || arrivalSends < 1) {
-      throw new IllegalArgumentException("a release must be sent at least once");
+      throw new IllegalArgumentException(
+          "calls, ACCEPTs and ARRIVALs must each be sent once or more, not "
+              + roundsPerConversation
+              + ", "
+              + acceptSends
+              + " and "
+              + arrivalSends
+              + " times");
     }
   }
 

@@ -37,13 +37,14 @@ public final class Impatience implements Affect {
       double minWaitSeconds, double maxWaitSeconds, double etaReference, Duration callInterval) {
     if (!(minWaitSeconds > 0 && maxWaitSeconds >= minWaitSeconds && etaReference > 0)) {
       throw new ConfigurationException(
-          "impatience of "
+          "impatience needs a shortest wait above 0 s, a longest wait that is not shorter, and a"
+              + " reference ETA above 0 s, not "
               + minWaitSeconds
-              + " to "
+              + " s, "
               + maxWaitSeconds
-              + " s at "
+              + " s and "
               + etaReference
-              + " s is invalid");
+              + " s");
     }
     this.fastest = minWaitSeconds;
     this.slowest = maxWaitSeconds;

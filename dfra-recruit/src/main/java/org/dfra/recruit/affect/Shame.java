@@ -101,11 +101,10 @@ public final class Shame implements Affect {
       above("etaReference", etaReference);
       if (floor > 1 || !(batteryReserve >= 0 && batteryReserve < 1)) {
         throw new ConfigurationException(
-            "floor "
+            "shame needs a floor of at most 1 and a battery reserve of 0 to less than 1, not "
                 + floor
-                + " is not at most 1, or reserve "
-                + batteryReserve
-                + " is outside 0 to 1");
+                + " and "
+                + batteryReserve);
       }
     }
 

@@ -88,7 +88,12 @@ public interface LossModel {
     public static GilbertElliottLoss bursts(double share, double burst, RandomGenerator random) {
       if (!(share >= 0 && share < 1 && burst >= 1)) {
         throw new IllegalArgumentException(
-            "a loss of " + share + " in bursts of " + burst + " messages is impossible");
+            "a loss of "
+                + share
+                + " in bursts of "
+                + burst
+                + " messages is impossible; give a share of 0 to less than 1, and bursts of 1 or"
+                + " more");
       }
       double toGood = 1 / burst;
       return new GilbertElliottLoss(

@@ -43,7 +43,14 @@ public sealed interface RecruitmentMessage extends Serializable {
       boolean isEta = !eta.isNegative() && eta.compareTo(HelpCall.MAX_DURATION) <= 0;
       if (bid < 0 || !isEta || !(battery >= 0 && battery <= 1)) {
         throw new IllegalArgumentException(
-            "bid " + bid + ", " + eta.toSeconds() + " s, battery " + battery + " is not an offer");
+            "an offer needs a bid of 0 or more, an arrival within "
+                + HelpCall.MAX_DURATION.toSeconds()
+                + " s and a battery of 0 to 1, not bid "
+                + bid
+                + ", arrival in "
+                + eta.toSeconds()
+                + " s, battery "
+                + battery);
       }
     }
   }
@@ -94,7 +101,11 @@ public sealed interface RecruitmentMessage extends Serializable {
       Objects.requireNonNull(lease, "lease");
       if (stay.isNegative() || stay.compareTo(HelpCall.MAX_DURATION) > 0) {
         throw new IllegalArgumentException(
-            "a lease of " + stay.toSeconds() + " s has ended, or never does");
+            "a helper stays 0 to "
+                + HelpCall.MAX_DURATION.toSeconds()
+                + " s, not "
+                + stay.toSeconds()
+                + " s");
       }
     }
   }

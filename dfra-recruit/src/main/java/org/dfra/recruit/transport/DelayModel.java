@@ -36,13 +36,13 @@ public interface DelayModel {
           && sigma >= 0
           && Double.isFinite(shortest + median + sigma))) {
         throw new IllegalArgumentException(
-            "a delay of "
+            "a delay needs finite numbers: a minimum of 0 s or more, a median above 0 s beyond it,"
+                + " and a sigma of 0 or more, not "
                 + shortest
-                + " s and "
+                + " s, "
                 + median
-                + " s more, sigma "
-                + sigma
-                + ", is invalid");
+                + " s and "
+                + sigma);
       }
     }
 

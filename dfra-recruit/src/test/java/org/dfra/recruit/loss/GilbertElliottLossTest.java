@@ -93,6 +93,8 @@ class GilbertElliottLossTest {
     assertThatThrownBy(() -> new GilbertElliottLoss(0.5, 0, 0, 1, lot()))
         .hasMessageContaining("stays bad loses every message");
     assertThatThrownBy(() -> GilbertElliottLoss.bursts(1, 5, lot()))
-        .hasMessage("a loss of 1.0 in bursts of 5.0 messages is impossible");
+        .hasMessage(
+            "a loss of 1.0 in bursts of 5.0 messages is impossible; give a share of 0 to less than"
+                + " 1, and bursts of 1 or more");
   }
 }
