@@ -96,8 +96,8 @@ public final class Shame implements Affect {
       above("gain", gain);
       above("exponent", exponent);
       above("floor", floor);
-      above("idle", idleFactor);
-      above("busy", busyFactor);
+      above("idleFactor", idleFactor);
+      above("busyFactor", busyFactor);
       above("etaReference", etaReference);
       if (floor > 1 || !(batteryReserve >= 0 && batteryReserve < 1)) {
         throw new ConfigurationException(
@@ -110,7 +110,7 @@ public final class Shame implements Affect {
 
     private static void above(String what, double value) {
       if (!(value > 0 && Double.isFinite(value))) {
-        throw new ConfigurationException(what + " " + value + " is not above 0");
+        throw new ConfigurationException(what + " " + value + " must be above 0 and finite");
       }
     }
   }

@@ -23,7 +23,7 @@ public sealed interface RecruitmentMessage extends Serializable {
       Objects.requireNonNull(conversation, "conversation");
       Objects.requireNonNull(call, "call");
       if (round < 1) {
-        throw new IllegalArgumentException("round " + round + " is not >= 1");
+        throw new IllegalArgumentException("round " + round + " is below 1");
       }
     }
   }

@@ -115,7 +115,7 @@ public final class ResponderMachine {
     }
     boolean isOver = asked.number() <= ledger.closed();
     if (isOver || state.phase() != ResponderPhase.FREE) {
-      String why = isOver ? "it has left this conversation" : "it helps another";
+      String why = isOver ? "it has left this conversation" : "it helps another robot";
       return declined(state, new Refuse(asked, why, isOver));
     }
     Optional<Offer> offer = judge.offer(help.call());

@@ -54,7 +54,10 @@ public final class RecruitmentAgentProxy extends ModuleProxy<RecruitmentControl>
       ((RemoteRecruitmentAgent) target).notify(new AgentMessageEvent(message));
     } catch (UnknownEventException e) {
       throw new IllegalArgumentException(
-          identification().path() + " does not accept such messages", e);
+          identification().path()
+              + " does not accept messages of type "
+              + message.getClass().getName(),
+          e);
     }
   }
 }

@@ -27,7 +27,7 @@ public final class RandomPick implements RecruitmentStrategy {
   public RandomPick(RandomGenerator random, double offerProbability) {
     if (!(offerProbability > 0 && offerProbability <= 1)) {
       throw new ConfigurationException(
-          "a chance of " + offerProbability + " is not above 0 and at most 1");
+          "the offer probability " + offerProbability + " must be above 0 and at most 1");
     }
     this.lot = random;
     this.chance = offerProbability;

@@ -235,7 +235,8 @@ class RecruitmentTest {
     assertThat(uav.status().helperRobot()).isEqualTo("near");
     Conversation in = toTeamOfOne.get(0).message().conversation();
     uav.receive(
-        new MessageEnvelope("near", 90, time.instant(), new Refuse(in, "it helps another", false)));
+        new MessageEnvelope(
+            "near", 90, time.instant(), new Refuse(in, "it helps another robot", false)));
     assertThat(uav.status().helperRobot()).isEqualTo("near");
     uav.receive(
         new MessageEnvelope("near", 91, time.instant(), new Refuse(in, "it is stuck", true)));
