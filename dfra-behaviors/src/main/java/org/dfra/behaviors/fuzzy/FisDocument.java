@@ -59,7 +59,9 @@ final class FisDocument {
           lines.stream().filter(line -> line.key().matches(key + "\\d+")).toList();
       for (int i = 0; i < found.size(); i++) {
         if (!found.get(i).key().equals(key + (i + 1))) {
-          throw found.get(i).fault(found.get(i).key() + " is in the place of " + key + (i + 1));
+          FisLine line = found.get(i);
+          throw line.fault(
+              line.key() + " is in the place of " + key + (i + 1) + "; number them from 1 on");
         }
       }
       return found;
@@ -164,11 +166,11 @@ final class FisDocument {
             section.place()
                 + ": ["
                 + section.name()
-                + "] is too many; the system has "
+                + "] is not a section of this system, which has "
                 + inputs
                 + " inputs and "
                 + outputs
-                + " outputs");
+                + " outputs; rename or delete it");
       }
     }
   }

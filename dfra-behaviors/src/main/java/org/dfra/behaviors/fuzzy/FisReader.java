@@ -140,7 +140,13 @@ final class FisReader {
     List<FisLine> lines = section.numbered("MF");
     if (lines.size() != count(number)) {
       throw number.fault(
-          "NumMFs of " + name + " is " + number.value() + ", but there are " + lines.size());
+          "NumMFs of "
+              + name
+              + " is "
+              + number.value()
+              + ", but there are "
+              + lines.size()
+              + " membership functions");
     }
     List<Term> terms = lines.stream().map(line -> term(line, hasSets)).toList();
     return fitting(range.place(), () -> new Variable(name, ends[0], ends[1], terms));

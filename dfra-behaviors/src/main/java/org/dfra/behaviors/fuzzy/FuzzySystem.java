@@ -142,7 +142,8 @@ public record FuzzySystem(
               + " of "
               + variable.name()
               + ", which has "
-              + variable.terms().size());
+              + variable.terms().size()
+              + " terms");
     }
   }
 

@@ -79,7 +79,11 @@ public final class RasterPlan {
   public static RasterPlan of(Region region, double swath, double spacing, double laneBearing) {
     if (!(spacing > 0 && spacing <= swath && Double.isFinite(swath + laneBearing))) {
       throw new IllegalArgumentException(
-          "lanes " + spacing + " m apart do not cover with a swath of " + swath + " m");
+          "lanes "
+              + spacing
+              + " m apart do not cover with a swath of "
+              + swath
+              + " m; give a spacing not greater than the swath");
     }
     LaneAxes axes = new LaneAxes(laneBearing);
     Polygon polygon = axes.of(region.polygon());

@@ -29,8 +29,8 @@ final class RegionValidation {
           throw new GoalRefusedException(
               String.format(
                   Locale.ROOT,
-                  "corners %d and %d of the region, %s and %s, are %.1f km apart, farther than"
-                      + " %.0f km; correct them, and see that latitude and longitude are not"
+                  "corners %d and %d of the region, %s and %s, are %.1f km apart, more than"
+                      + " %.0f km; correct them, and check that latitude and longitude are not"
                       + " swapped",
                   j + 1,
                   i + 1,

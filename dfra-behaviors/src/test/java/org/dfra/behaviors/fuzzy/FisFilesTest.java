@@ -166,9 +166,11 @@ class FisFilesTest {
         "[-1 -0.5 0 0] | [-1 -0.5 x] | small.fis:18: \"x\" is not a number",
         "[-1 -0.5 0 0] | [-1 -0.5] | small.fis:18: trimf takes the parameters [a, b, c], not [-1.0, -0.5]",
         "[-1 -0.5 0 0] | [0 -0.5 0 0] | small.fis:18: trimf [a, b, c] requires a ≤ b ≤ c, not [0.0, -0.5, 0.0]",
-        "MF2='high' | MF3='high' | small.fis:19: MF3 is in the place of MF2",
-        "NumMFs=2 | NumMFs=4 | small.fis:17: NumMFs of x is 4, but there are 2",
-        "1, 1 (1) : 1 | 3, 1 (1) : 1 | small.fis: rule 1 uses term 3 of x, which has 2",
+        "MF2='high' | MF3='high'"
+            + " | small.fis:19: MF3 is in the place of MF2; number them from 1 on",
+        "NumMFs=2 | NumMFs=4"
+            + " | small.fis:17: NumMFs of x is 4, but there are 2 membership functions",
+        "1, 1 (1) : 1 | 3, 1 (1) : 1 | small.fis: rule 1 uses term 3 of x, which has 2 terms",
         "1, 1 (1) : 1 | 1 1, 1 (1) : 1 | small.fis:29: the rule \"1 1, 1 (1) : 1\" has terms of 2 inputs; the system has 1",
         "1, 1 (1) : 1 | 1, 1 (1) : 3 | small.fis:29: the connective \"3\" is neither 1 (and) nor 2 (or)",
         "1, 1 (1) : 1 | 1, 1 (2) : 1 | small.fis:29: the weight 2.0 is not from 0 to 1",

@@ -170,7 +170,7 @@ class InferenceTest {
                     good.inputs(),
                     good.outputs(),
                     List.of(new Rule(List.of(1, 3), List.of(1), 1, Rule.Connective.AND))))
-        .hasMessage("rule 1 uses term 3 of food, which has 2");
+        .hasMessage("rule 1 uses term 3 of food, which has 2 terms");
     assertThatThrownBy(
             () ->
                 new FuzzySystem(

@@ -104,7 +104,9 @@ class RasterPlanTest {
   @Test
   void refusesASpacingThatDoesNotCover() {
     assertThatThrownBy(() -> RasterPlan.of(Field.rectangle(20, 20), 1, 2, 0))
-        .hasMessage("lanes 2.0 m apart do not cover with a swath of 1.0 m");
+        .hasMessage(
+            "lanes 2.0 m apart do not cover with a swath of 1.0 m; give a spacing not greater than"
+                + " the swath");
     assertThatThrownBy(() -> RasterPlan.of(Field.rectangle(20, 20), 2, Double.NaN, 0))
         .isInstanceOf(IllegalArgumentException.class);
   }

@@ -101,7 +101,7 @@ class RegionTest {
             new GeoPosition(48.0001, 11, 0),
             new GeoPosition(11.0001, 48.0001, 0)),
         "corners 1 and 3 of the region, 48.0000000°,11.0000000° and 11.0001000°,48.0001000°, are"
-            + " 5199.2 km apart, farther than 10 km; correct them, and see that latitude and"
+            + " 5199.2 km apart, more than 10 km; correct them, and check that latitude and"
             + " longitude are not swapped");
   }
 

@@ -69,7 +69,7 @@ public interface Fusion {
       double sum = mine + clear + unknown;
       if (!(mine >= 0 && clear >= 0 && unknown >= 0 && Math.abs(sum - 1) <= TOLERANCE)) {
         throw new IllegalArgumentException(
-            "shares of " + mine + ", " + clear + " and " + unknown + " are not ≥ 0 with sum 1");
+            "shares " + mine + ", " + clear + " and " + unknown + " must be 0 or more, with sum 1");
       }
     }
 

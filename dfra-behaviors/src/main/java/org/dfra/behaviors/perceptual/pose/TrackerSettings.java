@@ -44,11 +44,11 @@ record TrackerSettings(
 
   public TrackerSettings {
     SettingsValidation.requirePositive("position_gate", positionGate);
-    SettingsValidation.requirePositive("course gate", courseGate);
-    SettingsValidation.requirePositive("first yaw's standard deviation", maxInitialYawSigma);
+    SettingsValidation.requirePositive("course_gate", courseGate);
+    SettingsValidation.requirePositive("max_initial_yaw_sigma", maxInitialYawSigma);
     SettingsValidation.requireDuration("fix_window", fixWindow);
-    SettingsValidation.requireDuration("horizon", maxFixDelay);
-    SettingsValidation.requireDuration("time until lost", rejectionTimeout);
+    SettingsValidation.requireDuration("max_fix_delay", maxFixDelay);
+    SettingsValidation.requireDuration("rejection_timeout", rejectionTimeout);
   }
 
   /** The same with other receivers. */
@@ -95,13 +95,13 @@ record TrackerSettings(
     public static final GpsErrors DEFAULT = new GpsErrors(0.6, 1.5, 200, 0.05, 0.4, 0.16, 3);
 
     public GpsErrors {
-      SettingsValidation.requirePositive("white noise", whiteNoiseSigma);
-      SettingsValidation.requireNonNegative("bias", biasSigma);
-      SettingsValidation.requirePositive("bias time", biasCorrelationTime);
-      SettingsValidation.requirePositive("velocity noise", velocitySigma);
-      SettingsValidation.requirePositive("course speed", minCourseSpeed);
-      SettingsValidation.requireNonNegative("least latency", minLatency);
-      SettingsValidation.requirePositive("dilution", referenceDilution);
+      SettingsValidation.requirePositive("gps_white_noise_sigma", whiteNoiseSigma);
+      SettingsValidation.requireNonNegative("gps_bias_sigma", biasSigma);
+      SettingsValidation.requirePositive("gps_bias_correlation_time", biasCorrelationTime);
+      SettingsValidation.requirePositive("gps_velocity_sigma", velocitySigma);
+      SettingsValidation.requirePositive("min_course_speed", minCourseSpeed);
+      SettingsValidation.requireNonNegative("min_latency", minLatency);
+      SettingsValidation.requirePositive("reference_dilution", referenceDilution);
     }
 
     /** Standard deviation of a course, radians, at a speed in metres per second. */
@@ -152,14 +152,14 @@ record TrackerSettings(
         new WheelErrors(0.03, 0.2, 0.04, 0.02, 0.2, 0.03, 3, 6);
 
     public WheelErrors {
-      SettingsValidation.requireNonNegative("scale", scaleSigma);
-      SettingsValidation.requirePositive("turn scale", yawScaleSigma);
-      SettingsValidation.requirePositive("noise along", longitudinalSlip);
-      SettingsValidation.requirePositive("noise to the side", lateralSlip);
-      SettingsValidation.requirePositive("turn noise", yawSlip);
-      SettingsValidation.requirePositive("turn drift", yawRandomWalk);
-      SettingsValidation.requirePositive("fastest speed", maxSpeed);
-      SettingsValidation.requirePositive("fastest turn", maxYawRate);
+      SettingsValidation.requireNonNegative("wheel_scale_sigma", scaleSigma);
+      SettingsValidation.requirePositive("wheel_yaw_scale_sigma", yawScaleSigma);
+      SettingsValidation.requirePositive("wheel_slip", longitudinalSlip);
+      SettingsValidation.requirePositive("wheel_lateral_slip", lateralSlip);
+      SettingsValidation.requirePositive("wheel_yaw_slip", yawSlip);
+      SettingsValidation.requirePositive("wheel_yaw_random_walk", yawRandomWalk);
+      SettingsValidation.requirePositive("max_speed", maxSpeed);
+      SettingsValidation.requirePositive("max_yaw_rate", maxYawRate);
     }
   }
 
@@ -179,10 +179,10 @@ record TrackerSettings(
     public static final GyroErrors DEFAULT = new GyroErrors(3e-4, 0.005, 2e-4, 0.01);
 
     public GyroErrors {
-      SettingsValidation.requirePositive("gyro noise", noiseDensity);
-      SettingsValidation.requirePositive("gyro bias", biasSigma);
-      SettingsValidation.requirePositive("gyro drift", biasRandomWalk);
-      SettingsValidation.requireNonNegative("gyro scale", scaleNoise);
+      SettingsValidation.requirePositive("gyro_noise_density", noiseDensity);
+      SettingsValidation.requirePositive("gyro_bias_sigma", biasSigma);
+      SettingsValidation.requirePositive("gyro_bias_random_walk", biasRandomWalk);
+      SettingsValidation.requireNonNegative("gyro_scale_noise", scaleNoise);
     }
   }
 

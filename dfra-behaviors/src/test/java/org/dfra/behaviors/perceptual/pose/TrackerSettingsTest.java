@@ -12,11 +12,11 @@ class TrackerSettingsTest {
   @Test
   void refusesErrorsThatCannotBe() {
     assertThatThrownBy(() -> new GpsErrors(0, 1, 200, 0.05, 0.4, 0.16, 3))
-        .hasMessage("white noise 0.0 is not above 0; give a greater one");
+        .hasMessage("gps_white_noise_sigma 0.0 is not above 0; give a greater one");
     assertThatThrownBy(() -> new GyroErrors(3e-4, Double.NaN, 2e-4, 0.01))
-        .hasMessageContaining("gyro bias NaN");
+        .hasMessageContaining("gyro_bias_sigma NaN");
     assertThatThrownBy(() -> GpsErrors.DEFAULT.withBias(-1))
-        .hasMessage("bias -1.0 is below 0; give 0 or more");
+        .hasMessage("gps_bias_sigma -1.0 is below 0; give 0 or more");
   }
 
   @Test
