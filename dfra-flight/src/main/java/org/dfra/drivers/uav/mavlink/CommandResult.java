@@ -57,8 +57,8 @@ record CommandResult(CommandOutcome outcome, int code) {
       case 3 -> "not supported";
       case 4 -> "failed";
       case 6 -> "cancelled";
-      case 7 -> "only taken as COMMAND_LONG";
-      case 8 -> "only taken as COMMAND_INT";
+      case 7 -> "accepted only as COMMAND_LONG";
+      case 8 -> "accepted only as COMMAND_INT";
       case 9 -> "not supported in this frame";
       default -> "refused with result " + code;
     };

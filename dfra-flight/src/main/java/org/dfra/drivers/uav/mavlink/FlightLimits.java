@@ -128,7 +128,7 @@ final class FlightLimits {
     boolean stands = picture.phase() == Phase.ON_GROUND;
     if (command instanceof Disarm && !stands) {
       throw new IllegalArgumentException(
-          module + " flies, and its motors are not stopped in the air; have it land");
+          module + " flies, and its motors are not stopped in the air; land it first");
     }
     if (command instanceof TakeOff requested) {
       if (!stands) {

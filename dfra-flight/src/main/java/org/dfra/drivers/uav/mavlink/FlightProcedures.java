@@ -93,7 +93,9 @@ final class FlightProcedures {
     }
     if (here == null) {
       throw new IllegalArgumentException(
-          vehicle + " has no position, so the height of its take-off cannot be computed");
+          vehicle
+              + " has no position, so the height of its take-off cannot be computed; wait for its"
+              + " satellite fix");
     }
     return List.of(
         here(MavCmd.MAV_CMD_NAV_TAKEOFF, false, (float) (here.heightMsl() + requested.height())));

@@ -170,7 +170,7 @@ final class MavlinkDecoder {
               + reported.alt()
               + " m, climb "
               + reported.climb()
-              + " m/s are not all finite, the first of them ≥ 0");
+              + " m/s must be finite, and the speed ≥ 0");
     }
     return new MavlinkMessage.VfrHud(
         speed, Math.floorMod(reported.heading(), 360), reported.alt(), reported.climb());

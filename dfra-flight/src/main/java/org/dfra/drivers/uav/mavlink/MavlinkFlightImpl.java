@@ -157,7 +157,10 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
     }
     if (!FlightProcedures.supports(vehicle)) {
       throw new IllegalArgumentException(
-          path() + " has found " + vehicle + ", and only PX4 and ArduPilot are known to it");
+          path()
+              + " has found "
+              + vehicle
+              + ", but supports only PX4 and ArduPilot; connect one of them");
     }
     MavlinkMessage.@Nullable GlobalPosition here = vehicleState.position(ticker.nanos());
     limits.check(command, here);
@@ -225,7 +228,7 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
             false,
             vehicleState.separation() == null
                 ? "it does not report its height above the ellipsoid; set geoid_separation"
-                : "it has no position; has it found its satellites?")
+                : "it has no position; check that its antenna sees the sky")
         : new DiagnosticFinding(true, "it is at " + now.position());
   }
 

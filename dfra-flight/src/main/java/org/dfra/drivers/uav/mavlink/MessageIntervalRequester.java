@@ -99,7 +99,7 @@ final class MessageIntervalRequester {
     stream.refused = result.outcome() == CommandResult.CommandOutcome.REJECTED;
     if (stream.refused) {
       log.warn(
-          "{} at {} Hz {}; set the autopilot's own rates up to send it",
+          "{} at {} Hz {}; configure the autopilot's own stream rates to send it",
           names(id),
           stream.rate,
           result);
