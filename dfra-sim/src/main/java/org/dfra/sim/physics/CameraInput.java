@@ -19,7 +19,12 @@ public interface CameraInput {
     public Frame {
       if (samples.length != width * height) {
         throw new IllegalArgumentException(
-            samples.length + " samples for " + width + " × " + height + " pixels");
+            samples.length
+                + " samples do not fill "
+                + width
+                + " × "
+                + height
+                + " pixels; give one for each pixel");
       }
     }
   }

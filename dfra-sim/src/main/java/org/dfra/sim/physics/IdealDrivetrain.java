@@ -95,7 +95,7 @@ public final class IdealDrivetrain implements DrivetrainPhysics {
               + acceleration
               + " m/s² and "
               + turnAcceleration
-              + " rad/s² are not above 0");
+              + " rad/s² must both be above 0");
     }
     Instant now = pass(time);
     if (!braked) {

@@ -66,6 +66,6 @@ class WheelsOnBlocksTest {
     double before = wheels.travel(at(2)).distance();
     assertThat(wheels.travel(at(1.5)).distance()).isEqualTo(before);
     assertThatThrownBy(() -> wheels.drive(at(3), 1, 0, 0, 1))
-        .hasMessage("accelerations 0.0 m/s² and 1.0 rad/s² are not above 0");
+        .hasMessage("accelerations 0.0 m/s² and 1.0 rad/s² must both be above 0");
   }
 }

@@ -199,7 +199,8 @@ public final class MjpegDevice implements SerialDevice {
 
     public MjpegOptions {
       if (!(frameRate > 0 && frameRate <= 1000)) {
-        throw new IllegalArgumentException("frame rate " + frameRate + " Hz is not 0 to 1000");
+        throw new IllegalArgumentException(
+            "frame rate " + frameRate + " Hz must be above 0 Hz and at most 1000 Hz");
       }
     }
 

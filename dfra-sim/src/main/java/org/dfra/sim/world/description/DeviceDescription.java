@@ -79,7 +79,7 @@ public record DeviceDescription(
         place
             + ": "
             + kind.text()
-            + " has no "
+            + " has no parameter "
             + parameter
             + NearestName.hint(
                 parameter, kind.parameters().stream().map(DeviceParameter::name).toList(), ""));

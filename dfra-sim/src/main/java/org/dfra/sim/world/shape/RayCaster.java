@@ -84,7 +84,8 @@ public final class RayCaster {
     this.longest = maxRange;
     double determinant = stance.xx * stance.yy - stance.xy * stance.yx;
     if (!(Math.abs(determinant) > 0.4)) {
-      throw new IllegalArgumentException("beams more than 60° off the level cannot be simulated");
+      throw new IllegalArgumentException(
+          "beams tilted by more than 60° from the level cannot be simulated; tilt them less");
     }
     inverse00 = stance.yy / determinant;
     inverse01 = -stance.xy / determinant;

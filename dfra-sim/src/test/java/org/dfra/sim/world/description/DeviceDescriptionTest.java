@@ -24,6 +24,6 @@ class DeviceDescriptionTest {
   void aParameterThatItsKindDoesNotHaveIsRefused() {
     assertThatThrownBy(() -> GPS.with("bias", 0.2))
         .isInstanceOf(ConfigurationException.class)
-        .hasMessageContaining("gps has no bias");
+        .hasMessageContaining("gps has no parameter bias");
   }
 }
