@@ -64,7 +64,7 @@ public final class ExperimentGrid {
             vehicles
                 + " vehicles at a loss of "
                 + loss
-                + " are invalid; give 1 or more, and 0 to 1");
+                + " are invalid; give 1 vehicle or more, and a loss from 0 to 1");
       }
     }
 

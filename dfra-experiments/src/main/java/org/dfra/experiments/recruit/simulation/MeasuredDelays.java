@@ -33,7 +33,7 @@ public final class MeasuredDelays implements DelayModel {
     Arrays.sort(sorted);
     if (sorted.length == 0 || !(sorted[0] >= 0)) {
       throw new IllegalArgumentException(
-          "the list of measured delays is empty or has negative ones");
+          "the list of measured delays is empty or has a negative one; give delays of 0 or more");
     }
   }
 
@@ -74,7 +74,16 @@ public final class MeasuredDelays implements DelayModel {
       try {
         delays[i] = Double.parseDouble(fields[column]) / 1000;
       } catch (NumberFormatException | ArrayIndexOutOfBoundsException e) {
-        throw new IOException(csv + ":" + (i + 2) + ": not a number in column " + COLUMN, e);
+        throw new IOException(
+            csv
+                + ":"
+                + (i + 2)
+                + ": \""
+                + lines.get(i + 1)
+                + "\" has no number in column "
+                + COLUMN
+                + "; write milliseconds, such as 1.5",
+            e);
       }
     }
     try {

@@ -49,6 +49,8 @@ class MeasuredDelaysTest {
     Path file = Files.writeString(folder.resolve("delays.csv"), "delay_ms\n1\nsoon\n");
     assertThatThrownBy(() -> MeasuredDelays.read(file))
         .isInstanceOf(IOException.class)
-        .hasMessage(file + ":3: not a number in column delay_ms");
+        .hasMessage(
+            file
+                + ":3: \"soon\" has no number in column delay_ms; write milliseconds, such as 1.5");
   }
 }
