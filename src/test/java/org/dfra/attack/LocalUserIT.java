@@ -121,7 +121,8 @@ class LocalUserIT {
     try (TaskProcess command = nobody.start(AskPhoenix.class, port(), state.toString())) {
       assertThat(command.awaitLine("", PATIENCE))
           .isEqualTo(
-              "failed the phoenix on port %s belongs to user %s; its identity file %s cannot be read",
+              "failed the phoenix on port %s belongs to user %s; its identity file %s cannot be"
+                  + " read; run the command as that user",
               port(), Files.getOwner(state).getName(), state.resolve("journal/identity"));
     }
     Path own = Files.createDirectory(everybodys.resolve("own"));

@@ -100,7 +100,7 @@ class TrustedCodeIT {
     "stranger, honest, 'is signed by CN=stranger, whose key is not trusted here'",
     "nobody, honest, 'the jar is not signed, and its digest alone says nothing of who made it'",
     "team, tampered, 'what is served there has SHA-256 '",
-    "team, http, 'http: is not loaded from, only httpmd: with a sha-256 digest'"
+    "team, http, 'http: is not accepted, only httpmd: with a sha-256 digest'"
   })
   void aCorrectUrlOfAStrangersJarLoadsNothing(String signer, String lie, String why)
       throws Exception {

@@ -216,7 +216,7 @@ class GroupVmIT {
         beacon,
         id,
         new ActivationDesc(group, BeaconImpl.NotRemote.class.getName(), null, null),
-        "NotRemote is not Remote");
+        "NotRemote does not implement java.rmi.Remote");
     phoenix.system().setActivationDesc(id, PhoenixFixture.desc(group, "ok", false));
     assertThat(beacon.pid()).as("mended, it works").isPositive();
   }

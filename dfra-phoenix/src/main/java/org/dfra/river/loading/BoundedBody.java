@@ -52,7 +52,7 @@ final class BoundedBody implements BodySubscriber<byte[]> {
                   + url.text()
                   + " refused: the jar is longer than "
                   + allowed
-                  + " bytes; raise download.bytes if it has to be"));
+                  + " bytes; raise download.bytes to load it"));
     }
   }
 

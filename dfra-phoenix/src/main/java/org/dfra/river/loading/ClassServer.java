@@ -103,7 +103,7 @@ public final class ClassServer implements AutoCloseable {
               + port
               + " ("
               + e.getMessage()
-              + "); end what does, or name another address or port",
+              + "); stop the program that uses it, or name another address or port",
           e);
     }
     LOG.info("Serving {} at {}:{}.", files.keySet(), host, server.port());

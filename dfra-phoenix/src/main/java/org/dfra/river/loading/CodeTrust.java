@@ -70,14 +70,15 @@ record CodeTrust(
     public DownloadLimits {
       if (jarBytes < 1 || unpackedBytes < 1 || entries < 1 || timeout.toMillis() < 1) {
         throw new IllegalArgumentException(
-            "a limit below 1: "
+            "each limit of a download must be at least 1: "
                 + jarBytes
                 + " bytes, "
                 + unpackedBytes
-                + " unpacked, "
+                + " bytes unpacked, "
                 + entries
                 + " entries, "
-                + timeout);
+                + timeout.toMillis()
+                + " ms");
       }
     }
   }

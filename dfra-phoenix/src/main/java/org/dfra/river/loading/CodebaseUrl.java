@@ -36,7 +36,7 @@ record CodebaseUrl(String text, URI location, String digest) {
       urls.add(one(tokens.nextToken()));
     }
     if (urls.isEmpty()) {
-      throw new CodeRefusedException("a codebase without a URL; name one to load code from");
+      throw new CodeRefusedException("the codebase has no URL; name one to load code from");
     }
     return List.copyOf(urls);
   }
@@ -60,9 +60,9 @@ record CodebaseUrl(String text, URI location, String digest) {
               + text
               + " refused: its digest is "
               + algorithm
-              + " of "
+              + " with "
               + digest.length()
-              + " digits, and only sha-256 of 64 counts; serve the jar with a class server");
+              + " digits, but must be sha-256 with 64; serve the jar with a class server");
     }
     try {
       return new CodebaseUrl(text, URI.create("http://" + form.group("place")), digest);
@@ -82,6 +82,6 @@ record CodebaseUrl(String text, URI location, String digest) {
     }
     return scheme.equals("httpmd:")
         ? "it is not of the form httpmd://host:port/name.jar;sha-256=digest"
-        : scheme + " is not loaded from, only httpmd: with a sha-256 digest";
+        : scheme + " is not accepted, only httpmd: with a sha-256 digest";
   }
 }

@@ -82,7 +82,7 @@ public final class GroupCodebasePublisher {
     try {
       kept.put(jar.bytes(), jar.digest());
     } catch (IOException e) {
-      LOG.warn("{} can be downloaded until it is rebuilt only: {}.", jar.name(), e.getMessage());
+      LOG.warn("{} can be downloaded only until it is rebuilt: {}.", jar.name(), e.getMessage());
     }
   }
 

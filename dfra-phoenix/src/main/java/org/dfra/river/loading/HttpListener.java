@@ -188,7 +188,7 @@ final class HttpListener implements AutoCloseable {
     } catch (OutOfMemoryError e) { // no thread is available
       connection.abort();
       left(connection);
-      throw new IOException("no thread can be had for " + connection.address(), e);
+      throw new IOException("no thread can be started for " + connection.address(), e);
     }
   }
 

@@ -46,7 +46,8 @@ final class JarDownload {
               + url.text()
               + " refused: what is served there has SHA-256 "
               + digest
-              + ", so it was altered, or rebuilt since; restart the class server and who named it");
+              + ", so it was altered, or rebuilt since; restart the class server and the process"
+              + " that named this codebase");
     }
     return bytes;
   }
@@ -94,7 +95,11 @@ final class JarDownload {
       }
     }
     return new IOException(
-        "codebase " + url.text() + " cannot be fetched (" + e.getCause() + "); see whether it runs",
+        "codebase "
+            + url.text()
+            + " cannot be fetched ("
+            + e.getCause()
+            + "); see whether its class server runs",
         e);
   }
 

@@ -54,7 +54,7 @@ final class VerifiedJar {
                   + limits.unpackedBytes()
                   + " bytes or "
                   + limits.entries()
-                  + " entries; raise download.unpacked.bytes or download.entries if it has to be");
+                  + " entries; raise download.unpacked.bytes or download.entries to load it");
         }
         if (entry.isDirectory() || isSignature(entry.getName())) {
           continue; // nothing can be loaded from them, so they need no signature

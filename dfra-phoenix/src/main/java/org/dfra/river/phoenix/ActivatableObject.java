@@ -123,7 +123,7 @@ final class ActivatableObject {
             + group.name
             + " ("
             + desc.getClassName()
-            + ") could not be made in "
+            + ") could not be created in "
             + attempts
             + " attempts: "
             + (last == null ? "" : last.getMessage()),
@@ -236,8 +236,8 @@ final class ActivatableObject {
             + group.name
             + " ("
             + desc.getClassName()
-            + ") is still being made after "
+            + ") is still being created after "
             + MAKING_AWAITED.toSeconds()
-            + " s; ask again");
+            + " s; call again");
   }
 }

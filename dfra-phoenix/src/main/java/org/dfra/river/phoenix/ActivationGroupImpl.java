@@ -123,7 +123,7 @@ public final class ActivationGroupImpl extends ActivationGroup
   public MarshalledObject<? extends Remote> newInstance(ActivationID object, ActivationDesc desc)
       throws ActivationException {
     if (!id.equals(desc.getGroupID())) {
-      throw new ActivationException("the object's descriptor is of another group");
+      throw new ActivationException("the object's descriptor names another group");
     }
     enter();
     try {
@@ -145,7 +145,7 @@ public final class ActivationGroupImpl extends ActivationGroup
   private void enter() throws InactiveGroupException {
     synchronized (gate) {
       if (left) {
-        throw new InactiveGroupException("the group makes no more objects");
+        throw new InactiveGroupException("the group is ending and creates no more objects");
       }
       making++;
     }
@@ -170,7 +170,8 @@ public final class ActivationGroupImpl extends ActivationGroup
           type.getDeclaredConstructor(ActivationID.class, MarshalledObject.class);
       constructor.setAccessible(true);
       if (!(construct(constructor, object, desc) instanceof Remote made)) {
-        throw new ActivationException(desc.getClassName() + " is not Remote");
+        throw new ActivationException(
+            desc.getClassName() + " does not implement " + Remote.class.getName());
       }
       start(made, desc);
       slot.proxy = new MarshalledObject<>(proxyOf(made));

@@ -139,7 +139,7 @@ record ExecPolicy(
               .forEach(all::add);
         } catch (IOException e) {
           throw new ActivationException(
-              "what a group may be started with cannot be read: " + e.getMessage(), e);
+              "the options that " + file + " permits cannot be read: " + e.getMessage(), e);
         }
       }
     }

@@ -72,7 +72,7 @@ final class GroupSupervisor {
     } else {
       crashes.recordCrash(how, wasStable);
     }
-    LOG.warn("Group {} {} ({} crashes lately).", name, how, crashes.recentCount());
+    LOG.warn("Group {} {} ({} recent crashes).", name, how, crashes.recentCount());
     Optional<Duration> delay = crashes.restartDelay();
     if (delay.isEmpty()) {
       LOG.error(

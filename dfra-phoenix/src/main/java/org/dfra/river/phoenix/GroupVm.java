@@ -64,7 +64,7 @@ public final class GroupVm {
       GroupCodebasePublisher.begin();
       ActivationGroup.createGroup(id, desc, incarnation);
     } catch (EOFException e) {
-      end(EXIT_NO_GROUP, "Phoenix went away before it said which group to run.");
+      end(EXIT_NO_GROUP, "Phoenix ended before it sent the description of the group.");
     } catch (IOException e) {
       end(EXIT_LOCKED, String.valueOf(e.getMessage()));
     } catch (ActivationException e) {

@@ -174,7 +174,7 @@ final class Journal implements AutoCloseable {
     } catch (IOException e) {
       LOG.error(
           "No snapshot can be written to {} ({}). What is registered stays safe in the journal as"
-              + " it is; no further change is taken until there is space.",
+              + " it is; no further change is accepted until there is space.",
           folder,
           innermost(e));
     }

@@ -288,7 +288,7 @@ final class ManagedGroup implements GroupLauncher.LaunchOwner {
           current.number(),
           process == null ? "?" : process.pid());
     } catch (IOException e) {
-      throw new ActivationException("the instantiator of group " + name + " cannot be kept", e);
+      throw new ActivationException("the instantiator of group " + name + " cannot be stored", e);
     } finally {
       lock.unlock();
     }
@@ -331,7 +331,7 @@ final class ManagedGroup implements GroupLauncher.LaunchOwner {
     try {
       journal.commit(new JournalRecord.Left(id));
     } catch (ActivationException e) {
-      LOG.warn("That group {} ends is not recorded: {}", name, e.getMessage());
+      LOG.warn("The end of group {} is not recorded: {}", name, e.getMessage());
     }
   }
 

@@ -160,7 +160,8 @@ record PhoenixConfiguration(
       throws ConfigurationException {
     Object value = c.getEntry(COMPONENT, presentOrOld(c, name, type), type, fallback);
     if (value == null) {
-      throw new ConfigurationException(COMPONENT + "." + name + " is null");
+      throw new ConfigurationException(
+          COMPONENT + "." + name + " is null; give it a value or leave it out");
     }
     return cast(value);
   }
@@ -205,7 +206,8 @@ record PhoenixConfiguration(
       throws ConfigurationException {
     long millis = entry(c, name, long.class, fallback.toMillis());
     if (millis < 1) {
-      throw new ConfigurationException(COMPONENT + "." + name + " = " + millis + " ms < 1 ms");
+      throw new ConfigurationException(
+          COMPONENT + "." + name + " = " + millis + " ms < 1 ms; give 1 ms or more");
     }
     return Duration.ofMillis(millis);
   }

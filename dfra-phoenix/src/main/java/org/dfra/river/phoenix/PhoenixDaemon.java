@@ -179,7 +179,7 @@ final class PhoenixDaemon {
      */
     void requireRunning() throws ActivationException {
       if (!running) {
-        throw new ActivationException("phoenix is shutting down; ask the next one");
+        throw new ActivationException("phoenix is shutting down; call again when it has restarted");
       }
     }
 

@@ -67,7 +67,7 @@ public final class PhoenixLocator {
               + PrivateFiles.ownerName(file)
               + "; its identity file "
               + file
-              + " cannot be read");
+              + " cannot be read; run the command as that user");
     } catch (IOException e) {
       throw new AccessException(String.valueOf(e.getMessage()));
     }

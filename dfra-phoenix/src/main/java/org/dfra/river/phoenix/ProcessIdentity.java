@@ -63,9 +63,9 @@ public record ProcessIdentity(long pid, String start) implements Serializable {
       throw new IOException(
           "whether process "
               + pid
-              + " runs cannot be found out ("
+              + " runs cannot be determined ("
               + doubt.why().getMessage()
-              + "); end what holds too many files open, and try again",
+              + "); stop the program that holds too many files open, and try again",
           doubt.why());
     }
     return sign instanceof Liveness.Alive lives
@@ -105,7 +105,7 @@ public record ProcessIdentity(long pid, String start) implements Serializable {
   private void end(Predicate<ProcessHandle> way) {
     boolean asked = isCertainlyAlive() && ProcessHandle.of(pid).filter(way).isPresent();
     if (!asked && isAlive()) {
-      LOG.warn("Process {} could not be ended now; are there too many open files?", pid);
+      LOG.warn("Process {} could not be ended; check whether too many files are open.", pid);
     }
   }
 
@@ -167,6 +167,8 @@ public record ProcessIdentity(long pid, String start) implements Serializable {
   }
 
   private static String boot() throws IOException {
-    return BootId.system().read().orElseThrow(() -> new IOException("it names no boot any more"));
+    return BootId.system()
+        .read()
+        .orElseThrow(() -> new IOException("the boot ID cannot be read any more"));
   }
 }

@@ -106,7 +106,7 @@ final class StopServiceImpl implements StopService {
                   unconfirmed(
                       group,
                       in.missing()
-                          + " of its effectors did not run, and are started to be stopped"));
+                          + " of its effectors did not run; phoenix starts them to stop them"));
             }
           } catch (TimeoutException e) {
             unconfirmed.add(
@@ -174,7 +174,7 @@ final class StopServiceImpl implements StopService {
       return stop.emergencyStop(by);
     }
     throw new RemoteException(
-        "group " + group.name + " takes no orders to stop: its proxy lacks StoppableGroup");
+        "group " + group.name + " cannot be ordered to stop: its proxy lacks StoppableGroup");
   }
 
   /** The objects of a group that are, or may be, effectors and did not answer. */

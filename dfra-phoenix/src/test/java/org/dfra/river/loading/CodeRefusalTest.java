@@ -91,7 +91,7 @@ class CodeRefusalTest extends ServedJarFixture {
         scheme.equals("http")
             ? httpmd.replace("httpmd:", "http:").replaceAll(";.*", "")
             : jar.toUri().toString();
-    assertRefused(pinning(httpmd), codebase, scheme + ": is not loaded from");
+    assertRefused(pinning(httpmd), codebase, scheme + ": is not accepted");
   }
 
   @Test

@@ -29,19 +29,19 @@ class CodebaseUrlTest {
 
   @ParameterizedTest
   @CsvSource({
-    "http://10.0.0.7/a.jar, http: is not loaded from",
-    "https://10.0.0.7/a.jar, https: is not loaded from",
-    "file:/tmp/a.jar, file: is not loaded from",
-    "FILE:/tmp/a.jar, file: is not loaded from",
-    "jar:httpmd://h/a.jar!/, jar: is not loaded from",
-    "ftp://h/a.jar;sha-256=00, ftp: is not loaded from",
+    "http://10.0.0.7/a.jar, http: is not accepted",
+    "https://10.0.0.7/a.jar, https: is not accepted",
+    "file:/tmp/a.jar, file: is not accepted",
+    "FILE:/tmp/a.jar, file: is not accepted",
+    "jar:httpmd://h/a.jar!/, jar: is not accepted",
+    "ftp://h/a.jar;sha-256=00, ftp: is not accepted",
     "a.jar, it is not a URL",
     "httpmd://h/a.jar, it is not of the form httpmd://host:port/name.jar;sha-256=digest",
     "httpmd://user@h/a.jar;sha-256=00, it is not of the form",
     "httpmd:///a.jar;sha-256=00, it is not of the form",
     "httpmd://h/a.jar?q;sha-256=00, it is not of the form",
-    "httpmd://h/a.jar;md5=00, its digest is md5 of 2 digits",
-    "httpmd://h/a.jar;sha-256=00, its digest is sha-256 of 2 digits"
+    "httpmd://h/a.jar;md5=00, its digest is md5 with 2 digits",
+    "httpmd://h/a.jar;sha-256=00, its digest is sha-256 with 2 digits"
   })
   void refusesEverythingElseByName(String text, String why) {
     assertThatThrownBy(() -> CodebaseUrl.parse(text))
@@ -54,6 +54,6 @@ class CodebaseUrlTest {
   void refusesAnEmptyOne() {
     assertThatThrownBy(() -> CodebaseUrl.parse(" "))
         .isInstanceOf(CodeRefusedException.class)
-        .hasMessageContaining("without a URL");
+        .hasMessageContaining("the codebase has no URL");
   }
 }

@@ -142,6 +142,6 @@ class VerifiedClassProviderTest extends ServedJarFixture {
     assertThat(Proxy.isProxyClass(provider.loadProxyClass(codebase, local, null))).isTrue();
     assertThatThrownBy(() -> provider.loadProxyClass("http://nowhere/", interfaces, null))
         .isInstanceOf(ClassNotFoundException.class)
-        .hasMessageContaining("http: is not loaded from");
+        .hasMessageContaining("http: is not accepted");
   }
 }

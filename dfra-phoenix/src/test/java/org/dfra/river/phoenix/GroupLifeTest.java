@@ -170,7 +170,7 @@ class GroupLifeTest extends GroupFixture {
         };
     assertThatExceptionOfType(ActivationException.class)
         .isThrownBy(() -> object.activate(false))
-        .withMessageContaining("could not be made in 2 attempts")
+        .withMessageContaining("could not be created in 2 attempts")
         .withMessageContaining("played")
         .withCauseInstanceOf(java.rmi.RemoteException.class);
     assertThat(fake.made).as("attempts").hasValue(2);

@@ -113,7 +113,7 @@ class StopServiceTest extends GroupFixture {
         .singleElement()
         .returns("eta.wheels", UnconfirmedGroup::group)
         .returns(
-            "1 of its effectors did not run, and are started to be stopped",
+            "1 of its effectors did not run; phoenix starts them to stop them",
             UnconfirmedGroup::reason);
     assertThat(phoenix.status(0)).as("it still has the permit").isEqualTo(starting);
     assertThat(phoenix.status(1).pid()).as("the launch still waits").isEqualTo(-1);

@@ -41,7 +41,7 @@ final class LockHolderFinder {
       OptionalLong pid = locks.isPresent() ? locks : written(file);
       return pid.isPresent() ? inWords(pid.getAsLong()) : "an unknown process";
     } catch (IOException | UnsupportedOperationException | IllegalArgumentException e) {
-      return "a process that cannot be found out (" + e + ")";
+      return "a process that cannot be identified (" + e + ")";
     }
   }
 

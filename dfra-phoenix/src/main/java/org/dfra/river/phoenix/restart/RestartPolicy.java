@@ -43,11 +43,15 @@ public record RestartPolicy(
   public RestartPolicy {
     if (crashLimit < 2) {
       throw new IllegalArgumentException(
-          "restartLimit " + crashLimit + " < 2; one crash is no loop");
+          "restartLimit " + crashLimit + " < 2; give 2 or more, since one crash is no loop");
     }
     if (initialDelay.compareTo(maxDelay) > 0) {
       throw new IllegalArgumentException(
-          "restartDelay " + initialDelay + " > restartMaxDelay " + maxDelay);
+          "restartDelay "
+              + initialDelay
+              + " > restartMaxDelay "
+              + maxDelay
+              + "; shorten restartDelay");
     }
   }
 

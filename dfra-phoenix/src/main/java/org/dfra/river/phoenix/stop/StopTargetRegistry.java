@@ -74,7 +74,7 @@ public final class StopTargetRegistry {
       try {
         EmergencyStopState unused = target.emergencyStop(now.by());
       } catch (RemoteException | RuntimeException e) { // of a driver
-        LOG.error("{} was made during an emergency stop, and not stopped", object, e);
+        LOG.error("{} was created during an emergency stop, but could not be stopped", object, e);
       }
     }
   }

@@ -37,7 +37,7 @@ class RestartPolicyTest {
             () ->
                 new RestartPolicy(
                     Duration.ZERO, Duration.ZERO, 1, Duration.ZERO, Duration.ZERO, Duration.ZERO))
-        .withMessage("restartLimit 1 < 2; one crash is no loop");
+        .withMessage("restartLimit 1 < 2; give 2 or more, since one crash is no loop");
     assertThatIllegalArgumentException()
         .isThrownBy(
             () ->
@@ -48,7 +48,7 @@ class RestartPolicyTest {
                     Duration.ZERO,
                     Duration.ZERO,
                     Duration.ZERO))
-        .withMessage("restartDelay PT0.002S > restartMaxDelay PT0.001S");
+        .withMessage("restartDelay PT0.002S > restartMaxDelay PT0.001S; shorten restartDelay");
   }
 
   @Test
