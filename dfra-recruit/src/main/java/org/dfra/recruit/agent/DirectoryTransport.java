@@ -169,7 +169,7 @@ public final class DirectoryTransport implements Transport, AutoCloseable {
   private Outbox route(String robot) {
     return new Outbox(
         new DelayedTaskExecutor(
-            "dfra-letters " + context.path() + " to " + robot, context.robotTime()));
+            "dfra-messages " + context.path() + " to " + robot, context.robotTime()));
   }
 
   /** Removes one message. With the last one, the robot's thread ends. */

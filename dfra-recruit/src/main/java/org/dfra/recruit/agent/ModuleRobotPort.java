@@ -19,7 +19,7 @@ import org.slf4j.Logger;
 /**
  * Implements the port with the robot's own modules: {@link RobotStateMonitor} gives position and
  * charge, a {@link Trip} drives to the place, and {@link InterruptedSearches} are paused and
- * resumed. Calls to its modules run on their own thread, {@code dfra-body robot/name}.
+ * resumed. Calls to its modules run on their own thread, {@code dfra-robot-port robot/name}.
  */
 final class ModuleRobotPort implements RobotPort, AutoCloseable {
 
@@ -43,7 +43,8 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
   ModuleRobotPort(ModuleContext context, RobotTraits traits, Logger log) {
     this.traits = traits;
     this.senses = new RobotStateMonitor(context, this::begunByOthers, log);
-    this.taskExecutor = new DelayedTaskExecutor("dfra-body " + context.path(), context.robotTime());
+    this.taskExecutor =
+        new DelayedTaskExecutor("dfra-robot-port " + context.path(), context.robotTime());
     this.work = new InterruptedSearches(context, log);
     this.hold = new OperatorHold(context, senses, log);
     this.trip = new Trip(context, taskExecutor, work, hold, log);

@@ -210,7 +210,7 @@ class DirectoryTransportTest {
   private static List<String> couriers(String robots) {
     return Thread.getAllStackTraces().keySet().stream()
         .map(Thread::getName)
-        .filter(name -> name.startsWith("dfra-letters uav/agent to " + robots))
+        .filter(name -> name.startsWith("dfra-messages uav/agent to " + robots))
         .toList();
   }
 

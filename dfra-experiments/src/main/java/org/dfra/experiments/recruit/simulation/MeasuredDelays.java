@@ -26,14 +26,15 @@ public final class MeasuredDelays implements DelayModel {
   private final double[] sorted;
 
   /**
-   * @param delays seconds, not negative; at least one
+   * @param delays seconds, finite and not negative; at least one
    */
   public MeasuredDelays(double[] delays) {
     this.sorted = delays.clone();
     Arrays.sort(sorted);
-    if (sorted.length == 0 || !(sorted[0] >= 0)) {
+    if (sorted.length == 0 || !(sorted[0] >= 0) || !Double.isFinite(sorted[sorted.length - 1])) {
       throw new IllegalArgumentException(
-          "the list of measured delays is empty or has a negative one; give delays of 0 or more");
+          "the list of measured delays is empty, or has one that is negative or not finite; give"
+              + " finite delays of 0 or more");
     }
   }
 

@@ -12,6 +12,8 @@ import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Delays of the experiment are those that were measured. */
 class MeasuredDelaysTest {
@@ -52,5 +54,15 @@ class MeasuredDelaysTest {
         .hasMessage(
             file
                 + ":3: \"soon\" has no number in column delay_ms; write milliseconds, such as 1.5");
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {-0.001, Double.NaN, Double.POSITIVE_INFINITY})
+  void aDelayThatNoMessageCanHaveIsRefused(double delay) {
+    assertThatThrownBy(() -> new MeasuredDelays(new double[] {0.001, delay}))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage(
+            "the list of measured delays is empty, or has one that is negative or not finite; give"
+                + " finite delays of 0 or more");
   }
 }
