@@ -7,7 +7,7 @@ import java.io.StringWriter;
 import org.junit.jupiter.api.Test;
 
 /** Hints on what to type are of use where DFRA is installed, too. */
-class CalledTest {
+class CommandNameTest {
 
   @Test
   void hintsAreWrittenAsTheyAreTypedWhereItIsInstalled() {
