@@ -14,6 +14,7 @@ import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -64,6 +65,18 @@ class RepositoryTest {
                 .filter(directory -> !Files.exists(directory.resolve("package-info.java"))))
         .as("packages without package-info.java")
         .isEmpty();
+  }
+
+  /** A larger package is split. */
+  @Test
+  void noPackageHasMoreThanFortyFiles() throws IOException {
+    for (Path directory : Repository.mainPackages(Repository.root())) {
+      try (Stream<Path> files = Files.list(directory)) {
+        assertThat(files.filter(file -> file.toString().endsWith(".java")))
+            .as("files of %s", directory)
+            .hasSizeLessThanOrEqualTo(41); // with package-info.java
+      }
+    }
   }
 
   /** A test that is not run every day is named with the reason, and with what is tested instead. */

@@ -146,7 +146,6 @@ class WordsTest {
     return Repository.root().resolve("CHANGELOG.md");
   }
 
-  /** Each file that is checked, by its path below the top directory. */
   /** Whether a build has written it: reports of tests name tests that are renamed since. */
   private static boolean isBuilt(Path root, Path file) {
     for (Path part : root.relativize(file)) {
@@ -158,6 +157,7 @@ class WordsTest {
     return false;
   }
 
+  /** The text of each file that is checked, by its path below the top directory. */
   private static Map<String, String> texts() throws IOException {
     Path root = Repository.root();
     List<Path> all = new ArrayList<>();

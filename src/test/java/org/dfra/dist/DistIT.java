@@ -4,14 +4,20 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.UUID;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.dfra.core.host.FreePorts;
 import org.dfra.dist.Installation.Outcome;
@@ -153,7 +159,53 @@ class DistIT {
         bytes += Files.size(each);
       }
       assertThat(bytes).as("bytes of the jars").isLessThanOrEqualTo(MOST_BYTES);
+      assertThat(librariesOf(jars)).isEqualTo(librariesInNotice());
     }
+  }
+
+  /** The names in NOTICE of the libraries that the jars are of; of an unknown jar, its own name. */
+  private static Set<String> librariesOf(List<Path> jars) {
+    Map<String, String> names = new LinkedHashMap<>();
+    names.put("(jsk-|reggie).*", "Apache River");
+    names.put("ejml-.*", "EJML");
+    names.put("jackson-.*", "Jackson");
+    names.put("jdom2-.*", "JDOM");
+    names.put("jSerialComm-.*", "jSerialComm");
+    names.put("jts-.*", "JTS Topology Suite");
+    names.put("logback-.*", "Logback");
+    names.put("picocli-.*", "picocli");
+    names.put("(jul-to-)?slf4j.*", "SLF4J");
+    Set<String> libraries = new TreeSet<>();
+    for (Path each : jars) {
+      String jar = each.getFileName().toString();
+      if (!jar.startsWith("dfra-")) {
+        libraries.add(
+            names.entrySet().stream()
+                .filter(name -> jar.matches(name.getKey()))
+                .map(Map.Entry::getValue)
+                .findFirst()
+                .orElse(jar));
+      }
+    }
+    return libraries;
+  }
+
+  /** The libraries in the first table of NOTICE, which is of what is installed on a robot. */
+  private static Set<String> librariesInNotice() throws IOException {
+    Pattern row = Pattern.compile("  (\\S+(?: \\S+)*) {2,}\\S.*"); // not its continuation
+    Set<String> libraries = new TreeSet<>();
+    boolean inTable = false;
+    for (String line : Files.readAllLines(Path.of(System.getProperty("dfra.root"), "NOTICE"))) {
+      Matcher found = row.matcher(line);
+      if (line.startsWith("  library ")) {
+        inTable = true;
+      } else if (inTable && line.isEmpty()) {
+        break;
+      } else if (inTable && found.matches()) {
+        libraries.add(found.group(1).strip());
+      }
+    }
+    return libraries;
   }
 
   @Test

@@ -26,12 +26,17 @@ public record CoverageMap(double west, double south, double cellSize, List<List<
    * Merges with another path over the same region.
    *
    * @param other of the same region and swath
+   * @throws IllegalArgumentException if its squares are not in the same places
    */
   public CoverageMap and(CoverageMap other) {
-    if (passes.size() != other.passes.size()
-        || passes.get(0).size() != other.passes.get(0).size()
-        || cellSize != other.cellSize) {
-      throw new IllegalArgumentException("the maps differ in their region or their swath");
+    if (west != other.west
+        || south != other.south
+        || cellSize != other.cellSize
+        || passes.size() != other.passes.size()
+        || passes.get(0).size() != other.passes.get(0).size()) {
+      throw new IllegalArgumentException(
+          "coverage maps of different regions or swaths cannot be merged; make both with one plan"
+              + " and one swath");
     }
     List<List<Integer>> both = new ArrayList<>();
     for (int row = 0; row < passes.size(); row++) {

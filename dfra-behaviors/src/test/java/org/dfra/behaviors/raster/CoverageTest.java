@@ -63,6 +63,22 @@ class CoverageTest {
   }
 
   @Test
+  void mapsOfRegionsInDifferentPlacesAreNotMerged() {
+    CoverageMap map = PLAN.coverageMap(List.of(), 4);
+    assertThat(map.and(map)).isEqualTo(map);
+    for (CoverageMap moved :
+        List.of(
+            new CoverageMap(map.west() + 1, map.south(), map.cellSize(), map.passes()),
+            new CoverageMap(map.west(), map.south() + 1, map.cellSize(), map.passes()))) {
+      assertThatThrownBy(() -> map.and(moved))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessage(
+              "coverage maps of different regions or swaths cannot be merged; make both with one"
+                  + " plan and one swath");
+    }
+  }
+
+  @Test
   void theMapOfANotchedRegionHasCellsOutsideIt() {
     RasterPlan plan = RasterPlan.of(Field.region(0, 0, 20, 0, 20, 20, 10, 10, 0, 20), 2, 2, 0);
     assertThat(plan.coverageMap(List.of(), 2).passes())
