@@ -60,7 +60,6 @@ abstract class PrintedTextRules {
           "org.dfra.cli.completion.CompletionCommand",
           "org.dfra.examples.DemoCommand",
           "org.dfra.experiments.recruit.ExperimentCommand",
-          "org.dfra.report.terminal.CommandName",
           "org.dfra.core.time.Timing",
           "org.dfra.testing.SerialCable");
 

@@ -32,6 +32,11 @@ class RepositoryTest {
   private static final List<String> BINARY_BEGINNINGS =
       List.of("cafebabe", "504b0304", "7f454c46", "1f8b08", "4d5a90");
 
+  /** Also removes the end of a line with an address in a literal, in which no command stands. */
+  private static final Pattern COMMENT = Pattern.compile("(?s)/\\*.*?\\*/|//[^\n]*");
+
+  private static final Pattern COMMAND_IN_CHECKOUT = Pattern.compile("\\./dfra(?![\\w/-])");
+
   @TempDir Path elsewhere;
 
   @Test
@@ -80,6 +85,24 @@ class RepositoryTest {
   }
 
   /** A test that is not run every day is named with the reason, and with what is tested instead. */
+  @Test
+  void hintsAskForTheNameOfTheCommand() throws IOException {
+    List<String> written = new ArrayList<>();
+    for (Path folder : Repository.modulesWith(Repository.root(), "src/main/java")) {
+      try (Stream<Path> sources = Files.walk(folder.resolve("src/main/java"))) {
+        for (Path source : sources.filter(file -> file.toString().endsWith(".java")).toList()) {
+          String code = COMMENT.matcher(Files.readString(source)).replaceAll("");
+          if (COMMAND_IN_CHECKOUT.matcher(code).find()) {
+            written.add(source.getFileName().toString());
+          }
+        }
+      }
+    }
+    assertThat(written)
+        .as("where the command is installed, its name is not ./dfra: use CommandName")
+        .containsExactly("CommandName.java");
+  }
+
   @Test
   void theDecisionNamesEachTestWithoutAShortForm() throws IOException, InterruptedException {
     Path root = Repository.root();

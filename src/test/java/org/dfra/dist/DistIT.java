@@ -53,6 +53,8 @@ class DistIT {
       assertThat(installed.dfra(robot, "help").out())
           .contains("up ", "doctor ")
           .doesNotContain("by the script itself", "./dfra ");
+      assertThat(installed.dfra(robot, "module", "remove", "--help").out())
+          .contains("the next dfra up starts it again");
 
       Outcome demo = installed.dfra(robot, "demo", "raster", "--speed=2");
       assertThat(demo.exit()).isEqualTo(69);

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.dfra.cli.completion.ScriptVerbs;
+import org.dfra.core.host.CommandName;
 import org.dfra.report.terminal.CommandFailure;
 import org.dfra.report.terminal.ExitCode;
 import org.dfra.text.PrintableText;
@@ -36,7 +37,9 @@ final class HelpCommand implements Callable<Integer> {
       if (next == null && line.getParent() == null && ScriptVerbs.names().contains(verb)) {
         spec.commandLine()
             .getOut()
-            .println(PrintableText.line("The script explains it: ./dfra " + verb + " --help"));
+            .println(
+                PrintableText.line(
+                    "The script explains it: " + CommandName.current() + " " + verb + " --help"));
         return ExitCode.SUCCESS;
       } else if (next == null) {
         ProvidedCommands.installed()

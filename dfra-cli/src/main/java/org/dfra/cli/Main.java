@@ -26,7 +26,6 @@ import org.dfra.core.config.RenamedNames;
 import org.dfra.core.log.LogLevelControl;
 import org.dfra.module.LogLevel;
 import org.dfra.report.terminal.CommandFailure;
-import org.dfra.report.terminal.CommandName;
 import org.dfra.report.terminal.ConsoleMessages;
 import org.dfra.report.terminal.ExitCode;
 import org.dfra.report.terminal.StatusHighlighter;
@@ -117,10 +116,7 @@ public final class Main {
       System.err.println(ConsoleMessages.prefixed(String.valueOf(e.getMessage())));
       System.exit(1);
     }
-    CommandLine line = commandLine(args);
-    line.setOut(CommandName.replacingName(line.getOut()));
-    line.setErr(CommandName.replacingName(line.getErr()));
-    System.exit(line.execute(args));
+    System.exit(commandLine(args).execute(args));
   }
 
   /** For example an error thrown by a proxy, whose code another computer supplies. */

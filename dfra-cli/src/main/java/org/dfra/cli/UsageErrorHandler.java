@@ -8,6 +8,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.dfra.cli.completion.ScriptVerbs;
 import org.dfra.core.config.NearestName;
+import org.dfra.core.host.CommandName;
 import org.dfra.report.terminal.ConsoleMessages;
 import picocli.CommandLine;
 import picocli.CommandLine.IParameterExceptionHandler;
@@ -55,7 +56,7 @@ final class UsageErrorHandler implements IParameterExceptionHandler {
       return asked + " needs a verb; there is " + String.join(", ", verbs(line));
     }
     String first = String.valueOf(e.getMessage()).lines().findFirst().orElse("");
-    return rephrase(first) + "; see: ./dfra " + (asked + " --help").strip();
+    return rephrase(first) + "; see: " + CommandName.current() + " " + (asked + " --help").strip();
   }
 
   /**

@@ -16,6 +16,7 @@ import java.util.concurrent.locks.LockSupport;
 import org.dfra.behavior.RasterGoal;
 import org.dfra.behavior.RasterSearch;
 import org.dfra.benchmarks.task.Task;
+import org.dfra.core.host.CommandName;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.DeliveryPolicy.EventKind;
@@ -135,7 +136,7 @@ public final class Operator implements Task {
       }
       Instant last = driveOn(drive, held);
       Instant ordered = Instant.now();
-      var unused = drive.emergencyStop("./dfra bench attack");
+      var unused = drive.emergencyStop(CommandName.current() + " bench attack");
       held.close();
       return "stopped " + HonestRobot.micros(ordered.isAfter(last) ? ordered : last);
     }

@@ -2,6 +2,7 @@ package org.dfra.cli.completion;
 
 import java.io.PrintWriter;
 import java.util.concurrent.Callable;
+import org.dfra.core.host.CommandName;
 import org.dfra.report.terminal.ExitCode;
 import picocli.AutoComplete;
 import picocli.CommandLine;
@@ -16,7 +17,9 @@ import picocli.CommandLine.Spec;
     description = "Prints a script with which a shell completes dfra commands.",
     footer = {
       "",
-      "For the current shell: source <(./dfra completion bash). For all new shells: see",
+      "For the current shell: source <("
+          + CommandName.IN_HELP
+          + " completion bash). For all new shells: see",
       "docs/how-to/complete-commands.md."
     })
 public final class CompletionCommand implements Callable<Integer> {

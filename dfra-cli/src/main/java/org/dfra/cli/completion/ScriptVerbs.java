@@ -2,7 +2,7 @@ package org.dfra.cli.completion;
 
 import java.util.List;
 import java.util.stream.Stream;
-import org.dfra.report.terminal.CommandName;
+import org.dfra.core.host.CommandName;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;

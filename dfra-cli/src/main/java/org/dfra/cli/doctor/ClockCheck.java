@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.dfra.cli.doctor.CheckRunner.Check;
+import org.dfra.core.host.CommandName;
 import org.jspecify.annotations.Nullable;
 
 /** Checks the offsets between the robots' clocks and this computer's. */
@@ -58,7 +59,7 @@ final class ClockCheck implements Check {
       return Finding.warn(
           subject(),
           "none of " + measured.robot() + "'s modules reports its clock",
-          "See how they are: ./dfra module list.");
+          "See how they are: " + CommandName.current() + " module list.");
     }
     if (offset.atLeast().isZero()) {
       return Finding.ok(

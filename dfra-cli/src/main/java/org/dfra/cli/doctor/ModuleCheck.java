@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import org.dfra.cli.doctor.CheckRunner.Check;
 import org.dfra.cli.team.UnreadyModule;
+import org.dfra.core.host.CommandName;
 import org.dfra.lifecycle.Readiness;
 import org.dfra.river.lookup.JiniModuleDirectory.ModuleConflict;
 import org.dfra.river.lookup.JiniModuleDirectory.UnreadableModule;
@@ -78,7 +79,9 @@ final class ModuleCheck implements Check {
     String mend =
         Reason.mend(
             module.reason(),
-            "Look at its device and its link; ./dfra module info "
+            "Look at its device and its link; "
+                + CommandName.current()
+                + " module info "
                 + module.path()
                 + " shows its parameters and its history.");
     return module.state() == Readiness.FAILED

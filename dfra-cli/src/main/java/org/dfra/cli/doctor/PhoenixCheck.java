@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalLong;
 import org.dfra.cli.doctor.CheckRunner.Check;
+import org.dfra.core.host.CommandName;
 import org.dfra.river.bootstrap.NoAnswerException;
 import org.dfra.river.phoenix.GroupStatus;
 
@@ -87,7 +88,9 @@ final class PhoenixCheck implements Check {
           "none answers at "
               + phoenix.address()
               + ", so nothing is brought up or back on this host",
-          "Bring one up: ./dfra up ROBOT.XML; for a robot elsewhere nothing is to be done.");
+          "Bring one up: "
+              + CommandName.current()
+              + " up ROBOT.XML; for a robot elsewhere nothing is to be done.");
     }
     return Finding.fail(
         subject(),
@@ -137,10 +140,16 @@ final class PhoenixCheck implements Check {
               + " and still has "
               + group.unregistered()
               + (group.unregistered() == 1 ? " service" : " services")
-              + " that phoenix has forgotten, as an interrupted ./dfra down leaves it",
-          "End the process: ./dfra down "
+              + " that phoenix has forgotten, as an interrupted "
+              + CommandName.current()
+              + " down leaves it",
+          "End the process: "
+              + CommandName.current()
+              + " down "
               + name.replaceFirst("^group ", "").replaceFirst("\\..*", "")
-              + ", or ./dfra up with the robot's XML.");
+              + ", or "
+              + CommandName.current()
+              + " up with the robot's XML.");
     }
     if (group.recentCrashes() > 0) {
       return Finding.warn(

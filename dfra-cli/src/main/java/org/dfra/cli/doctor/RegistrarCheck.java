@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import org.dfra.cli.doctor.CheckRunner.Check;
+import org.dfra.core.host.CommandName;
 import org.jspecify.annotations.Nullable;
 
 /** Checks whether the team's lookup services answer, and how quickly. */
@@ -85,7 +86,7 @@ final class RegistrarCheck implements Check {
             Finding.fail(
                 subject(),
                 "that of this host at " + locator + " does not answer",
-                "See how its group is: ./dfra status."));
+                "See how its group is: " + CommandName.current() + " status."));
       }
     }
     if (findings.isEmpty()) {
@@ -112,7 +113,9 @@ final class RegistrarCheck implements Check {
       return Finding.fail(
           subject(),
           name + " was found and does not answer",
-          "Its process is stopped or overloaded, or out of radio range: ask ./dfra status on its"
+          "Its process is stopped or overloaded, or out of radio range: ask "
+              + CommandName.current()
+              + " status on its"
               + " host.");
     }
     String what = name + " answers in " + DurationText.of(seen.responseTime());

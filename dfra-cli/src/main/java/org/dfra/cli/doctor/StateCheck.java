@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.function.ToLongFunction;
 import java.util.stream.Stream;
 import org.dfra.cli.doctor.CheckRunner.Check;
+import org.dfra.core.host.CommandName;
 import org.dfra.core.host.PrivateFiles;
 import org.jspecify.annotations.Nullable;
 
@@ -78,7 +79,9 @@ final class StateCheck implements Check {
         return Finding.fail(
             subject(),
             fault,
-            "Until then no phoenix starts with it; ./dfra down ends one that runs.");
+            "Until then no phoenix starts with it; "
+                + CommandName.current()
+                + " down ends one that runs.");
       }
       return Finding.ok(
           subject(),

@@ -3,6 +3,7 @@ package org.dfra.cli.doctor;
 import java.util.ArrayList;
 import java.util.List;
 import org.dfra.cli.doctor.CheckRunner.Check;
+import org.dfra.core.host.CommandName;
 import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.persona.EmergencyStopAttributes;
 
@@ -45,7 +46,11 @@ final class StopCheck implements Check {
           Finding.warn(
               subject(),
               each.module() + " is stopped " + state.inWords() + ", and executes no commands",
-              "When it is safe, release it: ./dfra stop --release " + each.robot() + "."));
+              "When it is safe, release it: "
+                  + CommandName.current()
+                  + " stop --release "
+                  + each.robot()
+                  + "."));
     }
     return findings;
   }

@@ -11,6 +11,7 @@ import org.dfra.cli.noise.NoiseStudy;
 import org.dfra.cli.noise.NoiseStudy.NoiseParameter;
 import org.dfra.cli.team.ModuleArgument;
 import org.dfra.cli.team.TeamDirectory;
+import org.dfra.core.host.CommandName;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.DeliveryPolicy.EventKind;
@@ -112,7 +113,9 @@ final class NoiseCommand implements Callable<Integer> {
         throw new CommandFailure(
             ExitCode.FAILED,
             other == null
-                ? "the module sent no readings; see its state: ./dfra module list"
+                ? "the module sent no readings; see its state: "
+                    + CommandName.current()
+                    + " module list"
                 : "the module sends "
                     + other
                     + "; noise is measured of GpsFix, AngularRate and"

@@ -16,6 +16,7 @@ import org.dfra.cli.team.ModuleArgument;
 import org.dfra.cli.team.TeamDirectory;
 import org.dfra.cli.team.TeamOptions;
 import org.dfra.cli.team.UnansweredCall;
+import org.dfra.core.host.CommandName;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.lease.LeaseHandle;
@@ -57,7 +58,10 @@ public final class LeaseCommand {
     @Parameters(
         index = "1",
         paramLabel = "LEASE",
-        description = "The lease, or the beginning of its name; ./dfra lease list shows it.")
+        description =
+            "The lease, or the beginning of its name; "
+                + CommandName.IN_HELP
+                + " lease list shows it.")
     private String lease = "";
 
     @Override
@@ -97,7 +101,13 @@ public final class LeaseCommand {
       throw new CommandFailure(
           ExitCode.NOT_FOUND,
           found.isEmpty()
-              ? "there is no lease " + lease + " on " + path + "; ./dfra lease list shows all"
+              ? "there is no lease "
+                  + lease
+                  + " on "
+                  + path
+                  + "; "
+                  + CommandName.current()
+                  + " lease list shows all"
               : "several leases on "
                   + path
                   + " begin so: "

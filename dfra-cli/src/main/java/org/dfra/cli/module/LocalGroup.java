@@ -5,6 +5,7 @@ import java.rmi.activation.ActivationException;
 import java.util.List;
 import org.dfra.cli.team.PhoenixOptions;
 import org.dfra.core.config.NearestName;
+import org.dfra.core.host.CommandName;
 import org.dfra.report.terminal.CommandFailure;
 import org.dfra.report.terminal.ExitCode;
 import org.dfra.river.bootstrap.PhoenixInventory;
@@ -45,7 +46,10 @@ final class LocalGroup {
         .filter(path -> path.endsWith("/" + module))
         .findFirst()
         .map(path -> "; did you mean \"" + path + "\"?")
-        .orElseGet(() -> NearestName.hint(module, paths, "; ./dfra status shows what it has"));
+        .orElseGet(
+            () ->
+                NearestName.hint(
+                    module, paths, "; " + CommandName.current() + " status shows what it has"));
   }
 
   private static List<String> paths(ServiceGroup group) {

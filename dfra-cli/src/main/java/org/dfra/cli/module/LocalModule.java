@@ -3,6 +3,7 @@ package org.dfra.cli.module;
 import java.util.Map;
 import org.dfra.cli.team.PhoenixOptions;
 import org.dfra.core.config.RobotDescription;
+import org.dfra.core.host.CommandName;
 import org.dfra.report.terminal.CommandFailure;
 import org.dfra.report.terminal.CommandOutput;
 import org.dfra.report.terminal.ExitCode;
@@ -49,7 +50,9 @@ final class LocalModule {
                         ExitCode.FAILED,
                         "what is known of "
                             + group.robot()
-                            + " is gone; bring it up once more: ./dfra up ROBOT.XML"));
+                            + " is gone; bring it up once more: "
+                            + CommandName.current()
+                            + " up ROBOT.XML"));
     action.apply(new RobotBootstrap(phoenix, robot), module.substring(module.indexOf('/') + 1));
     answer.sentence(
         Map.of("module", module, "group", group.name(), done, true),

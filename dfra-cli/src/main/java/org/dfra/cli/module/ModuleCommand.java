@@ -5,6 +5,7 @@ import java.util.concurrent.Callable;
 import org.dfra.cli.team.Administration;
 import org.dfra.cli.team.ModuleArgument;
 import org.dfra.cli.team.TeamDirectory;
+import org.dfra.core.host.CommandName;
 import org.dfra.directory.ModuleListing;
 import org.dfra.module.Module;
 import org.dfra.module.Parameter;
@@ -90,7 +91,7 @@ public final class ModuleCommand {
       footer = {
         "",
         "It closes its device and deregisters. The next call through its proxy starts it again;",
-        "so does ./dfra module start on its host."
+        "so does " + CommandName.IN_HELP + " module start on its host."
       })
   static final class ModuleStopCommand implements Callable<Integer> {
 
@@ -172,7 +173,9 @@ public final class ModuleCommand {
           "Removes a module from a running robot of this host, while its other modules run.",
       footer = {
         "",
-        "If the robot's XML still contains the module, the next ./dfra up starts it again."
+        "If the robot's XML still contains the module, the next "
+            + CommandName.IN_HELP
+            + " up starts it again."
       })
   static final class RemoveCommand implements Callable<Integer> {
 

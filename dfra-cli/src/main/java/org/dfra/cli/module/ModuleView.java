@@ -3,6 +3,7 @@ package org.dfra.cli.module;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import org.dfra.core.host.CommandName;
 import org.dfra.directory.Locality;
 import org.dfra.directory.ModuleListing;
 import org.dfra.lifecycle.Readiness;
@@ -131,7 +132,9 @@ public record ModuleView(
             robot
                 + " is held and answers no call for help: "
                 + why
-                + ". When it may move: ./dfra recruit resume "
+                + ". When it may move: "
+                + CommandName.current()
+                + " recruit resume "
                 + robot);
   }
 

@@ -3,6 +3,7 @@ package org.dfra.cli.recruit;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.dfra.agent.RecruitmentControl;
+import org.dfra.core.host.CommandName;
 import org.dfra.report.terminal.ExitCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -28,7 +29,7 @@ public final class RecruitCommand {
         "",
         "A robot is held if an operator stopped it: by a pause, a cancel, a set brake or an",
         "emergency stop. It stays held until its search is resumed, it receives another goal,",
-        "or ./dfra recruit resume releases it."
+        "or " + CommandName.IN_HELP + " recruit resume releases it."
       })
   static final class RecruitStatusCommand implements Callable<Integer> {
 
@@ -57,7 +58,9 @@ public final class RecruitCommand {
       footer = {
         "",
         "This moves no robot before the next call for help, and a paused search stays paused.",
-        "It does not end an emergency stop: release that first, with ./dfra stop --release.",
+        "It does not end an emergency stop: release that first, with "
+            + CommandName.IN_HELP
+            + " stop --release.",
         "Exits with 1 if a robot is still held."
       })
   static final class RecruitResumeCommand implements Callable<Integer> {

@@ -10,6 +10,7 @@ import org.dfra.cli.team.RobotModules;
 import org.dfra.cli.team.TeamDirectory;
 import org.dfra.cli.team.TeamOptions;
 import org.dfra.cli.team.UnansweredCall;
+import org.dfra.core.host.CommandName;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.report.terminal.CommandFailure;
@@ -76,6 +77,6 @@ final class RecruitmentAgentOptions {
         ModuleQuery.of(RecruitmentControl.class),
         wanted,
         "recruitment agent",
-        "./dfra persona list shows the robots");
+        CommandName.current() + " persona list shows the robots");
   }
 }

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import org.dfra.cli.team.PhoenixOptions;
+import org.dfra.core.host.CommandName;
 import org.dfra.river.bootstrap.PhoenixInventory;
 import org.dfra.river.bootstrap.PhoenixInventory.ServiceGroup;
 import org.dfra.river.bootstrap.PhoenixProcess;
@@ -40,7 +41,9 @@ final class OutdatedJarCheck {
               "Group "
                   + each.name()
                   + " still runs from the jars that it was started with; to have it take the new"
-                  + " ones: ./dfra down "
+                  + " ones: "
+                  + CommandName.current()
+                  + " down "
                   + robot
                   + ", then up");
         }

@@ -10,6 +10,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dfra.cli.team.PhoenixOptions;
 import org.dfra.core.config.RobotXml;
+import org.dfra.core.host.CommandName;
 import org.dfra.report.terminal.CommandOutput;
 import org.dfra.report.terminal.ExitCode;
 import org.dfra.report.terminal.Table;
@@ -27,7 +28,12 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "status",
     description = "Shows the state of the service groups of this host's robots.",
-    footer = {"", "Exits with 4 if phoenix does not answer. For the modules: ./dfra module list."})
+    footer = {
+      "",
+      "Exits with 4 if phoenix does not answer. For the modules: "
+          + CommandName.IN_HELP
+          + " module list."
+    })
 public final class StatusCommand implements Callable<Integer> {
 
   @Parameters(
@@ -147,7 +153,9 @@ public final class StatusCommand implements Callable<Integer> {
                       + each.getKey()
                       + " is stopped for an emergency "
                       + each.getValue().inWords()
-                      + "; when it is safe: ./dfra stop --release "
+                      + "; when it is safe: "
+                      + CommandName.current()
+                      + " stop --release "
                       + robot)
           .toList();
     }

@@ -17,6 +17,7 @@ import org.dfra.cli.team.PhoenixOptions;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.core.config.RobotXml;
+import org.dfra.core.host.CommandName;
 import org.dfra.core.robot.RobotDryRun;
 import org.dfra.report.terminal.CommandOutput;
 import org.dfra.report.terminal.ExitCode;
@@ -92,7 +93,7 @@ public final class UpCommand implements Callable<Integer> {
     if (answer.isJson()) {
       answer.details(services);
     } else {
-      say("How they are: ./dfra status");
+      say("How they are: " + CommandName.current() + " status");
     }
     return ExitCode.SUCCESS;
   }
@@ -153,7 +154,9 @@ public final class UpCommand implements Callable<Integer> {
               + ", in which phoenix had forgotten "
               + step.detail()
               + (step.detail().equals("1") ? " service" : " services")
-              + ", as an interrupted ./dfra down leaves it.";
+              + ", as an interrupted "
+              + CommandName.current()
+              + " down leaves it.";
       case GROUP_ENDED ->
           "Ended: group " + step.name() + "; the robot's XML does not have it any more.";
     };

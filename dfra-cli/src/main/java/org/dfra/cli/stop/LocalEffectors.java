@@ -10,6 +10,7 @@ import java.util.function.Predicate;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.core.config.RobotDescription.GroupDescription;
+import org.dfra.core.host.CommandName;
 import org.dfra.flow.effector.Effector;
 import org.dfra.river.bootstrap.PhoenixInventory.RegisteredService;
 import org.dfra.river.server.effector.EffectorServer;
@@ -96,7 +97,9 @@ final class LocalEffectors {
     named(
         all,
         "phoenix of this host does not have it registered, so it was not reached if it runs;"
-            + " ./dfra up with the robot's XML puts that right");
+            + " "
+            + CommandName.current()
+            + " up with the robot's XML puts that right");
     return all;
   }
 

@@ -26,6 +26,7 @@ import org.dfra.cli.stop.PhoenixAddresses.Origin;
 import org.dfra.cli.team.TeamOptions;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.RobotDescription;
+import org.dfra.core.host.CommandName;
 import org.dfra.flow.effector.Effector;
 import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.report.terminal.CommandOutput;
@@ -328,7 +329,13 @@ public final class StopCommand implements Callable<Integer> {
   private List<String> robotsWithout(List<Outcome> outcomes) {
     return robots.stream()
         .filter(robot -> outcomes.stream().noneMatch(each -> each.module().startsWith(robot + "/")))
-        .map(robot -> "no effector of robot " + robot + " was found; ./dfra module list shows all")
+        .map(
+            robot ->
+                "no effector of robot "
+                    + robot
+                    + " was found; "
+                    + CommandName.current()
+                    + " module list shows all")
         .toList();
   }
 
@@ -372,7 +379,9 @@ public final class StopCommand implements Callable<Integer> {
       return "NOTHING WAS "
           + (release ? "RELEASED" : "STOPPED")
           + ": no effector was found; bring a robot up, name a registrar with --locator, or ask"
-          + " ./dfra doctor.";
+          + " "
+          + CommandName.current()
+          + " doctor.";
     }
     String counts =
         outcomes.stream()

@@ -12,6 +12,7 @@ import org.dfra.behaviors.raster.RasterPlan;
 import org.dfra.behaviors.raster.Region;
 import org.dfra.cli.team.DuplicateRobotNames;
 import org.dfra.cli.team.TeamDirectory;
+import org.dfra.core.host.CommandName;
 import org.dfra.directory.ModuleListing;
 import org.dfra.report.terminal.ExitCode;
 import org.jspecify.annotations.Nullable;
@@ -89,7 +90,7 @@ final class SubmitCommand implements Callable<Integer> {
         begun.add(TaskView.of(DuplicateRobotNames.displayName(each, robots), each));
       }
       TaskView.show(searches.answer(), begun);
-      searches.answer().note("how far they are: ./dfra task status");
+      searches.answer().note("how far they are: " + CommandName.current() + " task status");
     }
     return ExitCode.SUCCESS;
   }
@@ -103,7 +104,9 @@ final class SubmitCommand implements Callable<Integer> {
             each.path()
                 + " pursues another goal ("
                 + status.activity()
-                + "); cancel that first, or wait for its end: ./dfra task cancel");
+                + "); cancel that first, or wait for its end: "
+                + CommandName.current()
+                + " task cancel");
       }
     }
   }

@@ -6,6 +6,7 @@ import org.dfra.behavior.RasterSearch;
 import org.dfra.cli.team.RobotModules;
 import org.dfra.cli.team.TeamDirectory;
 import org.dfra.cli.team.TeamOptions;
+import org.dfra.core.host.CommandName;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.report.terminal.CommandFailure;
@@ -52,7 +53,7 @@ final class TaskRobotOptions {
         ModuleQuery.of(RasterSearch.class),
         wanted,
         "RasterSearch",
-        "bring one up, e.g. ./dfra up config/teams/raster/atrv1.xml");
+        "bring one up, e.g. " + CommandName.current() + " up config/teams/raster/atrv1.xml");
   }
 
   /** The distinct names given; empty if none were given. */

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Map;
 import java.util.OptionalLong;
+import org.dfra.core.host.CommandName;
 import org.dfra.report.terminal.CommandFailure;
 import org.dfra.report.terminal.ExitCode;
 import org.dfra.river.bootstrap.PhoenixProcess;
@@ -94,7 +95,9 @@ public final class PhoenixOptions {
               + phoenix.port()
               + " of "
               + phoenix.host()
-              + "; bring a robot up first: ./dfra up ROBOT.XML");
+              + "; bring a robot up first: "
+              + CommandName.current()
+              + " up ROBOT.XML");
     }
     return phoenix;
   }

@@ -3,6 +3,7 @@ package org.dfra.cli.team;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import org.dfra.core.host.CommandName;
 import org.dfra.directory.ModuleDirectory;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
@@ -64,6 +65,8 @@ public final class RobotModules {
             + robot
             + " has no "
             + kind
-            + ", or is not there; ./dfra persona list shows the robots");
+            + ", or is not there; "
+            + CommandName.current()
+            + " persona list shows the robots");
   }
 }

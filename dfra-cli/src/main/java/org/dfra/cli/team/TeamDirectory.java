@@ -10,6 +10,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.dfra.core.config.NearestName;
+import org.dfra.core.host.CommandName;
 import org.dfra.directory.DirectoryListener;
 import org.dfra.directory.DirectoryRegistration;
 import org.dfra.directory.ModuleListing;
@@ -104,7 +105,9 @@ public final class TeamDirectory implements AutoCloseable {
   private String noLookupService() {
     return "no lookup service answers (asked: "
         + asked
-        + "); bring a robot up, name one with --locator, or ask ./dfra doctor";
+        + "); bring a robot up, name one with --locator, or ask "
+        + CommandName.current()
+        + " doctor";
   }
 
   /**
@@ -149,7 +152,7 @@ public final class TeamDirectory implements AutoCloseable {
     return NearestName.hint(
         name.text(),
         name.robot() != null ? names : withoutRobots(names),
-        "; ./dfra module list shows what there is");
+        "; " + CommandName.current() + " module list shows what there is");
   }
 
   /** Prints a note about discovered robots that share a name. */

@@ -6,6 +6,7 @@ import java.time.Instant;
 import java.time.InstantSource;
 import java.time.temporal.ChronoUnit;
 import java.util.Optional;
+import org.dfra.core.host.CommandName;
 import org.dfra.core.state.StateStore;
 import org.dfra.core.time.BootId;
 import org.dfra.core.time.MonotonicTimestamp;
@@ -201,7 +202,9 @@ public final class EmergencyStopLatch {
     return module
         + " is stopped for an emergency "
         + now.stop().inWords()
-        + ", and executes no commands; when it is safe, release it: ./dfra stop --release "
+        + ", and executes no commands; when it is safe, release it: "
+        + CommandName.current()
+        + " stop --release "
         + (slash < 0 ? module : module.substring(0, slash));
   }
 

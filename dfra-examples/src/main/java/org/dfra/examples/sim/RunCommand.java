@@ -10,6 +10,7 @@ import java.time.temporal.ChronoUnit;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import org.dfra.core.host.CommandName;
 import org.dfra.core.time.RobotTime;
 import org.dfra.core.time.ScaledTime;
 import org.dfra.report.terminal.CommandFailure;
@@ -36,7 +37,9 @@ import picocli.CommandLine.Parameters;
         "Runs a world until Ctrl-C: every device answers on a TCP port, in its own protocol.",
     footer = {
       "",
-      "Start the robots' software in another terminal with ./dfra up. If the speed is not 1,",
+      "Start the robots' software in another terminal with "
+          + CommandName.IN_HELP
+          + " up. If the speed is not 1,",
       "the simulation prints the DFRA_TIME to set there, so that drivers use the same time.",
       "With --json, one JSON object per line: first the start with all endpoints, then a",
       "state every second."
@@ -169,7 +172,9 @@ final class RunCommand implements Callable<Integer> {
                     + RobotTime.VARIABLE
                     + "='"
                     + beginning.dfraTime()
-                    + "' ./dfra up ..., and end this with Ctrl-C"));
+                    + "' "
+                    + CommandName.current()
+                    + " up ..., and end this with Ctrl-C"));
   }
 
   private void run(Simulation simulation, InstantSource clock) throws Exception {

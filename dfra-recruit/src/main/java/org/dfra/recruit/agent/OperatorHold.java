@@ -10,6 +10,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dfra.behavior.Behavior;
 import org.dfra.behavior.BehaviorStatus;
+import org.dfra.core.host.CommandName;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.directory.ModuleListing;
 import org.dfra.lifecycle.Readiness;
@@ -167,7 +168,9 @@ final class OperatorHold {
           "the agent was restarted and does not find "
               + String.join(", ", missing)
               + ", so it is unknown whether the robot was stopped; if that was removed, end the hold"
-              + " with ./dfra recruit resume "
+              + " with "
+              + CommandName.current()
+              + " recruit resume "
               + context.robot());
     }
     return Optional.ofNullable(silent) // otherwise it is settled at the next query
@@ -176,7 +179,9 @@ final class OperatorHold {
                 path
                     + " does not answer the restarted agent, so it is unknown whether the robot was"
                     + " stopped; if its computer can be reached, restart its service group with"
-                    + " ./dfra module kill "
+                    + " "
+                    + CommandName.current()
+                    + " module kill "
                     + path);
   }
 

@@ -12,6 +12,7 @@ import org.dfra.agent.RecruitmentAgent;
 import org.dfra.agent.RecruitmentStatus;
 import org.dfra.agent.RequesterPhase;
 import org.dfra.agent.ResponderPhase;
+import org.dfra.core.host.CommandName;
 import org.dfra.core.lease.LeaseTerms;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
@@ -205,9 +206,13 @@ public final class RecruitmentAgentImpl extends ModuleImpl
         why.getMessage()
             + ", so it neither calls for help nor helps; "
             + first
-            + ": ./dfra module stop "
+            + ": "
+            + CommandName.current()
+            + " module stop "
             + path()
-            + ", then ./dfra module start "
+            + ", then "
+            + CommandName.current()
+            + " module start "
             + path());
   }
 

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.dfra.behaviors.fuzzy.FuzzySystem;
+import org.dfra.core.host.CommandName;
 import org.dfra.report.plot.Page;
 import org.dfra.report.terminal.CommandFailure;
 import org.dfra.report.terminal.CommandOutput;
@@ -30,7 +31,9 @@ import picocli.CommandLine.Parameters;
       "its range, or at the value of --at.",
       "",
       "For example:",
-      "  ./dfra fuzzy show config/fuzzy/waypoint.fis --surface centre,heading_error"
+      "  "
+          + CommandName.IN_HELP
+          + " fuzzy show config/fuzzy/waypoint.fis --surface centre,heading_error"
     })
 final class FuzzyShowCommand implements Callable<Integer> {
 

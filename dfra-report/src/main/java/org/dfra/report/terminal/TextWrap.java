@@ -14,7 +14,7 @@ public final class TextWrap {
    */
   public static final Pattern BREAK =
       Pattern.compile(
-          "(?<!\\./dfra)(?<!\\./dfra [a-z]{1,12})(?<! --[a-z-]{1,16})(?<!\\bEMERGENCY)"
+          "(?<!\\bdfra)(?<!\\bdfra [a-z]{1,12})(?<! --[a-z-]{1,16})(?<!\\bEMERGENCY)"
               + " (?!(?:s|ms|µs|ns|Hz|m|°)\\b|%|--[a-z]|(?<=\\d )(?:[kMG]B|W|V|rad)\\b)");
 
   /** Minimum width of a line, however far it is indented. */

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dfra.core.config.RenamedNames;
+import org.dfra.core.host.CommandName;
 import org.dfra.core.time.RobotTime;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
@@ -30,12 +31,16 @@ public final class JvmCommand {
     return Path.of(System.getProperty("java.home"), "bin", "java").toString();
   }
 
-  /** The options that a virtual machine of DFRA needs: paths, trust, time, fast start. */
+  /**
+   * The options that a virtual machine of DFRA needs: paths, trust, time, the name of the command,
+   * fast start.
+   */
   public static List<String> options() {
     List<String> options = new ArrayList<>(bootOptions());
     options.addAll(TrustedCode.options());
     options.addAll(SerialFilters.options());
     options.addAll(RobotTime.options());
+    options.addAll(CommandName.options());
     options.add("-XX:TieredStopAtLevel=1");
     options.add("-XX:CompileThresholdScaling=3"); // compilation took a third of the start time
     options.add("-XX:+UseSerialGC");

@@ -3,6 +3,7 @@ package org.dfra.river.bootstrap;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.Locale;
+import org.dfra.core.host.CommandName;
 
 /** A remote call was repeated without an answer until the command's deadline. */
 public final class NoAnswerException extends RemoteException {
@@ -24,7 +25,9 @@ public final class NoAnswerException extends RemoteException {
             + seconds(time)
             + " s ("
             + reason(last)
-            + "); see whether its process hangs or the computer is overloaded: ./dfra doctor";
+            + "); see whether its process hangs or the computer is overloaded: "
+            + CommandName.current()
+            + " doctor";
   }
 
   private static String seconds(Duration time) {

@@ -1,6 +1,7 @@
 package org.dfra.river.bootstrap;
 
 import java.rmi.activation.ActivationException;
+import org.dfra.core.host.CommandName;
 import org.jspecify.annotations.Nullable;
 
 /** The end of a module is not confirmed: it may still have its device open. */
@@ -19,7 +20,9 @@ final class NotEndedException extends ActivationException {
             + module.group()
             + ": "
             + why
-            + "; end its process with ./dfra module kill "
+            + "; end its process with "
+            + CommandName.current()
+            + " module kill "
             + module.activation().module().path()
             + " and try again");
     if (cause != null) {

@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.RegistrarDescription;
+import org.dfra.core.host.CommandName;
 import org.dfra.river.loading.RobotCodebase;
 import org.dfra.river.phoenix.PhoenixAdmin;
 
@@ -109,7 +110,9 @@ final class PortUse {
                       + robot
                       + "/registrar cannot start: "
                       + use.describe()
-                      + "; give one of the two another port, or ./dfra down "
+                      + "; give one of the two another port, or "
+                      + CommandName.current()
+                      + " down "
                       + use.robot());
             });
   }

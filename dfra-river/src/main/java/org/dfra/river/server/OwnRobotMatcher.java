@@ -11,6 +11,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import java.util.function.Predicate;
+import org.dfra.core.host.CommandName;
 import org.dfra.directory.ModuleListing;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -87,10 +88,11 @@ final class OwnRobotMatcher implements Predicate<ModuleListing<?>> {
       if (warned.add(module + e)) {
         LOG.warn(
             "The identity of module {} in {} cannot be read ({}), so it counts as another robot's;"
-                + " bring the robot up again: ./dfra up ROBOT.XML",
+                + " bring the robot up again: {} up ROBOT.XML",
             module,
             folder,
-            e.toString());
+            e.toString(),
+            CommandName.current());
       }
       return Optional.empty();
     }
