@@ -19,15 +19,9 @@ import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicReference;
 import net.jini.admin.Administrable;
 import net.jini.admin.JoinAdmin;
-import net.jini.config.ConfigurationException;
-import net.jini.core.lease.Lease;
 import net.jini.core.lookup.ServiceRegistration;
-import net.jini.lease.LeaseListener;
-import net.jini.lease.LeaseRenewalEvent;
-import net.jini.lease.LeaseRenewalManager;
 import org.dfra.core.host.FreePorts;
 import org.dfra.core.time.StallProbe;
 import org.dfra.core.time.Timing;
@@ -39,14 +33,17 @@ import org.dfra.persona.PersonaAttributes;
 import org.dfra.river.entry.Entries;
 import org.dfra.river.lookup.DirectorySettings;
 import org.dfra.river.lookup.JiniModuleDirectory;
-import org.dfra.river.lookup.SuppliedConfiguration;
 import org.dfra.river.proxy.LocalModuleRegistry;
 import org.dfra.testing.EmbeddedReggie;
 import org.junit.jupiter.api.Test;
 
 class JiniModuleDirectoryTest extends DirectoryContract {
 
-  private static final long LEASE = EmbeddedReggie.LEASE_MILLIS;
+  /**
+   * Longer than any test: thousands of modules take longer to register than a robot's lease, and on
+   * a busy computer some of thousands would be renewed too late.
+   */
+  private static final Duration LEASE = Duration.ofHours(1);
 
   /** The requirement for a lookup service that was restarted. */
   private static final Duration FOUND = Duration.ofSeconds(5);
@@ -60,9 +57,6 @@ class JiniModuleDirectoryTest extends DirectoryContract {
   private static final Duration STALE = Duration.ofMillis(500);
 
   private final List<EmbeddedReggie> reggies = new ArrayList<>();
-
-  /** Thousands of modules take longer to register than the lease of the first. */
-  private final LeaseRenewalManager renewals = renewals();
 
   private static DirectorySettings settings(List<String> locators) {
     return new DirectorySettings(
@@ -78,8 +72,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
 
   @Override
   Stage stage() throws Exception {
-    EmbeddedReggie reggie = new EmbeddedReggie().start();
-    reggies.add(reggie);
+    EmbeddedReggie reggie = start(0);
     return new JiniStage(
         reggie,
         new JiniModuleDirectory(settings(List.of(reggie.locator())), InstantSource.system()));
@@ -89,7 +82,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
   private final class JiniStage implements Stage {
     private final EmbeddedReggie reggie;
     private final JiniModuleDirectory directory;
-    private final Map<UUID, AtomicReference<ServiceRegistration>> registrations = new HashMap<>();
+    private final Map<UUID, ServiceRegistration> registrations = new HashMap<>();
     private final Set<ListedGps> local = new HashSet<>();
 
     JiniStage(EmbeddedReggie reggie, JiniModuleDirectory directory) {
@@ -108,34 +101,32 @@ class JiniModuleDirectoryTest extends DirectoryContract {
       if (locality == Locality.SAME_VM && local.add(module)) {
         LocalModuleRegistry.register(module.id(), module);
       }
-      AtomicReference<ServiceRegistration> known = registrations.get(module.id());
+      ServiceRegistration known = registrations.get(module.id());
       if (known != null) {
-        known.get().setAttributes(Entries.toEntries(attributes));
+        known.setAttributes(Entries.toEntries(attributes));
         return;
       }
-      registrations.put(module.id(), keep(reggie, module, attributes));
+      registrations.put(module.id(), register(reggie, module, attributes));
     }
 
     @Override
     public void announce(PersonaAttributes robot) throws Exception {
       // As a robot's registrar receives it; here by a service of its own: reggie is one robot's.
-      reggie.register(UUID.randomUUID(), "a registrar", List.of(robot), 100 * LEASE);
+      reggie.register(UUID.randomUUID(), "a registrar", List.of(robot), LEASE.toMillis());
     }
 
     @Override
     public void withdraw(UUID id) throws Exception {
-      renewals.cancel(registrations.remove(id).get().getLease());
+      registrations.remove(id).getLease().cancel();
     }
 
     @Override
     public void loseSight() throws Exception {
-      renewals.clear();
       reggie.close();
     }
 
     @Override
     public void close() throws Exception {
-      renewals.clear();
       local.forEach(module -> LocalModuleRegistry.unregister(module.id(), module));
       for (EmbeddedReggie each : reggies) {
         each.close();
@@ -143,39 +134,15 @@ class JiniModuleDirectoryTest extends DirectoryContract {
     }
   }
 
-  private static LeaseRenewalManager renewals() {
-    try {
-      return new LeaseRenewalManager(
-          new SuppliedConfiguration(
-              Map.of("net.jini.lease.LeaseRenewalManager.roundTripTime", () -> 1_000L)));
-    } catch (ConfigurationException e) {
-      throw new IllegalStateException(e);
-    }
+  private EmbeddedReggie start(int port) throws IOException {
+    EmbeddedReggie reggie = new EmbeddedReggie(port, LEASE).start();
+    reggies.add(reggie);
+    return reggie;
   }
 
-  /**
-   * Registers a module and renews its lease. As a module does, it registers it again if the lease
-   * was lost: on a busy computer a few of thousands are renewed too late.
-   */
-  private AtomicReference<ServiceRegistration> keep(
+  private static ServiceRegistration register(
       EmbeddedReggie reggie, ListedGps module, List<Attributes> attributes) throws Exception {
-    AtomicReference<ServiceRegistration> current =
-        new AtomicReference<>(reggie.register(module.id(), module, attributes, LEASE));
-    renewals.renewUntil(
-        current.get().getLease(),
-        Lease.FOREVER,
-        new LeaseListener() {
-          @Override
-          public void notify(LeaseRenewalEvent lost) {
-            try {
-              current.set(reggie.register(module.id(), module, attributes, LEASE));
-              renewals.renewUntil(current.get().getLease(), Lease.FOREVER, this);
-            } catch (Exception e) { // the lookup service has ended meanwhile
-              System.out.println(module.id() + " is not registered again: " + e);
-            }
-          }
-        });
-    return current;
+    return reggie.register(module.id(), module, attributes, LEASE.toMillis());
   }
 
   @Test
@@ -198,15 +165,14 @@ class JiniModuleDirectoryTest extends DirectoryContract {
   @Test
   void aModuleInSeveralLookupServicesIsOneAndFreshWhileOneOfThemHasIt() throws Exception {
     EmbeddedReggie one = reggies.get(0);
-    EmbeddedReggie two = new EmbeddedReggie().start();
-    reggies.add(two);
+    EmbeddedReggie two = start(0);
     ListedGps gps = new ListedGps(UUID.randomUUID(), "gps");
     ModuleQuery<GPSSensor> query = ModuleQuery.of(GPSSensor.class);
     try (JiniModuleDirectory team =
         new JiniModuleDirectory(
             settings(List.of(one.locator(), two.locator())), InstantSource.system())) {
-      AtomicReference<ServiceRegistration> unusedOne = keep(one, gps, attributes("r", "gps", 1));
-      AtomicReference<ServiceRegistration> unusedTwo = keep(two, gps, attributes("r", "gps", 1));
+      register(one, gps, attributes("r", "gps", 1));
+      register(two, gps, attributes("r", "gps", 1));
       await().atMost(PATIENCE).until(() -> team.registrarCount() == 2);
       assertThat(team.findFirst(query, PATIENCE)).isPresent();
       one.close();
@@ -233,9 +199,8 @@ class JiniModuleDirectoryTest extends DirectoryContract {
           .until(() -> directory.find(query).get(0).stale());
       Timing stale = closed.stop();
       System.out.printf("stale after the end of the lookup service: %s%n", stale);
-      EmbeddedReggie second = new EmbeddedReggie(port).start();
-      reggies.add(second);
-      AtomicReference<ServiceRegistration> unused = keep(second, gps, attributes("r", "gps", 1));
+      EmbeddedReggie second = start(port);
+      register(second, gps, attributes("r", "gps", 1));
       StallProbe.Stopwatch listed = probe.stopwatch();
       await().atMost(PATIENCE).until(() -> !directory.find(query).get(0).stale());
       Timing found = listed.stop();
@@ -364,9 +329,9 @@ class JiniModuleDirectoryTest extends DirectoryContract {
 
   @Test
   void leavesOutServicesThatAreNoModulesOfDfra() throws Exception {
-    reggies.get(0).register(UUID.randomUUID(), "a text", List.of(), 100 * LEASE);
+    reggies.get(0).register(UUID.randomUUID(), "a text", List.of(), LEASE.toMillis());
     ListedGps nameless = new ListedGps(UUID.randomUUID(), "nameless");
-    reggies.get(0).register(nameless.id(), nameless, List.of(), 100 * LEASE);
+    reggies.get(0).register(nameless.id(), nameless, List.of(), LEASE.toMillis());
     list("r", "gps", 1);
     assertThat(directory.find(ModuleQuery.of(GPSSensor.class)))
         .singleElement()

@@ -59,6 +59,7 @@ public final class EmbeddedReggie
   private static final Namespace NAMESPACE = Namespace.create(EmbeddedReggie.class);
 
   private final int wantedPort;
+  private final Duration longestLease;
 
   @GuardedBy("this")
   private @Nullable EmbeddedRegistrar reggie;
@@ -76,7 +77,18 @@ public final class EmbeddedReggie
    * @param port TCP port for unicast discovery; 0 lets the system choose
    */
   public EmbeddedReggie(int port) {
+    this(port, Duration.ofMillis(LEASE_MILLIS));
+  }
+
+  /**
+   * A lookup service with other timings than a robot's.
+   *
+   * @param port TCP port for unicast discovery; 0 lets the system choose
+   * @param longestLease longest lease that it grants
+   */
+  public EmbeddedReggie(int port, Duration longestLease) {
     this.wantedPort = port;
+    this.longestLease = longestLease;
   }
 
   /**
@@ -88,9 +100,7 @@ public final class EmbeddedReggie
     if (reggie == null) {
       group = "test-" + UUID.randomUUID();
       reggie =
-          new EmbeddedRegistrar(
-                  HOST, wantedPort, List.of(group), Duration.ofMillis(LEASE_MILLIS), Map.of())
-              .start();
+          new EmbeddedRegistrar(HOST, wantedPort, List.of(group), longestLease, Map.of()).start();
     }
     return this;
   }
