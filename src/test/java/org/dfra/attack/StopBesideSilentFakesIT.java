@@ -25,7 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
 @EnabledIfSystemProperty(
     named = "dfra.full",
     matches = "true",
-    disabledReason = "it registers 3 000 fakes; FairCallsTest shows the order of calls")
+    disabledReason = "it registers 3 000 fakes; FairCallSchedulerTest shows the order of calls")
 class StopBesideSilentFakesIT {
 
   private static final int FAKES = 3000;
