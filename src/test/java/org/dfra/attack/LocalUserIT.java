@@ -22,7 +22,7 @@ import org.dfra.core.config.RobotXml;
 import org.dfra.core.host.FreePorts;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.phoenix.GroupStatus;
-import org.dfra.robot.LivingPhoenix;
+import org.dfra.robot.RunningPhoenix;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -36,7 +36,7 @@ class LocalUserIT {
 
   @TempDir static Path temp;
   private static OtherUser nobody;
-  private static LivingPhoenix phoenix;
+  private static RunningPhoenix phoenix;
 
   /** Where {@code nobody} may write. */
   private static Path everybodys;
@@ -48,7 +48,7 @@ class LocalUserIT {
             .orElseGet(() -> abort("needs " + OtherUser.NEEDS));
     everybodys = Files.createDirectory(temp.resolve("everybody"));
     Files.setPosixFilePermissions(everybodys, PosixFilePermissions.fromString("rwxrwxrwx"));
-    phoenix = LivingPhoenix.start(temp.resolve("state"));
+    phoenix = RunningPhoenix.start(temp.resolve("state"));
     Path xml =
         Files.writeString(
             temp.resolve("robot.xml"),

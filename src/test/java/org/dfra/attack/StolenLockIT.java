@@ -14,7 +14,7 @@ import org.dfra.benchmarks.attack.OtherUser;
 import org.dfra.benchmarks.task.TaskProcess;
 import org.dfra.core.host.FreePorts;
 import org.dfra.river.bootstrap.PhoenixProcess;
-import org.dfra.robot.LivingPhoenix;
+import org.dfra.robot.RunningPhoenix;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -53,7 +53,7 @@ class StolenLockIT {
               "process %d of user %s still owns this journal (it holds %s)",
               thief.pid(), OtherUser.NAME, lock);
     }
-    try (LivingPhoenix restarted = LivingPhoenix.start(state)) {
+    try (RunningPhoenix restarted = RunningPhoenix.start(state)) {
       assertThat(restarted.process().admin().groupStatus()).isEmpty();
       assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(lock)))
           .isEqualTo("rw-------");

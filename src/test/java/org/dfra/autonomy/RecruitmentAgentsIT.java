@@ -37,7 +37,7 @@ import org.dfra.river.server.effector.DriveServer;
 import org.dfra.river.server.sensor.GPSServer;
 import org.dfra.river.server.sensor.OdometryServer;
 import org.dfra.river.server.sensor.RangeServer;
-import org.dfra.robot.LivingPhoenix;
+import org.dfra.robot.RunningPhoenix;
 import org.dfra.testing.EmbeddedReggie;
 import org.dfra.testing.ServedModule;
 import org.junit.jupiter.api.AfterAll;
@@ -72,16 +72,16 @@ class RecruitmentAgentsIT {
       new HelpCall("mine", SmallRobot.at(90, 0), Duration.ofMinutes(5), Duration.ofMinutes(3));
 
   @TempDir static Path folder;
-  private static LivingPhoenix phoenix;
+  private static RunningPhoenix phoenix;
 
   @BeforeAll
   static void startPhoenix() throws Exception {
-    phoenix = LivingPhoenix.start(folder.resolve("phoenix"));
+    phoenix = RunningPhoenix.start(folder.resolve("phoenix"));
   }
 
   @AfterAll
   static void endPhoenix() throws Exception {
-    try (LivingPhoenix ended = phoenix) {
+    try (RunningPhoenix ended = phoenix) {
       assertThat(ended).isNotNull();
     }
   }

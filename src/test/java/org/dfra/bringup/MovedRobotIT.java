@@ -23,7 +23,7 @@ import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.lookup.JiniModuleDirectory;
-import org.dfra.robot.LivingPhoenix;
+import org.dfra.robot.RunningPhoenix;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -52,7 +52,7 @@ class MovedRobotIT {
    * @param isKilled whether the robot's process is killed there, and has to come back
    */
   private UUID upAndFound(String host, int port, boolean isKilled) throws Exception {
-    try (LivingPhoenix phoenix = LivingPhoenix.start(host, folder.resolve("phoenix"))) {
+    try (RunningPhoenix phoenix = RunningPhoenix.start(host, folder.resolve("phoenix"))) {
       try {
         new RobotBootstrap(phoenix.process(), RobotXml.read(robot(host, port))).up();
       } finally {

@@ -32,7 +32,7 @@ import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.bootstrap.RobotDescriptionStore;
 import org.dfra.river.bootstrap.RobotRemoval;
 import org.dfra.river.lookup.JiniModuleDirectory;
-import org.dfra.robot.LivingPhoenix;
+import org.dfra.robot.RunningPhoenix;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
@@ -51,14 +51,14 @@ class ReconfiguredRobotIT {
 
   @TempDir static Path folder;
 
-  private static LivingPhoenix phoenix;
+  private static RunningPhoenix phoenix;
   private static int port;
   private static ThermometerRobot mu;
   private JiniModuleDirectory directory;
 
   @BeforeAll
   static void startPhoenix() throws IOException {
-    phoenix = LivingPhoenix.start(folder.resolve("phoenix"));
+    phoenix = RunningPhoenix.start(folder.resolve("phoenix"));
     PhoenixProcess process = phoenix.process();
     Files.writeString(
         process.state().resolve("phoenix.address"), process.host() + ":" + process.port());
@@ -68,7 +68,7 @@ class ReconfiguredRobotIT {
 
   @AfterAll
   static void endPhoenix() throws IOException {
-    try (LivingPhoenix ended = phoenix) {
+    try (RunningPhoenix ended = phoenix) {
       assertThat(ended).isNotNull();
     }
   }

@@ -17,7 +17,7 @@ import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.module.Parameter;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.lookup.JiniModuleDirectory;
-import org.dfra.robot.LivingPhoenix;
+import org.dfra.robot.RunningPhoenix;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -55,7 +55,7 @@ class RenamedRobotIT {
             </robot>
             """
                 .formatted(port));
-    try (LivingPhoenix phoenix = LivingPhoenix.start(HOST, folder.resolve("phoenix"))) {
+    try (RunningPhoenix phoenix = RunningPhoenix.start(HOST, folder.resolve("phoenix"))) {
       try {
         new RobotBootstrap(phoenix.process(), RobotXml.read(xml)).up();
       } finally {

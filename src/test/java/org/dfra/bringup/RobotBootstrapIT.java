@@ -42,7 +42,7 @@ import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.phoenix.GroupStatus;
-import org.dfra.robot.LivingPhoenix;
+import org.dfra.robot.RunningPhoenix;
 import org.dfra.sim.device.M12Emulator;
 import org.dfra.sim.device.M12EmulatorSettings;
 import org.dfra.testing.EmbeddedReggie;
@@ -66,7 +66,7 @@ class RobotBootstrapIT {
 
   @TempDir static Path folder;
 
-  private static LivingPhoenix phoenix;
+  private static RunningPhoenix phoenix;
   private static M12Emulator receiver;
   private static int port;
   private static Path alpha;
@@ -76,7 +76,7 @@ class RobotBootstrapIT {
   static void bringUpAlpha() throws Exception {
     receiver = new M12Emulator(M12EmulatorSettings.at(PLACE).withBaud(115_200), Instant::now);
     receiver.start();
-    phoenix = LivingPhoenix.start(folder.resolve("phoenix"));
+    phoenix = RunningPhoenix.start(folder.resolve("phoenix"));
     port = FreePorts.allocate();
     alpha = alpha("20");
     List<RobotBootstrap.ServiceReference> up = up(alpha);
@@ -92,7 +92,7 @@ class RobotBootstrapIT {
   @AfterAll
   static void takeDown() throws IOException {
     try (M12Emulator switchedOff = receiver;
-        LivingPhoenix ended = phoenix) {
+        RunningPhoenix ended = phoenix) {
       assertThat(phoenix).isNotNull();
     }
   }

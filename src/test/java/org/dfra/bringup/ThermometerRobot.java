@@ -21,7 +21,7 @@ import org.dfra.river.bootstrap.BringUpStep;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.phoenix.Phoenix;
 import org.dfra.river.phoenix.PhoenixAdmin;
-import org.dfra.robot.LivingPhoenix;
+import org.dfra.robot.RunningPhoenix;
 
 /**
  * A robot of thermometers that a test describes in XML and brings up, in real processes under the
@@ -33,7 +33,7 @@ final class ThermometerRobot {
   static final String HOST = "127.0.0.1";
 
   private final String name;
-  private final LivingPhoenix phoenix;
+  private final RunningPhoenix phoenix;
   private final Path folder;
   private final String common;
   private final List<String> steps = new ArrayList<>();
@@ -42,7 +42,7 @@ final class ThermometerRobot {
    * @param folder of its XML and its devices
    * @param common the groups that each of its descriptions begins with, as XML; may be empty
    */
-  ThermometerRobot(String name, LivingPhoenix phoenix, Path folder, String common) {
+  ThermometerRobot(String name, RunningPhoenix phoenix, Path folder, String common) {
     this.name = name;
     this.phoenix = phoenix;
     this.folder = folder;

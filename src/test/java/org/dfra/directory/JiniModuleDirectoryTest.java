@@ -73,19 +73,19 @@ class JiniModuleDirectoryTest extends DirectoryContract {
   @Override
   Stage stage() throws Exception {
     EmbeddedReggie reggie = start(0);
-    return new JiniStage(
+    return new JiniFixture(
         reggie,
         new JiniModuleDirectory(settings(List.of(reggie.locator())), InstantSource.system()));
   }
 
   /** A lookup service and a client of it. */
-  private final class JiniStage implements Stage {
+  private final class JiniFixture implements Stage {
     private final EmbeddedReggie reggie;
     private final JiniModuleDirectory directory;
     private final Map<UUID, ServiceRegistration> registrations = new HashMap<>();
     private final Set<ListedGps> local = new HashSet<>();
 
-    JiniStage(EmbeddedReggie reggie, JiniModuleDirectory directory) {
+    JiniFixture(EmbeddedReggie reggie, JiniModuleDirectory directory) {
       this.reggie = reggie;
       this.directory = directory;
     }

@@ -28,7 +28,7 @@ import org.dfra.flow.sensor.OdometrySensor;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.lifecycle.Incident;
 import org.dfra.module.Module;
-import org.dfra.robot.LivingPhoenix;
+import org.dfra.robot.RunningPhoenix;
 import org.dfra.testing.InteractiveProcess;
 import org.dfra.testing.ServedModule;
 import org.junit.jupiter.api.AfterAll;
@@ -62,7 +62,7 @@ class DriveIT {
   private static final StallProbe probe = StallProbe.start();
   private static WheeledRobot robot;
   private static Wheels wheels;
-  private static LivingPhoenix phoenix;
+  private static RunningPhoenix phoenix;
   private static DriveEffector drive;
   private static OdometrySensor odometry;
   private static BatterySensor battery;

@@ -21,7 +21,7 @@ import org.dfra.flow.effector.DriveEffector;
 import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.river.bootstrap.RobotDescriptionStore;
-import org.dfra.robot.LivingPhoenix;
+import org.dfra.robot.RunningPhoenix;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
@@ -45,7 +45,7 @@ class StopIT {
 
   private static WheeledRobot robot;
   private static Wheels wheels;
-  private static LivingPhoenix phoenix;
+  private static RunningPhoenix phoenix;
   private static DriveEffector drive;
 
   @BeforeAll

@@ -31,7 +31,7 @@ import org.dfra.module.NotReadyException;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.call.DeadlineExceededException;
 import org.dfra.river.lookup.JiniModuleDirectory;
-import org.dfra.robot.LivingPhoenix;
+import org.dfra.robot.RunningPhoenix;
 import org.dfra.testing.InteractiveProcess;
 
 /**
@@ -52,7 +52,7 @@ public final class WheeledRobot implements AutoCloseable {
   public record CommandResult(int status, String text) {}
 
   private final Wheels wheels;
-  private final LivingPhoenix phoenix;
+  private final RunningPhoenix phoenix;
   private final JiniModuleDirectory directory;
   private final DriveEffector drive;
   private final String locator;
@@ -69,7 +69,7 @@ public final class WheeledRobot implements AutoCloseable {
       throws Exception {
     this.open = open;
     wheels = opened(new Wheels());
-    phoenix = opened(LivingPhoenix.start(folder.resolve("phoenix")));
+    phoenix = opened(RunningPhoenix.start(folder.resolve("phoenix")));
     int port = FreePorts.allocate();
     locator = "jini://" + HOST + ":" + port;
     xml =
@@ -156,7 +156,7 @@ public final class WheeledRobot implements AutoCloseable {
     return wheels;
   }
 
-  public LivingPhoenix phoenix() {
+  public RunningPhoenix phoenix() {
     return phoenix;
   }
 

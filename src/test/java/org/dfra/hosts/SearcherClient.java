@@ -96,7 +96,7 @@ final class SearcherClient implements AutoCloseable {
       case "progress" -> progress(robot);
       case "listen" -> listen(robot);
       case "received" -> received(robot);
-      case "mate" -> mate(robot);
+      case "mate" -> teammate(robot);
       case "gaps" -> gaps(robot);
       default -> throw new IllegalArgumentException(verb);
     };
@@ -179,22 +179,22 @@ final class SearcherClient implements AutoCloseable {
    * What a robot knows of the other: how far its clock is ahead, within what, seconds; metres to
    * it; what was missed; whether it is out of reach. Or {@code nothing}.
    */
-  private String mate(String robot) throws RemoteException {
-    List<Teammate> mates = one(TeamTracker.class, robot).module().team().teammates();
-    if (mates.size() != 1
-        || mates.get(0).clockOffset() == null
-        || mates.get(0).relativePosition() == null) {
-      return "nothing: " + mates;
+  private String teammate(String robot) throws RemoteException {
+    List<Teammate> teammates = one(TeamTracker.class, robot).module().team().teammates();
+    if (teammates.size() != 1
+        || teammates.get(0).clockOffset() == null
+        || teammates.get(0).relativePosition() == null) {
+      return "nothing: " + teammates;
     }
-    Teammate mate = mates.get(0);
+    Teammate teammate = teammates.get(0);
     return String.format(
         Locale.ROOT,
         "%.4f %.4f %.2f %d %s",
-        mate.clockOffset().seconds(),
-        mate.clockOffset().uncertaintySeconds(),
-        mate.relativePosition().distance(),
-        mate.missedReadings(),
-        mate.isOutOfReach() ? "lost" : "reachable");
+        teammate.clockOffset().seconds(),
+        teammate.clockOffset().uncertaintySeconds(),
+        teammate.relativePosition().distance(),
+        teammate.missedReadings(),
+        teammate.isOutOfReach() ? "lost" : "reachable");
   }
 
   /** Gaps in what a robot received from the other, by its history; {@code none} without a gap. */

@@ -276,14 +276,14 @@ class TwoSearchersIT {
   }
 
   private static void compareClock(RobotHost host, int sign) throws Exception {
-    String[] mate = host.ask("mate " + host.robot()).split(" ");
+    String[] teammate = host.ask("mate " + host.robot()).split(" ");
     double ahead = DRIFT * Duration.between(SKEWED_FROM, Instant.now()).toMillis() / 1e3;
-    double measured = sign * Double.parseDouble(mate[0]);
+    double measured = sign * Double.parseDouble(teammate[0]);
     System.out.printf(
         "clock of atrv2 against atrv1, by %s: %.4f s within %s s, set to %.4f s; %s m apart%n",
-        host.robot(), measured, mate[1], ahead, mate[2]);
+        host.robot(), measured, teammate[1], ahead, teammate[2]);
     // An eighth of what the clocks differ by: a busy machine receives even the soonest fix late.
-    assertThat(measured).as(String.join(" ", mate)).isBetween(ahead - 0.1, ahead + 0.1);
+    assertThat(measured).as(String.join(" ", teammate)).isBetween(ahead - 0.1, ahead + 0.1);
   }
 
   private static double done(RobotHost host) throws Exception {

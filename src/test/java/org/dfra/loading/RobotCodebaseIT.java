@@ -15,7 +15,7 @@ import java.util.HexFormat;
 import java.util.List;
 import org.dfra.core.host.FreePorts;
 import org.dfra.river.bootstrap.RobotRemoval;
-import org.dfra.robot.LivingPhoenix;
+import org.dfra.robot.RunningPhoenix;
 import org.dfra.testing.InteractiveProcess;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -41,7 +41,7 @@ class RobotCodebaseIT {
   private static final String ALL_IS_SERVED = "all is served";
 
   @TempDir private static Path folder;
-  private static LivingPhoenix phoenix;
+  private static RunningPhoenix phoenix;
 
   /** The process that brings robots up, as {@code ./dfra up} with jars of its own beside DFRA's. */
   private static InteractiveProcess starter;
@@ -101,7 +101,7 @@ class RobotCodebaseIT {
     elsewhere = Files.copy(KindJar.lidar(r1.dl(), "unsigned"), folder.resolve("elsewhere.jar"));
     Path robots = KindJar.lidar(Files.createDirectory(folder.resolve("own")), "the robots' own");
     Path server = KindJar.lidarServer(folder, robots);
-    phoenix = LivingPhoenix.start(folder.resolve("phoenix"));
+    phoenix = RunningPhoenix.start(folder.resolve("phoenix"));
     starter =
         Role.start(
             List.of(robots, server),
@@ -115,7 +115,7 @@ class RobotCodebaseIT {
 
   @AfterAll
   static void end() throws Exception {
-    try (LivingPhoenix ended = phoenix;
+    try (RunningPhoenix ended = phoenix;
         InteractiveProcess left = starter) {
       assertThat(ended != null && left != null).as("phoenix and the process beside").isTrue();
     }

@@ -61,7 +61,7 @@ class SubscriptionIT {
 
   @TempDir static Path folder;
 
-  private static LivingPhoenix phoenix;
+  private static RunningPhoenix phoenix;
   private static M12Emulator receiver;
   private static JiniModuleDirectory directory;
   private static GPSSensor gps;
@@ -80,7 +80,7 @@ class SubscriptionIT {
         new M12Emulator(
             M12EmulatorSettings.at(new GeoPosition(52.9, 6.9, 50)).withBaud(115_200), Instant::now);
     receiver.start();
-    phoenix = LivingPhoenix.start(own.resolve("phoenix"));
+    phoenix = RunningPhoenix.start(own.resolve("phoenix"));
     int port = FreePorts.allocate();
     Path xml = own.resolve("robot.xml");
     Files.writeString(

@@ -50,7 +50,7 @@ public final class ScriptedRobot implements AutoCloseable {
   private final Map<String, MortalTime> times = new HashMap<>();
   public final Drive drive = new Drive(context("drive", Map.of()));
   public final Place position = new Place(context("position", Map.of()));
-  public final Room room = new Room("range_filter");
+  public final Room clearance = new Room("range_filter");
 
   public double east;
   public double north;
@@ -61,7 +61,7 @@ public final class ScriptedRobot implements AutoCloseable {
   public Duration roomDelay = Duration.ZERO;
 
   /** Which of its range filters publishes the clearance. */
-  public Room seer = room;
+  public Room seer = clearance;
 
   public boolean seesRoom = true;
   public boolean seesPlace = true;
@@ -73,7 +73,7 @@ public final class ScriptedRobot implements AutoCloseable {
   public ScriptedRobot() {
     add(drive);
     add(position);
-    add(room);
+    add(clearance);
     add(new HeadingErrorImpl(context("heading_error", Map.of())));
     add(new FuzzyDriveImpl(context("fuzzy_drive", Map.of("system_file", rules().toString()))));
     tick();

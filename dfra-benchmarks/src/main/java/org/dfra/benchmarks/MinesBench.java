@@ -49,10 +49,10 @@ final class MinesBench implements Bench {
     List<MineLaneObservations> second = lanes.subList(FIELDS / 2, FIELDS);
     Map<Band, RepeatedDetectionRates> rates = new EnumMap<>(Band.class);
     for (Band band : Band.values()) {
-      DetectionCounter tally = new DetectionCounter(band);
-      first.forEach(tally::add);
-      record(report, band.name().toLowerCase(Locale.ROOT), tally);
-      rates.put(band, tally.rates());
+      DetectionCounter counter = new DetectionCounter(band);
+      first.forEach(counter::add);
+      record(report, band.name().toLowerCase(Locale.ROOT), counter);
+      rates.put(band, counter.rates());
     }
     together(
         report, "bayes", new BayesFusion(PRIOR), rates, second, MOST_OVERLOOKED, MOST_MISTAKEN);
@@ -66,12 +66,12 @@ final class MinesBench implements Bench {
         Double.POSITIVE_INFINITY);
   }
 
-  private static void record(Report report, String band, DetectionCounter tally) {
+  private static void record(Report report, String band, DetectionCounter counter) {
     for (PreviousResult before : PreviousResult.values()) {
       String when =
           before == PreviousResult.NONE ? "" : "_after_" + before.name().toLowerCase(Locale.ROOT);
-      record(report, band + "_true_positive" + when, tally.truePositives(before));
-      record(report, band + "_false_positive" + when, tally.falsePositives(before));
+      record(report, band + "_true_positive" + when, counter.truePositives(before));
+      record(report, band + "_false_positive" + when, counter.falsePositives(before));
     }
   }
 
@@ -91,12 +91,12 @@ final class MinesBench implements Bench {
       List<MineLaneObservations> lanes,
       double mostOverlooked,
       double mostMistaken) {
-    FusedDetectionCounter tally = new FusedDetectionCounter(fusion, rates);
-    lanes.forEach(tally::add);
-    record(report, name + "_true_positive", tally.truePositives());
-    record(report, name + "_false_positive", tally.falsePositives());
-    DetectionRate found = tally.recall();
-    DetectionRate mistaken = tally.falseDiscoveries();
+    FusedDetectionCounter counter = new FusedDetectionCounter(fusion, rates);
+    lanes.forEach(counter::add);
+    record(report, name + "_true_positive", counter.truePositives());
+    record(report, name + "_false_positive", counter.falsePositives());
+    DetectionRate found = counter.recall();
+    DetectionRate mistaken = counter.falseDiscoveries();
     report.say(
         "  in the end "
             + found.times()
@@ -118,7 +118,7 @@ final class MinesBench implements Bench {
         mostMistaken,
         "");
     report.figure(
-        name + ": error of a mine's position, RMS", tally.positionRmse(), MOST_ERROR, "m");
+        name + ": error of a mine's position, RMS", counter.positionRmse(), MOST_ERROR, "m");
   }
 
   private static List<MineLaneObservations> lanes()

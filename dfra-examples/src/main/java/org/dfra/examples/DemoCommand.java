@@ -54,11 +54,11 @@ public final class DemoCommand implements Callable<Integer> {
 
   /** Lists all demonstrations; runs none. */
   public DemoCommand() {
-    demos.put("raster", (narration, folder) -> RasterDemo.of(narration, raster, folder));
-    demos.put("recruit", (narration, folder) -> RecruitDemo.of(narration, raster.speed(), folder));
+    demos.put("raster", (progress, folder) -> RasterDemo.of(progress, raster, folder));
+    demos.put("recruit", (progress, folder) -> RecruitDemo.of(progress, raster.speed(), folder));
     demos.put("devices", DevicesDemo::new);
-    demos.put("persona", (narration, report) -> new PersonaDemo(narration));
-    demos.put("foundation", (narration, report) -> new FoundationDemo(narration));
+    demos.put("persona", (progress, report) -> new PersonaDemo(progress));
+    demos.put("foundation", (progress, report) -> new FoundationDemo(progress));
   }
 
   @Parameters(
@@ -100,13 +100,13 @@ public final class DemoCommand implements Callable<Integer> {
               + String.join(", ", demos.keySet()));
     }
     refuseOptionsOfOthers(chosen);
-    ProgressReporter narration = ProgressReporter.to(out);
-    if (!demo.apply(narration, report == null ? Path.of("reports", chosen) : report).run()) {
+    ProgressReporter progress = ProgressReporter.to(out);
+    if (!demo.apply(progress, report == null ? Path.of("reports", chosen) : report).run()) {
       return ExitCode.FAILED;
     }
-    record.append(narration.figures(), "demo", chosen);
-    DemoVerdict verdict = new DemoVerdict(narration.figures(), isStrict);
-    verdict.sentences(CpuSpeed::relativeToReference).forEach(narration::remark);
+    record.append(progress.figures(), "demo", chosen);
+    DemoVerdict verdict = new DemoVerdict(progress.figures(), isStrict);
+    verdict.sentences(CpuSpeed::relativeToReference).forEach(progress::remark);
     return verdict.passed() ? ExitCode.SUCCESS : ExitCode.FAILED;
   }
 

@@ -34,7 +34,7 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
   private final Ticker ticker;
   private final EventCounter received;
   private final LinkKeeper keeper;
-  private final ProbePace pace;
+  private final ProbePeriod pace;
 
   // written by the reader, read by anyone
   private volatile @Nullable TemperatureReading latest; // null: none to be served
@@ -44,7 +44,7 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
   /** Called by the module's server. */
   public ProbeThermometerImpl(ModuleContext context) {
     super(context, "Probe", "you", "1.0", List.of("TemperatureReading"), List.of(AIR));
-    pace = new ProbePace(settings());
+    pace = new ProbePeriod(settings());
     ticker = Ticker.of(clock());
     received = new EventCounter(ticker);
     LinkAddress address = LinkSettings.address(settings());
@@ -61,7 +61,7 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
         .declareReadOnly("dropped_bytes", "bytes of no line", () -> "" + counts.droppedBytes());
     parameterTable()
         .declareReadOnly("malformed", "lines of no temperature", () -> "" + counts.malformed());
-    new ProbeExamination(keeper, received, pace).declareIn(diagnostics());
+    new ProbeDiagnostics(keeper, received, pace).declareIn(diagnostics());
   }
 
   @Override
@@ -107,7 +107,7 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
     public void opened(SerialLink link) {
       awaits = link + " is open, no temperature has come yet";
       ordered = 0; // it may have been switched off meanwhile, or be another one
-      received.increment(ProbeExamination.OPENING);
+      received.increment(ProbeDiagnostics.OPENING);
     }
 
     @Override
@@ -126,9 +126,9 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
         link.write(ProbeParser.order(ordered));
         patientSince = ticker.nanos();
       }
-      Duration patience = ProbePace.patience(ordered);
+      Duration patience = ProbePeriod.patience(ordered);
       boolean lost = ticker.nanos() - patientSince > patience.toNanos();
-      return lost ? "no temperature for " + ProbePace.inWords(patience) : null;
+      return lost ? "no temperature for " + ProbePeriod.inWords(patience) : null;
     }
 
     @Override
@@ -150,7 +150,7 @@ public final class ProbeThermometerImpl extends SensorImpl implements Thermomete
       patientSince = ticker.nanos();
       TemperatureReading reading = new TemperatureReading(celsius, clock().instant());
       latest = reading;
-      received.increment(ProbeExamination.READING);
+      received.increment(ProbeDiagnostics.READING);
       if (readiness() == Readiness.INITIALIZING) {
         transitionTo(Readiness.READY);
       }

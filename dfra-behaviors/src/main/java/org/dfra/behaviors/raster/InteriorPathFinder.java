@@ -18,7 +18,7 @@ import org.locationtech.jts.geom.Polygon;
 final class InteriorPathFinder {
 
   private final LineOfSight sight;
-  private final Coordinate[] turns; // the reflex corners
+  private final Coordinate[] corners; // the reflex corners
   private final @Nullable ShortestPathTree[] rows; // by their first corner
   private final Map<Coordinate, int[]> seenFrom = new HashMap<>();
   private final int[][] neighbours; // the corners visible from each; null where not computed yet
@@ -28,21 +28,21 @@ final class InteriorPathFinder {
 
   InteriorPathFinder(Polygon polygon) {
     this.sight = new LineOfSight(polygon);
-    this.turns = turns(polygon.getExteriorRing().getCoordinates());
-    this.rows = new ShortestPathTree[turns.length];
-    this.neighbours = new int[turns.length][];
+    this.corners = corners(polygon.getExteriorRing().getCoordinates());
+    this.rows = new ShortestPathTree[corners.length];
+    this.neighbours = new int[corners.length][];
   }
 
-  private static Coordinate[] turns(Coordinate[] ring) {
+  private static Coordinate[] corners(Coordinate[] ring) {
     int outside = Orientation.isCCW(ring) ? Orientation.CLOCKWISE : Orientation.COUNTERCLOCKWISE;
-    List<Coordinate> turns = new ArrayList<>();
+    List<Coordinate> corners = new ArrayList<>();
     int n = ring.length - 1;
     for (int i = 0; i < n; i++) {
       if (Orientation.index(ring[(i + n - 1) % n], ring[i], ring[i + 1]) == outside) {
-        turns.add(ring[i]);
+        corners.add(ring[i]);
       }
     }
-    return turns.toArray(new Coordinate[0]);
+    return corners.toArray(new Coordinate[0]);
   }
 
   /** The length of the shortest path between two points of the polygon, metres. */
@@ -59,9 +59,9 @@ final class InteriorPathFinder {
     List<Coordinate> way = new ArrayList<>(List.of(b));
     int[] before = row(bridge.first).before;
     for (int at = bridge.last; at != bridge.first; at = before[at]) {
-      way.add(0, turns[at]);
+      way.add(0, corners[at]);
     }
-    way.add(0, turns[bridge.first]);
+    way.add(0, corners[bridge.first]);
     way.add(0, a);
     return way;
   }
@@ -73,13 +73,13 @@ final class InteriorPathFinder {
     CornerPath best = new CornerPath(-1, -1, Double.POSITIVE_INFINITY);
     int[] lasts = seen(b);
     for (int first : seen(a)) {
-      double there = a.distance(turns[first]);
-      if (there + turns[first].distance(b) >= best.length) {
+      double there = a.distance(corners[first]);
+      if (there + corners[first].distance(b) >= best.length) {
         continue;
       }
       double[] onward = row(first).length;
       for (int last : lasts) {
-        double length = there + onward[last] + turns[last].distance(b);
+        double length = there + onward[last] + corners[last].distance(b);
         if (length < best.length) {
           best = new CornerPath(first, last, length);
         }
@@ -96,10 +96,10 @@ final class InteriorPathFinder {
   }
 
   private int[] look(Coordinate point) {
-    int[] seen = new int[turns.length];
+    int[] seen = new int[corners.length];
     int count = 0;
-    for (int i = 0; i < turns.length; i++) {
-      if (sight.isClear(point, turns[i])) {
+    for (int i = 0; i < corners.length; i++) {
+      if (sight.isClear(point, corners[i])) {
         seen[count++] = i;
       }
     }
@@ -112,18 +112,18 @@ final class InteriorPathFinder {
     if (known != null) {
       return known;
     }
-    double[] length = new double[turns.length];
-    int[] before = new int[turns.length];
-    boolean[] isDone = new boolean[turns.length];
+    double[] length = new double[corners.length];
+    int[] before = new int[corners.length];
+    boolean[] isDone = new boolean[corners.length];
     Arrays.fill(length, Double.POSITIVE_INFINITY);
     length[start] = 0;
     for (int at = start; at >= 0; at = nearest(length, isDone)) {
       isDone[at] = true;
       if (neighbours[at] == null) {
-        neighbours[at] = look(turns[at]);
+        neighbours[at] = look(corners[at]);
       }
       for (int next : neighbours[at]) {
-        double there = length[at] + turns[at].distance(turns[next]);
+        double there = length[at] + corners[at].distance(corners[next]);
         if (there < length[next]) {
           length[next] = there;
           before[next] = at;

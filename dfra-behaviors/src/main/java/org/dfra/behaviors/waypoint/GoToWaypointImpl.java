@@ -42,7 +42,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoToWaypoint {
 
-  private final ModuleDependency<RangeFilter> room;
+  private final ModuleDependency<RangeFilter> clearance;
   private final ModuleDependency<HeadingError> heading;
   private final ModuleDependency<FuzzyDrive> rules;
   private final ModuleDependency<PositionEstimator> position;
@@ -55,7 +55,7 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
   /** See {@link org.dfra.core.module.ModuleImpl}. */
   public GoToWaypointImpl(ModuleContext context) {
     super(context, "drives to a waypoint", "DFRA", "1", LegGoal.class, 10);
-    this.room = ModuleDependency.of(context, RangeFilter.class, "range_filter");
+    this.clearance = ModuleDependency.of(context, RangeFilter.class, "range_filter");
     this.heading = ModuleDependency.of(context, HeadingError.class, "heading_error");
     this.rules = ModuleDependency.of(context, FuzzyDrive.class, "fuzzy_drive");
     this.position = ModuleDependency.of(context, PositionEstimator.class, "position");
@@ -76,7 +76,7 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
 
   @Override
   protected GoalExecution startGoal(LegGoal goal) throws RemoteException {
-    for (ModuleDependency<?> each : List.of(room, heading, rules, interlock().drive())) {
+    for (ModuleDependency<?> each : List.of(clearance, heading, rules, interlock().drive())) {
       Module unused = each.resolve(); // rejects where one is missing
     }
     GeoPosition here = position.resolve().estimate().position();
@@ -87,7 +87,7 @@ public final class GoToWaypointImpl extends BehaviorImpl<LegGoal> implements GoT
         new LegExecution(
             new LegExecution.Dependencies(
                 heading::resolve,
-                room::resolve,
+                clearance::resolve,
                 rules::resolve,
                 new LeasedDrive(interlock()),
                 context().robotTime()::nanos,

@@ -65,7 +65,7 @@ final class LegExecution implements GoalExecution {
   private volatile @Nullable Duration limit; // since its start
   private final StuckDetector watch = new StuckDetector(STUCK_TIMEOUT, NO_PROGRESS_TIMEOUT);
   private final ClearanceMargin margin;
-  private @Nullable ResolvedModules senses;
+  private @Nullable ResolvedModules resolvedModules;
   private @Nullable RecoveryManeuver recovery;
   private int recoveries;
   private double whole = Double.NaN; // initial distance, metres
@@ -92,7 +92,7 @@ final class LegExecution implements GoalExecution {
               Locale.ROOT, "its time limit of %.1f s has passed", longest.toMillis() / 1000.0),
           share);
     }
-    ResolvedModules by = senses();
+    ResolvedModules by = resolvedModules();
     HeadingPercept heading = by.headingError().towards(leg);
     if (Double.isNaN(whole)) {
       whole = Math.max(tolerance, heading.distance());
@@ -104,7 +104,7 @@ final class LegExecution implements GoalExecution {
     }
     Clearance measured = by.rangeFilter().clearance();
     long now = means.nanos().getAsLong();
-    Clearance room = margin.reduced(measured, means.clock().instant(), now);
+    Clearance clearance = margin.reduced(measured, means.clock().instant(), now);
     if (recovery != null && recovery.isOver(now)) {
       recovery = null;
       watch.reset();
@@ -120,7 +120,7 @@ final class LegExecution implements GoalExecution {
       }
       recovery = new RecoveryManeuver(now, recoveries++);
     }
-    Velocity wanted = velocity(by.fuzzyDrive(), now, room, heading);
+    Velocity wanted = velocity(by.fuzzyDrive(), now, clearance, heading);
     margin.recordCommand(wanted, now);
     means.wheels().setVelocity(wanted);
     share = done(heading);
@@ -142,30 +142,30 @@ final class LegExecution implements GoalExecution {
         || (heading.remainingAlongTrack() <= 0 && heading.distance() <= means.passingTolerance());
   }
 
-  private ResolvedModules senses() {
-    ResolvedModules by = senses;
+  private ResolvedModules resolvedModules() {
+    ResolvedModules by = resolvedModules;
     if (by == null) {
       by =
           new ResolvedModules(
               means.headingError().get(), means.rangeFilter().get(), means.fuzzyDrive().get());
-      senses = by;
+      resolvedModules = by;
     }
     return by;
   }
 
-  private Velocity velocity(FuzzyDrive rules, long now, Clearance room, HeadingPercept heading)
+  private Velocity velocity(FuzzyDrive rules, long now, Clearance clearance, HeadingPercept heading)
       throws RemoteException {
     @Nullable RecoveryManeuver out = recovery;
     if (out == null) {
       HeadingPercept known =
           heading.headingSigma() > MAX_YAW_SIGMA ? heading.withoutHeadingError() : heading;
-      return rules.advise(room, known).velocity();
+      return rules.advise(clearance, known).velocity();
     }
-    @Nullable Velocity wanted = out.velocity(now, room);
+    @Nullable Velocity wanted = out.velocity(now, clearance);
     if (wanted != null) {
       return wanted;
     }
-    return rules.advise(room, heading.withoutHeadingError()).velocity();
+    return rules.advise(clearance, heading.withoutHeadingError()).velocity();
   }
 
   /** In whole metres, so that the status does not change in every cycle. */
@@ -186,7 +186,7 @@ final class LegExecution implements GoalExecution {
   @Override
   public void suspend() {
     means.wheels().release();
-    senses = null;
+    resolvedModules = null;
     recovery = null;
     watch.reset();
     margin.reset();

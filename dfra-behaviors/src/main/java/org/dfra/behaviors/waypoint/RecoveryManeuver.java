@@ -21,7 +21,7 @@ final class RecoveryManeuver {
   private static final double TURN_SECONDS = 1.5;
   private static final double ON_SECONDS = 2.5;
   private static final double BACK_SPEED = -0.25; // m/s
-  private static final double TURN_RATE = 0.8; // rad/s
+  private static final double YAW_RATE = 0.8; // rad/s
 
   private final long begun;
   private final boolean otherSide;
@@ -53,7 +53,7 @@ final class RecoveryManeuver {
         decided = (clearance.left() > clearance.right()) != otherSide;
         left = decided;
       }
-      return new Velocity(0, decided ? TURN_RATE : -TURN_RATE);
+      return new Velocity(0, decided ? YAW_RATE : -YAW_RATE);
     }
     return null;
   }

@@ -58,7 +58,7 @@ class FuzzyDriveTest {
                 Map.of("system_file", file.toString(), "max_speed", "0.5", "max_yaw_rate", "2"))));
   }
 
-  private static Clearance room(double left, double centre, double right) {
+  private static Clearance clearance(double left, double centre, double right) {
     return new Clearance(Instant.EPOCH, "base_link", left, centre, right);
   }
 
@@ -74,15 +74,18 @@ class FuzzyDriveTest {
     Inference system = FuzzySystem.read(ScriptedRobot.rules()).inference();
     double[] out = new double[2];
     for (int i = 0; i < 500; i++) {
-      Clearance room =
-          room(random.nextDouble() * 8, random.nextDouble() * 8, random.nextDouble() * 8);
+      Clearance clearance =
+          clearance(random.nextDouble() * 8, random.nextDouble() * 8, random.nextDouble() * 8);
       HeadingPercept heading = heading((random.nextDouble() - 0.5) * 2 * Math.PI);
       system.evaluate(
           new double[] {
-            room.left(), room.centre(), room.right(), Math.toDegrees(heading.headingError())
+            clearance.left(),
+            clearance.centre(),
+            clearance.right(),
+            Math.toDegrees(heading.headingError())
           },
           out);
-      DriveAdvice advice = drive.advise(room, heading);
+      DriveAdvice advice = drive.advise(clearance, heading);
       assertThat(advice.velocity().speed())
           .as("seed %s", seed)
           .isCloseTo(Math.max(0, Math.min(1, out[0])) * 0.5, within(1e-12));
@@ -96,11 +99,11 @@ class FuzzyDriveTest {
   @Test
   void turnsToWhereTheHeadingIsAndAwayFromWhatIsNear() {
     FuzzyDriveImpl drive = drive(ScriptedRobot.rules());
-    assertThat(drive.advise(room(8, 8, 8), heading(1)).velocity().yawRate())
+    assertThat(drive.advise(clearance(8, 8, 8), heading(1)).velocity().yawRate())
         .as("to the left")
         .isPositive();
-    assertThat(drive.advise(room(8, 8, 8), heading(-1)).velocity().yawRate()).isNegative();
-    assertThat(drive.advise(room(8, 0.6, 0.5), heading(0)).velocity().yawRate())
+    assertThat(drive.advise(clearance(8, 8, 8), heading(-1)).velocity().yawRate()).isNegative();
+    assertThat(drive.advise(clearance(8, 0.6, 0.5), heading(0)).velocity().yawRate())
         .as("away from the right")
         .isPositive();
   }
@@ -119,7 +122,7 @@ class FuzzyDriveTest {
             + output(2, "tr", 0, 1)
             + "[Rules]\n2 0 0 0, 2 1 (1) : 1\n");
     // Facing to the right of where it is to go, so "up": turn left, slowly.
-    DriveAdvice advice = drive(other).advise(room(8, 8, 8), heading(Math.toRadians(170)));
+    DriveAdvice advice = drive(other).advise(clearance(8, 8, 8), heading(Math.toRadians(170)));
     assertThat(advice.velocity().yawRate()).as("%s", advice).isPositive();
     assertThat(advice.velocity().speed()).as("%s", advice).isBetween(0.0, 0.25);
     assertThat(advice.reason()).contains("heading_error", "rv", "tr");

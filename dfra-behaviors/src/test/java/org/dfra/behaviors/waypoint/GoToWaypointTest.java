@@ -281,7 +281,7 @@ class GoToWaypointTest {
     UUID unused = goTo.pursue(TEN_METRES);
     assertThat(robot.time.until(() -> robot.east > 2, 30)).isTrue();
     robot.seesRoom = false;
-    robot.end(robot.room);
+    robot.end(robot.clearance);
     assertThat(robot.reachesActivity(goTo, "it waits: ", 1)).isTrue();
     ScriptedRobot.Room other = robot.add(robot.new Room("other_filter"));
     robot.seesRoom = true;

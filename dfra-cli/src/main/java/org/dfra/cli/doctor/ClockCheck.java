@@ -75,14 +75,14 @@ final class ClockCheck implements Check {
             + (offset.offset().isNegative() ? " behind" : " ahead of")
             + " this computer's, ± "
             + DurationText.of(offset.uncertainty());
-    String mend =
+    String remedy =
         "Synchronize both with one time server, for example by chrony; on a field without a"
             + " network it can be one of the robots.";
     if (offset.atLeast().compareTo(FAIL_OFFSET) > 0) {
-      return Finding.fail(subject(), what, mend);
+      return Finding.fail(subject(), what, remedy);
     }
     return offset.atLeast().compareTo(WARN_OFFSET) > 0
-        ? Finding.warn(subject(), what, mend)
+        ? Finding.warn(subject(), what, remedy)
         : Finding.ok(subject(), what);
   }
 

@@ -14,12 +14,12 @@ record Finding(Subject subject, Finding.Verdict verdict, String what, @Nullable 
     return new Finding(subject, Verdict.OK, what, null);
   }
 
-  static Finding warn(Subject subject, String what, String mend) {
-    return new Finding(subject, Verdict.WARN, what, mend);
+  static Finding warn(Subject subject, String what, String remedy) {
+    return new Finding(subject, Verdict.WARN, what, remedy);
   }
 
-  static Finding fail(Subject subject, String what, String mend) {
-    return new Finding(subject, Verdict.FAIL, what, mend);
+  static Finding fail(Subject subject, String what, String remedy) {
+    return new Finding(subject, Verdict.FAIL, what, remedy);
   }
 
   /**

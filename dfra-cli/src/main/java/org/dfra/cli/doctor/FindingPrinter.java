@@ -39,10 +39,10 @@ final class FindingPrinter {
         lines.add(line + part);
         line = BLANK;
       }
-      @Nullable String mend = each.remedy();
-      if (mend != null) {
+      @Nullable String remedy = each.remedy();
+      if (remedy != null) {
         lines.addAll(
-            TextWrap.hangingIndent(BLANK + "→ " + PrintableText.line(mend), columns, LABELS + 2));
+            TextWrap.hangingIndent(BLANK + "→ " + PrintableText.line(remedy), columns, LABELS + 2));
       }
     }
     lines.add("");

@@ -58,13 +58,13 @@ final class ModuleCheck implements Check {
           Finding.warn(
               subject(),
               each.path() + " cannot be used here: " + Reason.what(each.reason()),
-              Reason.mend(
+              Reason.remedy(
                   each.reason(),
                   "Trust its robot's classes; docs/reference/trusted-code.md says how.")));
     }
     for (ModuleConflict each : unusable.conflicts()) {
       String reason = each.describe();
-      findings.add(Finding.warn(subject(), Reason.what(reason), Reason.mend(reason, "")));
+      findings.add(Finding.warn(subject(), Reason.what(reason), Reason.remedy(reason, "")));
     }
     return findings;
   }
@@ -76,8 +76,8 @@ final class ModuleCheck implements Check {
             + module.state().name().toLowerCase(Locale.ROOT)
             + ": "
             + Reason.what(module.reason());
-    String mend =
-        Reason.mend(
+    String remedy =
+        Reason.remedy(
             module.reason(),
             "Look at its device and its link; "
                 + CommandName.current()
@@ -85,8 +85,8 @@ final class ModuleCheck implements Check {
                 + module.path()
                 + " shows its parameters and its history.");
     return module.state() == Readiness.FAILED
-        ? Finding.fail(subject(), what, mend)
-        : Finding.warn(subject(), what, mend);
+        ? Finding.fail(subject(), what, remedy)
+        : Finding.warn(subject(), what, remedy);
   }
 
   /** A sentence that may contain a remedy after a semicolon. */
@@ -97,7 +97,7 @@ final class ModuleCheck implements Check {
       return semicolon < 0 ? reason : reason.substring(0, semicolon);
     }
 
-    static String mend(String reason, String otherwise) {
+    static String remedy(String reason, String otherwise) {
       int semicolon = reason.lastIndexOf("; ");
       return semicolon < 0
           ? otherwise

@@ -28,7 +28,7 @@ final class StateCheck implements Check {
   private static final long LARGE_JOURNAL = 100 * MEGABYTE;
 
   private final Path state;
-  private final ToLongFunction<Path> room;
+  private final ToLongFunction<Path> freeBytes;
 
   /**
    * @param state the folder; it may not exist yet
@@ -36,7 +36,7 @@ final class StateCheck implements Check {
    */
   StateCheck(Path state, ToLongFunction<Path> freeBytes) {
     this.state = state;
-    this.room = freeBytes;
+    this.freeBytes = freeBytes;
   }
 
   /** The folder on this computer's disk. */
@@ -74,7 +74,7 @@ final class StateCheck implements Check {
 
   private Finding folder(Path existing) {
     if (Files.isDirectory(existing) && Files.isWritable(existing)) {
-      @Nullable String fault = existing.equals(state) ? openness(state) : null;
+      @Nullable String fault = existing.equals(state) ? permissionFault(state) : null;
       if (fault != null) {
         return Finding.fail(
             subject(),
@@ -97,7 +97,7 @@ final class StateCheck implements Check {
         "Correct its permissions, or name another folder with --state or in DFRA_STATE.");
   }
 
-  private static @Nullable String openness(Path folder) {
+  private static @Nullable String permissionFault(Path folder) {
     try {
       return PrivateFiles.privacyFault(folder);
     } catch (IOException e) {
@@ -106,16 +106,16 @@ final class StateCheck implements Check {
   }
 
   private Finding space(Path existing) {
-    long left = room.applyAsLong(existing);
+    long left = freeBytes.applyAsLong(existing);
     String what = "there is room for " + size(left) + " in " + state;
     if (left >= LOW_SPACE) {
       return Finding.ok(Subject.DISK_SPACE, what);
     }
-    String mend =
+    String remedy =
         "Free space there, or name a folder on another disk with --state or in DFRA_STATE.";
     return left >= NO_SPACE
-        ? Finding.warn(Subject.DISK_SPACE, what, mend)
-        : Finding.fail(Subject.DISK_SPACE, what, mend);
+        ? Finding.warn(Subject.DISK_SPACE, what, remedy)
+        : Finding.fail(Subject.DISK_SPACE, what, remedy);
   }
 
   private static Finding journal(Path journal) {

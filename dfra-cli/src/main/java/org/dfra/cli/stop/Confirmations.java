@@ -130,20 +130,21 @@ final class Confirmations {
    * @return a clause; empty if it counts
    */
   Optional<String> unconfirmedReason(EffectorStopResult stop, List<StopMerge.ProxyClaim> listings) {
-    return objection(stop, listings)
+    return contradiction(stop, listings)
         .map(
-            objection ->
+            contradiction ->
                 "phoenix at "
                     + answers.stream()
                         .filter(each -> each.confirms(stop.id(), stop.path()))
                         .map(each -> each.address().toString())
                         .collect(Collectors.joining(", "))
                     + ", which only discovery named, says that it is stopped, and "
-                    + objection
+                    + contradiction
                     + "; name its robot's phoenix with --phoenix or DFRA_PHOENIX");
   }
 
-  private Optional<String> objection(EffectorStopResult stop, List<StopMerge.ProxyClaim> listings) {
+  private Optional<String> contradiction(
+      EffectorStopResult stop, List<StopMerge.ProxyClaim> listings) {
     List<PhoenixAnswer> configured = answers.stream().filter(PhoenixAnswer::isConfigured).toList();
     if (configured.stream().anyMatch(each -> each.robots().contains(stop.robot()))) {
       return Optional.of("the configured phoenix of its robot does not");

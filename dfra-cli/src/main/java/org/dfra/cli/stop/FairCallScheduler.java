@@ -137,13 +137,15 @@ final class FairCallScheduler implements AutoCloseable {
     begin();
     if (peer != null && numeric != null) {
       CompletableFuture<Void> unused =
-          probe.answered(new InetSocketAddress(numeric, peer.port())).thenRun(() -> hurry(call));
+          probe
+              .answered(new InetSocketAddress(numeric, peer.port()))
+              .thenRun(() -> prioritize(call));
     }
     return call.answer;
   }
 
   /** Its peer answers connection attempts. */
-  private void hurry(Call call) {
+  private void prioritize(Call call) {
     synchronized (this) {
       boolean isWaiting = lane(call).remove(call);
       call.answersProbe = true;

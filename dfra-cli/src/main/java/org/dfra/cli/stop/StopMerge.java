@@ -105,13 +105,13 @@ final class StopMerge {
         .values()
         .forEach(stop -> outcomes.add(known(stop, byIdentity.get(stop.id()), here)));
     for (EffectorStopResult stop : confirmations.discovered()) {
-      Optional<Outcome> doubt =
+      Optional<Outcome> uncertain =
           ofPhoenix(stop).result().isWell()
               ? confirmations
                   .unconfirmedReason(stop, listings.getOrDefault(stop.id(), List.of()))
                   .map(why -> doubtful(ofPhoenix(stop), why))
               : Optional.empty();
-      outcomes.add(doubt.orElseGet(() -> known(stop, byIdentity.get(stop.id()), here)));
+      outcomes.add(uncertain.orElseGet(() -> known(stop, byIdentity.get(stop.id()), here)));
     }
     for (ProxyClaim claim : claims.values()) {
       if (!confirmations.knows(claim.id(), claim.path())) {

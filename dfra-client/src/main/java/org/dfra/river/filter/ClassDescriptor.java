@@ -108,12 +108,12 @@ record ClassDescriptor(
   }
 
   /** This class and its superclasses, the topmost first, in the order of their data in a stream. */
-  Deque<ClassDescriptor> lineage() {
-    Deque<ClassDescriptor> lineage = new ArrayDeque<>();
+  Deque<ClassDescriptor> classHierarchy() {
+    Deque<ClassDescriptor> classHierarchy = new ArrayDeque<>();
     for (ClassDescriptor form = this; form != null; form = form.parent) {
-      lineage.push(form);
+      classHierarchy.push(form);
     }
-    return lineage;
+    return classHierarchy;
   }
 
   /**

@@ -269,7 +269,7 @@ final class StreamScanner implements ObjectStreamConstants {
       return handles.finish(handle, external(form));
     }
     long cost = TraversalCost.LEAF;
-    for (ClassDescriptor part : form.lineage()) {
+    for (ClassDescriptor part : form.classHierarchy()) {
       cost = TraversalCost.sum(cost, data(part));
     }
     return handles.finish(handle, cost);

@@ -41,7 +41,7 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
   /** JERI holds what it exports weakly, so open subscriptions are referenced here. */
   private static final Set<ProxySubscription> OPEN = ConcurrentHashMap.newKeySet();
 
-  private final DeliveryCounter tally;
+  private final DeliveryCounter counter;
   private final ListenerQueue queue;
   private final Exporter exporter;
   private final LeaseRenewer renewer;
@@ -49,11 +49,11 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
   private ProxySubscription(
       String path, RemoteModule server, ModuleListener listener, DeliveryPolicy policy)
       throws RemoteException {
-    this.tally = new DeliveryCounter(listener);
+    this.counter = new DeliveryCounter(listener);
     // The server has applied the kinds and the rate; here the queue only limits waiting events.
     this.queue =
         new ListenerQueue(
-            tally,
+            counter,
             new DeliveryPolicy(
                 EnumSet.allOf(DeliveryPolicy.EventKind.class),
                 policy.queueDepth(),
@@ -123,7 +123,7 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
   private GrantedSubscription register(
       RemoteModule server, ModuleListener stub, DeliveryPolicy policy) throws RemoteException {
     if (server.subscribe(stub, policy) instanceof GrantedSubscription leased) {
-      tally.startAfter(leased.sequenceNumbers().stream().mapToLong(Long::longValue).toArray());
+      counter.startAfter(leased.sequenceNumbers().stream().mapToLong(Long::longValue).toArray());
       return leased;
     }
     throw new RemoteException("the server gave no lease for the listener");
@@ -137,12 +137,12 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
 
   @Override
   public long received() {
-    return tally.received();
+    return counter.received();
   }
 
   @Override
   public long lost() {
-    return tally.lost();
+    return counter.lost();
   }
 
   @Override

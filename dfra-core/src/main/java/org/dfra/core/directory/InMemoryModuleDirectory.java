@@ -65,18 +65,18 @@ public final class InMemoryModuleDirectory extends CachedModuleDirectory {
    */
   public void put(UUID id, Module module, List<Attributes> attributes, Locality locality) {
     for (Attributes each : attributes) {
-      if (each instanceof ModuleAttributes who) {
+      if (each instanceof ModuleAttributes named) {
         table()
             .unordered()
             .forEach(
                 other -> {
                   if (!other.id().equals(id)
-                      && other.name().equals(who.name())
-                      && other.robot().equals(who.robot())
-                      && other.host().equals(who.host())) {
+                      && other.name().equals(named.name())
+                      && other.robot().equals(named.robot())
+                      && other.host().equals(named.host())) {
                     throw new IllegalArgumentException(
                         "there is a module "
-                            + who.path()
+                            + named.path()
                             + " already; rename or remove one of the two");
                   }
                 });

@@ -99,7 +99,7 @@ public final class ModuleTable {
       if (!news && old != null && old.module() == module) {
         return;
       }
-      Optional<ModuleAttributes> who =
+      Optional<ModuleAttributes> named =
           attributes.stream()
               .filter(ModuleAttributes.class::isInstance)
               .map(ModuleAttributes.class::cast)
@@ -109,8 +109,8 @@ public final class ModuleTable {
           new ModuleListing<>(
               id,
               module,
-              who.map(ModuleAttributes::robot).orElse(""),
-              who.map(ModuleAttributes::name).orElse(""),
+              named.map(ModuleAttributes::robot).orElse(""),
+              named.map(ModuleAttributes::name).orElse(""),
               attributes,
               locality,
               false,

@@ -24,16 +24,16 @@ public record SelfDescription(
 
   /** The current attributes. */
   public List<Attributes> attributes() {
-    Identification who = driver.identification();
+    Identification identification = driver.identification();
     List<Attributes> attributes = new ArrayList<>();
     attributes.add(
         new ModuleAttributes(
-            who.robot(),
-            who.name(),
+            identification.robot(),
+            identification.name(),
             driver.getClass().getName(),
             host,
-            who.author(),
-            who.version(),
+            identification.author(),
+            identification.version(),
             driver.readiness(),
             created,
             activated,

@@ -199,7 +199,7 @@ public final class CommandArbiter {
    *
    * @return the commander's lease, which must be ended; null if there is none
    */
-  synchronized @Nullable UUID depose() {
+  synchronized @Nullable UUID revokeCommander() {
     @Nullable UUID over = lease;
     @Nullable Commander deposed = commander;
     if (deposed != null) {

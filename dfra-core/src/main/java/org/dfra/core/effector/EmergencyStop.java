@@ -94,7 +94,7 @@ final class EmergencyStop {
   /** See {@link org.dfra.flow.effector.Effector#emergencyStop}. */
   EmergencyStopState stop(@Nullable String by) {
     boolean isNew = latch.engage(by);
-    @Nullable UUID lease = arbiter.depose();
+    @Nullable UUID lease = arbiter.revokeCommander();
     Halt halt = halt();
     if (isNew) {
       ends.recordIncident(

@@ -84,7 +84,7 @@ public final class LatestReading<T> {
   }
 
   /** Replaces the last value without changing its age; does nothing if there is none. */
-  public void amend(T value) {
+  public void replaceValue(T value) {
     @Nullable Taken<T> now = last;
     if (now != null) {
       last = new Taken<>(value, now.nanos());

@@ -39,9 +39,10 @@ final class LocalListeners {
 
   /** Adds a listener. One that is added after the module's end receives no events. */
   Subscription add(ModuleListener listener, DeliveryPolicy policy) {
-    DeliveryCounter tally = new DeliveryCounter(listener);
-    EventHub.ListenerEntry entry = events.add(tally, policy, ListenerQueue.NEVER_GIVE_UP, () -> {});
-    tally.startAfter(entry.lastSequences());
+    DeliveryCounter counter = new DeliveryCounter(listener);
+    EventHub.ListenerEntry entry =
+        events.add(counter, policy, ListenerQueue.NEVER_GIVE_UP, () -> {});
+    counter.startAfter(entry.lastSequences());
     @Nullable UUID lease;
     try {
       lease = leases.grantLocal(ModuleImpl.leaseRole(policy), () -> revoked(entry));
@@ -50,7 +51,7 @@ final class LocalListeners {
     }
     @Nullable UUID held = lease;
     return new LocalSubscription(
-        tally,
+        counter,
         () -> held != null && leases.contains(held),
         () -> {
           events.remove(entry);
@@ -70,7 +71,7 @@ final class LocalListeners {
   /** The subscription of a listener in the module's own virtual machine. */
   private static final class LocalSubscription implements Subscription {
 
-    private final DeliveryCounter tally;
+    private final DeliveryCounter counter;
     private final BooleanSupplier held;
     private final Runnable end;
     private final AtomicBoolean closed = new AtomicBoolean();
@@ -79,20 +80,20 @@ final class LocalListeners {
      * @param held whether the listener's lease is still live
      * @param end run once when it is closed
      */
-    LocalSubscription(DeliveryCounter tally, BooleanSupplier held, Runnable end) {
-      this.tally = tally;
+    LocalSubscription(DeliveryCounter counter, BooleanSupplier held, Runnable end) {
+      this.counter = counter;
       this.held = held;
       this.end = end;
     }
 
     @Override
     public long received() {
-      return tally.received();
+      return counter.received();
     }
 
     @Override
     public long lost() {
-      return tally.lost();
+      return counter.lost();
     }
 
     @Override

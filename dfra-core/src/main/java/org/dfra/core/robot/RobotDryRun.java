@@ -63,9 +63,9 @@ public final class RobotDryRun {
    * @throws ConfigurationException with every fault in them, a line each
    */
   public static void check(RobotDescription robot) {
-    RobotDryRun rehearsal = new RobotDryRun(robot);
-    rehearsal.needs.forEach(rehearsal::requireNamed);
-    judge(rehearsal.faults);
+    RobotDryRun dryRun = new RobotDryRun(robot);
+    dryRun.needs.forEach(dryRun::requireNamed);
+    judge(dryRun.faults);
   }
 
   /**
@@ -74,10 +74,10 @@ public final class RobotDryRun {
    * @throws ConfigurationException likewise
    */
   public static void checkComplete(RobotDescription robot) {
-    RobotDryRun rehearsal = new RobotDryRun(robot);
-    rehearsal.needs.forEach(rehearsal::requireNamed);
-    rehearsal.needs.forEach(rehearsal::requireAny);
-    judge(rehearsal.faults);
+    RobotDryRun dryRun = new RobotDryRun(robot);
+    dryRun.needs.forEach(dryRun::requireNamed);
+    dryRun.needs.forEach(dryRun::requireAny);
+    judge(dryRun.faults);
   }
 
   private static void judge(List<String> faults) {

@@ -185,7 +185,7 @@ class CommandArbiterTest {
     assertThatThrownBy(() -> arbiter.execute(key, () -> reported.add("done")))
         .isInstanceOf(CommandRefusedByEmergencyStopException.class)
         .hasMessage(REFUSAL);
-    assertThat(arbiter.depose()).isEqualTo(LEASE);
+    assertThat(arbiter.revokeCommander()).isEqualTo(LEASE);
     assertThat(arbiter.commander()).isNull();
     assertThatThrownBy(() -> take("another"))
         .isInstanceOf(LeaseRefusedByEmergencyStopException.class)
@@ -277,7 +277,7 @@ class CommandArbiterTest {
                     "unlucky",
                     whenOver -> {
                       stop.engage("ops");
-                      assertThat(arbiter.depose()).as("not granted yet").isNull();
+                      assertThat(arbiter.revokeCommander()).as("not granted yet").isNull();
                       return LEASE;
                     }))
         .isInstanceOf(LeaseRefusedByEmergencyStopException.class)

@@ -58,7 +58,7 @@ class CommandTimeoutTest {
   }
 
   private CompletableFuture<Void> holdUp(CommandKey key) {
-    heldUp.turnHeldUp = write;
+    heldUp.cycleHeldUp = write;
     CompletableFuture<Void> writing = command(key, AHEAD);
     await().atMost(PATIENCE).until(() -> heldUp.commands.contains(TURNED));
     return writing;
@@ -98,7 +98,7 @@ class CommandTimeoutTest {
     await()
         .atMost(PATIENCE)
         .until(() -> System.nanoTime() - asked > TimeUnit.MILLISECONDS.toNanos(500));
-    heldUp.turnHeldUp = null;
+    heldUp.cycleHeldUp = null;
     write.countDown();
     writing.get(20, TimeUnit.SECONDS);
     assertThatThrownBy(() -> waiting.get(20, TimeUnit.SECONDS))

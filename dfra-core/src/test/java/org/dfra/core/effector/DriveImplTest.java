@@ -244,7 +244,7 @@ class DriveImplTest {
   @Test
   void aVelocityThatFailsHalfwayHaltsTheWheels() throws Exception {
     CommandKey key = key();
-    wheels.turnFails = new IllegalStateException("the line is full");
+    wheels.cycleFails = new IllegalStateException("the line is full");
     assertThatThrownBy(() -> wheels.execute(key, AHEAD)).hasMessage("the line is full");
     assertThat(wheels.commands).containsExactly("turn 0.5 0.0", "halt");
     assertThat(wheels.driveState().velocity()).isEqualTo(Velocity.ZERO);

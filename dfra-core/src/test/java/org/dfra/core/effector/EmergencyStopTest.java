@@ -48,7 +48,7 @@ class EmergencyStopTest {
 
   @AfterEach
   void close() {
-    CountDownLatch holder = wheels.turnHeldUp;
+    CountDownLatch holder = wheels.cycleHeldUp;
     if (holder != null) {
       holder.countDown();
     }
@@ -94,7 +94,7 @@ class EmergencyStopTest {
   void getsThroughWhileACommandIsHeldUpInTheDriver() throws Exception {
     CommandLease lease = wheels.acquireCommandLease(LEASE);
     CountDownLatch holder = new CountDownLatch(1);
-    wheels.turnHeldUp = holder;
+    wheels.cycleHeldUp = holder;
     CompletableFuture<Void> heldUp =
         CompletableFuture.runAsync(() -> wheels.execute(lease.key(), AHEAD));
     await().atMost(PATIENCE).until(() -> wheels.commands.contains(TURNED));

@@ -62,7 +62,7 @@ class HeldUpDriverTest {
   }
 
   private CompletableFuture<Void> holdUpAWrite(CommandKey key) {
-    wheels.turnHeldUp = release;
+    wheels.cycleHeldUp = release;
     CompletableFuture<Void> writing = beside(() -> wheels.execute(key, AHEAD));
     await().atMost(PATIENCE).until(() -> wheels.commands.contains(TURNED));
     return writing;
@@ -161,7 +161,7 @@ class HeldUpDriverTest {
     beside(() -> wheels.restart(false)).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
     assertThat(answer(wheels::driveState).velocity()).isEqualTo(Velocity.ZERO);
     assertThat(writing).isNotDone();
-    wheels.turnHeldUp = null;
+    wheels.cycleHeldUp = null;
     release.countDown();
     writing.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
     assertThat(wheels.commands).as("it may have reached the new link").endsWith("halt");
@@ -205,7 +205,7 @@ class HeldUpDriverTest {
     CommandKey key = second.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
     assertThat(writing).isNotDone();
     CompletableFuture<Void> released = beside(() -> wheels.execute(key, new Brake(false)));
-    wheels.turnHeldUp = null;
+    wheels.cycleHeldUp = null;
     release.countDown();
     released.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
     writing.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);

@@ -24,11 +24,11 @@ final class ScriptedWheels extends DriveImpl {
   /** {@code turn 0.5 -0.1}, {@code halt}, {@code brake true}; in order. */
   final List<String> commands = new CopyOnWriteArrayList<>();
 
-  volatile @Nullable RuntimeException turnFails;
+  volatile @Nullable RuntimeException cycleFails;
   volatile @Nullable RuntimeException haltFails;
 
   /** Setting a velocity waits for it while it is not null. */
-  volatile @Nullable CountDownLatch turnHeldUp;
+  volatile @Nullable CountDownLatch cycleHeldUp;
 
   /** A halt waits for it while it is not null. */
   volatile @Nullable CountDownLatch haltHeldUp;
@@ -73,8 +73,8 @@ final class ScriptedWheels extends DriveImpl {
   @Override
   protected void setVelocity(Velocity wanted) {
     commands.add("turn " + wanted.speed() + " " + wanted.yawRate());
-    await(turnHeldUp);
-    fail(turnFails);
+    await(cycleHeldUp);
+    fail(cycleFails);
   }
 
   @Override

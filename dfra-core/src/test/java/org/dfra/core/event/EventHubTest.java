@@ -192,17 +192,17 @@ class EventHubTest {
   @Test
   void aTallyCountsGapsLeavesOutWhatCameBeforeAndForgivesALossOfPower() throws Exception {
     List<Long> passed = new ArrayList<>();
-    DeliveryCounter tally = new DeliveryCounter(delivery -> passed.add(delivery.sequence()));
-    tally.startAfter(new long[] {0, 10, 0, 0});
+    DeliveryCounter counter = new DeliveryCounter(delivery -> passed.add(delivery.sequence()));
+    counter.startAfter(new long[] {0, 10, 0, 0});
     for (long sequence : new long[] {12, 12, 11, 15}) {
-      tally.notify(reading(1, sequence));
+      counter.notify(reading(1, sequence));
     }
-    tally.notify(reading(2, 16));
-    tally.notify(reading(3, 4)); // the numbers fell back
-    tally.notify(reading(3, 5));
+    counter.notify(reading(2, 16));
+    counter.notify(reading(3, 4)); // the numbers fell back
+    counter.notify(reading(3, 5));
     assertThat(passed).containsExactly(12L, 15L, 16L, 4L, 5L);
-    assertThat(tally.received()).isEqualTo(5);
-    assertThat(tally.lost()).isEqualTo(3);
+    assertThat(counter.received()).isEqualTo(5);
+    assertThat(counter.lost()).isEqualTo(3);
   }
 
   private static Delivery reading(long epoch, long sequence) {

@@ -72,11 +72,11 @@ class LatestReadingTest {
 
   @Test
   void isNoYoungerForWhatIsAdded() {
-    module.latest.amend("nothing to add to");
+    module.latest.replaceValue("nothing to add to");
     assertThat(module.latest.peek()).isNull();
     module.latest.set("20 °C");
     ticker.step(Duration.ofSeconds(2));
-    module.latest.amend("20 °C, humid");
+    module.latest.replaceValue("20 °C, humid");
     assertThat(module.latest.get()).isEqualTo("20 °C, humid");
     ticker.step(Duration.ofMillis(501));
     assertThat(module.latest.isTooOld()).isTrue();

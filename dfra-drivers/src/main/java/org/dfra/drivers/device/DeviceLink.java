@@ -72,7 +72,7 @@ public final class DeviceLink implements ReopeningLink {
         new LinkKeeper(
             context.name(),
             source == null ? () -> address.open(ticker) : source,
-            new Dialogue(),
+            new ReconnectingHandler(),
             LinkSettings.backOff(context.parameters()),
             ticker,
             log);
@@ -193,7 +193,7 @@ public final class DeviceLink implements ReopeningLink {
   }
 
   /** Handles the link, from one opening to the next; on the reader thread. */
-  private final class Dialogue implements LinkHandler {
+  private final class ReconnectingHandler implements LinkHandler {
 
     @Override
     public void opened(SerialLink opened) throws IOException {

@@ -38,7 +38,7 @@ final class GpsLinkHandler implements LinkHandler {
   }
 
   private final GpsReceiverProtocol protocol;
-  private final ReportingPeriod pace;
+  private final ReportingPeriod reportingPeriod;
   private final Ticker ticker;
   private final Listener listener;
 
@@ -50,13 +50,16 @@ final class GpsLinkHandler implements LinkHandler {
   private String state = "";
 
   /**
-   * @param pace how often positions are expected, and after what time without one the receiver
-   *     counts as lost
+   * @param reportingPeriod how often positions are expected, and after what time without one the
+   *     receiver counts as lost
    */
   GpsLinkHandler(
-      GpsReceiverProtocol protocol, ReportingPeriod pace, Ticker ticker, Listener listener) {
+      GpsReceiverProtocol protocol,
+      ReportingPeriod reportingPeriod,
+      Ticker ticker,
+      Listener listener) {
     this.protocol = protocol;
-    this.pace = pace;
+    this.reportingPeriod = reportingPeriod;
     this.ticker = ticker;
     this.listener = listener;
   }
@@ -95,7 +98,7 @@ final class GpsLinkHandler implements LinkHandler {
     }
     protocol.periodic(link);
     long now = ticker.nanos();
-    Duration silence = pace.longestAge();
+    Duration silence = reportingPeriod.longestAge();
     if (now - solvedNanos > silence.toNanos()) {
       return "no position frame for " + LatestReading.seconds(silence);
     }
@@ -115,7 +118,7 @@ final class GpsLinkHandler implements LinkHandler {
   /** A solution has been received. */
   void solutionReceived(GpsSolution solution) {
     solvedNanos = ticker.nanos();
-    pace.arrived();
+    reportingPeriod.arrived();
     state = "the receiver has no position, it is " + solution.state();
     if (solution.fix().mode() != GpsFix.Mode.NONE) {
       positionNanos = solvedNanos;

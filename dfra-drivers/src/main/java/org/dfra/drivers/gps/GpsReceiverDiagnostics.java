@@ -39,19 +39,19 @@ public final class GpsReceiverDiagnostics {
   private final LinkDiagnostics link;
   private final Consumer<byte[]> sender;
   private final EventCounter eventCounter;
-  private final ReportingPeriod pace;
+  private final ReportingPeriod reportingPeriod;
   private final Supplier<List<SatelliteInView>> satellites;
 
   GpsReceiverDiagnostics(
       LinkKeeper keeper,
       Consumer<byte[]> sender,
       EventCounter received,
-      ReportingPeriod pace,
+      ReportingPeriod reportingPeriod,
       Supplier<List<SatelliteInView>> satellites) {
     this.link = new LinkDiagnostics(keeper, received);
     this.sender = sender;
     this.eventCounter = received;
-    this.pace = pace;
+    this.reportingPeriod = reportingPeriod;
     this.satellites = satellites;
   }
 
@@ -96,7 +96,7 @@ public final class GpsReceiverDiagnostics {
 
   /** Waits for the next solution. */
   public DiagnosticFinding solution(String good) throws InterruptedException {
-    Duration patience = pace.longestAge();
+    Duration patience = reportingPeriod.longestAge();
     return eventCounter.await(SOLUTION, eventCounter.total(SOLUTION), patience)
         ? new DiagnosticFinding(true, good)
         : new DiagnosticFinding(false, "no position frame has come within " + seconds(patience));

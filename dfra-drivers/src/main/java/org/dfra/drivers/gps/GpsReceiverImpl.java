@@ -71,12 +71,12 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol>
       @Nullable String utcUnconfirmedReason) {}
 
   private final GpsReceiverType kind;
-  private final ReportingPeriod pace;
+  private final ReportingPeriod reportingPeriod;
   private final P protocol;
-  private final GpsLinkHandler dialogue;
+  private final GpsLinkHandler linkHandler;
   private final LinkKeeper keeper;
   private final EventCounter eventCounter;
-  private final GpsReceiverDiagnostics examination;
+  private final GpsReceiverDiagnostics receiverDiagnostics;
   private final GpsReceiverPersona attributes;
   private final WeekRollover rollover;
 
@@ -90,7 +90,7 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol>
   /**
    * @param context the driver's context
    * @param kind the receiver's type
-   * @param pace how often positions are expected
+   * @param reportingPeriod how often positions are expected
    * @param protocol makes the protocol, which notifies this listener
    * @param ticker the clock for waits
    * @param source opens the link; null to use the parameter {@code link}
@@ -99,7 +99,7 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol>
   protected GpsReceiverImpl(
       ModuleContext context,
       GpsReceiverType kind,
-      ReportingPeriod pace,
+      ReportingPeriod reportingPeriod,
       Function<GpsReceiverProtocol.Listener, P> protocol,
       Ticker ticker,
       LinkKeeper.@Nullable Source source) {
@@ -112,24 +112,25 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol>
         ticker);
     LinkAddress address = LinkSettings.address(settings());
     this.kind = kind;
-    this.pace = pace;
+    this.reportingPeriod = reportingPeriod;
     this.eventCounter = new EventCounter(ticker);
     this.attributes = new GpsReceiverPersona(kind.sensor());
     this.rollover = WeekRollover.of(context.clock(), address);
     Reader reader = new Reader();
     this.protocol = protocol.apply(reader);
-    this.dialogue = new GpsLinkHandler(this.protocol, pace, ticker, reader);
+    this.linkHandler = new GpsLinkHandler(this.protocol, reportingPeriod, ticker, reader);
     this.keeper =
         new LinkKeeper(
             context.name(),
             source == null ? () -> address.open(ticker) : source,
-            dialogue,
+            linkHandler,
             LinkSettings.backOff(settings()),
             ticker,
             log);
-    this.examination =
-        new GpsReceiverDiagnostics(keeper, dialogue::send, eventCounter, pace, this::satellites);
-    examination.declareIn(diagnostics());
+    this.receiverDiagnostics =
+        new GpsReceiverDiagnostics(
+            keeper, linkHandler::send, eventCounter, reportingPeriod, this::satellites);
+    receiverDiagnostics.declareIn(diagnostics());
     declareStatistics();
   }
 
@@ -164,13 +165,13 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol>
   /** {@inheritDoc} The age of the position. */
   @Override
   protected final Duration longestAge() {
-    return pace.longestAge();
+    return reportingPeriod.longestAge();
   }
 
   /** {@inheritDoc} The currently configured rate. */
   @Override
   public double updateRate() {
-    return 1 / pace.seconds();
+    return 1 / reportingPeriod.seconds();
   }
 
   /**
@@ -240,12 +241,12 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol>
    * Queues bytes for the receiver; from any thread. They are discarded when the link is reopened.
    */
   protected final void send(byte[] bytes) {
-    dialogue.send(bytes);
+    linkHandler.send(bytes);
   }
 
   /** The common diagnostics, for the driver's own tests. */
-  protected final GpsReceiverDiagnostics examination() {
-    return examination;
+  protected final GpsReceiverDiagnostics receiverDiagnostics() {
+    return receiverDiagnostics;
   }
 
   /** Receives the events of the protocol and the link handler; on the reader thread. */
@@ -256,7 +257,7 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol>
       Instant utc = reported.fix().utc();
       Instant corrected = reported.reportsDate() ? rollover.correct(utc) : utc;
       GpsSolution solution = corrected.equals(utc) ? reported : reported.withTime(corrected);
-      dialogue.solutionReceived(solution);
+      linkHandler.solutionReceived(solution);
       eventCounter.increment(GpsReceiverDiagnostics.SOLUTION);
       Instant now = clock().instant();
       GpsFix fix = solution.fix();
@@ -274,7 +275,7 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol>
         publish(fix);
       } else if (last != null) {
         latest()
-            .amend(
+            .replaceValue(
                 new Snapshot(solution, last.location(), last.time(), last.utcUnconfirmedReason()));
         publish(fix);
       } else {
@@ -322,7 +323,7 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol>
     public void opened() {
       malformedReported = false;
       satellites = List.of();
-      examination.opened();
+      receiverDiagnostics.opened();
     }
 
     @Override

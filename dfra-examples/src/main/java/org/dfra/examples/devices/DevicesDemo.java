@@ -55,8 +55,8 @@ public final class DevicesDemo implements Demo {
   /**
    * @param report the folder of its report
    */
-  public DevicesDemo(ProgressReporter narration, Path report) {
-    this.progress = narration;
+  public DevicesDemo(ProgressReporter progress, Path report) {
+    this.progress = progress;
     this.report = report;
   }
 
@@ -65,16 +65,16 @@ public final class DevicesDemo implements Demo {
     return DemoRunner.run(progress, this::play);
   }
 
-  private void play(DemoEnvironment stage) throws Exception {
+  private void play(DemoEnvironment environment) throws Exception {
     progress.chapter("starting the world", "A world starts, and a robot in it");
     Instant begin = Instant.now();
-    SimulationProcess field = SimulationProcess.start(stage, WORLD);
+    SimulationProcess field = SimulationProcess.start(environment, WORLD);
     Map<String, String> links = field.links(ROBOT);
     progress.say(
         "The simulated world \"%s\" runs in its own process. It has %d links to devices of %s; each"
             + " uses its device's byte protocol, so the real drivers read them.",
         field.startMessage().world(), links.size(), ROBOT);
-    DemoRobot robot = DemoRobot.of(stage, "simulated", ROBOT, links);
+    DemoRobot robot = DemoRobot.of(environment, "simulated", ROBOT, links);
     ProgressReporter.Stopwatch coldStart = progress.stopwatch();
     List<RobotBootstrap.ServiceReference> services = robot.bringUp();
     progress.say(
@@ -91,7 +91,7 @@ public final class DevicesDemo implements Demo {
       try (DeviceRecorders streams = new DeviceRecorders(devices, datum, begin);
           Heading heading = new Heading(devices.one(devices.gyro).module())) {
         streams.map.mounted(devices.one(devices.laser).module().localTransform());
-        drive(stage, robot, devices, streams, heading);
+        drive(environment, robot, devices, streams, heading);
         List<CapturedImage> photos = lookAround(devices, streams);
         judge(field, begin);
         write(field, streams, begin, photos);
@@ -119,7 +119,7 @@ public final class DevicesDemo implements Demo {
   }
 
   private void drive(
-      DemoEnvironment stage,
+      DemoEnvironment environment,
       DemoRobot robot,
       RobotDevices devices,
       DeviceRecorders streams,
@@ -145,7 +145,7 @@ public final class DevicesDemo implements Demo {
             heading,
             (side, metres) -> {
               if (killed == null && side == KILL_SIDE && metres > SquareScript.SIDE / 2) {
-                kill(stage, process, script[0].lastCommand());
+                kill(environment, process, script[0].lastCommand());
               }
             });
     ProgressReporter.Stopwatch watch = progress.stopwatch();
@@ -160,8 +160,8 @@ public final class DevicesDemo implements Demo {
         script[0].resumptions() > 0, "the script did not detect that its drive was killed");
   }
 
-  private void kill(DemoEnvironment stage, long process, Instant lastSent) throws Exception {
-    stage.signal("KILL", process);
+  private void kill(DemoEnvironment environment, long process, Instant lastSent) throws Exception {
+    environment.signal("KILL", process);
     killed = Instant.now();
     lastCommand = lastSent;
     progress.say(

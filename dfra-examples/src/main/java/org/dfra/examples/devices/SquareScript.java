@@ -29,7 +29,7 @@ final class SquareScript {
   private static final int SIDES = 4;
   private static final double SPEED = 0.8; // m/s
   private static final double SLOWEST = 0.1; // m/s
-  private static final double TURN_RATE = 0.8; // rad/s
+  private static final double YAW_RATE = 0.8; // rad/s
   private static final double SLOWEST_TURN = 0.15; // rad/s
   private static final double TURNED = 0.02; // rad
   private static final Duration LEASE = Duration.ofSeconds(3);
@@ -131,7 +131,7 @@ final class SquareScript {
         command(Velocity.ZERO);
         return;
       }
-      double rate = Math.max(SLOWEST_TURN, Math.min(TURN_RATE, 1.5 * Math.abs(left)));
+      double rate = Math.max(SLOWEST_TURN, Math.min(YAW_RATE, 1.5 * Math.abs(left)));
       command(new Velocity(0, Math.copySign(rate, left)));
     }
   }

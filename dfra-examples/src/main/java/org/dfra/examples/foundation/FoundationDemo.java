@@ -47,8 +47,8 @@ public final class FoundationDemo implements Demo {
   private final ProgressReporter progress;
 
   /** {@code tell} reports the progress. */
-  public FoundationDemo(ProgressReporter narration) {
-    this.progress = narration;
+  public FoundationDemo(ProgressReporter progress) {
+    this.progress = progress;
   }
 
   @Override
@@ -56,15 +56,15 @@ public final class FoundationDemo implements Demo {
     return DemoRunner.run(progress, this::play);
   }
 
-  private void play(DemoEnvironment stage) throws Exception {
+  private void play(DemoEnvironment environment) throws Exception {
     progress.chapter("switching on the receiver", "A robot starts");
-    String link = stage.startReceivers(List.of(ANTENNA)).get(0);
+    String link = environment.startReceivers(List.of(ANTENNA)).get(0);
     progress.say(
         "An M12+ receiver is switched on at %s: an emulator that sends the receiver's real bytes.",
         link);
 
     ProgressReporter.Stopwatch coldStart = progress.stopwatch();
-    Host host = stage.host("atrv1");
+    Host host = environment.host("atrv1");
     String locator = bringUp(host, link);
 
     progress.chapter("finding the receiver", "A client finds a receiver");
@@ -79,11 +79,11 @@ public final class FoundationDemo implements Demo {
       progress.say("By a remote call it read %s.", describe(fix));
       progress.figure("cold start of everything to position read", cold, Duration.ofSeconds(8));
 
-      killTheReceiversGroup(stage, host, client.gps());
-      silence(stage, host, client.gps());
+      killTheReceiversGroup(environment, host, client.gps());
+      silence(environment, host, client.gps());
       activateInALivingGroup(host);
-      killPhoenix(stage, host, client.gps());
-      callLocally(stage, client);
+      killPhoenix(environment, host, client.gps());
+      callLocally(environment, client);
     }
   }
 
@@ -122,12 +122,12 @@ public final class FoundationDemo implements Demo {
     return "jini://" + DemoEnvironment.ADDRESS + ":" + port;
   }
 
-  private void killTheReceiversGroup(DemoEnvironment stage, Host host, GPSSensor gps)
+  private void killTheReceiversGroup(DemoEnvironment environment, Host host, GPSSensor gps)
       throws Exception {
     progress.chapter("killing the receiver's group", "kill -9 of the receiver's virtual machine");
     long old = host.group("gps").pid();
     ProgressReporter.Stopwatch watch = progress.stopwatch();
-    stage.signal("KILL", old);
+    environment.signal("KILL", old);
     GpsFix fix = fixFrom(gps);
     Duration healed = watch.elapsed();
     long now = host.group("gps").pid();
@@ -144,12 +144,12 @@ public final class FoundationDemo implements Demo {
     return gps.fix();
   }
 
-  private void silence(DemoEnvironment stage, Host host, GPSSensor gps) throws Exception {
+  private void silence(DemoEnvironment environment, Host host, GPSSensor gps) throws Exception {
     progress.chapter(
         "stopping the receiver's group",
         "kill -STOP: a process that does not answer, as out of radio range");
     long pid = host.group("gps").pid();
-    stage.signal("STOP", pid);
+    environment.signal("STOP", pid);
     ProgressReporter.Stopwatch sinceSignal = progress.stopwatch();
     try {
       while (true) {
@@ -167,7 +167,7 @@ public final class FoundationDemo implements Demo {
             sinceSignal.elapsed().compareTo(PATIENCE) < 0, "a suspended process still answers");
       }
     } finally {
-      stage.signal("CONT", pid);
+      environment.signal("CONT", pid);
     }
     ProgressReporter.Stopwatch watch = progress.stopwatch();
     gps.fix();
@@ -217,7 +217,7 @@ public final class FoundationDemo implements Demo {
         .orElseThrow(() -> new IOException("the GPS group is not registered"));
   }
 
-  private void killPhoenix(DemoEnvironment stage, Host host, GPSSensor gps) throws Exception {
+  private void killPhoenix(DemoEnvironment environment, Host host, GPSSensor gps) throws Exception {
     progress.chapter("registering many objects", "kill -9 of phoenix");
     ActivationSystem system = host.phoenix().system();
     ActivationGroupID group = gpsGroup(host);
@@ -265,7 +265,7 @@ public final class FoundationDemo implements Demo {
     progress.step("killing the receiver's group under the new phoenix");
     long old = host.group("gps").pid();
     watch = progress.stopwatch();
-    stage.signal("KILL", old);
+    environment.signal("KILL", old);
     fixFrom(gps);
     progress.say(
         "The adopted group was killed too: the same proxy answered after %s, from process %d.",
@@ -276,11 +276,11 @@ public final class FoundationDemo implements Demo {
     return groups.stream().mapToInt(GroupStatus::objects).sum();
   }
 
-  private void callLocally(DemoEnvironment stage, PositionClient client) throws Exception {
+  private void callLocally(DemoEnvironment environment, PositionClient client) throws Exception {
     progress.chapter(
         "calling in the same virtual machine", "The proxy in the module's own virtual machine");
     SameVmCall.Result result =
-        SameVmCall.measure(client.gps(), stage.startReceivers(List.of(ANTENNA)).get(0));
+        SameVmCall.measure(client.gps(), environment.startReceivers(List.of(ANTENNA)).get(0));
     progress.say(
         "There a proxy passes the call directly to the implementation: %.1f ns instead of %.1f ns;"
             + " over the network a call takes %.0f µs.",

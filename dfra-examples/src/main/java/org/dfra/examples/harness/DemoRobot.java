@@ -35,10 +35,10 @@ public final class DemoRobot {
    * @param links to its devices, by the device's name
    */
   public static DemoRobot of(
-      DemoEnvironment stage, String team, String name, Map<String, String> links)
+      DemoEnvironment environment, String team, String name, Map<String, String> links)
       throws IOException {
     Path xml = Path.of(System.getProperty("dfra.root", ""), "config", "teams", team, name + ".xml");
-    return of(stage, xml, name, links, robot -> robot);
+    return of(environment, xml, name, links, robot -> robot);
   }
 
   /**
@@ -51,7 +51,7 @@ public final class DemoRobot {
    * @param adapt changes the description before use
    */
   public static DemoRobot of(
-      DemoEnvironment stage,
+      DemoEnvironment environment,
       Path xml,
       String name,
       Map<String, String> links,
@@ -59,7 +59,8 @@ public final class DemoRobot {
       throws IOException {
     RobotDescription robot = adapt.apply(describe(xml, name, links));
     int port = robot.registrar().orElseThrow().port();
-    return new DemoRobot(stage.host(name), robot, "jini://" + DemoEnvironment.ADDRESS + ":" + port);
+    return new DemoRobot(
+        environment.host(name), robot, "jini://" + DemoEnvironment.ADDRESS + ":" + port);
   }
 
   /**

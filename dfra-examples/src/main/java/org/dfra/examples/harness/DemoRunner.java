@@ -18,7 +18,7 @@ public final class DemoRunner {
 
   /** A demonstration in an environment. */
   public interface EnvironmentDemo {
-    void on(DemoEnvironment stage) throws Exception;
+    void on(DemoEnvironment environment) throws Exception;
   }
 
   /** A demonstration without an environment. */
@@ -32,18 +32,18 @@ public final class DemoRunner {
    * @return whether every step succeeded; missed targets are not failures here
    */
   public static boolean run(ProgressReporter progress, EnvironmentDemo play) {
-    try (DemoEnvironment stage = new DemoEnvironment()) {
-      Runtime.getRuntime().addShutdownHook(new Thread(() -> closeQuietly(stage), "demo-end"));
+    try (DemoEnvironment environment = new DemoEnvironment()) {
+      Runtime.getRuntime().addShutdownHook(new Thread(() -> closeQuietly(environment), "demo-end"));
       boolean isWell =
           runStandalone(
               progress,
               () -> {
-                play.on(stage);
-                end(progress, stage);
+                play.on(environment);
+                end(progress, environment);
               });
       if (!isWell) {
-        stage.keepFolder();
-        progress.say("The logs are in %s.", stage.folder());
+        environment.keepFolder();
+        progress.say("The logs are in %s.", environment.folder());
       }
       return isWell;
     } catch (IOException e) {
@@ -82,17 +82,18 @@ public final class DemoRunner {
     }
   }
 
-  private static void end(ProgressReporter progress, DemoEnvironment stage) throws Exception {
+  private static void end(ProgressReporter progress, DemoEnvironment environment) throws Exception {
     progress.chapter("shutting down", "The end");
-    stage.shutDown();
+    environment.shutDown();
     DemoAssertions.require(
-        stage.runningProcesses().isEmpty(), "processes " + stage.runningProcesses() + " still run");
-    progress.say("All %d processes of this demonstration have ended.", stage.processCount());
+        environment.runningProcesses().isEmpty(),
+        "processes " + environment.runningProcesses() + " still run");
+    progress.say("All %d processes of this demonstration have ended.", environment.processCount());
   }
 
-  private static void closeQuietly(DemoEnvironment stage) {
+  private static void closeQuietly(DemoEnvironment environment) {
     try {
-      stage.close();
+      environment.close();
     } catch (IOException e) {
       System.err.println(ConsoleMessages.prefixed(String.valueOf(e.getMessage())));
     }

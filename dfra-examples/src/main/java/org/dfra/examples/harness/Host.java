@@ -20,17 +20,17 @@ public final class Host {
 
   private static final Duration PATIENCE = DemoEnvironment.PATIENCE;
 
-  private final DemoEnvironment stage;
+  private final DemoEnvironment environment;
   private final PhoenixProcess phoenix;
   private @Nullable ProcessHandle running; // the phoenix that was started last
   private final Set<ProcessHandle> groupProcesses = ConcurrentHashMap.newKeySet();
 
   /**
-   * @param stage records the processes
+   * @param environment records the processes
    * @param folder the host's own folder
    */
-  public Host(DemoEnvironment stage, Path folder) throws IOException {
-    this.stage = stage;
+  public Host(DemoEnvironment environment, Path folder) throws IOException {
+    this.environment = environment;
     PrivateFiles.makeFolder(folder); // before other files in it create it
     this.phoenix = new PhoenixProcess(DemoEnvironment.ADDRESS, FreePorts.allocate(), -1, folder);
   }
@@ -42,7 +42,7 @@ public final class Host {
   /** Starts phoenix in a process of its own and waits until it answers. */
   public ProcessHandle startPhoenix() throws IOException {
     ProcessHandle process = phoenix.start(PATIENCE).toHandle();
-    stage.remember(process);
+    environment.remember(process);
     running = process;
     return process;
   }
@@ -58,7 +58,7 @@ public final class Host {
 
   /** Sends SIGKILL to a process and does not wait. */
   public void kill(long pid) throws IOException, InterruptedException {
-    stage.signal("KILL", pid);
+    environment.signal("KILL", pid);
   }
 
   /** The status of the group whose name has this suffix. */
@@ -78,7 +78,7 @@ public final class Host {
         .forEach(
             process -> {
               groupProcesses.add(process);
-              stage.remember(process);
+              environment.remember(process);
             });
     return groups;
   }

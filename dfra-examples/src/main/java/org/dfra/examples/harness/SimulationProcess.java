@@ -43,10 +43,12 @@ public final class SimulationProcess {
    *
    * @param world a file in {@code config/worlds}
    */
-  public static SimulationProcess start(DemoEnvironment stage, String world)
+  public static SimulationProcess start(DemoEnvironment environment, String world)
       throws IOException, InterruptedException {
     return start(
-        stage, Path.of(System.getProperty("dfra.root", ""), "config", "worlds", world), List.of());
+        environment,
+        Path.of(System.getProperty("dfra.root", ""), "config", "worlds", world),
+        List.of());
   }
 
   /**
@@ -55,15 +57,16 @@ public final class SimulationProcess {
    * @param world its description file
    * @param options further ones of {@code ./dfra sim run}
    */
-  public static SimulationProcess start(DemoEnvironment stage, Path world, List<String> options)
+  public static SimulationProcess start(
+      DemoEnvironment environment, Path world, List<String> options)
       throws IOException, InterruptedException {
-    Path truth = stage.folder().resolve("truth.csv");
+    Path truth = environment.folder().resolve("truth.csv");
     List<String> command =
         new ArrayList<>(List.of(Main.class.getName(), "sim", "run", world.toString()));
     command.addAll(
         List.of("--any-ports", "--json", "--truth=" + truth, "--truth-rate=" + TRUTH_RATE));
     command.addAll(options);
-    Process process = stage.startJvm("simulation", command);
+    Process process = environment.startJvm("simulation", command);
     List<String> states = new CopyOnWriteArrayList<>();
     CompletableFuture<String> first = new CompletableFuture<>();
     Thread drain = new Thread(() -> drain(process, first, states), "simulation output");
@@ -76,7 +79,7 @@ public final class SimulationProcess {
       return new SimulationProcess(beginning, truth, process.toHandle(), states);
     } catch (ExecutionException | TimeoutException | IllegalArgumentException e) {
       throw new IOException(
-          "the simulated world did not start; see simulation.log in " + stage.folder(), e);
+          "the simulated world did not start; see simulation.log in " + environment.folder(), e);
     }
   }
 

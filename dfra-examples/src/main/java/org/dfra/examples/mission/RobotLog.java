@@ -59,8 +59,8 @@ public final class RobotLog {
   private final List<Sample> samples = new ArrayList<>();
   private final List<Fix> fixes = new ArrayList<>();
   private final List<Advice> advice = new ArrayList<>();
-  private final List<ClearanceReading> rooms = new ArrayList<>();
-  private final List<TeammateDistance> mates = new ArrayList<>();
+  private final List<ClearanceReading> clearances = new ArrayList<>();
+  private final List<TeammateDistance> teammates = new ArrayList<>();
   private final Map<String, Instant> lastSeen = new TreeMap<>(); // by robot; indices into teammates
   private final Map<String, LocalPosition> estimated = new TreeMap<>(); // by module
   private final Map<String, ErrorSum> errors = new TreeMap<>(); // by module
@@ -145,19 +145,21 @@ public final class RobotLog {
               reported.velocity().yawRate(),
               reported.reason(),
               reported.strength()));
-    } else if (reading instanceof Clearance room) {
-      rooms.add(new ClearanceReading(time, room.left(), room.centre(), room.right()));
+    } else if (reading instanceof Clearance clearance) {
+      clearances.add(
+          new ClearanceReading(time, clearance.left(), clearance.centre(), clearance.right()));
     } else if (reading instanceof TeamPositions reported) {
       reported.teammates().forEach(this::note);
     }
   }
 
-  private void note(Teammate mate) {
-    Teammate.@Nullable RelativePosition near = mate.relativePosition();
-    @Nullable ClockOffset clock = mate.clockOffset();
-    if (near != null && clock != null && !near.time().equals(lastSeen.get(mate.robot()))) {
-      lastSeen.put(mate.robot(), near.time());
-      mates.add(new TeammateDistance(time(near.time()), mate.robot(), near.distance(), clock));
+  private void note(Teammate teammate) {
+    Teammate.@Nullable RelativePosition near = teammate.relativePosition();
+    @Nullable ClockOffset clock = teammate.clockOffset();
+    if (near != null && clock != null && !near.time().equals(lastSeen.get(teammate.robot()))) {
+      lastSeen.put(teammate.robot(), near.time());
+      teammates.add(
+          new TeammateDistance(time(near.time()), teammate.robot(), near.distance(), clock));
     }
   }
 
@@ -226,7 +228,7 @@ public final class RobotLog {
         last.activity(),
         samples,
         rms,
-        new ModuleReadings(fixes, advice, rooms, mates));
+        new ModuleReadings(fixes, advice, clearances, teammates));
   }
 
   /**

@@ -41,8 +41,8 @@ public final class PersonaDemo implements Demo {
   private final ProgressReporter progress;
 
   /** {@code tell} reports the progress. */
-  public PersonaDemo(ProgressReporter narration) {
-    this.progress = narration;
+  public PersonaDemo(ProgressReporter progress) {
+    this.progress = progress;
   }
 
   @Override
@@ -50,15 +50,15 @@ public final class PersonaDemo implements Demo {
     return DemoRunner.run(progress, this::play);
   }
 
-  private void play(DemoEnvironment stage) throws Exception {
+  private void play(DemoEnvironment environment) throws Exception {
     progress.chapter("switching on the receivers", "Two robots start");
-    List<String> links = stage.startReceivers(ANTENNAS);
+    List<String> links = environment.startReceivers(ANTENNAS);
     progress.say(
         "%d Motorola M12+ GPS receivers are switched on. They are emulated byte for byte, so that the"
             + " real driver reads them.",
         links.size());
-    DemoRobot atrv1 = robot(stage, "atrv1", links.get(0), links.get(1));
-    DemoRobot atrv2 = robot(stage, "atrv2", links.get(2), links.get(3));
+    DemoRobot atrv1 = robot(environment, "atrv1", links.get(0), links.get(1));
+    DemoRobot atrv2 = robot(environment, "atrv2", links.get(2), links.get(3));
     List<DemoRobot> robots = List.of(atrv1, atrv2);
     ProgressReporter.Stopwatch coldStart = progress.stopwatch();
     try (ModuleDirectory directory =
@@ -70,12 +70,12 @@ public final class PersonaDemo implements Demo {
       introduction.ask();
       List<FixLog> logs = listen(directory);
       try {
-        ReceiverKillStep killed = new ReceiverKillStep(progress, stage, atrv1, directory);
+        ReceiverKillStep killed = new ReceiverKillStep(progress, environment, atrv1, directory);
         killed.underASubscription(logs.get(0));
         killed.underACall();
-        new ReceiverSuspensionStep(progress, stage, atrv2)
+        new ReceiverSuspensionStep(progress, environment, atrv2)
             .play(logs.get(2), List.of(logs.get(0), logs.get(1), logs.get(3)));
-        new RegistrarOutageStep(progress, stage, atrv1, directory).play(logs.get(0));
+        new RegistrarOutageStep(progress, environment, atrv1, directory).play(logs.get(0));
         new ReconfigurationStep(progress, atrv2, directory)
             .play(links.get(4), logs.get(3).module(), logs);
       } finally {
@@ -84,9 +84,9 @@ public final class PersonaDemo implements Demo {
     }
   }
 
-  private static DemoRobot robot(DemoEnvironment stage, String name, String front, String rear)
-      throws IOException {
-    return DemoRobot.of(stage, "field", name, Map.of("gps_front", front, "gps_rear", rear));
+  private static DemoRobot robot(
+      DemoEnvironment environment, String name, String front, String rear) throws IOException {
+    return DemoRobot.of(environment, "field", name, Map.of("gps_front", front, "gps_rear", rear));
   }
 
   /** Both in parallel, as on two computers. */

@@ -37,17 +37,17 @@ final class ReceiverKillStep {
   private static final Duration UNANSWERED = Duration.ofMillis(300);
 
   private final ProgressReporter progress;
-  private final DemoEnvironment stage;
+  private final DemoEnvironment environment;
   private final DemoRobot robot;
   private final ModuleDirectory directory;
 
   ReceiverKillStep(
       ProgressReporter progress,
-      DemoEnvironment stage,
+      DemoEnvironment environment,
       DemoRobot robot,
       ModuleDirectory directory) {
     this.progress = progress;
-    this.stage = stage;
+    this.environment = environment;
     this.robot = robot;
     this.directory = directory;
   }
@@ -68,7 +68,7 @@ final class ReceiverKillStep {
 
       Instant killed = Instant.now();
       ProgressReporter.Stopwatch watch = progress.stopwatch();
-      stage.signal("KILL", process);
+      environment.signal("KILL", process);
       FixLog.Arrival again = log.firstAfterLife(last.life(), PATIENCE);
       Duration listening = watch.elapsed();
       awaitClients(log, killed);
@@ -131,10 +131,10 @@ final class ReceiverKillStep {
     long process = robot.process(asked.substring(asked.indexOf('/') + 1));
     ExecutorService caller = Executors.newSingleThreadExecutor();
     try {
-      stage.signal("STOP", process);
+      environment.signal("STOP", process);
       Future<LocationReading> call = inFlight(caller, any);
       ProgressReporter.Stopwatch watch = progress.stopwatch();
-      stage.signal("KILL", process);
+      environment.signal("KILL", process);
       String answered = call.get(PATIENCE.toSeconds(), TimeUnit.SECONDS).frame();
       Duration took = watch.elapsed();
       progress.say(

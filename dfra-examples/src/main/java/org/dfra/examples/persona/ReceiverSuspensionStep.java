@@ -24,12 +24,12 @@ final class ReceiverSuspensionStep {
   private static final int ENOUGH = 5;
 
   private final ProgressReporter progress;
-  private final DemoEnvironment stage;
+  private final DemoEnvironment environment;
   private final DemoRobot robot;
 
-  ReceiverSuspensionStep(ProgressReporter progress, DemoEnvironment stage, DemoRobot robot) {
+  ReceiverSuspensionStep(ProgressReporter progress, DemoEnvironment environment, DemoRobot robot) {
     this.progress = progress;
-    this.stage = stage;
+    this.environment = environment;
     this.robot = robot;
   }
 
@@ -46,7 +46,7 @@ final class ReceiverSuspensionStep {
     List<FixLog.RecordingPeriod> stretches = new ArrayList<>();
     FixLog.RecordingPeriod silence = stopped.begin();
     ProgressReporter.Stopwatch watch = progress.stopwatch();
-    stage.signal("STOP", process);
+    environment.signal("STOP", process);
     try {
       others.forEach(each -> stretches.add(each.begin()));
       DemoAssertions.await(
@@ -65,7 +65,7 @@ final class ReceiverSuspensionStep {
       }
       reportOthers(silence, stretches);
     } finally {
-      stage.signal("CONT", process);
+      environment.signal("CONT", process);
     }
     watch = progress.stopwatch();
     unused = stopped.next(PATIENCE);

@@ -22,17 +22,17 @@ final class RegistrarOutageStep {
   private static final Duration PATIENCE = DemoEnvironment.PATIENCE;
 
   private final ProgressReporter progress;
-  private final DemoEnvironment stage;
+  private final DemoEnvironment environment;
   private final DemoRobot robot;
   private final ModuleDirectory directory;
 
   RegistrarOutageStep(
       ProgressReporter progress,
-      DemoEnvironment stage,
+      DemoEnvironment environment,
       DemoRobot robot,
       ModuleDirectory directory) {
     this.progress = progress;
-    this.stage = stage;
+    this.environment = environment;
     this.robot = robot;
     this.directory = directory;
   }
@@ -48,7 +48,7 @@ final class RegistrarOutageStep {
     long registrar = robot.process("lookup");
     robot.host().killPhoenix();
     ProgressReporter.Stopwatch watch = progress.stopwatch();
-    stage.signal("KILL", registrar);
+    environment.signal("KILL", registrar);
     DemoAssertions.await("that the persona is stale", PATIENCE, () -> persona().stale());
     Duration stale = watch.elapsed();
     progress.say(

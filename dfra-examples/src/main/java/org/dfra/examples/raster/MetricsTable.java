@@ -17,7 +17,7 @@ import org.dfra.examples.mission.Scores;
 record MetricsTable(List<String> headings, List<List<String>> rows) {
 
   /** A result that others published for real robots: {@code facts} of the literature. */
-  private record Published(String who, double mean, String over) {}
+  private record Published(String source, double mean, String over) {}
 
   private static final List<Published> PUBLISHED =
       List.of(
@@ -110,7 +110,7 @@ record MetricsTable(List<String> headings, List<List<String>> rows) {
       rows.add(List.of(robot + ", estimated", metres(each.crossTrack().mean()), over));
     }
     for (Published each : PUBLISHED) {
-      rows.add(List.of(each.who(), metres(each.mean()), each.over()));
+      rows.add(List.of(each.source(), metres(each.mean()), each.over()));
     }
     return new MetricsTable(List.of("Robot", "Cross-track error, mean", "Over"), rows);
   }

@@ -129,14 +129,15 @@ final class RasterCharts {
 
   /** The clearance over time. */
   Page clearance() {
-    LinePanel room =
+    LinePanel clearance =
         new LinePanel(
                 "Distance from the body to the nearest object", TIME, Axis.of("clearance", "m"))
             .limit(LEAST_CLEARANCE, "required minimum");
     for (RobotMissionResult robot : flight.robots()) {
-      room.add(over(robot.robot(), robot.samples(), Bin.MIN, Sample::time, Sample::clearance));
+      clearance.add(over(robot.robot(), robot.samples(), Bin.MIN, Sample::time, Sample::clearance));
     }
-    Page page = new Page("Clearance, and the encounters of the robots").row(HIGH, marked(room));
+    Page page =
+        new Page("Clearance, and the encounters of the robots").row(HIGH, marked(clearance));
     if (flight.robots().size() > 1) {
       page.row(HIGH, marked(bodyDistance()));
       page.row(HIGH, marked(separation()));
@@ -214,12 +215,12 @@ final class RasterCharts {
 
   /** The inputs and outputs of the fuzzy rules. */
   Page fuzzy() {
-    LinePanel room = new LinePanel("Clearance", TIME, Axis.of("minimum", "m"));
+    LinePanel clearance = new LinePanel("Clearance", TIME, Axis.of("minimum", "m"));
     LinePanel speed = new LinePanel("Advised speed", TIME, Axis.of("speed", "m/s"));
     LinePanel turn = new LinePanel("Advised yaw rate, left is +", TIME, Axis.of("rate", "rad/s"));
     for (RobotMissionResult robot : flight.robots()) {
       List<Advice> advice = robot.readings().advice();
-      room.add(
+      clearance.add(
           over(
               robot.robot(),
               robot.readings().clearances(),
@@ -229,7 +230,7 @@ final class RasterCharts {
       speed.add(over(robot.robot(), advice, Bin.MEAN, Advice::time, Advice::speed));
       turn.add(over(robot.robot(), advice, Bin.MEAN, Advice::time, Advice::yawRate));
     }
-    return new Page("The fuzzy rules").row(HIGH, room).row(HIGH, speed).row(HIGH, turn);
+    return new Page("The fuzzy rules").row(HIGH, clearance).row(HIGH, speed).row(HIGH, turn);
   }
 
   private LinePanel marked(LinePanel panel) {

@@ -34,11 +34,11 @@ public final class RasterDemo implements Demo {
   private final Mission mission;
   private final Path report;
 
-  private RasterDemo(ProgressReporter narration, RasterSetup setup, Path report) {
-    this.progress = narration;
+  private RasterDemo(ProgressReporter progress, RasterSetup setup, Path report) {
+    this.progress = progress;
     this.scenario = setup.scenario();
     this.pace = setup.pace();
-    this.mission = MissionModes.of(setup, narration.figures());
+    this.mission = MissionModes.of(setup, progress.figures());
     this.report = report;
   }
 
@@ -48,8 +48,8 @@ public final class RasterDemo implements Demo {
    * @param report the folder of its report
    * @throws RuntimeException if the options are invalid; the message is for the user
    */
-  public static RasterDemo of(ProgressReporter narration, RasterOptions options, Path report) {
-    return new RasterDemo(narration, RasterSetup.of(options), report);
+  public static RasterDemo of(ProgressReporter progress, RasterOptions options, Path report) {
+    return new RasterDemo(progress, RasterSetup.of(options), report);
   }
 
   @Override

@@ -30,17 +30,17 @@ final class DemoTimeline {
 
   private final Instant began;
   private final LocalFrame frame;
-  private final AgentMonitor witness;
+  private final AgentMonitor monitor;
   private final TrueTrajectories ways;
 
   /**
    * @param began the robots' time to which reported seconds are relative
    * @param frame the world's
    */
-  DemoTimeline(Instant began, LocalFrame frame, AgentMonitor witness, TrueTrajectories ways) {
+  DemoTimeline(Instant began, LocalFrame frame, AgentMonitor monitor, TrueTrajectories ways) {
     this.began = began;
     this.frame = frame;
-    this.witness = witness;
+    this.monitor = monitor;
     this.ways = ways;
   }
 
@@ -57,7 +57,7 @@ final class DemoTimeline {
   /** All events, the first first. */
   List<Event> events() {
     List<Event> all = new ArrayList<>();
-    for (Attempt each : Conversations.of(witness.messages())) {
+    for (Attempt each : Conversations.of(monitor.messages())) {
       LocalPosition at = place(each.asked().position());
       String what =
           each.attempt() == 1
@@ -69,8 +69,8 @@ final class DemoTimeline {
         all.add(of(each.begun(), each.requester(), what));
       }
     }
-    witness.statuses().forEach((robot, reported) -> all.addAll(helped(robot, reported)));
-    witness.noted().forEach(each -> all.add(of(each.time(), each.robot(), each.what())));
+    monitor.statuses().forEach((robot, reported) -> all.addAll(helped(robot, reported)));
+    monitor.noted().forEach(each -> all.add(of(each.time(), each.robot(), each.what())));
     all.sort(Comparator.comparingDouble(each -> each.mark().time()));
     return all;
   }
@@ -109,12 +109,12 @@ final class DemoTimeline {
 
   /** The statuses of each robot, in the order received. */
   Map<String, List<RecruitmentStatus>> statuses() {
-    return witness.statuses();
+    return monitor.statuses();
   }
 
   /** The conversations. */
   List<Attempt> conversations() {
-    return Conversations.of(witness.messages());
+    return Conversations.of(monitor.messages());
   }
 
   /** The robots' true paths. */

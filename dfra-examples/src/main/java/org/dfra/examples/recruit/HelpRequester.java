@@ -28,7 +28,7 @@ final class HelpRequester {
   private final ProgressReporter progress;
   private final String requester;
   private final RecruitmentAgent agent;
-  private final AgentMonitor witness;
+  private final AgentMonitor monitor;
   private final LocalFrame frame;
 
   /**
@@ -39,12 +39,12 @@ final class HelpRequester {
       ProgressReporter progress,
       String requester,
       RecruitmentAgent agent,
-      AgentMonitor witness,
+      AgentMonitor monitor,
       LocalFrame frame) {
     this.progress = progress;
     this.requester = requester;
     this.agent = agent;
-    this.witness = witness;
+    this.monitor = monitor;
     this.frame = frame;
   }
 
@@ -133,14 +133,14 @@ final class HelpRequester {
   String awaitTravelling(Set<String> others) throws Exception {
     progress.step("waiting for a helper");
     DemoAssertions.await(
-        "that a helper is on its way", PATIENCE, () -> witness.committed(others).isPresent());
-    return witness.committed(others).orElseThrow();
+        "that a helper is on its way", PATIENCE, () -> monitor.committed(others).isPresent());
+    return monitor.committed(others).orElseThrow();
   }
 
   /** Waits until a robot helps; it may differ from the one that travelled first. */
   String awaitArrival() throws Exception {
     await(RequesterPhase.BEING_HELPED);
-    String helper = witness.last(requester).orElseThrow().helperRobot();
+    String helper = monitor.last(requester).orElseThrow().helperRobot();
     DemoAssertions.require(helper != null, requester + " has no helper");
     await(String.valueOf(helper), ResponderPhase.LEASED);
     return String.valueOf(helper);
@@ -160,7 +160,7 @@ final class HelpRequester {
     DemoAssertions.await(
         "that " + robot + " is " + phase,
         PATIENCE,
-        () -> witness.last(robot).filter(each -> each.responderPhase() == phase).isPresent());
+        () -> monitor.last(robot).filter(each -> each.responderPhase() == phase).isPresent());
   }
 
   /** Waits until the requester's agent reports that phase. */
@@ -169,6 +169,6 @@ final class HelpRequester {
     DemoAssertions.await(
         "that " + requester + " is " + phase,
         PATIENCE,
-        () -> witness.last(requester).filter(each -> each.requesterPhase() == phase).isPresent());
+        () -> monitor.last(requester).filter(each -> each.requesterPhase() == phase).isPresent());
   }
 }

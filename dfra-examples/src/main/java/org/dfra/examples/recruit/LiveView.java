@@ -40,7 +40,7 @@ final class LiveView implements AutoCloseable {
   private final Instant began;
   private final InstantSource clock;
   private final LocalFrame frame;
-  private final AgentMonitor witness;
+  private final AgentMonitor monitor;
   private final BackgroundSearches searches;
   private final TrueTrajectories ways;
   private final @Nullable BatteryMonitor batteries; // null without a terminal
@@ -62,7 +62,7 @@ final class LiveView implements AutoCloseable {
       InstantSource clock,
       LocalFrame frame,
       ModuleDirectory directory,
-      AgentMonitor witness,
+      AgentMonitor monitor,
       BackgroundSearches searches,
       TrueTrajectories ways) {
     this.progress = progress;
@@ -70,7 +70,7 @@ final class LiveView implements AutoCloseable {
     this.began = began;
     this.clock = clock;
     this.frame = frame;
-    this.witness = witness;
+    this.monitor = monitor;
     this.searches = searches;
     this.ways = ways;
     this.batteries = progress.isTerminal() ? new BatteryMonitor(directory) : null;
@@ -106,11 +106,11 @@ final class LiveView implements AutoCloseable {
 
   private Snapshot now() {
     Instant time = clock.instant();
-    List<Attempt> conversations = Conversations.of(witness.messages());
+    List<Attempt> conversations = Conversations.of(monitor.messages());
     List<Robot> all = new ArrayList<>();
     @Nullable CallState call = null;
     for (String name : robots) {
-      RecruitmentStatus agent = witness.last(name).orElse(null);
+      RecruitmentStatus agent = monitor.last(name).orElse(null);
       all.add(robot(name, agent, conversations, time));
       if (agent != null && agent.requesterPhase() != RequesterPhase.IDLE) {
         call = CallState.last(conversations, name).orElse(call);
@@ -154,12 +154,12 @@ final class LiveView implements AutoCloseable {
   }
 
   private Availability availability(String name) {
-    if (witness.isDead(name)) {
+    if (monitor.isDead(name)) {
       return Availability.DEAD;
-    } else if (witness.isCutOff(name)) {
+    } else if (monitor.isCutOff(name)) {
       return Availability.UNREACHABLE;
     }
-    return witness.listening().contains(name) ? Availability.PRESENT : Availability.ABSENT;
+    return monitor.listening().contains(name) ? Availability.PRESENT : Availability.ABSENT;
   }
 
   /** {@inheritDoc} The last lines stay on the terminal. */

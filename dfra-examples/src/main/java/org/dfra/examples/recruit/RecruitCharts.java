@@ -31,24 +31,24 @@ final class RecruitCharts {
 
   private final List<String> robots;
   private final WorldDescription world;
-  private final DemoTimeline chronicle;
+  private final DemoTimeline timeline;
   private final List<Event> events;
 
   /**
    * @param robots from left to right in the charts
    * @param world of the robots
    */
-  RecruitCharts(List<String> robots, WorldDescription world, DemoTimeline chronicle) {
+  RecruitCharts(List<String> robots, WorldDescription world, DemoTimeline timeline) {
     this.robots = List.copyOf(robots);
     this.world = world;
-    this.chronicle = chronicle;
-    this.events = chronicle.events();
+    this.timeline = timeline;
+    this.events = timeline.events();
   }
 
   /** The true paths of all robots, and the places of events. */
   Page map() {
     FieldMap map = new FieldMap(world, new LocalFrame(world.datum()));
-    PathPanel panel = map.paths(List.of(map.ground()), chronicle.trajectories());
+    PathPanel panel = map.paths(List.of(map.ground()), timeline.trajectories());
     for (int i = 0; i < events.size(); i++) {
       panel.note(events.get(i).east(), events.get(i).north(), i + 1);
     }
@@ -60,7 +60,7 @@ final class RecruitCharts {
     SequencePanel panel = new SequencePanel(robots);
     for (SentMessage each : reported.messages()) {
       panel.message(
-          String.format(Locale.ROOT, "%.1f s", chronicle.seconds(each.measured())),
+          String.format(Locale.ROOT, "%.1f s", timeline.seconds(each.measured())),
           each.envelope().sender(),
           each.to(),
           text(each.envelope().message()));
@@ -76,7 +76,7 @@ final class RecruitCharts {
         reported.call(),
         reported.requester(),
         reported.attempt() == 1 ? "" : ", attempt " + reported.attempt(),
-        chronicle.seconds(reported.begun()));
+        timeline.seconds(reported.begun()));
   }
 
   /** The message type's name in the protocol. */
@@ -104,9 +104,9 @@ final class RecruitCharts {
     double end =
         Math.max(
             1,
-            chronicle.statuses().values().stream()
+            timeline.statuses().values().stream()
                 .flatMap(List::stream)
-                .mapToDouble(each -> chronicle.seconds(each.measured()))
+                .mapToDouble(each -> timeline.seconds(each.measured()))
                 .max()
                 .orElse(1));
     LinePanel panel =
@@ -114,7 +114,7 @@ final class RecruitCharts {
             "",
             Axis.of("time", "s").between(0, SPARE * end),
             Axis.of("shame", "").between(0, SPARE));
-    chronicle
+    timeline
         .statuses()
         .forEach(
             (robot, all) -> {
@@ -130,7 +130,7 @@ final class RecruitCharts {
 
   private Series steps(String robot, List<RecruitmentStatus> all) {
     List<double[]> points = new ArrayList<>();
-    all.forEach(each -> points.add(new double[] {chronicle.seconds(each.measured()), each.urge()}));
+    all.forEach(each -> points.add(new double[] {timeline.seconds(each.measured()), each.urge()}));
     return Series.steps(
         robot,
         points.stream().mapToDouble(each -> each[0]).toArray(),

@@ -40,8 +40,8 @@ public final class RecruitDemo implements Demo {
   private final double speed;
   private final Path report;
 
-  private RecruitDemo(ProgressReporter narration, double speed, Path report) {
-    this.progress = narration;
+  private RecruitDemo(ProgressReporter progress, double speed, Path report) {
+    this.progress = progress;
     this.speed = speed;
     this.report = report;
   }
@@ -54,7 +54,7 @@ public final class RecruitDemo implements Demo {
    * @param report the folder of its report
    * @throws CommandFailure if the speed is out of range
    */
-  public static RecruitDemo of(ProgressReporter narration, Optional<Double> speed, Path report) {
+  public static RecruitDemo of(ProgressReporter progress, Optional<Double> speed, Path report) {
     double wanted = speed.orElse(SPEED);
     if (!(wanted >= SLOWEST && wanted <= FASTEST)) {
       throw new CommandFailure(
@@ -66,7 +66,7 @@ public final class RecruitDemo implements Demo {
               SLOWEST,
               FASTEST));
     }
-    return new RecruitDemo(narration, wanted, report);
+    return new RecruitDemo(progress, wanted, report);
   }
 
   @Override
@@ -74,7 +74,7 @@ public final class RecruitDemo implements Demo {
     return DemoRunner.run(progress, this::play);
   }
 
-  private void play(DemoEnvironment stage) throws Exception {
+  private void play(DemoEnvironment environment) throws Exception {
     try (AnnouncedTime time = new AnnouncedTime()) {
       Instant began = Instant.now().truncatedTo(ChronoUnit.MILLIS);
       time.set(speed == 1 ? RobotTime.REAL : new ScaledTime(speed, began).toHostText());
@@ -93,38 +93,37 @@ public final class RecruitDemo implements Demo {
       try (Simulation simulation = Simulation.overTcp(world, clock, PortPolicy.EPHEMERAL)) {
         simulation.start();
         LocalFrame frame = new LocalFrame(world.datum());
-        try (Team team = new Team(stage, simulation, names);
+        try (Team team = new Team(environment, simulation, names);
             JiniModuleDirectory directory =
                 new JiniModuleDirectory(DemoEnvironment.ADDRESS, List.of(), team.locators());
             TrueTrajectories ways =
                 new TrueTrajectories(names, simulation.world().groundTruth(), clock);
-            AgentMonitor witness = new AgentMonitor(directory, progress, began);
+            AgentMonitor monitor = new AgentMonitor(directory, progress, began);
             BackgroundSearches searches =
                 new BackgroundSearches(progress, directory, frame, BackgroundSearches.PATIENCE)) {
           ways.start();
           try (LiveView live =
               new LiveView(
-                  progress, names, began, clock, frame, directory, witness, searches, ways)) {
+                  progress, names, began, clock, frame, directory, monitor, searches, ways)) {
             live.start();
             team.start();
-            RecruitScenario story =
+            RecruitScenario scenario =
                 new RecruitScenario(
                     progress,
                     team,
                     directory,
-                    witness,
+                    monitor,
                     searches,
                     simulation.world(),
                     ways,
                     frame,
                     clock);
-            story.play();
+            scenario.play();
           }
           progress.chapter("writing the report", "The report");
-          DemoTimeline chronicle = new DemoTimeline(began, frame, witness, ways);
-          RecruitCharts figures = new RecruitCharts(names, world, chronicle);
-          Path file =
-              new RecruitReport(chronicle, figures, speed, progress.figures()).write(report);
+          DemoTimeline timeline = new DemoTimeline(began, frame, monitor, ways);
+          RecruitCharts figures = new RecruitCharts(names, world, timeline);
+          Path file = new RecruitReport(timeline, figures, speed, progress.figures()).write(report);
           progress.say(
               "A map of their paths, a chart of each conversation, and shame over time are in"
                   + " %s.",

@@ -20,7 +20,7 @@ import org.dfra.report.plot.Page;
  */
 final class RecruitReport {
 
-  private final DemoTimeline chronicle;
+  private final DemoTimeline timeline;
   private final RecruitCharts figures;
   private final double speed;
   private final RunMeasurements measured;
@@ -30,8 +30,8 @@ final class RecruitReport {
    * @param measured values that decide whether it passed
    */
   RecruitReport(
-      DemoTimeline chronicle, RecruitCharts figures, double speed, RunMeasurements measured) {
-    this.chronicle = chronicle;
+      DemoTimeline timeline, RecruitCharts figures, double speed, RunMeasurements measured) {
+    this.timeline = timeline;
     this.figures = figures;
     this.speed = speed;
     this.measured = measured;
@@ -53,7 +53,7 @@ final class RecruitReport {
                 + " agent ran in a process of its own. All times are seconds of the robots' time"
                 + " since the demonstration began, which passed %s times as fast as real time.",
             speed));
-    MissionEventList.addTo(chronicle.events().stream().map(Event::mark).toList(), report);
+    MissionEventList.addTo(timeline.events().stream().map(Event::mark).toList(), report);
     report.heading("Paths");
     add(
         folder.resolve("map.svg"),
@@ -70,8 +70,8 @@ final class RecruitReport {
                 + " A message to all has an arrow to each. ACCEPT gives the time that the robot would"
                 + " take, ARRIVAL how long it can stay. A robot that does not arrive is replaced in a"
                 + " second attempt.");
-    for (Attempt each : chronicle.conversations()) {
-      LocalPosition at = chronicle.place(each.asked().position());
+    for (Attempt each : timeline.conversations()) {
+      LocalPosition at = timeline.place(each.asked().position());
       add(
           folder.resolve(each.file() + ".svg"),
           report,

@@ -47,7 +47,7 @@ final class RecruitScenario {
   private final ProgressReporter progress;
   private final Team team;
   private final ModuleDirectory directory;
-  private final AgentMonitor witness;
+  private final AgentMonitor monitor;
   private final World world;
   private final TrueTrajectories ways;
   private final InstantSource clock;
@@ -63,7 +63,7 @@ final class RecruitScenario {
       ProgressReporter progress,
       Team team,
       ModuleDirectory directory,
-      AgentMonitor witness,
+      AgentMonitor monitor,
       BackgroundSearches searches,
       World world,
       TrueTrajectories ways,
@@ -72,7 +72,7 @@ final class RecruitScenario {
     this.progress = progress;
     this.team = team;
     this.directory = directory;
-    this.witness = witness;
+    this.monitor = monitor;
     this.world = world;
     this.ways = ways;
     this.clock = clock;
@@ -86,10 +86,10 @@ final class RecruitScenario {
     }
     int robots = team.bodies().size();
     DemoAssertions.await(
-        "that all agents appear", PATIENCE, () -> witness.listening().size() == robots);
+        "that all agents appear", PATIENCE, () -> monitor.listening().size() == robots);
     RecruitmentAgent uav =
         directory.proxyFor(ModuleQuery.of(RecruitmentAgent.class).robot(REQUESTER));
-    HelpRequester calls = new HelpRequester(progress, REQUESTER, uav, witness, frame);
+    HelpRequester calls = new HelpRequester(progress, REQUESTER, uav, monitor, frame);
     progress.say("All %d agents are found.", robots);
     searches.begin("ugv1", 4.5, 3);
     searches.begin("ugv2", 22, 3);
@@ -149,7 +149,7 @@ final class RecruitScenario {
     long process = team.process(dead);
     ProgressReporter.Stopwatch watch = progress.stopwatch();
     team.kill(dead);
-    witness.noteDeath(clock.instant(), dead, "dies: only a stopped vehicle remains");
+    monitor.noteDeath(clock.instant(), dead, "dies: only a stopped vehicle remains");
     searches.forget(dead);
     progress.say(
         "%s dies: its agent's process %d is killed, its registrar, drivers and behaviours are closed."
@@ -170,7 +170,7 @@ final class RecruitScenario {
     String helper = calls.awaitArrival();
     team.signal("STOP", REQUESTER);
     try {
-      witness.noteReachable(clock.instant(), REQUESTER, false);
+      monitor.noteReachable(clock.instant(), REQUESTER, false);
       progress.say(
           "The agent of %s is suspended (process %d): it receives and sends nothing. %s has granted"
               + " it a lease of %d s of the robots' time.",
@@ -179,27 +179,27 @@ final class RecruitScenario {
       progress.say("%s is free again without a release, since its lease has expired.", helper);
     } finally {
       team.signal("CONT", REQUESTER);
-      witness.noteReachable(clock.instant(), REQUESTER, true);
+      monitor.noteReachable(clock.instant(), REQUESTER, true);
     }
     calls.await(RequesterPhase.IDLE);
   }
 
   private void judge(String dead) throws Exception {
     progress.chapter("judging", "Results");
-    Map<String, List<RecruitmentStatus>> recruited = witness.statuses();
-    recruited.keySet().retainAll(witness.helpers());
+    Map<String, List<RecruitmentStatus>> recruited = monitor.statuses();
+    recruited.keySet().retainAll(monitor.helpers());
     recruited.remove(dead);
     Collection<ResumptionFault> faults = searches.end(recruited).values();
     long idle = faults.stream().filter(each -> !each.hadSearched()).count();
     Set<String> bound =
-        witness.statuses().entrySet().stream()
+        monitor.statuses().entrySet().stream()
             .filter(each -> !each.getKey().equals(dead))
             .filter(each -> last(each.getValue()).responderPhase() != ResponderPhase.FREE)
             .map(Map.Entry::getKey)
             .collect(Collectors.toSet());
-    progress.say("%d messages were sent; a call to all counts once.", witness.messages().size());
+    progress.say("%d messages were sent; a call to all counts once.", monitor.messages().size());
     progress.figure("robots that are still bound to somebody", bound.size(), 0, "");
-    progress.figure("seconds in which two helped at once", witness.overlapSeconds(), 0, "s");
+    progress.figure("seconds in which two helped at once", monitor.overlapSeconds(), 0, "s");
     progress.figure("recruited robots that had not been searching", idle, 0, "");
     progress.figure("searches that were left and did not go on", faults.size() - idle, 0, "");
     progress.figure("collisions", world.groundTruth().collisions().size(), 0, "");

@@ -31,7 +31,7 @@ final class Team implements AutoCloseable {
   /** Name of the service group that holds a robot's agent. */
   static final String AGENT = "agent";
 
-  private final DemoEnvironment stage;
+  private final DemoEnvironment environment;
   private final Host host;
   private final List<String> locators;
   private final Map<String, RobotDescription> bodies = new LinkedHashMap<>();
@@ -39,9 +39,9 @@ final class Team implements AutoCloseable {
   private final Map<String, EmbeddedRobot> running = new LinkedHashMap<>();
 
   /** Reads the descriptions of the robots of that world; starts nothing. */
-  Team(DemoEnvironment stage, Simulation simulation, List<String> names) throws IOException {
-    this.stage = stage;
-    this.host = stage.host("agents");
+  Team(DemoEnvironment environment, Simulation simulation, List<String> names) throws IOException {
+    this.environment = environment;
+    this.host = environment.host("agents");
     Map<String, RobotDescription> written = new LinkedHashMap<>();
     for (String name : names) {
       Map<String, String> links =
@@ -111,7 +111,7 @@ final class Team implements AutoCloseable {
 
   /** Sends the process of a robot's agent a signal. */
   void signal(String name, String robot) throws IOException, InterruptedException {
-    stage.signal(name, process(robot));
+    environment.signal(name, process(robot));
   }
 
   /** Simulates a robot's death: kills its agent, and removes its modules and its registrar. */

@@ -48,9 +48,9 @@ class RasterReportTest {
     options.region = REGION;
     options.spacing = 2.5;
     options.seed = seed;
-    ProgressReporter narration =
+    ProgressReporter progress =
         new ProgressReporter(new PrintWriter(reported, true), System::nanoTime);
-    assertThat(RasterDemo.of(narration, options, report).run()).as(reported.toString()).isTrue();
+    assertThat(RasterDemo.of(progress, options, report).run()).as(reported.toString()).isTrue();
   }
 
   @Test

@@ -22,20 +22,20 @@ class RobotSeparationTest {
 
   /** From east 0 on at so many metres per second, sampled every 0.1 s up to 10 s. */
   private static RobotMissionResult robot(
-      String name, double north, double speed, List<TeammateDistance> mates) {
+      String name, double north, double speed, List<TeammateDistance> teammates) {
     List<Sample> samples = new ArrayList<>();
     for (int i = 1; i <= 100; i++) {
       double time = i / 10.0;
       samples.add(
           new Sample(time, speed * time, north, 0, speed, 0, 0, 0, Double.NaN, Double.NaN, 0, 1));
     }
-    ModuleReadings readings = new ModuleReadings(List.of(), List.of(), List.of(), mates);
+    ModuleReadings readings = new ModuleReadings(List.of(), List.of(), List.of(), teammates);
     return new RobotMissionResult(name, true, "it ends", samples, Map.of(), readings);
   }
 
   @Test
   void comparesWithTheTruthOfThatInstant() {
-    List<TeammateDistance> mates =
+    List<TeammateDistance> teammates =
         List.of(
             new TeammateDistance(0.02, "atrv2", 99, CLOCK), // before the first sample
             new TeammateDistance(2.05, "atrv3", 99, CLOCK), // another robot
@@ -43,7 +43,7 @@ class RobotSeparationTest {
             new TeammateDistance(4.0, "atrv2", 6.0, CLOCK),
             new TeammateDistance(12, "atrv2", 99, CLOCK)); // after the last
     List<RobotSeparation> all =
-        RobotSeparation.all(robot("atrv1", 0, -1, mates), robot("atrv2", 3, 1, List.of()));
+        RobotSeparation.all(robot("atrv1", 0, -1, teammates), robot("atrv2", 3, 1, List.of()));
     assertThat(all).extracting(RobotSeparation::time).containsExactly(2.05, 4.0);
     // Each is 1 m/s on its way, 3 m beside the other.
     assertThat(all.get(0).actual()).isCloseTo(Math.hypot(4.1, 3), within(1e-9));

@@ -113,8 +113,8 @@ final class ExperimentCharts {
     if (low == high) {
       return up.between(-ROOM, 1); // nothing but zeros
     }
-    double room = ROOM * (high - low);
-    return up.between(low - room, high + room);
+    double margin = ROOM * (high - low);
+    return up.between(low - margin, high + margin);
   }
 
   private static LinePanel panel(

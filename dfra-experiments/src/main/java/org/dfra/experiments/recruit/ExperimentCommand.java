@@ -141,7 +141,7 @@ final class ExperimentCommand implements Callable<Integer> {
     List<ExperimentCell> cells = ExperimentGrid.cells(strategies(plan.shame()));
     writable(folder);
     Page.setHeadless();
-    ProgressReporter progress = narration();
+    ProgressReporter progress = progress();
     progress.chapter("running", "Recruitment strategies compared by simulation");
     progress.say(
         "%d cells with %d seeds each are %d runs, in each of which a robot calls %d times; %d run"
@@ -173,7 +173,7 @@ final class ExperimentCommand implements Callable<Integer> {
     return isEmbedded ? EMBEDDED_JOBS : Runtime.getRuntime().availableProcessors();
   }
 
-  private ProgressReporter narration() {
+  private ProgressReporter progress() {
     return ProgressReporter.to(spec.commandLine().getOut());
   }
 
@@ -191,7 +191,7 @@ final class ExperimentCommand implements Callable<Integer> {
     }
     writable(folder);
     Page.setHeadless();
-    ProgressReporter progress = narration();
+    ProgressReporter progress = progress();
     Path file = new EmbeddedExperiment(plan, seeds, atOnce, times, progress).run(folder);
     progress.say("The report is %s; runs-real.csv beside it has a line for each run.", file);
     progress.table();
@@ -215,7 +215,7 @@ final class ExperimentCommand implements Callable<Integer> {
           spec.commandLine(), "--burst=" + burst + " is not a number from 1 to 100");
     }
     if (burst != null) {
-      plan = plan.with((share, lot) -> GilbertElliottLoss.bursts(share, length, lot));
+      plan = plan.with((share, random) -> GilbertElliottLoss.bursts(share, length, random));
     }
     return delays == null ? plan : plan.with(MeasuredDelays.read(delays));
   }

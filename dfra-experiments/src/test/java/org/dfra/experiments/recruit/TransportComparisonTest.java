@@ -22,21 +22,22 @@ class TransportComparisonTest {
       new ExperimentCell("greedy", MessageMode.BROADCAST, 6, 0);
 
   /** Runs that take so many seconds to the choice, give or take. */
-  private static CellResult runs(int count, double allocation, double spread, RandomGenerator lot) {
+  private static CellResult runs(
+      int count, double allocation, double spread, RandomGenerator random) {
     List<RunResult> runs = new ArrayList<>();
     for (int i = 0; i < count; i++) {
-      double seconds = allocation + spread * lot.nextGaussian();
+      double seconds = allocation + spread * random.nextGaussian();
       runs.add(new RunResult(i, 3, 3, 3, 33, 66, seconds, 40, 0, 0, 0, 0, 0));
     }
     return new CellResult(CELL, runs);
   }
 
   private static TransportComparison allocation(double real, double spread) {
-    RandomGenerator lot = new SplittableRandom(SEED);
+    RandomGenerator random = new SplittableRandom(SEED);
     return TransportComparison.all(
-            List.of(runs(30, real, spread, lot)),
-            List.of(runs(30, 2, spread, lot)),
-            List.of(runs(300, 2, spread, lot)))
+            List.of(runs(30, real, spread, random)),
+            List.of(runs(30, 2, spread, random)),
+            List.of(runs(300, 2, spread, random)))
         .stream()
         .filter(each -> each.metric() == Metric.ALLOCATION)
         .findFirst()
@@ -68,8 +69,8 @@ class TransportComparisonTest {
    */
   @Test
   void holmRejectsAsLongAsItMay() {
-    RandomGenerator lot = new SplittableRandom(SEED);
-    CellResult any = runs(2, 2, 0, lot);
+    RandomGenerator random = new SplittableRandom(SEED);
+    CellResult any = runs(2, 2, 0, random);
     List<TransportComparison> all = new ArrayList<>();
     for (double p : new double[] {0.02, 0.001, 0.5, 0.012, 0.024}) {
       all.add(

@@ -40,7 +40,7 @@ final class AuthenticatedDigests {
   }
 
   /** The peer that vouches for a digest in this thread now, or null if there is none. */
-  static @Nullable String voucher(String digest) {
+  static @Nullable String authenticator(String digest) {
     Scope scope = CURRENT.get();
     return scope != null && scope.digests.contains(digest) ? scope.peer : null;
   }
@@ -64,7 +64,7 @@ final class AuthenticatedDigests {
      * @throws CodeRefusedException if it is not of the form {@code httpmd:…;sha-256=…}
      * @throws IllegalStateException in another thread, or when the scope is closed or hidden
      */
-    void vouch(String codebase) {
+    void authenticate(String codebase) {
       checkCurrent();
       CodebaseUrl.parse(codebase).forEach(url -> digests.add(url.digest()));
     }

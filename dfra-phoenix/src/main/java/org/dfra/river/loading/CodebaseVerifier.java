@@ -29,8 +29,8 @@ final class CodebaseVerifier {
     if (trust.pinned().contains(url.digest())) {
       return "its digest is pinned";
     }
-    String voucher = AuthenticatedDigests.voucher(url.digest());
-    return voucher == null ? null : voucher + " confirms its digest";
+    String authenticator = AuthenticatedDigests.authenticator(url.digest());
+    return authenticator == null ? null : authenticator + " confirms its digest";
   }
 
   /**

@@ -219,7 +219,7 @@ final class ActivatableObject {
   }
 
   /** Undoes {@link #retire}: the object remains registered. */
-  void unretire() {
+  void reactivate() {
     retired = false;
   }
 

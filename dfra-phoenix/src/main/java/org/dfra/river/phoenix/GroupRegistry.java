@@ -118,7 +118,7 @@ final class GroupRegistry {
     try {
       journal.commit(new JournalRecord.ObjectUnregistered(uid, incarnation));
     } catch (ActivationException | RuntimeException e) {
-      object.unretire();
+      object.reactivate();
       throw e;
     }
     registered.remove(object);
@@ -163,7 +163,7 @@ final class GroupRegistry {
    *
    * <p>A group whose process runs keeps its identity: the process knows no other, and continues.
    */
-  synchronized void readdress(ActivationSystem system) {
+  synchronized void updateAddress(ActivationSystem system) {
     for (ManagedGroup group : List.copyOf(registered.groups())) {
       if (system.equals(group.id.getSystem())) {
         continue;

@@ -391,10 +391,10 @@ final class ManagedGroup implements GroupLauncher.LaunchOwner {
    * its exit, this is a crash.
    */
   @Override
-  public void onProcessExit(ProcessIdentity who, ProcessExit exit) {
+  public void onProcessExit(ProcessIdentity process, ProcessExit exit) {
     lock.lock();
     try {
-      if (who.equals(current.process())) {
+      if (process.equals(current.process())) {
         ended(exit);
       }
     } finally {
@@ -461,12 +461,12 @@ final class ManagedGroup implements GroupLauncher.LaunchOwner {
   }
 
   @Override
-  public void killUnlessReported(ProcessIdentity who) {
+  public void killUnlessReported(ProcessIdentity process) {
     lock.lock();
     try {
-      if (current.state() == State.STARTING && who.equals(current.process())) {
-        LOG.warn("Group {}: process {} never reported and is ended.", name, who.pid());
-        who.kill();
+      if (current.state() == State.STARTING && process.equals(current.process())) {
+        LOG.warn("Group {}: process {} never reported and is ended.", name, process.pid());
+        process.kill();
       }
     } finally {
       lock.unlock();

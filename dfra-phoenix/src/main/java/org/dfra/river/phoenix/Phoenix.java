@@ -162,7 +162,7 @@ public final class Phoenix implements AutoCloseable {
     ActivationSystem system =
         (ActivationSystem) export(configuration.systemExporter(), systemService);
     // Before the activator: a group that is started must receive the right address.
-    daemon.readdress(system);
+    daemon.updateAddress(system);
     daemon
         .groupTable()
         .exported((Activator) export(configuration.activatorExporter(), activatorService));

@@ -96,8 +96,8 @@ final class PhoenixDaemon {
    * Gives groups with a former address of phoenix an identity with the present one. Called before
    * any request for a group.
    */
-  void readdress(ActivationSystem system) {
-    registry.readdress(system);
+  void updateAddress(ActivationSystem system) {
+    registry.updateAddress(system);
   }
 
   /** Activates the inactive objects marked for restart. Called when the services are exported. */

@@ -40,10 +40,10 @@ public record ProcessIdentity(long pid, String start) implements Serializable {
    */
   static ProcessIdentity of(ProcessHandle handle) {
     Liveness sign = sign(handle.pid());
-    if (sign instanceof Liveness.Unknown doubt) {
+    if (sign instanceof Liveness.Unknown unknown) {
       throw new UncheckedIOException(
-          "the start of process " + handle.pid() + " cannot be read: " + doubt.why().getMessage(),
-          doubt.why());
+          "the start of process " + handle.pid() + " cannot be read: " + unknown.why().getMessage(),
+          unknown.why());
     }
     return new ProcessIdentity(
         handle.pid(),
@@ -59,14 +59,14 @@ public record ProcessIdentity(long pid, String start) implements Serializable {
    */
   public static Optional<ProcessIdentity> find(long pid) throws IOException {
     Liveness sign = sign(pid);
-    if (sign instanceof Liveness.Unknown doubt) {
+    if (sign instanceof Liveness.Unknown unknown) {
       throw new IOException(
           "whether process "
               + pid
               + " runs cannot be determined ("
-              + doubt.why().getMessage()
+              + unknown.why().getMessage()
               + "); stop the program that holds too many files open, and try again",
-          doubt.why());
+          unknown.why());
     }
     return sign instanceof Liveness.Alive lives
         ? Optional.of(new ProcessIdentity(pid, lives.start()))

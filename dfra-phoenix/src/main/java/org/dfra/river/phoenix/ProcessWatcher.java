@@ -35,10 +35,10 @@ final class ProcessWatcher {
   interface ProcessOwner {
 
     /** Records that one of its processes exited. */
-    void onProcessExit(ProcessIdentity who, ProcessExit exit);
+    void onProcessExit(ProcessIdentity process, ProcessExit exit);
 
     /** Kills one of its processes, if that has still not reported. */
-    void killUnlessReported(ProcessIdentity who);
+    void killUnlessReported(ProcessIdentity process);
   }
 
   /**

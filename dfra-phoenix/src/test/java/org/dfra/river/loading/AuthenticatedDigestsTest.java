@@ -14,38 +14,38 @@ class AuthenticatedDigestsTest {
   @Test
   void countsInItsThreadUntilItIsClosed() {
     try (AuthenticatedDigests.Scope scope = AuthenticatedDigests.open("CN=atrv1")) {
-      assertThat(AuthenticatedDigests.voucher(DIGEST)).as("opened is not vouched").isNull();
-      scope.vouch(CODEBASE);
-      assertThat(AuthenticatedDigests.voucher(DIGEST)).isEqualTo("CN=atrv1");
+      assertThat(AuthenticatedDigests.authenticator(DIGEST)).as("opened is not vouched").isNull();
+      scope.authenticate(CODEBASE);
+      assertThat(AuthenticatedDigests.authenticator(DIGEST)).isEqualTo("CN=atrv1");
       assertThat(
               CompletableFuture.supplyAsync(
-                      () -> String.valueOf(AuthenticatedDigests.voucher(DIGEST)))
+                      () -> String.valueOf(AuthenticatedDigests.authenticator(DIGEST)))
                   .join())
           .as("in another thread")
           .isEqualTo("null");
     }
-    assertThat(AuthenticatedDigests.voucher(DIGEST)).isNull();
+    assertThat(AuthenticatedDigests.authenticator(DIGEST)).isNull();
   }
 
   @Test
   void anInnerCallOfAnotherPeerHidesTheOuterOne() {
     try (AuthenticatedDigests.Scope outer = AuthenticatedDigests.open("CN=atrv1")) {
-      outer.vouch(CODEBASE);
+      outer.authenticate(CODEBASE);
       try (AuthenticatedDigests.Scope inner = AuthenticatedDigests.open("CN=atrv2")) {
         assertThat(inner).isNotNull();
-        assertThat(AuthenticatedDigests.voucher(DIGEST)).isNull();
-        assertThatThrownBy(() -> outer.vouch(CODEBASE))
+        assertThat(AuthenticatedDigests.authenticator(DIGEST)).isNull();
+        assertThatThrownBy(() -> outer.authenticate(CODEBASE))
             .isInstanceOf(IllegalStateException.class)
             .hasMessageContaining("scope of CN=atrv1");
       }
-      assertThat(AuthenticatedDigests.voucher(DIGEST)).isEqualTo("CN=atrv1");
+      assertThat(AuthenticatedDigests.authenticator(DIGEST)).isEqualTo("CN=atrv1");
     }
   }
 
   @Test
   void vouchesForDigestsOnly() {
     try (AuthenticatedDigests.Scope scope = AuthenticatedDigests.open("CN=atrv1")) {
-      assertThatThrownBy(() -> scope.vouch("http://h/a.jar"))
+      assertThatThrownBy(() -> scope.authenticate("http://h/a.jar"))
           .isInstanceOf(CodeRefusedException.class);
     }
   }

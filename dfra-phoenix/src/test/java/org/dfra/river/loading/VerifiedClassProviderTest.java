@@ -40,7 +40,7 @@ class VerifiedClassProviderTest extends ServedJarFixture {
     VerifiedClassProvider provider = new VerifiedClassProvider(CodeTrust.NONE);
     assertRefused(provider, codebase, "no authenticated peer confirms it");
     try (AuthenticatedDigests.Scope scope = AuthenticatedDigests.open("CN=atrv1")) {
-      scope.vouch(codebase);
+      scope.authenticate(codebase);
       assertThat(load(provider, codebase).getName()).isEqualTo(KIND);
     }
     assertRefused(

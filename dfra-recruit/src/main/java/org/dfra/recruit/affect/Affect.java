@@ -13,10 +13,10 @@ public interface Affect {
   void stimulate(Stimulus stimulus);
 
   /** The robot was chosen to help. */
-  void atone();
+  void onHelping();
 
   /** Another robot was chosen, or no help is needed any more. */
-  void relieve();
+  void onRelease();
 
   /**
    * Restores its level after a restart of its process.

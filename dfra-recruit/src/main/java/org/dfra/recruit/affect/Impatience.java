@@ -69,12 +69,12 @@ public final class Impatience implements Affect {
   }
 
   @Override
-  public void atone() {
+  public void onHelping() {
     reset();
   }
 
   @Override
-  public void relieve() {
+  public void onRelease() {
     reset();
   }
 

@@ -46,12 +46,12 @@ public final class Shame implements Affect {
   }
 
   @Override
-  public void atone() {
+  public void onHelping() {
     level = 0;
   }
 
   @Override
-  public void relieve() {
+  public void onRelease() {
     level = 0;
   }
 

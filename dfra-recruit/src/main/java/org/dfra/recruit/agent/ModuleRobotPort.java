@@ -27,7 +27,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
   private static final long PATIENCE_MILLIS = 2000;
 
   private final RobotTraits traits;
-  private final RobotStateMonitor senses;
+  private final RobotStateMonitor robotState;
   private final DelayedTaskExecutor taskExecutor;
   private final OperatorHold hold;
   private final Trip trip; // task thread only, except for its last goal
@@ -42,11 +42,11 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
 
   ModuleRobotPort(ModuleContext context, RobotTraits traits, Logger log) {
     this.traits = traits;
-    this.senses = new RobotStateMonitor(context, this::begunByOthers, log);
+    this.robotState = new RobotStateMonitor(context, this::begunByOthers, log);
     this.taskExecutor =
         new DelayedTaskExecutor("dfra-robot-port " + context.path(), context.robotTime());
     this.work = new InterruptedSearches(context, log);
-    this.hold = new OperatorHold(context, senses, log);
+    this.hold = new OperatorHold(context, robotState, log);
     this.trip = new Trip(context, taskExecutor, work, hold, log);
   }
 
@@ -67,7 +67,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
     isStarted = true;
     isEnding = !trip.isSettled();
     taskExecutor.execute(this::watchHold);
-    senses.start();
+    robotState.start();
   }
 
   private void watchHold() {
@@ -124,7 +124,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
     if (isClosed.getAndSet(true)) {
       return;
     }
-    senses.close();
+    robotState.close();
     trip.close();
     CountDownLatch stands = new CountDownLatch(1);
     taskExecutor.execute(
@@ -153,17 +153,17 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
    */
   @Override
   public boolean isAvailable() {
-    return senses.pose() != null
+    return robotState.pose() != null
         && battery() > traits.batteryReserve()
         && !isEnding
         && hold.isSettled()
         && hold.reason().isEmpty()
-        && (isAway || senses.isSearching() || !senses.isDriving());
+        && (isAway || robotState.isSearching() || !robotState.isDriving());
   }
 
   @Override
   public boolean hasOwnWork() {
-    return senses.isSearching();
+    return robotState.isSearching();
   }
 
   @Override
@@ -174,7 +174,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
   /** {@inheritDoc} From the robot's description alone; its drive is not queried. */
   @Override
   public Optional<Duration> eta(GeoPosition place) {
-    PoseEstimate here = senses.pose();
+    PoseEstimate here = robotState.pose();
     if (here == null) {
       return Optional.empty();
     }
@@ -184,7 +184,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
 
   @Override
   public double battery() {
-    return senses.battery();
+    return robotState.battery();
   }
 
   @Override

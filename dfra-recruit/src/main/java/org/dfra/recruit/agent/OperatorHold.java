@@ -49,7 +49,7 @@ final class OperatorHold {
   static final Duration SETTLING = Duration.ofSeconds(10);
 
   private final ModuleContext context;
-  private final RobotStateMonitor senses;
+  private final RobotStateMonitor robotState;
   private final Logger log;
   private final OperatorHoldStore memory; // guarded by this, with its content
 
@@ -61,9 +61,9 @@ final class OperatorHold {
   private boolean isLetGo; // guarded by this; before it was settled, see #end
   private long startNanos; // guarded by this; when this process started to search for them
 
-  OperatorHold(ModuleContext context, RobotStateMonitor senses, Logger log) {
+  OperatorHold(ModuleContext context, RobotStateMonitor robotState, Logger log) {
     this.context = context;
-    this.senses = senses;
+    this.robotState = robotState;
     this.log = log;
     this.memory = new OperatorHoldStore(context, log);
   }
@@ -85,7 +85,7 @@ final class OperatorHold {
    */
   synchronized void refresh() {
     boolean isNews = memory.add(listed());
-    for (ModuleListing<?> mover : senses.effectors()) {
+    for (ModuleListing<?> mover : robotState.effectors()) {
       EmergencyStopAttributes stop = stopReason(mover);
       String known = stop.latched() ? STOPPED : text(stop.since());
       isNews |= memory.noteFirst(mover.path(), known);
@@ -120,7 +120,7 @@ final class OperatorHold {
   }
 
   private Set<String> listed() {
-    return Stream.concat(senses.effectors().stream(), senses.behaviors().stream())
+    return Stream.concat(robotState.effectors().stream(), robotState.behaviors().stream())
         .map(ModuleListing::path)
         .collect(Collectors.toCollection(TreeSet::new));
   }
@@ -211,14 +211,14 @@ final class OperatorHold {
     return byEffector()
         .or(
             () ->
-                senses.behaviors().stream()
-                    .flatMap(each -> byBehavior(each, senses.heldSince(each)).stream())
+                robotState.behaviors().stream()
+                    .flatMap(each -> byBehavior(each, robotState.heldSince(each)).stream())
                     .findFirst());
   }
 
   /** Holds the lock. */
   private Optional<HoldReason> byEffector() {
-    for (ModuleListing<?> mover : senses.effectors()) {
+    for (ModuleListing<?> mover : robotState.effectors()) {
       EmergencyStopAttributes stop = stopReason(mover);
       String path = mover.path();
       if (stop.latched()) {
@@ -274,8 +274,10 @@ final class OperatorHold {
 
   private Optional<String> askEach() throws RemoteException {
     Set<String> asked = new TreeSet<>();
-    senses.effectors().forEach(each -> asked.add(each.path())); // their personas give their state
-    for (ModuleListing<? extends Behavior<?>> each : senses.behaviors()) {
+    robotState
+        .effectors()
+        .forEach(each -> asked.add(each.path())); // their personas give their state
+    for (ModuleListing<? extends Behavior<?>> each : robotState.behaviors()) {
       @Nullable Instant since = answer(each).heldSince();
       asked.add(each.path());
       Optional<String> held;
@@ -364,14 +366,14 @@ final class OperatorHold {
     String before = memory.text();
     memory.unknown(null);
     memory.last(null);
-    for (ModuleListing<?> mover : senses.effectors()) {
+    for (ModuleListing<?> mover : robotState.effectors()) {
       EmergencyStopAttributes stop = stopReason(mover);
       if (!stop.latched() && !isAfter(stop.since(), until)) {
         memory.setEndedStop(mover.path(), text(stop.since()));
       }
     }
-    for (ModuleListing<?> each : senses.behaviors()) {
-      @Nullable Instant since = senses.heldSince(each);
+    for (ModuleListing<?> each : robotState.behaviors()) {
+      @Nullable Instant since = robotState.heldSince(each);
       if (since != null && !isAfter(since, until)) {
         memory.setEndedStop(each.path(), since.toString());
       }

@@ -70,7 +70,7 @@ public final class Recruiter implements AutoCloseable {
     this.strategy = strategy;
     this.listener = listener;
     this.alarm = new WakeTimer(ports, this::wake);
-    MessageSender mail = new MessageSender(robot, mode, ports, listener);
+    MessageSender sender = new MessageSender(robot, mode, ports, listener);
     Runnable keep = () -> listener.snapshotChanged(kept());
     this.caller =
         new RequesterRole(
@@ -82,7 +82,7 @@ public final class Recruiter implements AutoCloseable {
                     RequesterState.idle(new Conversation(robot, ports.monotonicClock().millis()))),
             ports,
             listener,
-            mail,
+            sender,
             this::release,
             keep);
     this.helper =
@@ -93,7 +93,7 @@ public final class Recruiter implements AutoCloseable {
             ports,
             listener,
             this::post,
-            mail::send,
+            sender::send,
             caller::isUnderWay,
             keep);
     kept.ifPresent(
@@ -104,7 +104,7 @@ public final class Recruiter implements AutoCloseable {
     this.callersNews = caller.doing();
     this.helpersNews = helper.doing();
     this.doing = helpersNews;
-    this.status = saying();
+    this.status = currentStatus();
   }
 
   /** Resumes from the stored state of its last process. */
@@ -140,7 +140,7 @@ public final class Recruiter implements AutoCloseable {
                 Reason.NOT_READY,
                 robot + "'s agent has ended; call again when it has been restarted");
           }
-          happen(() -> caller.call(call));
+          handle(() -> caller.call(call));
         });
   }
 
@@ -191,12 +191,12 @@ public final class Recruiter implements AutoCloseable {
     turns.run(
         () -> {
           if (!isOver) {
-            happen(event);
+            handle(event);
           }
         });
   }
 
-  private void happen(Runnable event) {
+  private void handle(Runnable event) {
     Instant notBefore = ports.monotonicClock().instant().plus(RECOVERY);
     try {
       event.run();
@@ -223,7 +223,7 @@ public final class Recruiter implements AutoCloseable {
       helpersNews = helper.doing();
       doing = helpersNews;
     }
-    RecruitmentStatus fresh = saying();
+    RecruitmentStatus fresh = currentStatus();
     RecruitmentStatus last = status;
     status = fresh;
     if (fresh.urge() != last.urge()) {
@@ -249,7 +249,7 @@ public final class Recruiter implements AutoCloseable {
         });
   }
 
-  private RecruitmentStatus saying() {
+  private RecruitmentStatus currentStatus() {
     return new RecruitmentStatus(
         ports.clock().instant(),
         caller.state().phase(),

@@ -24,7 +24,7 @@ final class RequesterRole {
   private final RequesterMachine machine;
   private final RecruiterPorts ports;
   private final RecruiterListener listener;
-  private final MessageSender mail;
+  private final MessageSender sender;
   private final Runnable giveBack;
   private final Runnable keep;
   private RequesterState state;
@@ -42,7 +42,7 @@ final class RequesterRole {
       RequesterState state,
       RecruiterPorts ports,
       RecruiterListener listener,
-      MessageSender mail,
+      MessageSender sender,
       Runnable giveBack,
       Runnable keep) {
     this.robot = robot;
@@ -50,7 +50,7 @@ final class RequesterRole {
     this.state = state;
     this.ports = ports;
     this.listener = listener;
-    this.mail = mail;
+    this.sender = sender;
     this.giveBack = giveBack;
     this.keep = keep;
   }
@@ -187,9 +187,9 @@ final class RequesterRole {
   private void act(RequesterAction action) {
     listener.performed(action);
     if (action instanceof RequesterAction.SendToRobot one) {
-      mail.send(one.robot(), one.message());
+      sender.send(one.robot(), one.message());
     } else if (action instanceof RequesterAction.SendToTeam team) {
-      mail.sendToTeam(team.percept(), team.message());
+      sender.sendToTeam(team.percept(), team.message());
     } else if (action instanceof RequesterAction.AcceptLease hold) {
       lease = new ArrivalLease(now().plus(hold.stay()), ports.monotonicClock(), giveBack);
     } else if (action instanceof RequesterAction.ReplaceHelper replace) {

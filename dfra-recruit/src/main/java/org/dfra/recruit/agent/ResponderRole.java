@@ -182,9 +182,9 @@ final class ResponderRole implements ResponderPolicy {
       ports.robot().resumeOwnWork();
     } else if (action instanceof ResponderAction.EndLease end) {
       boolean unused = ports.leases().cancel(end.lease());
-    } else if (action instanceof ResponderAction.Atone) {
+    } else if (action instanceof ResponderAction.ResetOnHelping) {
       strategy.onChosen();
-    } else if (action instanceof ResponderAction.Relieve) {
+    } else if (action instanceof ResponderAction.ResetOnRelease) {
       strategy.onNotChosen();
     }
   }

@@ -111,7 +111,7 @@ final class Trip {
     this.last = last.goal();
     Optional<String> obstacle = Optional.empty();
     if (isKnown) {
-      travel.status().ifPresent(this::heed);
+      travel.status().ifPresent(this::onStatus);
     } else {
       obstacle = lost(travel.loss());
     }
@@ -313,7 +313,7 @@ final class Trip {
     if (status.phase() == Phase.RUNNING) {
       return false;
     }
-    heed(status);
+    onStatus(status);
     if (status.phase() == Phase.PAUSED) { // as by a brake: the time of its resume is unknown
       travel.cancel();
     } else {
@@ -333,7 +333,7 @@ final class Trip {
    * A leg was paused or cancelled by others: a person may be in front of the robot. The interrupted
    * work must not move it either.
    */
-  private void heed(BehaviorStatus status) {
+  private void onStatus(BehaviorStatus status) {
     if (status.phase() == Phase.PAUSED || status.phase() == Phase.CANCELLED) {
       work.handOverToOperator();
       if (status.heldSince() == null) { // a program did it, for an unknown client
@@ -355,7 +355,7 @@ final class Trip {
   void end() {
     journey = null;
     try {
-      travel.status().ifPresent(this::heed); // it may have been paused since the last poll
+      travel.status().ifPresent(this::onStatus); // it may have been paused since the last poll
     } catch (RemoteException | NotReadyException e) {
       log.debug("{}: the status of its leg is unknown: {}", path, e.toString());
     }

@@ -20,7 +20,7 @@ public interface LossModel {
   final class IndependentLoss implements LossModel {
 
     private final double probability;
-    private final RandomGenerator lot;
+    private final RandomGenerator random;
 
     /**
      * @param probability 0 to 1
@@ -30,12 +30,13 @@ public interface LossModel {
         throw new IllegalArgumentException("loss " + probability + " is outside 0 to 1");
       }
       this.probability = probability;
-      this.lot = random;
+      this.random = random;
     }
 
     @Override
     public boolean loses(String from, String to) {
-      return lot.nextDouble() < probability; // draws also where it is 0: paired runs stay aligned
+      return random.nextDouble()
+          < probability; // draws also where it is 0: paired runs stay aligned
     }
   }
 
@@ -52,7 +53,7 @@ public interface LossModel {
     private final double toGood;
     private final double lossInGood;
     private final double lossInBad;
-    private final RandomGenerator lot;
+    private final RandomGenerator random;
     private final Set<Link> bad = new HashSet<>();
 
     /**
@@ -76,7 +77,7 @@ public interface LossModel {
       this.toGood = toGood;
       this.lossInGood = lossInGood;
       this.lossInBad = lossInBad;
-      this.lot = random;
+      this.random = random;
     }
 
     /**
@@ -110,8 +111,8 @@ public interface LossModel {
     public boolean loses(String from, String to) {
       Link link = new Link(from, to);
       boolean isBad = bad.contains(link);
-      boolean lost = lot.nextDouble() < (isBad ? lossInBad : lossInGood);
-      if (lot.nextDouble() < (isBad ? toGood : toBad)) {
+      boolean lost = random.nextDouble() < (isBad ? lossInBad : lossInGood);
+      if (random.nextDouble() < (isBad ? toGood : toBad)) {
         if (isBad) {
           bad.remove(link);
         } else {

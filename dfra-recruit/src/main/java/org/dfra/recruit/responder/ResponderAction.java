@@ -35,8 +35,8 @@ public sealed interface ResponderAction {
   record EndLease(UUID lease) implements ResponderAction {}
 
   /** It was chosen: resets the affect (atonement). */
-  record Atone() implements ResponderAction {}
+  record ResetOnHelping() implements ResponderAction {}
 
   /** Another was chosen, or no help is needed: resets the affect (relief). */
-  record Relieve() implements ResponderAction {}
+  record ResetOnRelease() implements ResponderAction {}
 }

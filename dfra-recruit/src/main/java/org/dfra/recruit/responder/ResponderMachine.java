@@ -20,11 +20,11 @@ import org.dfra.recruit.message.RecruitmentMessage.Help;
 import org.dfra.recruit.message.RecruitmentMessage.Refuse;
 import org.dfra.recruit.message.RecruitmentMessage.Release;
 import org.dfra.recruit.message.RecruitmentMessage.ResponderId;
-import org.dfra.recruit.responder.ResponderAction.Atone;
 import org.dfra.recruit.responder.ResponderAction.EndLease;
 import org.dfra.recruit.responder.ResponderAction.ExtendLease;
 import org.dfra.recruit.responder.ResponderAction.Observe;
-import org.dfra.recruit.responder.ResponderAction.Relieve;
+import org.dfra.recruit.responder.ResponderAction.ResetOnHelping;
+import org.dfra.recruit.responder.ResponderAction.ResetOnRelease;
 import org.dfra.recruit.responder.ResponderAction.ResumeOwnWork;
 import org.dfra.recruit.responder.ResponderAction.SendToRobot;
 import org.dfra.recruit.responder.ResponderAction.TravelTo;
@@ -204,7 +204,7 @@ public final class ResponderMachine {
     }
     return new TransitionResult<>(
         state.travelling(promise),
-        List.of(new Atone(), new TravelTo(state.requireCall(), promise)));
+        List.of(new ResetOnHelping(), new TravelTo(state.requireCall(), promise)));
   }
 
   private TransitionResult<ResponderState, ResponderAction> passedOver(
@@ -235,7 +235,7 @@ public final class ResponderMachine {
   }
 
   private static TransitionResult<ResponderState, ResponderAction> relieved(ResponderState state) {
-    return new TransitionResult<>(state, List.of(new Relieve()));
+    return new TransitionResult<>(state, List.of(new ResetOnRelease()));
   }
 
   private static TransitionResult<ResponderState, ResponderAction> agreed(

@@ -43,12 +43,12 @@ public final class Affective implements RecruitmentStrategy {
 
   @Override
   public void onChosen() {
-    affect.atone();
+    affect.onHelping();
   }
 
   @Override
   public void onNotChosen() {
-    affect.relieve();
+    affect.onRelease();
   }
 
   @Override

@@ -17,7 +17,7 @@ public final class RandomPick implements RecruitmentStrategy {
   /** Default probability that a robot offers. */
   public static final double DEFAULT_OFFER_PROBABILITY = 0.5;
 
-  private final RandomGenerator lot;
+  private final RandomGenerator random;
   private final double chance;
 
   /**
@@ -29,7 +29,7 @@ public final class RandomPick implements RecruitmentStrategy {
       throw new ConfigurationException(
           "the offer probability " + offerProbability + " must be above 0 and at most 1");
     }
-    this.lot = random;
+    this.random = random;
     this.chance = offerProbability;
   }
 
@@ -41,11 +41,11 @@ public final class RandomPick implements RecruitmentStrategy {
   @Override
   public boolean shouldOffer(Stimulus stimulus) {
     // one int of 2^32 ones, so a chance of one half draws as nextBoolean does: runs stay the same
-    return lot.nextInt() < Math.scalb(chance, Integer.SIZE) + Integer.MIN_VALUE;
+    return random.nextInt() < Math.scalb(chance, Integer.SIZE) + Integer.MIN_VALUE;
   }
 
   @Override
   public Bid choose(List<Bid> bids) {
-    return bids.get(lot.nextInt(bids.size()));
+    return bids.get(random.nextInt(bids.size()));
   }
 }

@@ -83,11 +83,11 @@ public final class StrategyRegistry {
     return type;
   }
 
-  private static RecruitmentStrategy ofClass(Class<?> type, RandomGenerator lot) {
+  private static RecruitmentStrategy ofClass(Class<?> type, RandomGenerator random) {
     try {
       Optional<Constructor<?>> byChance = constructor(type, RandomGenerator.class);
       if (byChance.isPresent()) {
-        return (RecruitmentStrategy) byChance.get().newInstance(lot);
+        return (RecruitmentStrategy) byChance.get().newInstance(random);
       }
       Optional<Constructor<?>> plain = constructor(type);
       if (plain.isPresent()) {

@@ -16,7 +16,7 @@ public interface DelayModel {
 
   /** A constant delay. */
   static DelayModel constant(double seconds) {
-    return lot -> seconds;
+    return random -> seconds;
   }
 
   /**
@@ -105,8 +105,8 @@ public interface DelayModel {
     }
 
     @Override
-    public double next(RandomGenerator lot) {
-      return shortest + median * Math.exp(sigma * lot.nextGaussian());
+    public double next(RandomGenerator random) {
+      return shortest + median * Math.exp(sigma * random.nextGaussian());
     }
   }
 }

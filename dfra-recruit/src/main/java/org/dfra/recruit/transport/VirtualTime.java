@@ -35,7 +35,7 @@ public final class VirtualTime implements InstantSource, Scheduler {
   }
 
   private final Instant begin;
-  private final PriorityQueue<QueuedTask> agenda =
+  private final PriorityQueue<QueuedTask> queue =
       new PriorityQueue<>(
           Comparator.comparingLong((QueuedTask due) -> due.at)
               .thenComparingLong(due -> due.number));
@@ -70,7 +70,7 @@ public final class VirtualTime implements InstantSource, Scheduler {
     long wait = Math.max(0, nanos);
     QueuedTask due =
         new QueuedTask(now > Long.MAX_VALUE - wait ? Long.MAX_VALUE : now + wait, asked++, task);
-    agenda.add(due);
+    queue.add(due);
     return due;
   }
 
@@ -90,15 +90,15 @@ public final class VirtualTime implements InstantSource, Scheduler {
 
   /** Runs the next task due by a time; false where there is none. */
   private boolean next(long end) {
-    QueuedTask due = agenda.peek();
+    QueuedTask due = queue.peek();
     while (due != null && due.isCancelled) {
-      QueuedTask unused = agenda.poll();
-      due = agenda.peek();
+      QueuedTask unused = queue.poll();
+      due = queue.peek();
     }
     if (due == null || due.at > end) {
       return false;
     }
-    QueuedTask unused = agenda.poll();
+    QueuedTask unused = queue.poll();
     now = due.at;
     due.task.run();
     return true;
@@ -109,7 +109,7 @@ public final class VirtualTime implements InstantSource, Scheduler {
 
     private final Scheduler exact;
     private final DelayModel late;
-    private final RandomGenerator lot;
+    private final RandomGenerator random;
 
     /**
      * @param delay of each task
@@ -118,7 +118,7 @@ public final class VirtualTime implements InstantSource, Scheduler {
     public LateScheduler(Scheduler exact, DelayModel delay, RandomGenerator random) {
       this.exact = exact;
       this.late = delay;
-      this.lot = random;
+      this.random = random;
     }
 
     @Override
@@ -128,7 +128,7 @@ public final class VirtualTime implements InstantSource, Scheduler {
 
     @Override
     public ScheduledTask after(long nanos, Runnable task) {
-      return exact.after(Math.max(0, nanos) + Math.round(late.next(lot) * 1e9), task);
+      return exact.after(Math.max(0, nanos) + Math.round(late.next(random) * 1e9), task);
     }
 
     @Override

@@ -14,7 +14,7 @@ class GilbertElliottLossTest {
   private static final long SEED = 20261121;
   private static final int MESSAGES = 400_000;
 
-  private static SplittableRandom lot() {
+  private static SplittableRandom random() {
     return new SplittableRandom(SEED);
   }
 
@@ -35,7 +35,7 @@ class GilbertElliottLossTest {
   void losesTheShareInTheLongRun() {
     for (double share : new double[] {0.1, 0.25, 0.5}) {
       for (double burst : new double[] {2, 5, 20}) {
-        GilbertElliottLoss model = GilbertElliottLoss.bursts(share, burst, lot());
+        GilbertElliottLoss model = GilbertElliottLoss.bursts(share, burst, random());
         assertThat(model.share()).isCloseTo(share, within(1e-12));
         assertThat(lost(model))
             .as("share %s, bursts of %s, seed %s", share, burst, SEED)
@@ -47,7 +47,7 @@ class GilbertElliottLossTest {
   /** With loss in both states the share is that of the states: 1/5 bad, 0.2 · 0.8 + 0.8 · 0.05. */
   @Test
   void losesInBothStates() {
-    GilbertElliottLoss model = new GilbertElliottLoss(0.1, 0.4, 0.05, 0.8, lot());
+    GilbertElliottLoss model = new GilbertElliottLoss(0.1, 0.4, 0.05, 0.8, random());
     assertThat(model.share()).isCloseTo(0.2, within(1e-12));
     assertThat(lost(model)).as("seed %s", SEED).isCloseTo(0.2, within(0.01));
   }
@@ -59,7 +59,7 @@ class GilbertElliottLossTest {
   @Test
   void burstsHaveTheirMeanLength() {
     for (double burst : new double[] {2, 5, 20}) {
-      GilbertElliottLoss model = GilbertElliottLoss.bursts(0.25, burst, lot());
+      GilbertElliottLoss model = GilbertElliottLoss.bursts(0.25, burst, random());
       int bursts = 0;
       int lost = 0;
       boolean was = false;
@@ -78,8 +78,8 @@ class GilbertElliottLossTest {
 
   @Test
   void eachLinkIsGoodOrBadByItself() {
-    GilbertElliottLoss model = new GilbertElliottLoss(0, 1, 0, 1, lot());
-    GilbertElliottLoss stuck = new GilbertElliottLoss(1, 1e-9, 0, 1, lot());
+    GilbertElliottLoss model = new GilbertElliottLoss(0, 1, 0, 1, random());
+    GilbertElliottLoss stuck = new GilbertElliottLoss(1, 1e-9, 0, 1, random());
     assertThat(stuck.loses("a", "b")).as("it begins good").isFalse();
     assertThat(stuck.loses("a", "b")).as("and is bad from then on").isTrue();
     assertThat(stuck.loses("b", "a")).as("the way back is another link").isFalse();
@@ -88,11 +88,11 @@ class GilbertElliottLossTest {
 
   @Test
   void whatIsNoProbabilityIsRefused() {
-    assertThatThrownBy(() -> new GilbertElliottLoss(1.2, 0.5, 0, 1, lot()))
+    assertThatThrownBy(() -> new GilbertElliottLoss(1.2, 0.5, 0, 1, random()))
         .hasMessage("probability 1.2 is outside 0 to 1");
-    assertThatThrownBy(() -> new GilbertElliottLoss(0.5, 0, 0, 1, lot()))
+    assertThatThrownBy(() -> new GilbertElliottLoss(0.5, 0, 0, 1, random()))
         .hasMessageContaining("stays bad loses every message");
-    assertThatThrownBy(() -> GilbertElliottLoss.bursts(1, 5, lot()))
+    assertThatThrownBy(() -> GilbertElliottLoss.bursts(1, 5, random()))
         .hasMessage(
             "a loss of 1.0 in bursts of 5.0 messages is impossible; give a share of 0 to less than"
                 + " 1, and bursts of 1 or more");

@@ -49,13 +49,13 @@ class ModelsTest {
     assertThat(shame.level()).isCloseTo(1.5 * 0.25, within(1e-9));
     shame.stimulate(asked(50, 1, true, NOW));
     assertThat(shame.level()).isCloseTo(1.5 * 0.25 * 1.5, within(1e-9));
-    shame.relieve();
+    shame.onRelease();
     shame.stimulate(asked(1000, 1, false, NOW));
     assertThat(shame.level()).as("the floor").isCloseTo(0.15, within(1e-9));
-    shame.atone();
+    shame.onHelping();
     shame.stimulate(asked(0, 1, false, NOW));
     assertThat(shame.isTriggered()).isTrue();
-    shame.atone();
+    shame.onHelping();
     shame.stimulate(asked(0, 0.2, false, NOW));
     assertThat(shame.level()).as("at the reserve").isCloseTo(0.3, within(1e-9));
   }
@@ -67,7 +67,7 @@ class ModelsTest {
     assertThat(impatience.level()).isCloseTo(0.5, within(1e-9));
     impatience.stimulate(asked(0, 1, false, NOW.plusSeconds(5)));
     assertThat(impatience.isTriggered()).isTrue();
-    impatience.relieve();
+    impatience.onRelease();
     impatience.stimulate(asked(100, 1, false, NOW));
     assertThat(impatience.level()).isCloseTo(0.125, within(1e-9));
   }
@@ -132,13 +132,13 @@ class ModelsTest {
   @Test
   void aFitFindsTheDistributionAgain() {
     LogNormalDelay truth = new LogNormalDelay(0.001, 0.003, 0.5);
-    SplittableRandom lot = new SplittableRandom(5);
+    SplittableRandom random = new SplittableRandom(5);
     double[] drawn = new double[20_000];
-    Arrays.setAll(drawn, i -> truth.next(lot));
+    Arrays.setAll(drawn, i -> truth.next(random));
     LogNormalDelay fit = LogNormalDelay.fit(drawn);
     Arrays.sort(drawn);
     double[] again = new double[drawn.length];
-    Arrays.setAll(again, i -> fit.next(lot));
+    Arrays.setAll(again, i -> fit.next(random));
     Arrays.sort(again);
     for (double share : new double[] {0.25, 0.5, 0.75, 0.95}) {
       int place = (int) (share * drawn.length);

@@ -43,15 +43,15 @@ class StrategyRegistryTest {
 
   /** A user's, by chance. */
   public static final class Chancy extends Modest {
-    private final RandomGenerator lot;
+    private final RandomGenerator random;
 
-    public Chancy(RandomGenerator lot) {
-      this.lot = lot;
+    public Chancy(RandomGenerator random) {
+      this.random = random;
     }
 
     @Override
     public boolean shouldOffer(Stimulus stimulus) {
-      return lot.nextBoolean();
+      return random.nextBoolean();
     }
   }
 

@@ -146,7 +146,7 @@ final class Plot {
       Series each = all.get(i);
       if (!each.isEmpty()) {
         XYSeries added = chart.addSeries("series" + i, each.x(), each.y());
-        dress(added, each, names.indexOf(each.name()));
+        applyStyle(added, each, names.indexOf(each.name()));
       }
     }
   }
@@ -154,7 +154,7 @@ final class Plot {
   /**
    * @param number of the series' name, from 0; below zero where it has none
    */
-  private static void dress(XYSeries series, Series reported, int number) {
+  private static void applyStyle(XYSeries series, Series reported, int number) {
     Series.Style style = reported.style();
     Color full = number < 0 ? Palette.GREY : Palette.colour(number);
     Color colour = reported.isFaint() ? Palette.faint(full) : full;

@@ -59,7 +59,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
   private final DirectorySettings settings;
   private final InstantSource clock;
   private final Discovery discovery;
-  private final ServiceTable sightings;
+  private final ServiceTable serviceTable;
 
   /** Guarded by itself. */
   private final Map<LocatedRegistrar, RegistrarMonitor> watches = new HashMap<>();
@@ -99,7 +99,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     this.settings = settings;
     this.clock = clock;
     TrustedCode.installIfAbsent();
-    this.sightings = new ServiceTable(table(), this::locality);
+    this.serviceTable = new ServiceTable(table(), this::locality);
     try {
       this.discovery =
           Discovery.start(
@@ -127,7 +127,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
    * them.
    */
   public List<UnreadableModule> unreadableModules() {
-    return sightings.unreadable();
+    return serviceTable.unreadable();
   }
 
   /**
@@ -135,7 +135,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
    * the one that was listed first.
    */
   public List<ModuleConflict> conflicts() {
-    return sightings.conflicts();
+    return serviceTable.conflicts();
   }
 
   /** How many lookup services are reachable now. */
@@ -225,7 +225,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
         RegistrarMonitor watch =
             new RegistrarMonitor(
                 registrar,
-                sightings,
+                serviceTable,
                 settings,
                 clock,
                 new BasicJeriExporter(

@@ -58,7 +58,7 @@ final class RegistrarMonitor implements AutoCloseable {
 
   private final LocatedRegistrar identity;
   private final ServiceRegistrar registrar; // the same, for calls
-  private final ServiceTable sightings;
+  private final ServiceTable serviceTable;
   private final DirectorySettings settings;
   private final InstantSource clock;
   private final Exporter exporter;
@@ -90,7 +90,7 @@ final class RegistrarMonitor implements AutoCloseable {
    */
   RegistrarMonitor(
       LocatedRegistrar identity,
-      ServiceTable sightings,
+      ServiceTable serviceTable,
       DirectorySettings settings,
       InstantSource clock,
       Exporter exporter,
@@ -98,7 +98,7 @@ final class RegistrarMonitor implements AutoCloseable {
       Consumer<RegistrarMonitor> end) {
     this.identity = identity;
     this.registrar = identity;
-    this.sightings = sightings;
+    this.serviceTable = serviceTable;
     this.settings = settings;
     this.clock = clock;
     this.exporter = exporter;
@@ -129,7 +129,7 @@ final class RegistrarMonitor implements AutoCloseable {
     if (since != 0 && nanos - since > settings.registrarTimeout().toNanos() && !silent) {
       silent = true;
       LOG.warn("Lookup service {} does not answer; what it holds is stale.", identity);
-      sightings.markOutOfReach(identity, vouched);
+      serviceTable.markOutOfReach(identity, vouched);
     }
   }
 
@@ -166,7 +166,7 @@ final class RegistrarMonitor implements AutoCloseable {
       exporter.unexport(true);
       busySince = 0;
       if (!closed) {
-        sightings.markOutOfReach(identity, vouched);
+        serviceTable.markOutOfReach(identity, vouched);
         end.accept(this);
       }
     }
@@ -219,7 +219,7 @@ final class RegistrarMonitor implements AutoCloseable {
     locate();
     faults.keySet().retainAll(items.keySet());
     // Publish usable services before the search for faults of the others.
-    sightings.replaceAll(identity, items.values(), faults);
+    serviceTable.replaceAll(identity, items.values(), faults);
     findFaults(items.values());
     complete = System.nanoTime();
     read = true;
@@ -231,7 +231,7 @@ final class RegistrarMonitor implements AutoCloseable {
     if (!located) {
       @Nullable LookupLocator locator = call(() -> registrar.getLocator());
       if (locator != null) {
-        sightings.setHost(identity, locator.getHost());
+        serviceTable.setHost(identity, locator.getHost());
       }
       located = true;
     }
@@ -246,7 +246,7 @@ final class RegistrarMonitor implements AutoCloseable {
         Optional<String> fault = fault(item.serviceID);
         if (fault.isPresent()) {
           faults.put(item.serviceID, fault.get());
-          sightings.update(identity, item, fault.get());
+          serviceTable.update(identity, item, fault.get());
         }
       }
     }
@@ -280,7 +280,7 @@ final class RegistrarMonitor implements AutoCloseable {
     }
     sequence = Math.max(sequence, next);
     if (event.getTransition() == ServiceRegistrar.TRANSITION_MATCH_NOMATCH) {
-      sightings.remove(identity, ServiceTable.uuid(event.getServiceID()));
+      serviceTable.remove(identity, ServiceTable.uuid(event.getServiceID()));
       return;
     }
     @Nullable ServiceItem item = event.getServiceItem();
@@ -290,10 +290,10 @@ final class RegistrarMonitor implements AutoCloseable {
     Optional<String> fault = item.service == null ? fault(item.serviceID) : Optional.empty();
     if (fault.isPresent()) {
       faults.put(item.serviceID, fault.get());
-      sightings.update(identity, item, fault.get());
+      serviceTable.update(identity, item, fault.get());
     } else {
       faults.remove(item.serviceID);
-      sightings.update(identity, item);
+      serviceTable.update(identity, item);
     }
   }
 

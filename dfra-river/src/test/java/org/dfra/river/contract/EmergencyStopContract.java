@@ -195,7 +195,7 @@ abstract class EmergencyStopContract {
   void getsThroughWhileACommandIsHeldUpInTheDriver() throws Exception {
     CommandLease lease = effector().acquireCommandLease(LEASE);
     CountDownLatch holder = new CountDownLatch(1);
-    driver().turnHeldUp = holder;
+    driver().cycleHeldUp = holder;
     CompletableFuture<Void> heldUp = CompletableFuture.runAsync(() -> commandOn(lease.key()));
     try {
       await().atMost(PATIENCE).until(() -> !driver().commands.isEmpty());

@@ -21,7 +21,7 @@ public final class ScriptedDrive extends DriveImpl {
   final List<String> commands = new CopyOnWriteArrayList<>();
 
   /** Setting a velocity waits for it while it is not null. */
-  volatile @Nullable CountDownLatch turnHeldUp;
+  volatile @Nullable CountDownLatch cycleHeldUp;
 
   private final HeldScheduler scheduler;
 
@@ -67,7 +67,7 @@ public final class ScriptedDrive extends DriveImpl {
   @Override
   protected void setVelocity(Velocity wanted) {
     commands.add("turn " + wanted.speed() + " " + wanted.yawRate());
-    CountDownLatch holder = turnHeldUp;
+    CountDownLatch holder = cycleHeldUp;
     try {
       if (holder != null) {
         holder.await();

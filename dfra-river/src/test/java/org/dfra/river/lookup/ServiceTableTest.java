@@ -38,7 +38,7 @@ class ServiceTableTest {
   private static final Instant VOUCHED = Instant.parse("2026-11-21T12:00:00Z");
 
   private final Directory directory = new Directory();
-  private final ServiceTable sightings =
+  private final ServiceTable serviceTable =
       new ServiceTable(directory.known(), (id, attributes) -> Locality.REMOTE);
   private final RemoteModule server = server();
   private final RemoteModule otherServer = server();
@@ -135,96 +135,96 @@ class ServiceTableTest {
 
   @Test
   void theFirstWithinReachCountsAndAnotherChangesNothing() {
-    sightings.replaceAll(honest, List.of(own()));
-    sightings.replaceAll(stranger, List.of(fake()));
+    serviceTable.replaceAll(honest, List.of(own()));
+    serviceTable.replaceAll(stranger, List.of(fake()));
     assertShows(server, false);
-    sightings.update(stranger, fake());
+    serviceTable.update(stranger, fake());
     assertShows(server, false);
-    sightings.remove(stranger, ServiceTable.uuid(ID));
+    serviceTable.remove(stranger, ServiceTable.uuid(ID));
     assertShows(server, false);
-    sightings.update(stranger, fake());
-    sightings.markOutOfReach(stranger, VOUCHED);
+    serviceTable.update(stranger, fake());
+    serviceTable.markOutOfReach(stranger, VOUCHED);
     assertShows(server, false);
   }
 
   @Test
   void theNextOneCountsWhenTheFirstIsOutOfReachOrLetsGo() {
-    sightings.replaceAll(honest, List.of(own()));
-    sightings.replaceAll(stranger, List.of(fake()));
-    sightings.markOutOfReach(honest, VOUCHED);
+    serviceTable.replaceAll(honest, List.of(own()));
+    serviceTable.replaceAll(stranger, List.of(fake()));
+    serviceTable.markOutOfReach(honest, VOUCHED);
     assertShows(otherServer, false);
-    sightings.replaceAll(honest, List.of(own()));
+    serviceTable.replaceAll(honest, List.of(own()));
     assertShows(otherServer, false);
-    sightings.remove(stranger, ServiceTable.uuid(ID));
+    serviceTable.remove(stranger, ServiceTable.uuid(ID));
     assertShows(server, false);
-    sightings.remove(honest, ServiceTable.uuid(ID));
+    serviceTable.remove(honest, ServiceTable.uuid(ID));
     assertThat(listings()).isEmpty();
   }
 
   @Test
   void aStrangerThatGoesDoesNotRemoveWhatOneOutOfReachLists() {
-    sightings.replaceAll(honest, List.of(own()));
-    sightings.markOutOfReach(honest, VOUCHED);
+    serviceTable.replaceAll(honest, List.of(own()));
+    serviceTable.markOutOfReach(honest, VOUCHED);
     assertShows(server, true);
-    sightings.replaceAll(stranger, List.of(fake()));
-    sightings.replaceAll(stranger, List.of());
+    serviceTable.replaceAll(stranger, List.of(fake()));
+    serviceTable.replaceAll(stranger, List.of());
     assertShows(server, true);
     assertThat(listings().get(0).confirmed()).isEqualTo(VOUCHED);
-    sightings.replaceAll(honest, List.of());
+    serviceTable.replaceAll(honest, List.of());
     assertThat(listings()).isEmpty();
   }
 
   @Test
   void aModuleThatLeavesOneWithinReachIsGoneThoughAnotherIsOutOfReach() {
-    sightings.replaceAll(honest, List.of(own()));
-    sightings.replaceAll(stranger, List.of(own()));
-    sightings.markOutOfReach(honest, VOUCHED);
-    sightings.remove(stranger, ServiceTable.uuid(ID));
+    serviceTable.replaceAll(honest, List.of(own()));
+    serviceTable.replaceAll(stranger, List.of(own()));
+    serviceTable.markOutOfReach(honest, VOUCHED);
+    serviceTable.remove(stranger, ServiceTable.uuid(ID));
     assertThat(listings()).isEmpty();
   }
 
   @Test
   void aProxyThatCannotBeReadHidesNoneThatCan() {
     ServiceItem unreadable = item(null, "127.0.0.66");
-    sightings.replaceAll(stranger, List.of(unreadable));
-    assertThat(sightings.unreadable()).hasSize(1);
-    sightings.replaceAll(honest, List.of(own()));
+    serviceTable.replaceAll(stranger, List.of(unreadable));
+    assertThat(serviceTable.unreadable()).hasSize(1);
+    serviceTable.replaceAll(honest, List.of(own()));
     assertShows(server, false);
-    assertThat(sightings.unreadable()).isEmpty();
-    sightings.markOutOfReach(honest, VOUCHED);
+    assertThat(serviceTable.unreadable()).isEmpty();
+    serviceTable.markOutOfReach(honest, VOUCHED);
     assertShows(server, true);
-    assertThat(sightings.unreadable()).hasSize(1);
+    assertThat(serviceTable.unreadable()).hasSize(1);
   }
 
   @Test
   void aConflictIsReportedWhileItLasts() {
-    sightings.replaceAll(honest, List.of(own()));
-    assertThat(sightings.conflicts()).isEmpty();
-    sightings.replaceAll(stranger, List.of(fake()));
-    assertThat(sightings.conflicts())
+    serviceTable.replaceAll(honest, List.of(own()));
+    assertThat(serviceTable.conflicts()).isEmpty();
+    serviceTable.replaceAll(stranger, List.of(fake()));
+    assertThat(serviceTable.conflicts())
         .containsExactly(
             new ModuleConflict(
                 "atrv1/gps",
                 ServiceTable.uuid(ID).toString(),
                 "127.0.0.1:4160",
                 List.of("127.0.0.66:4160")));
-    sightings.markOutOfReach(stranger, VOUCHED);
-    assertThat(sightings.conflicts()).isEmpty();
+    serviceTable.markOutOfReach(stranger, VOUCHED);
+    assertThat(serviceTable.conflicts()).isEmpty();
   }
 
   @Test
   void oneModuleInTwoLookupServicesIsNoConflict() {
-    sightings.replaceAll(honest, List.of(own()));
-    sightings.replaceAll(stranger, List.of(own()));
-    assertThat(sightings.conflicts()).isEmpty();
+    serviceTable.replaceAll(honest, List.of(own()));
+    serviceTable.replaceAll(stranger, List.of(own()));
+    assertThat(serviceTable.conflicts()).isEmpty();
   }
 
   @Test
   void aRestartedLookupServiceTakesThePlaceOfItsFormerSelf() throws Exception {
-    sightings.replaceAll(honest, List.of(own()));
-    sightings.markOutOfReach(honest, VOUCHED);
+    serviceTable.replaceAll(honest, List.of(own()));
+    serviceTable.markOutOfReach(honest, VOUCHED);
     LocatedRegistrar restarted = new FakeRegistrar(7, "restarted").at("127.0.0.1", 4161);
-    sightings.replaceAll(restarted, List.of());
+    serviceTable.replaceAll(restarted, List.of());
     assertThat(listings()).isEmpty();
   }
 
@@ -234,12 +234,12 @@ class ServiceTableTest {
     PersonaAttributes persona = new PersonaAttributes("atrv1", "scout", List.of(), List.of());
     ServiceItem robot =
         new ServiceItem(honest.getServiceID(), "a registrar", Entries.toEntries(List.of(persona)));
-    sightings.setHost(honest, "192.0.2.1");
-    sightings.replaceAll(honest, List.of(robot));
-    sightings.setHost(stranger, "192.0.2.66");
-    sightings.replaceAll(stranger, List.of(robot));
+    serviceTable.setHost(honest, "192.0.2.1");
+    serviceTable.replaceAll(honest, List.of(robot));
+    serviceTable.setHost(stranger, "192.0.2.66");
+    serviceTable.replaceAll(stranger, List.of(robot));
     assertThat(directory.personas()).extracting(Persona::host).containsExactly("192.0.2.1");
-    sightings.remove(stranger, registrar);
+    serviceTable.remove(stranger, registrar);
     assertThat(directory.personas()).extracting(Persona::host).containsExactly("192.0.2.1");
   }
 }

@@ -42,7 +42,7 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
   private static final long POLL_INTERVAL_MILLIS = 10;
 
   private final Instant begin;
-  private final EventQueue agenda = new EventQueue();
+  private final EventQueue queue = new EventQueue();
   private final LockStepScheduler scheduler;
   private final SimLinkRegistry links =
       new SimLinkRegistry(
@@ -64,18 +64,18 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
    */
   public LockStep(Instant begin, Duration patience) {
     this.begin = begin;
-    this.scheduler = new LockStepScheduler(agenda, patience);
+    this.scheduler = new LockStepScheduler(queue, patience);
   }
 
   @Override
   public Instant instant() {
-    return begin.plusNanos(agenda.now());
+    return begin.plusNanos(queue.now());
   }
 
   /** Nanoseconds since the first instant. */
   @Override
   public long nanos() {
-    return agenda.now();
+    return queue.now();
   }
 
   /**
@@ -90,7 +90,7 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
     if (duration.isNegative()) {
       throw new IllegalArgumentException("time cannot go back by " + duration.negated());
     }
-    boolean unused = run(agenda.timeAfter(duration.toNanos()), () -> false);
+    boolean unused = run(queue.timeAfter(duration.toNanos()), () -> false);
   }
 
   /** The same, to an instant. */
@@ -105,7 +105,7 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
    * @return whether it holds
    */
   public boolean advanceUntil(BooleanSupplier condition, Duration atMost) {
-    return run(agenda.timeAfter(atMost.toNanos()), condition);
+    return run(queue.timeAfter(atMost.toNanos()), condition);
   }
 
   private boolean run(long until, BooleanSupplier enough) {
@@ -120,7 +120,7 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
       stepper = Thread.currentThread();
       scheduler.reclaim();
       while (!enough.getAsBoolean()) {
-        ScheduledEvent next = agenda.next(until);
+        ScheduledEvent next = queue.next(until);
         if (next == null) {
           return enough.getAsBoolean();
         }
@@ -149,8 +149,8 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
   /** {@inheritDoc} It runs on the stepper's thread. An exception ends the step. */
   @Override
   public ScheduledTask after(long nanos, Runnable task) {
-    ScheduledEvent due = agenda.add(agenda.timeAfter(nanos), task, task);
-    return () -> agenda.remove(due);
+    ScheduledEvent due = queue.add(queue.timeAfter(nanos), task, task);
+    return () -> queue.remove(due);
   }
 
   /**
@@ -163,7 +163,7 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
     if (period.isNegative() || period.isZero()) {
       throw new IllegalArgumentException("period " + period + " is not longer than 0");
     }
-    return new RepeatingTask(agenda, period.toNanos(), task).start();
+    return new RepeatingTask(queue, period.toNanos(), task).start();
   }
 
   /** The simulated links of this time. */
@@ -192,13 +192,13 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
               + condition);
     }
     if (nanos > 0) {
-      stepped.await(agenda.timeAfter(nanos));
+      stepped.await(queue.timeAfter(nanos));
     }
   }
 
   /** The time after this delay. */
   long timeAfter(long nanos) {
-    return agenda.timeAfter(nanos);
+    return queue.timeAfter(nanos);
   }
 
   /** Waits once in the calling thread, which holds no lock. */
@@ -253,7 +253,7 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
   /** A task that is scheduled again, a period later, before it runs. */
   private static final class RepeatingTask implements ScheduledTask {
 
-    private final EventQueue agenda;
+    private final EventQueue queue;
     private final long period;
     private final Runnable task;
 
@@ -263,14 +263,14 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
     @GuardedBy("this")
     private boolean cancelled;
 
-    RepeatingTask(EventQueue agenda, long period, Runnable task) {
-      this.agenda = agenda;
+    RepeatingTask(EventQueue queue, long period, Runnable task) {
+      this.queue = queue;
       this.period = period;
       this.task = task;
     }
 
     synchronized RepeatingTask start() {
-      next = agenda.add(agenda.timeAfter(period), task, this::run);
+      next = queue.add(queue.timeAfter(period), task, this::run);
       return this;
     }
 
@@ -279,7 +279,7 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
         if (next == null || cancelled) {
           return;
         }
-        next = agenda.reschedule(next, agenda.timeAfter(period));
+        next = queue.reschedule(next, queue.timeAfter(period));
       }
       task.run();
     }
@@ -288,7 +288,7 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
     public synchronized void cancel() {
       cancelled = true;
       if (next != null) {
-        agenda.remove(next);
+        queue.remove(next);
       }
     }
   }

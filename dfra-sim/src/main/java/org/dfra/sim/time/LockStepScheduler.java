@@ -18,7 +18,7 @@ final class LockStepScheduler {
     private @Nullable SteppedThread thread; // guarded by the queue's lock; null for an outsider
   }
 
-  private final EventQueue agenda;
+  private final EventQueue queue;
   private final Duration stuckTimeout;
   private final Condition givenBack;
   private final Condition outsideOver;
@@ -27,60 +27,60 @@ final class LockStepScheduler {
   /**
    * @param patience real time that a thread may run before it is reported as stuck
    */
-  LockStepScheduler(EventQueue agenda, Duration patience) {
-    this.agenda = agenda;
+  LockStepScheduler(EventQueue queue, Duration patience) {
+    this.queue = queue;
     this.stuckTimeout = patience;
-    this.givenBack = agenda.lock.newCondition();
-    this.outsideOver = agenda.lock.newCondition();
+    this.givenBack = queue.lock.newCondition();
+    this.outsideOver = queue.lock.newCondition();
   }
 
   Condition newTurn() {
-    return agenda.lock.newCondition();
+    return queue.lock.newCondition();
   }
 
   /** A thread was started: schedules it for the first time. */
   void register(SteppedThread thread) {
-    agenda.lock.lock();
+    queue.lock.lock();
     try {
       thread.phase = Phase.WAITING;
-      wakeAt(thread, agenda.now());
+      wakeAt(thread, queue.now());
     } finally {
-      agenda.lock.unlock();
+      queue.lock.unlock();
     }
   }
 
   void awaitFirstTurn(SteppedThread thread) {
-    agenda.lock.lock();
+    queue.lock.lock();
     try {
       awaitTurn(thread);
     } finally {
-      agenda.lock.unlock();
+      queue.lock.unlock();
     }
   }
 
   /** A thread has ended and is not scheduled again. */
   void end(SteppedThread thread) {
-    agenda.lock.lock();
+    queue.lock.lock();
     try {
       thread.phase = Phase.TERMINATED;
       givenBack.signalAll();
     } finally {
-      agenda.lock.unlock();
+      queue.lock.unlock();
     }
   }
 
   boolean isOver(Wait wait) {
-    agenda.lock.lock();
+    queue.lock.lock();
     try {
       return wait.over;
     } finally {
-      agenda.lock.unlock();
+      queue.lock.unlock();
     }
   }
 
   /** Signals the event that a thread waits for. */
   void end(Wait wait) {
-    agenda.lock.lock();
+    queue.lock.lock();
     try {
       wait.over = true;
       if (wait.thread != null) {
@@ -88,36 +88,36 @@ final class LockStepScheduler {
       }
       outsideOver.signalAll();
     } finally {
-      agenda.lock.unlock();
+      queue.lock.unlock();
     }
   }
 
   /** Schedules a waiting thread at this instant, before its wait ends. */
   void wakeNow(SteppedThread thread) {
-    agenda.lock.lock();
+    queue.lock.lock();
     try {
       ScheduledEvent wake = thread.wake;
-      if (thread.phase == Phase.WAITING && (wake == null || wake.at() > agenda.now())) {
-        wakeAt(thread, agenda.now());
+      if (thread.phase == Phase.WAITING && (wake == null || wake.at() > queue.now())) {
+        wakeAt(thread, queue.now());
       }
     } finally {
-      agenda.lock.unlock();
+      queue.lock.unlock();
     }
   }
 
   private void wakeAt(SteppedThread thread, long at) {
     if (thread.wake != null) {
-      agenda.remove(thread.wake);
+      queue.remove(thread.wake);
     }
     thread.wake =
-        at == EventQueue.NEVER ? null : agenda.add(at, thread.getName(), () -> run(thread));
+        at == EventQueue.NEVER ? null : queue.add(at, thread.getName(), () -> run(thread));
   }
 
   /** The calling thread yields the execution right until its wait ends. */
   void await(SteppedThread me, Wait wait, long until) {
-    agenda.lock.lock();
+    queue.lock.lock();
     try {
-      if (wait.over || me.isInterrupted() || until <= agenda.now()) {
+      if (wait.over || me.isInterrupted() || until <= queue.now()) {
         return;
       }
       wait.thread = me;
@@ -126,7 +126,7 @@ final class LockStepScheduler {
       givenBack.signalAll();
       awaitTurn(me);
     } finally {
-      agenda.lock.unlock();
+      queue.lock.unlock();
     }
   }
 
@@ -138,18 +138,18 @@ final class LockStepScheduler {
 
   /** A thread that is not stepped waits while others advance the time. */
   void awaitOutside(Wait wait, long until) throws InterruptedException {
-    agenda.lock.lockInterruptibly();
+    queue.lock.lockInterruptibly();
     try {
-      ScheduledEvent end = agenda.add(until, "an asker's wait", () -> end(wait));
+      ScheduledEvent end = queue.add(until, "an asker's wait", () -> end(wait));
       try {
         while (!wait.over) {
           outsideOver.await();
         }
       } finally {
-        agenda.remove(end);
+        queue.remove(end);
       }
     } finally {
-      agenda.lock.unlock();
+      queue.lock.unlock();
     }
   }
 
@@ -166,11 +166,11 @@ final class LockStepScheduler {
 
   /** The same, with a patience in real nanoseconds; returns whether it was regained in time. */
   boolean tryRun(SteppedThread thread, long patienceNanos) {
-    agenda.lock.lock();
+    queue.lock.lock();
     try {
       if (thread.phase == Phase.WAITING) {
         if (thread.wake != null) {
-          agenda.remove(thread.wake);
+          queue.remove(thread.wake);
           thread.wake = null;
         }
         thread.phase = Phase.RUNNING;
@@ -178,7 +178,7 @@ final class LockStepScheduler {
       }
       return awaitBack(thread, patienceNanos);
     } finally {
-      agenda.lock.unlock();
+      queue.lock.unlock();
     }
   }
 
@@ -188,14 +188,14 @@ final class LockStepScheduler {
    * @throws StuckThreadException if it does not yield now either
    */
   void reclaim() {
-    agenda.lock.lock();
+    queue.lock.lock();
     try {
       SteppedThread late = overdue;
       if (late != null && !awaitBack(late, stuckTimeout.toNanos())) {
         throw new StuckThreadException(late, stuckTimeout);
       }
     } finally {
-      agenda.lock.unlock();
+      queue.lock.unlock();
     }
   }
 

@@ -27,12 +27,12 @@ final class DeviceMount {
       @Nullable MountPose foot,
       @Nullable SimulatedPanTilt head) {
     this.body = body;
-    this.mount = stance(mount);
-    this.foot = foot == null ? null : stance(foot);
+    this.mount = pose(mount);
+    this.foot = foot == null ? null : pose(foot);
     this.head = head;
   }
 
-  private static MutableTransform stance(MountPose mount) {
+  private static MutableTransform pose(MountPose mount) {
     MutableTransform transform = new MutableTransform();
     transform.set(
         mount.x(),

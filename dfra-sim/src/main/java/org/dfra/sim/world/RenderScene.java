@@ -36,7 +36,7 @@ final class RenderScene {
   /** All robots with their poses at a step; the next call overwrites it. */
   List<Renderer.PlacedRobot> robots(double[] row) {
     for (int i = 0; i < bodies.size(); i++) {
-      bodies.get(i).transformAt(row, placed.get(i).stance());
+      bodies.get(i).transformAt(row, placed.get(i).pose());
     }
     return placed;
   }

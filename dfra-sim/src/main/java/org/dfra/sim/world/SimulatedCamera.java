@@ -25,7 +25,7 @@ final class SimulatedCamera implements CameraInput {
   private static final int MASK = (1 << TABLE_BITS) - 1;
 
   private final World world;
-  private final DeviceMount rig;
+  private final DeviceMount mount;
   private final RandomStream draws;
   private final RenderMode band;
   private final int width;
@@ -35,10 +35,10 @@ final class SimulatedCamera implements CameraInput {
   private @Nullable Renderer painter; // guarded by the world's monitor
   private @Nullable Renderer labeller; // guarded by the world's monitor
 
-  SimulatedCamera(World world, DeviceMount rig, DeviceDescription device, RandomStream draws) {
-    VehicleType type = rig.body().vehicle.type();
+  SimulatedCamera(World world, DeviceMount mount, DeviceDescription device, RandomStream draws) {
+    VehicleType type = mount.body().vehicle.type();
     this.world = world;
-    this.rig = rig;
+    this.mount = mount;
     this.draws = draws.substream("pixels");
     this.band = device.kind() == DeviceKind.THERMAL ? RenderMode.THERMAL : RenderMode.VISIBLE;
     this.width = (int) device.parameter("width", type);
@@ -58,13 +58,13 @@ final class SimulatedCamera implements CameraInput {
     synchronized (world.monitor()) {
       long step = world.stepAt(time);
       double[] row = world.row(step);
-      RenderScene gallery = world.renderScene();
+      RenderScene scene = world.renderScene();
       Renderer painting = painter;
       if (painting == null) {
-        painting = new Renderer(gallery.scenery(), band, width, height, fieldOfView);
+        painting = new Renderer(scene.scenery(), band, width, height, fieldOfView);
         painter = painting;
       }
-      int[] samples = painting.paint(rig.at(row), gallery.robots(row)).clone();
+      int[] samples = painting.paint(mount.at(row), scene.robots(row)).clone();
       if (band == RenderMode.THERMAL) {
         addNoise(samples, draws.bits(step));
       } else {
@@ -99,14 +99,14 @@ final class SimulatedCamera implements CameraInput {
   List<MineSighting> mines(Instant time) {
     synchronized (world.monitor()) {
       double[] row = world.row(world.stepAt(time));
-      RenderScene gallery = world.renderScene();
+      RenderScene scene = world.renderScene();
       Renderer labelling = labeller;
       if (labelling == null) {
-        labelling = new Renderer(gallery.scenery(), RenderMode.LABELS, width, height, fieldOfView);
+        labelling = new Renderer(scene.scenery(), RenderMode.LABELS, width, height, fieldOfView);
         labeller = labelling;
       }
-      MutableTransform camera = rig.at(row);
-      int[] labels = labelling.paint(camera, gallery.robots(row));
+      MutableTransform camera = mount.at(row);
+      int[] labels = labelling.paint(camera, scene.robots(row));
       List<MineDescription> mines = world.description().mines();
       long[] pixels = new long[mines.size() + 1];
       double[] columns = new double[pixels.length];

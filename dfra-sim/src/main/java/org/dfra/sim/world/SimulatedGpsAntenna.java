@@ -22,7 +22,7 @@ final class SimulatedGpsAntenna implements AntennaTrajectory {
   private static final int EACH = 5;
 
   private final World world;
-  private final DeviceMount rig;
+  private final DeviceMount mount;
   private final RandomStream draws;
   private final CorrelatedNoise biasEast;
   private final CorrelatedNoise biasNorth;
@@ -32,10 +32,11 @@ final class SimulatedGpsAntenna implements AntennaTrajectory {
   private final double vertical;
   private final double velocity;
 
-  SimulatedGpsAntenna(World world, DeviceMount rig, DeviceDescription device, RandomStream draws) {
-    VehicleType type = rig.body().vehicle.type();
+  SimulatedGpsAntenna(
+      World world, DeviceMount mount, DeviceDescription device, RandomStream draws) {
+    VehicleType type = mount.body().vehicle.type();
     this.world = world;
-    this.rig = rig;
+    this.mount = mount;
     this.draws = draws.substream("white");
     this.white = device.parameter("white_noise_sigma", type);
     this.vertical = device.parameter("vertical_factor", type);
@@ -59,8 +60,8 @@ final class SimulatedGpsAntenna implements AntennaTrajectory {
     synchronized (world.monitor()) {
       long step = world.stepAt(time);
       double[] row = world.row(step);
-      MutableTransform antenna = rig.at(row);
-      int at = rig.body().offset;
+      MutableTransform antenna = mount.at(row);
+      int at = mount.body().offset;
       double rate = row[at + VehicleBody.RATE];
       double eastward =
           row[at + VehicleBody.EASTWARD]

@@ -30,7 +30,7 @@ final class SimulatedLaser implements RangeInput {
   private static final double FADES = 0.8;
 
   private final World world;
-  private final DeviceMount rig;
+  private final DeviceMount mount;
   private final RandomStream draws;
   private final GhostRangeModel ghosts;
   private final double white;
@@ -39,10 +39,10 @@ final class SimulatedLaser implements RangeInput {
   private final RayCaster fan = new RayCaster(); // guarded by the world's monitor
   private final int[] near;
 
-  SimulatedLaser(World world, DeviceMount rig, DeviceDescription device, RandomStream draws) {
-    VehicleType type = rig.body().vehicle.type();
+  SimulatedLaser(World world, DeviceMount mount, DeviceDescription device, RandomStream draws) {
+    VehicleType type = mount.body().vehicle.type();
     this.world = world;
-    this.rig = rig;
+    this.mount = mount;
     this.draws = draws.substream("beams");
     this.white = device.parameter("white_noise_sigma", type);
     this.miss = device.parameter("dropout_probability", type);
@@ -67,7 +67,7 @@ final class SimulatedLaser implements RangeInput {
     synchronized (world.monitor()) {
       long now = world.stepAt(time);
       double[] row = world.row(now);
-      MutableTransform transform = rig.at(row);
+      MutableTransform transform = mount.at(row);
       fan.setBeams(first, step, distances.length);
       fan.beginScan(transform, longest);
       ObstacleIndex solids = world.solids();
@@ -94,7 +94,7 @@ final class SimulatedLaser implements RangeInput {
     List<VehicleBody> bodies = world.bodies();
     for (int i = 0; i < bodies.size(); i++) {
       VehicleBody body = bodies.get(i);
-      if (body != rig.body()) {
+      if (body != mount.body()) {
         int at = body.offset;
         double up = row[at + VehicleBody.UP];
         fan.intersect(body.boxAt(row), up, up + body.vehicle.height(), ROBOT_REFLECTIVITY);

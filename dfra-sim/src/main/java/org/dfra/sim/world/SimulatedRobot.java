@@ -48,28 +48,28 @@ public final class SimulatedRobot {
     }
     for (DeviceDescription device : vehicle.devices()) {
       if (device.kind() != DeviceKind.PAN_TILT) {
-        views.put(device.name(), view(world, device, rig(device, headsByName)));
+        views.put(device.name(), view(world, device, mount(device, headsByName)));
       }
     }
   }
 
-  private DeviceMount rig(DeviceDescription device, Map<String, SimulatedPanTilt> heads) {
+  private DeviceMount mount(DeviceDescription device, Map<String, SimulatedPanTilt> heads) {
     @Nullable MountPose foot =
         device.parent().flatMap(vehicle::device).map(DeviceDescription::mount).orElse(null);
     return new DeviceMount(
         body, device.mount(), foot, device.parent().map(heads::get).orElse(null));
   }
 
-  private Object view(World world, DeviceDescription device, DeviceMount rig) {
+  private Object view(World world, DeviceDescription device, DeviceMount mount) {
     RandomStream draws = body.draws.substream(device.name());
     return switch (device.kind()) {
-      case GPS -> new SimulatedGpsAntenna(world, rig, device, draws);
-      case LASER -> new SimulatedLaser(world, rig, device, draws);
+      case GPS -> new SimulatedGpsAntenna(world, mount, device, draws);
+      case LASER -> new SimulatedLaser(world, mount, device, draws);
       case DRIVE -> new SimulatedDrivetrain(world, (SkidSteerBody) body);
-      case GYRO -> new SimulatedGyro(world, rig, device, draws);
+      case GYRO -> new SimulatedGyro(world, mount, device, draws);
       case BATTERY -> new SimulatedBattery(world, body);
       case FLIGHT -> new SimulatedMulticopter(world, (MulticopterBody) body);
-      case CAMERA, THERMAL -> new SimulatedCamera(world, rig, device, draws);
+      case CAMERA, THERMAL -> new SimulatedCamera(world, mount, device, draws);
       case PAN_TILT -> throw new IllegalStateException("the pan-tilt unit was created before");
     };
   }
@@ -186,15 +186,15 @@ public final class SimulatedRobot {
   private static final class SimulatedGyro implements GyroInput {
 
     private final World world;
-    private final DeviceMount rig;
+    private final DeviceMount mount;
     private final CorrelatedNoise bias;
     private final RandomStream draws;
     private final double white;
 
-    SimulatedGyro(World world, DeviceMount rig, DeviceDescription device, RandomStream draws) {
-      VehicleType type = rig.body().vehicle.type();
+    SimulatedGyro(World world, DeviceMount mount, DeviceDescription device, RandomStream draws) {
+      VehicleType type = mount.body().vehicle.type();
       this.world = world;
-      this.rig = rig;
+      this.mount = mount;
       this.draws = draws.substream("white");
       this.white = device.parameter("white_noise_sigma", type);
       double first = device.parameter("bias_sigma", type) * draws.substream("bias").gaussian(0);
@@ -211,7 +211,7 @@ public final class SimulatedRobot {
       synchronized (world.monitor()) {
         long step = world.stepAt(time);
         double[] row = world.row(step);
-        double rate = row[rig.body().offset + VehicleBody.RATE] * rig.at(row).zz;
+        double rate = row[mount.body().offset + VehicleBody.RATE] * mount.at(row).zz;
         return rate + bias.at(step) + white * draws.gaussian(step);
       }
     }

@@ -53,7 +53,7 @@ public final class World {
   private final StateHistory history; // guarded by the monitor
   private final ArrayDeque<Runnable> commands = new ArrayDeque<>(); // guarded by the monitor
   private long lateCommands; // guarded by the monitor
-  private @Nullable RenderScene gallery; // guarded by the monitor
+  private @Nullable RenderScene scene; // guarded by the monitor
 
   private World(WorldDescription description, Instant start) {
     this.description = description;
@@ -178,10 +178,10 @@ public final class World {
 
   /** The scene shared by all cameras; the caller must hold the monitor. */
   RenderScene renderScene() {
-    RenderScene made = gallery;
+    RenderScene made = scene;
     if (made == null) {
       made = new RenderScene(this);
-      gallery = made;
+      scene = made;
     }
     return made;
   }

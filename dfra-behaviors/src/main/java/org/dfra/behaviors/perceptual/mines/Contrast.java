@@ -9,10 +9,10 @@ interface Contrast {
   /**
    * The similarity.
    *
-   * @param picture of its band
+   * @param image of its band
    * @return 1 or more counts as a mine; below 0 it is dissimilar
    */
-  double score(DecodedImage picture, DetectionWindow window);
+  double score(DecodedImage image, DetectionWindow window);
 
   /**
    * Difference of a window's inside from each of the boxes around it. A blob differs equally from
@@ -63,11 +63,11 @@ interface Contrast {
     private static final double DARKEST = 1; // level: below that there is no colour
 
     @Override
-    public double score(DecodedImage picture, DetectionWindow window) {
-      double[] inside = levels(picture, window.inside());
+    public double score(DecodedImage image, DetectionWindow window) {
+      double[] inside = levels(image, window.inside());
       BlobScore darker = new BlobScore();
       for (PixelRect box : window.surroundings()) {
-        double[] beside = levels(picture, box);
+        double[] beside = levels(image, box);
         double sum = 0;
         for (int i = 0; i < inside.length; i++) {
           sum += Math.log(beside[i] / inside[i]);
@@ -89,10 +89,10 @@ interface Contrast {
       return Math.sqrt(squares);
     }
 
-    private static double[] levels(DecodedImage picture, PixelRect box) {
+    private static double[] levels(DecodedImage image, PixelRect box) {
       double[] levels = new double[3];
       for (int i = 0; i < levels.length; i++) {
-        levels[i] = Math.max(DARKEST, picture.channels().get(i).mean(box));
+        levels[i] = Math.max(DARKEST, image.channels().get(i).mean(box));
       }
       return levels;
     }

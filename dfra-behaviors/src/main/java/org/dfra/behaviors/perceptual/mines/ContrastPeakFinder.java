@@ -31,12 +31,12 @@ final class ContrastPeakFinder {
   record Peak(GroundPoint spot, double strength) {}
 
   /** All peaks, the strongest first. */
-  static List<Peak> find(DecodedImage picture, WindowGrid windows, Contrast contrast) {
+  static List<Peak> find(DecodedImage image, WindowGrid windows, Contrast contrast) {
     double[] strengths = new double[windows.size()];
     List<Integer> candidates = new ArrayList<>();
     for (int i = 0; i < strengths.length; i++) {
       @Nullable DetectionWindow window = windows.at(i);
-      strengths[i] = window == null ? 0 : contrast.score(picture, window);
+      strengths[i] = window == null ? 0 : contrast.score(image, window);
       if (strengths[i] >= 1) {
         candidates.add(i);
       }

@@ -52,11 +52,11 @@ public final class ImageMineDetector {
     Contrast contrast = image.band() == Band.THERMAL ? heat : light;
     return DecodedImage.decode(image)
         .map(
-            picture ->
+            decoded ->
                 new ImageDetections(
                     image.band(),
                     now,
-                    ContrastPeakFinder.find(picture, now, contrast).stream()
+                    ContrastPeakFinder.find(decoded, now, contrast).stream()
                         .map(ContrastPeakFinder.Peak::spot)
                         .toList()));
   }
@@ -72,8 +72,8 @@ public final class ImageMineDetector {
     private static final double PER_KELVIN = 100;
 
     @Override
-    public double score(DecodedImage picture, DetectionWindow window) {
-      SummedTable heat = picture.channels().get(0);
+    public double score(DecodedImage image, DetectionWindow window) {
+      SummedTable heat = image.channels().get(0);
       double inside = heat.mean(window.inside());
       BlobScore warmer = new BlobScore();
       BlobScore colder = new BlobScore();

@@ -68,7 +68,7 @@ public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
 
   private static final String EARTH = "earth";
   private static final double MOST_YAW_SIGMA = 0.15; // radians
-  private static final double MOST_TURN_RATE = 0.5; // radians per second
+  private static final double MAX_YAW_RATE = 0.5; // radians per second
   private static final double TURN = 0.3; // radians
 
   private final MineDetectorSettings detectorSettings;
@@ -99,7 +99,7 @@ public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
   private @Nullable Viewpoint lastLook;
 
   @GuardedBy("lock")
-  private List<Detection> sightings = List.of();
+  private List<Detection> detections = List.of();
 
   /** Source of an image: its camera, and the poses of camera and robot. */
   private record ImageSource(String camera, Transform mount, Viewpoint from) {}
@@ -152,14 +152,13 @@ public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
       }
       Viewpoint from = trail.extrapolate(image.measured(), pose.get());
       boolean isSteady =
-          pose.get().yawSigma() <= MOST_YAW_SIGMA
-              && Math.abs(pose.get().yawRate()) <= MOST_TURN_RATE;
+          pose.get().yawSigma() <= MOST_YAW_SIGMA && Math.abs(pose.get().yawRate()) <= MAX_YAW_RATE;
       List<ImageSynchronizer.TaggedImage<ImageSource>> complete =
           isSteady && isElsewhere(from)
               ? pairing.add(image, new ImageSource(source.path(), mount.get(), from))
               : List.of();
       if (complete.isEmpty()) {
-        setPercept(new MinePercept(image.measured(), EARTH, sightings));
+        setPercept(new MinePercept(image.measured(), EARTH, detections));
       } else {
         lastLook = from;
         look(complete, image.measured());
@@ -209,14 +208,14 @@ public final class MineDetectorImpl extends PerceptualSchemaImpl<MinePercept>
     if (!views.isEmpty()) {
       places.add(new MineObservation(views));
       PoseBuffer poses = trail;
-      sightings =
+      detections =
           places.candidates(detectorSettings.minProbability()).stream()
               .map(
                   each ->
                       new Detection(
                           poses.toGeo(each.position()), each.probability(), each.observations()))
               .toList();
-      publishPercept(new MinePercept(measured, EARTH, sightings));
+      publishPercept(new MinePercept(measured, EARTH, detections));
     }
   }
 

@@ -49,7 +49,7 @@ final class Belief {
   private final FixCorrection byFix;
   private long time;
   private double speed;
-  private double turnRate;
+  private double yawRate;
 
   Belief(TrackerSettings settings) {
     this.settings = settings;
@@ -62,7 +62,7 @@ final class Belief {
     covariance.setTo(other.covariance);
     time = other.time;
     speed = other.speed;
-    turnRate = other.turnRate;
+    yawRate = other.yawRate;
   }
 
   long time() {
@@ -79,14 +79,14 @@ final class Belief {
 
   /** Yaw rate in the last step, radians per second, to the left is +. */
   double yawRate() {
-    return turnRate;
+    return yawRate;
   }
 
   /** Initializes it at a pose; the other states get their priors. */
   void initialize(long at, double east, double north, double yaw) {
     time = at;
     speed = 0;
-    turnRate = 0;
+    yawRate = 0;
     state.zero();
     covariance.zero();
     state.set(EAST, east);
@@ -162,7 +162,7 @@ final class Belief {
     Correction.symmetrize(covariance);
     time = step.time();
     speed = dt > 0 ? way / dt : 0;
-    turnRate = dt > 0 ? turn / dt : 0;
+    yawRate = dt > 0 ? turn / dt : 0;
     if (rests && step.hasGyro() && dt > 0) {
       learnTurn(step.gyroYaw() / dt, dt);
     }
@@ -237,12 +237,12 @@ final class Belief {
   boolean canUseCourse(LocalFix fix) {
     return !Double.isNaN(fix.course())
         && Math.abs(speed) > FixWindow.MIN_COURSE_SPEED
-        && Math.abs(turnRate) < FixWindow.MAX_COURSE_YAW_RATE;
+        && Math.abs(yawRate) < FixWindow.MAX_COURSE_YAW_RATE;
   }
 
   /** Corrects by a fix's course; false if the gate rejected it. */
   boolean correctCourse(LocalFix fix) {
-    return byFix.course(fix, fix.antennaDirection(speed, turnRate), state, covariance);
+    return byFix.course(fix, fix.antennaDirection(speed, yawRate), state, covariance);
   }
 
   /** Standard deviation of the position along its worst direction, metres. */

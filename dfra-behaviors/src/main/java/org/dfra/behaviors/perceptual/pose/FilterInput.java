@@ -39,10 +39,10 @@ sealed interface FilterInput permits FilterInput.MotionIncrement, FilterInput.Lo
      * the antenna's velocity there is (v − ω·left, ω·forward).
      *
      * @param robotSpeed v, forward is +, metres per second
-     * @param turnRate ω, to the left is +, radians per second
+     * @param yawRate ω, to the left is +, radians per second
      */
-    double antennaDirection(double robotSpeed, double turnRate) {
-      return Math.atan2(turnRate * forward, robotSpeed - turnRate * left);
+    double antennaDirection(double robotSpeed, double yawRate) {
+      return Math.atan2(yawRate * forward, robotSpeed - yawRate * left);
     }
   }
 

@@ -47,16 +47,16 @@ final class FixWindow {
    *
    * @param pose of the robot on the track at the time of the fix
    * @param speed of the robot then, forward is +, metres per second
-   * @param turnRate of the robot then, radians per second
+   * @param yawRate of the robot then, radians per second
    */
-  void add(LocalFix fix, DeadReckoningTrack.Pose pose, double speed, double turnRate) {
+  void add(LocalFix fix, DeadReckoningTrack.Pose pose, double speed, double yawRate) {
     double cos = Math.cos(pose.yaw());
     double sin = Math.sin(pose.yaw());
     boolean hasCourse =
         !Double.isNaN(fix.course())
             && Math.abs(speed) > MIN_COURSE_SPEED
-            && Math.abs(turnRate) < MAX_COURSE_YAW_RATE;
-    double ahead = fix.antennaDirection(speed, turnRate) + pose.yaw();
+            && Math.abs(yawRate) < MAX_COURSE_YAW_RATE;
+    double ahead = fix.antennaDirection(speed, yawRate) + pose.yaw();
     entries.add(
         new Entry(
             fix,

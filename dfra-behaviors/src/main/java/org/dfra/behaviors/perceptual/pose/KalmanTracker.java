@@ -175,7 +175,7 @@ final class KalmanTracker implements PoseTracker {
       }
       case REJECTED -> {
         if (positions.recordRejection(fix.time())) {
-          doubt(fix);
+          suspectPosition(fix);
         }
       }
       case COURSE_REJECTED -> {
@@ -190,7 +190,7 @@ final class KalmanTracker implements PoseTracker {
   }
 
   /** All fixes were rejected for the timeout: the position is wrong, or more states are. */
-  private void doubt(LocalFix fix) {
+  private void suspectPosition(LocalFix fix) {
     long lasts = DOUBT_LASTS * settings.rejectionTimeout().toNanos();
     if (hasDoubted && Math.abs(fix.time() - doubted) < lasts) {
       realign(positions.since());

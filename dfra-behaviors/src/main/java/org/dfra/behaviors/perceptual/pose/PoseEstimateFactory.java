@@ -27,11 +27,11 @@ final class PoseEstimateFactory {
    * @param used time of the last fix that was used, likewise
    */
   Optional<PoseEstimate> estimate(
-      long time, UncertainPose found, double speed, double turnRate, long used) {
+      long time, UncertainPose found, double speed, double yawRate, long used) {
     Optional<GeoPosition> datum = intake.datum();
     double sum =
         found.east + found.north + found.yaw + found.positionSigma + found.yawSigma + speed;
-    if (datum.isEmpty() || !Double.isFinite(sum + turnRate)) {
+    if (datum.isEmpty() || !Double.isFinite(sum + yawRate)) {
       return Optional.empty();
     }
     return Optional.of(
@@ -43,7 +43,7 @@ final class PoseEstimateFactory {
             found.north,
             Math.IEEEremainder(found.yaw, 2 * Math.PI),
             speed,
-            turnRate,
+            yawRate,
             found.positionSigma,
             Math.min(FixWindow.UNKNOWN_YAW_SIGMA, found.yawSigma),
             Duration.ofNanos(Math.max(0, time - used)),

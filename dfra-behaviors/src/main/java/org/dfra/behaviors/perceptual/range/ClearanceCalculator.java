@@ -106,8 +106,8 @@ record ClearanceCalculator(double halfLength, double halfWidth, double maxRange)
         reducedBy(seen.right(), by));
   }
 
-  private double reducedBy(double room, double by) {
-    return room >= maxRange ? room : Math.max(0, room - by);
+  private double reducedBy(double clearance, double by) {
+    return clearance >= maxRange ? clearance : Math.max(0, clearance - by);
   }
 
   /** From a point to the body, metres. */

@@ -19,10 +19,10 @@ class DecodedImageTest {
     BufferedImage image = new BufferedImage(320, 240, BufferedImage.TYPE_USHORT_GRAY);
     image.getRaster().setSample(7, 3, 0, 40_000);
     image.getRaster().setSample(8, 3, 0, 65_535);
-    DecodedImage picture =
+    DecodedImage decoded =
         DecodedImage.decode(Ground.image(Band.THERMAL, "image/png", Ground.encoded(image, "png")))
             .orElseThrow();
-    SummedTable heat = picture.channels().get(0);
+    SummedTable heat = decoded.channels().get(0);
     assertThat(heat.mean(new PixelRect(7, 3, 8, 4))).isEqualTo(40_000);
     assertThat(heat.mean(new PixelRect(7, 3, 9, 4))).isEqualTo((40_000 + 65_535) / 2.0);
     assertThat(heat.mean(new PixelRect(0, 0, 320, 240)))
@@ -31,11 +31,11 @@ class DecodedImageTest {
 
   @Test
   void lightHasRedGreenAndBlue() {
-    DecodedImage picture = DecodedImage.decode(Ground.light(spot -> Ground.OLIVE)).orElseThrow();
+    DecodedImage decoded = DecodedImage.decode(Ground.light(spot -> Ground.OLIVE)).orElseThrow();
     PixelRect box = new PixelRect(100, 100, 200, 200);
-    assertThat(picture.channels().get(0).mean(box)).isCloseTo(0x3F, within(3.0));
-    assertThat(picture.channels().get(1).mean(box)).isCloseTo(0x45, within(3.0));
-    assertThat(picture.channels().get(2).mean(box)).isCloseTo(0x26, within(3.0));
+    assertThat(decoded.channels().get(0).mean(box)).isCloseTo(0x3F, within(3.0));
+    assertThat(decoded.channels().get(1).mean(box)).isCloseTo(0x45, within(3.0));
+    assertThat(decoded.channels().get(2).mean(box)).isCloseTo(0x26, within(3.0));
   }
 
   @Test

@@ -32,7 +32,7 @@ final class Field {
   private static final double TICK = 0.01; // s
   private static final int ODOMETRY_TICKS = 10;
   private static final double SPEED = 0.6; // m/s
-  private static final double TURN_RATE = 0.6; // rad/s
+  private static final double YAW_RATE = 0.6; // rad/s
   private static final double LANE = 30; // m
   private static final double SPACING = 2; // m
 
@@ -122,7 +122,7 @@ final class Field {
         left = Math.abs(round[segment][0] + round[segment][1]);
       }
       double wanted = segment < 0 || round[segment][0] == 0 ? 0 : SPEED;
-      double turn = segment < 0 ? 0 : Math.signum(round[segment][1]) * TURN_RATE;
+      double turn = segment < 0 ? 0 : Math.signum(round[segment][1]) * YAW_RATE;
       speed += Math.max(-TICK, Math.min(TICK, wanted - speed)); // 1 m/s²
       rate += Math.max(-2 * TICK, Math.min(2 * TICK, turn - rate)); // 2 rad/s²
       double middle = yaw + rate * TICK / 2;

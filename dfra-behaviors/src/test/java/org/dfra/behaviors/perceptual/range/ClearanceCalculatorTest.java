@@ -78,11 +78,11 @@ class ClearanceCalculatorTest {
       double aside = Math.sin(angle) > 1e-9 ? 1.8 / Math.sin(angle) : -1.3 / Math.sin(angle);
       ranges[i] = (float) Math.min(ahead, i == 90 ? ahead : aside);
     }
-    Clearance room = of(FRONT, -Math.PI / 2, ranges); // walls 2.4 ahead, 1.8 left, 1.3 right
-    assertThat(room.centre()).isCloseTo(2, NEAR);
-    assertThat(room.left()).isCloseTo(1.5, NEAR);
-    assertThat(room.right()).isCloseTo(1, NEAR);
-    assertThat(room.min()).isCloseTo(1, NEAR);
+    Clearance clearance = of(FRONT, -Math.PI / 2, ranges); // walls 2.4 ahead, 1.8 left, 1.3 right
+    assertThat(clearance.centre()).isCloseTo(2, NEAR);
+    assertThat(clearance.left()).isCloseTo(1.5, NEAR);
+    assertThat(clearance.right()).isCloseTo(1, NEAR);
+    assertThat(clearance.min()).isCloseTo(1, NEAR);
   }
 
   @Test

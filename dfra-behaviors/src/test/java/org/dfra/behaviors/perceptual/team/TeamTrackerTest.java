@@ -49,9 +49,9 @@ class TeamTrackerTest {
   }
 
   private static Teammate mateOf(Searcher robot) {
-    List<Teammate> mates = robot.team.team().teammates();
-    assertThat(mates).hasSize(1);
-    return mates.get(0);
+    List<Teammate> teammates = robot.team.team().teammates();
+    assertThat(teammates).hasSize(1);
+    return teammates.get(0);
   }
 
   @ParameterizedTest

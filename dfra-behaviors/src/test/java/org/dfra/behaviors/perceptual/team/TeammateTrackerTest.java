@@ -19,20 +19,20 @@ class TeammateTrackerTest {
   private static final Instant BEGIN = Instant.parse("2026-11-21T12:00:00Z");
   private static final long LONGEST = 3_000_000_000L;
 
-  private final TeammateTracker mate = new TeammateTracker("atrv2");
+  private final TeammateTracker teammate = new TeammateTracker("atrv2");
 
   private Optional<String> receive(double seconds, long number) {
     Instant now = BEGIN.plusNanos(Math.round(seconds * 1e9));
     PoseEstimate pose = pose(seconds, 0, null);
-    return mate.receive(pose, number, now, Math.round(seconds * 1e9), LONGEST);
+    return teammate.receive(pose, number, now, Math.round(seconds * 1e9), LONGEST);
   }
 
   private Optional<String> look(double seconds) {
-    return mate.checkSilence(Math.round(seconds * 1e9), LONGEST);
+    return teammate.checkSilence(Math.round(seconds * 1e9), LONGEST);
   }
 
   private Teammate known() {
-    return mate.relativeTo(new OwnPoseBuffer());
+    return teammate.relativeTo(new OwnPoseBuffer());
   }
 
   private static PoseEstimate pose(double seconds, double east, @Nullable ClockOffset clock) {
@@ -58,14 +58,14 @@ class TeammateTrackerTest {
     own.add(pose(0, 0, some));
     own.add(pose(1, 1, some));
     assertThat(receive(0.5, 1)).as("its poses carry no offset").isEmpty();
-    assertThat(mate.relativeTo(own).clockOffset()).isNull();
-    assertThat(mate.relativeTo(own).relativePosition()).isNull();
-    assertThat(mate.relativeTo(own).lastReceived()).isEqualTo(BEGIN.plusMillis(500));
+    assertThat(teammate.relativeTo(own).clockOffset()).isNull();
+    assertThat(teammate.relativeTo(own).relativePosition()).isNull();
+    assertThat(teammate.relativeTo(own).lastReceived()).isEqualTo(BEGIN.plusMillis(500));
 
     OwnPoseBuffer without = new OwnPoseBuffer();
     without.add(pose(0, 0, null));
-    Optional<String> unused = mate.receive(pose(0.6, 7, some), 2, BEGIN, 600_000_000, LONGEST);
-    assertThat(mate.relativeTo(without).clockOffset()).isNull();
+    Optional<String> unused = teammate.receive(pose(0.6, 7, some), 2, BEGIN, 600_000_000, LONGEST);
+    assertThat(teammate.relativeTo(without).clockOffset()).isNull();
   }
 
   @Test
@@ -76,8 +76,8 @@ class TeammateTrackerTest {
     own.add(pose(10, 10.2, mine));
     ClockOffset its = new ClockOffset(Duration.ofMillis(800), Duration.ofMillis(20));
     // It was 30 m east when its clock showed 10.5: that is 9.7 UTC and 9.5 of this robot.
-    Optional<String> unused = mate.receive(pose(10.5, 30, its), 1, BEGIN, 0, LONGEST);
-    Teammate seen = mate.relativeTo(own);
+    Optional<String> unused = teammate.receive(pose(10.5, 30, its), 1, BEGIN, 0, LONGEST);
+    Teammate seen = teammate.relativeTo(own);
     assertThat(seen.clockOffset())
         .isEqualTo(new ClockOffset(Duration.ofSeconds(1), Duration.ofMillis(30)));
     assertThat(seen.relativePosition().time()).isEqualTo(BEGIN.plusMillis(9500));

@@ -64,7 +64,7 @@ public final class GpsdImpl extends GpsReceiverImpl<GpsdImpl.Protocol> {
         .addTest(
             "identification",
             () ->
-                examination()
+                receiverDiagnostics()
                     .ask(
                         bytes("?VERSION;"),
                         "VERSION",

@@ -89,7 +89,7 @@ public final class M12PlusImpl extends GpsReceiverImpl<M12Protocol> {
     this.rate = rate;
     declareRates();
     declareState(settings);
-    new M12Diagnostics(examination(), protocol(), clock()).declareIn(diagnostics());
+    new M12Diagnostics(receiverDiagnostics(), protocol(), clock()).declareIn(diagnostics());
   }
 
   private void declareRates() {

@@ -69,13 +69,19 @@ public final class UbxImpl extends GpsReceiverImpl<UbxImpl.Protocol> {
       ModuleContext context,
       Ticker ticker,
       LinkKeeper.@Nullable Source source,
-      FixedReportingPeriod pace) {
-    super(context, KIND, pace, listener -> new Protocol(context, pace, listener), ticker, source);
+      FixedReportingPeriod reportingPeriod) {
+    super(
+        context,
+        KIND,
+        reportingPeriod,
+        listener -> new Protocol(context, reportingPeriod, listener),
+        ticker,
+        source);
     diagnostics()
         .addTest(
             "identification",
             () ->
-                examination()
+                receiverDiagnostics()
                     .ask(
                         UbxCommands.version(),
                         "MON-VER",
@@ -90,15 +96,15 @@ public final class UbxImpl extends GpsReceiverImpl<UbxImpl.Protocol> {
     private static final int SKY_EVERY = 5; // solutions; the satellites move slowly
 
     private final ModuleContext context;
-    private final FixedReportingPeriod pace;
+    private final FixedReportingPeriod reportingPeriod;
     private final Listener listener;
     private final UbxParser parser = new UbxParser(this::messageReceived);
     private volatile @Nullable Version version; // read by any thread
     private int visible;
 
-    Protocol(ModuleContext context, FixedReportingPeriod pace, Listener listener) {
+    Protocol(ModuleContext context, FixedReportingPeriod reportingPeriod, Listener listener) {
       this.context = context;
-      this.pace = pace;
+      this.reportingPeriod = reportingPeriod;
       this.listener = listener;
     }
 
@@ -112,7 +118,8 @@ public final class UbxImpl extends GpsReceiverImpl<UbxImpl.Protocol> {
     public void opened(SerialLink link) throws IOException {
       visible = 0;
       link.write(UbxCommands.version());
-      link.write(UbxCommands.period(Duration.ofMillis(Math.round(1000 * pace.seconds()))));
+      link.write(
+          UbxCommands.period(Duration.ofMillis(Math.round(1000 * reportingPeriod.seconds()))));
       link.write(UbxCommands.positions());
       link.write(UbxCommands.satellites(SKY_EVERY));
     }

@@ -60,7 +60,7 @@ public final class LmsImpl extends LinkedSensorImpl<RangeScan> implements RangeS
   private final LmsIdlePolicy idlePolicy;
   private final LmsProtocol protocol;
   private final DeviceLink deviceLink;
-  private final LmsDiagnostics examination;
+  private final LmsDiagnostics lmsDiagnostics;
   private final LmsPersona persona;
 
   // written by the reader, read by any thread
@@ -93,9 +93,9 @@ public final class LmsImpl extends LinkedSensorImpl<RangeScan> implements RangeS
     Reader reader = new Reader();
     this.protocol = new LmsProtocol(settings, ticker, reader);
     this.deviceLink = new DeviceLink(context, protocol, ticker, source, log);
-    this.examination = new LmsDiagnostics(deviceLink, protocol, idlePolicy);
+    this.lmsDiagnostics = new LmsDiagnostics(deviceLink, protocol, idlePolicy);
     deviceLink.declareIn(diagnostics(), parameterTable());
-    examination.declareIn(diagnostics());
+    lmsDiagnostics.declareIn(diagnostics());
     settings.declareIn(parameterTable());
     idlePolicy.declareIn(parameterTable());
     parameterTable().declareReadOnly("status", "how the laser is", () -> health.inWords());
@@ -194,7 +194,7 @@ public final class LmsImpl extends LinkedSensorImpl<RangeScan> implements RangeS
         health = telegram.status();
         log.info("{}: status {}", path(), health.inWords());
       }
-      examination.telegramReceived(telegram);
+      lmsDiagnostics.telegramReceived(telegram);
       persona.update(telegram);
     }
 

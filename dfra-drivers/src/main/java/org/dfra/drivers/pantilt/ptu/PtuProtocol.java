@@ -88,7 +88,7 @@ final class PtuProtocol implements DeviceProtocol {
   private final Listener listener;
   private final Ticker ticker;
   private final DoubleSupplier rate;
-  private final PtuDialogue dialogue;
+  private final PtuDialogue exchange;
   private final PtuParser parser = new PtuParser(this::replyReceived);
   private final PollTimer pollTimer = new PollTimer();
   private final Queue<String> requests = new ConcurrentLinkedQueue<>();
@@ -109,22 +109,22 @@ final class PtuProtocol implements DeviceProtocol {
     this.listener = listener;
     this.ticker = ticker;
     this.rate = rate;
-    this.dialogue = new PtuDialogue(sender, ticker, listener::refused);
+    this.exchange = new PtuDialogue(sender, ticker, listener::refused);
   }
 
   /** Sends commands to the unit; from any thread. False when there is no link. */
   boolean send(List<String> commands) {
-    return dialogue.send(commands);
+    return exchange.send(commands);
   }
 
   /** Stops the unit; bypasses a blocked write of another thread; from any thread. */
   boolean halt() {
-    return dialogue.halt();
+    return exchange.halt();
   }
 
   /** The same as {@link #send}, but bypasses a blocked write of another thread. */
   boolean sendImmediately(List<String> commands) {
-    return dialogue.sendImmediately(commands);
+    return exchange.sendImmediately(commands);
   }
 
   /** Queues a query or a reset; from any thread. */
@@ -139,7 +139,7 @@ final class PtuProtocol implements DeviceProtocol {
   }
 
   private void listen() {
-    dialogue.forget();
+    exchange.forget();
     phase = Phase.AWAITING_QUIET;
     quietSince = ticker.nanos();
   }
@@ -166,7 +166,7 @@ final class PtuProtocol implements DeviceProtocol {
 
   @Override
   public void lost(String reason) {
-    dialogue.forget();
+    exchange.forget();
     listener.lost(reason);
   }
 
@@ -178,24 +178,24 @@ final class PtuProtocol implements DeviceProtocol {
       }
       return;
     }
-    String overdue = dialogue.overdue(phase == Phase.RESETTING ? LONGEST_RESET : REPLY);
+    String overdue = exchange.overdue(phase == Phase.RESETTING ? LONGEST_RESET : REPLY);
     if (!overdue.isEmpty()) {
       resynchronize("it has not replied to " + overdue);
-    } else if (phase == Phase.QUERYING && dialogue.mayAsk()) {
+    } else if (phase == Phase.QUERYING && exchange.mayAsk()) {
       askNext();
-    } else if (phase == Phase.POLLING && dialogue.mayAsk()) {
+    } else if (phase == Phase.POLLING && exchange.mayAsk()) {
       poll();
     }
   }
 
   private void configure() {
-    dialogue.forget();
+    exchange.forget();
     phase = Phase.CONFIGURING;
     List<String> settings =
         List.of(PtuCommands.NO_ECHO, PtuCommands.TERSE, PtuCommands.IMMEDIATELY);
     pendingConfigurationReplies = settings.size();
     for (String setting : settings) {
-      if (!dialogue.send(setting, this::configurationReplied)) {
+      if (!exchange.send(setting, this::configurationReplied)) {
         listen(); // another thread's write is blocked; all are repeated after it
         return;
       }
@@ -213,7 +213,7 @@ final class PtuProtocol implements DeviceProtocol {
 
   private void askNext() {
     String question = questions.nextQuestion();
-    boolean unused = dialogue.ask(question, reply -> answered(question, reply));
+    boolean unused = exchange.ask(question, reply -> answered(question, reply));
   }
 
   private void answered(String question, PtuReply reply) {
@@ -247,9 +247,9 @@ final class PtuProtocol implements DeviceProtocol {
   /** False if another thread's write is blocked, and the request must be retried. */
   private boolean handleRequest(String request) {
     if (!request.equals(PtuCommands.RESET)) {
-      return dialogue.ask(request, reply -> listener.answered(request, reply));
+      return exchange.ask(request, reply -> listener.answered(request, reply));
     }
-    if (dialogue.send(request, this::reset)) {
+    if (exchange.send(request, this::reset)) {
       phase = Phase.RESETTING;
       listener.resetting();
     } else { // later it might move the head under a commander, or during an emergency stop
@@ -266,7 +266,7 @@ final class PtuProtocol implements DeviceProtocol {
 
   private void ask(PtuAxis axis, IntConsumer taker) {
     boolean unused =
-        dialogue.ask(PtuCommands.position(axis), reply -> position(axis, reply, taker));
+        exchange.ask(PtuCommands.position(axis), reply -> position(axis, reply, taker));
   }
 
   private void position(PtuAxis axis, PtuReply reply, IntConsumer taker) {
@@ -290,7 +290,7 @@ final class PtuProtocol implements DeviceProtocol {
       if (phase != Phase.RESETTING) { // a reset moves to the end stops
         listener.limitHit(hit.axis());
       }
-    } else if (phase != Phase.AWAITING_QUIET && !dialogue.replyReceived(reply)) {
+    } else if (phase != Phase.AWAITING_QUIET && !exchange.replyReceived(reply)) {
       resynchronize("it replied " + reply + " to something else");
     }
   }

@@ -112,38 +112,38 @@ public final class ProcessMission implements Mission {
   @Override
   public MissionResult run(MissionListener listener) throws Exception {
     try (AnnouncedTime time = new AnnouncedTime();
-        DemoEnvironment stage = new DemoEnvironment()) {
-      Thread end = new Thread(() -> closeAtTheEnd(stage), "mission-end");
+        DemoEnvironment environment = new DemoEnvironment()) {
+      Thread end = new Thread(() -> closeAtTheEnd(environment), "mission-end");
       Runtime.getRuntime().addShutdownHook(end);
       try {
-        MissionResult flight = run(stage, time, listener);
+        MissionResult flight = run(environment, time, listener);
         Runtime.getRuntime().removeShutdownHook(end);
         return flight;
       } catch (InterruptedException e) {
         throw e;
       } catch (Exception e) { // whatever the failure, the processes' logs are in the folder
-        stage.keepFolder();
+        environment.keepFolder();
         String why = e instanceof IOException ? String.valueOf(e.getMessage()) : e.toString();
-        throw new IOException(why + "; the logs are in " + stage.folder(), e);
+        throw new IOException(why + "; the logs are in " + environment.folder(), e);
       }
     }
   }
 
-  private static void closeAtTheEnd(DemoEnvironment stage) {
+  private static void closeAtTheEnd(DemoEnvironment environment) {
     try {
-      stage.close();
+      environment.close();
     } catch (IOException e) {
       System.err.println(ConsoleMessages.prefixed(String.valueOf(e.getMessage())));
     }
   }
 
-  private MissionResult run(DemoEnvironment stage, AnnouncedTime time, MissionListener listener)
-      throws Exception {
+  private MissionResult run(
+      DemoEnvironment environment, AnnouncedTime time, MissionListener listener) throws Exception {
     SimulationProcess field =
         SimulationProcess.start(
-            stage, world, List.of("--seed=" + scenario.world().seed(), "--speed=" + speed));
+            environment, world, List.of("--seed=" + scenario.world().seed(), "--speed=" + speed));
     time.set(field.startMessage().dfraTime());
-    List<DemoRobot> robots = bringUp(stage, field);
+    List<DemoRobot> robots = bringUp(environment, field);
     List<String> locators = robots.stream().map(DemoRobot::locator).toList();
     try (ModuleDirectory directory =
             new JiniModuleDirectory(DemoEnvironment.ADDRESS, List.of(), locators);
@@ -158,17 +158,19 @@ public final class ProcessMission implements Mission {
           new MissionMonitor<>(
                   scenario, truth, RobotTime.clock(), speed, searching, figures, listener)
               .run(troubles, longest);
-      stage.shutDown();
+      environment.shutDown();
       return flight;
     }
   }
 
-  private List<DemoRobot> bringUp(DemoEnvironment stage, SimulationProcess field) throws Exception {
+  private List<DemoRobot> bringUp(DemoEnvironment environment, SimulationProcess field)
+      throws Exception {
     List<DemoRobot> strangers = new ArrayList<>();
     for (int i = 0; i < scenario.robots().size(); i++) {
       VehicleDescription vehicle = scenario.world().vehicles().get(i);
       Map<String, String> links = field.links(vehicle.name());
-      strangers.add(DemoRobot.of(stage, scenario.robots().get(i), vehicle.name(), links, adapt));
+      strangers.add(
+          DemoRobot.of(environment, scenario.robots().get(i), vehicle.name(), links, adapt));
     }
     List<String> registrars = strangers.stream().map(DemoRobot::locator).toList();
     List<DemoRobot> robots =

@@ -81,7 +81,8 @@ public final class EmbeddedRuns implements AutoCloseable {
           cells.stream().filter(each -> each.vehicles() == vehicles).toList();
       warmUp(some);
       int before = results.size() * seeds.length;
-      new Experiment(plan, atOnce, (cell, same, seed) -> venue(cell, same, seed, delays(cell)))
+      new Experiment(
+              plan, atOnce, (cell, same, seed) -> environment(cell, same, seed, delays(cell)))
           .run(some, seeds, (done, ofThem) -> progress.done(before + done, all))
           .forEach(each -> results.put(each.cell(), each));
       end(vehicles);
@@ -96,11 +97,11 @@ public final class EmbeddedRuns implements AutoCloseable {
     new Experiment(
             plan.with(1, plan.period(), plan.settlingTime()),
             each * cells.size(),
-            (cell, same, seed) -> venue(cell, same, seed, forgotten))
+            (cell, same, seed) -> environment(cell, same, seed, forgotten))
         .run(cells, Seeds.tuning(each), (done, all) -> {});
   }
 
-  private EmbeddedVenue venue(
+  private EmbeddedVenue environment(
       ExperimentCell cell, ExperimentPlan same, long seed, MessageDelays noted) throws IOException {
     return new EmbeddedVenue(
         cell, same, seed, team(cell.vehicles()), used -> free(cell.vehicles()).add(used), noted);

@@ -87,8 +87,8 @@ public final class Experiment {
   }
 
   private RunResult run(ExperimentCell cell, long seed) throws Exception {
-    try (ExperimentEnvironment venue = venues.create(cell, plan, seed)) {
-      return new FieldRun(cell, plan, seed, venue).run();
+    try (ExperimentEnvironment environment = venues.create(cell, plan, seed)) {
+      return new FieldRun(cell, plan, seed, environment).run();
     }
   }
 

@@ -108,8 +108,8 @@ public record ExperimentPlan(
         lost);
   }
 
-  RecruitmentStrategy strategy(String name, RandomGenerator lot) {
+  RecruitmentStrategy strategy(String name, RandomGenerator random) {
     Affect affect = new Shame(shame);
-    return StrategyRegistry.named(name, affect, lot);
+    return StrategyRegistry.named(name, affect, random);
   }
 }

@@ -30,7 +30,7 @@ final class ExperimentRobot implements RobotPort {
   private final Scheduler time;
   private final Set<String> percepts;
   private final double speed;
-  private final RandomGenerator lot;
+  private final RandomGenerator random;
   private final @Nullable RasterRoute route;
 
   // All following fields are guarded by this.
@@ -62,7 +62,7 @@ final class ExperimentRobot implements RobotPort {
     this.time = time;
     this.percepts = percepts;
     this.speed = speed;
-    this.lot = random;
+    this.random = random;
     this.route = route;
     this.isScanning = route != null;
     this.way = route == null ? 0 : begin.east();
@@ -185,7 +185,7 @@ final class ExperimentRobot implements RobotPort {
     from = here;
     to = target;
     since = seconds();
-    lasts = here.distance(target) / speed * (1 + SLIP * Math.abs(lot.nextGaussian()));
+    lasts = here.distance(target) / speed * (1 + SLIP * Math.abs(random.nextGaussian()));
     travelled += here.distance(target);
     int number = ++drives;
     journey =

@@ -34,29 +34,29 @@ final class FieldRun {
   private final ExperimentCell cell;
   private final ExperimentPlan plan;
   private final long seed;
-  private final ExperimentEnvironment venue;
+  private final ExperimentEnvironment environment;
   private final InvariantChecker referee;
   private final List<ExperimentRobot> vehicles = new ArrayList<>();
   private final List<ExperimentEnvironment.AgentHandle> helpers = new ArrayList<>();
   private final ExperimentEnvironment.AgentHandle aircraft;
-  private final CallStatistics diary = new CallStatistics(); // guarded by itself
+  private final CallStatistics statistics = new CallStatistics(); // guarded by itself
 
   /**
    * Creates robots and agents.
    *
    * @throws Exception what the environment throws
    */
-  FieldRun(ExperimentCell cell, ExperimentPlan plan, long seed, ExperimentEnvironment venue)
+  FieldRun(ExperimentCell cell, ExperimentPlan plan, long seed, ExperimentEnvironment environment)
       throws Exception {
     this.cell = cell;
     this.plan = plan;
     this.seed = seed;
-    this.venue = venue;
-    this.referee = new InvariantChecker(venue.time());
+    this.environment = environment;
+    this.referee = new InvariantChecker(environment.time());
     RandomGenerator places = stream(3);
     RasterRoute whole = new RasterRoute(0, 0, ExperimentField.SIDE, ExperimentField.SIDE, SWATH);
     ExperimentRobot uav =
-        new ExperimentRobot(venue.time(), Set.of(), 5, places, whole, start(whole, places));
+        new ExperimentRobot(environment.time(), Set.of(), 5, places, whole, start(whole, places));
     this.aircraft = agent(AIRCRAFT, uav, 4, new RequesterObserver());
     for (int i = 0; i < cell.vehicles(); i++) {
       vehicles.add(vehicle(i, places));
@@ -73,14 +73,14 @@ final class FieldRun {
     return Seeds.random(seed, purpose);
   }
 
-  private static FieldPoint start(RasterRoute route, RandomGenerator lot) {
-    return new FieldPoint(lot.nextDouble() * 2 * route.length(), 0);
+  private static FieldPoint start(RasterRoute route, RandomGenerator random) {
+    return new FieldPoint(random.nextDouble() * 2 * route.length(), 0);
   }
 
   private ExperimentRobot vehicle(int number, RandomGenerator places) {
     if (number >= SCANNERS) {
       return new ExperimentRobot(
-          venue.time(),
+          environment.time(),
           Set.of(PERCEPT),
           ExperimentRobot.SPEED,
           stream(200 + number),
@@ -91,7 +91,7 @@ final class FieldRun {
     RasterRoute route =
         new RasterRoute(number * half, 0, half - SWATH, ExperimentField.SIDE, SWATH);
     return new ExperimentRobot(
-        venue.time(),
+        environment.time(),
         Set.of(PERCEPT),
         ExperimentRobot.SPEED,
         stream(200 + number),
@@ -99,15 +99,15 @@ final class FieldRun {
         start(route, places));
   }
 
-  private static FieldPoint somewhere(RandomGenerator lot) {
+  private static FieldPoint somewhere(RandomGenerator random) {
     double inner = ExperimentField.SIDE - 2 * EDGE;
-    return new FieldPoint(EDGE + lot.nextDouble() * inner, EDGE + lot.nextDouble() * inner);
+    return new FieldPoint(EDGE + random.nextDouble() * inner, EDGE + random.nextDouble() * inner);
   }
 
   private ExperimentEnvironment.AgentHandle agent(
       String name, ExperimentRobot body, int purpose, SnapshotObserver listener) throws Exception {
     listener.name = name;
-    return venue.addAgent(
+    return environment.addAgent(
         new ExperimentEnvironment.AgentSpec(
             name,
             body.canObserve(PERCEPT) ? Set.of(PERCEPT) : Set.of(),
@@ -119,7 +119,7 @@ final class FieldRun {
   }
 
   private double now() {
-    return venue.time().nanos() / 1e9;
+    return environment.time().nanos() / 1e9;
   }
 
   /**
@@ -128,22 +128,22 @@ final class FieldRun {
    * @throws Exception what the environment throws
    */
   RunResult run() throws Exception {
-    venue.awaitConnected();
+    environment.awaitConnected();
     RandomGenerator places = stream(5);
     for (int i = 0; i < plan.calls(); i++) {
       FieldPoint place = somewhere(places);
       aircraft.release(); // a call still pending has failed
-      synchronized (diary) {
-        diary.call(now(), place);
+      synchronized (statistics) {
+        statistics.call(now(), place);
       }
       call(place);
-      venue.advance(plan.period());
+      environment.advance(plan.period());
     }
     aircraft.release();
     double lost = vehicles.stream().mapToDouble(ExperimentRobot::rasterTimeLost).sum();
-    venue.advance(plan.settlingTime());
+    environment.advance(plan.settlingTime());
     referee.end();
-    synchronized (diary) {
+    synchronized (statistics) {
       return result(lost);
     }
   }
@@ -161,13 +161,13 @@ final class FieldRun {
     return new RunResult(
         seed,
         plan.calls(),
-        diary.completed,
-        diary.successes,
-        venue.transmissions(),
-        venue.receptions(),
-        diary.allocation.mean(),
-        diary.arrival.mean(),
-        diary.regret.mean(),
+        statistics.completed,
+        statistics.successes,
+        environment.transmissions(),
+        environment.receptions(),
+        statistics.allocation.mean(),
+        statistics.arrival.mean(),
+        statistics.regret.mean(),
         referee.doubles(),
         referee.orphans(),
         lost,
@@ -198,16 +198,16 @@ final class FieldRun {
   private final class RequesterObserver extends SnapshotObserver {
     @Override
     public void performed(RequesterAction action) {
-      synchronized (diary) {
+      synchronized (statistics) {
         note(action);
       }
     }
 
     private void note(RequesterAction action) {
       if (action instanceof RequesterAction.Complete) {
-        diary.complete(now() <= diary.called + plan.deadline().toNanos() / 1e9);
+        statistics.complete(now() <= statistics.called + plan.deadline().toNanos() / 1e9);
       } else if (action instanceof RequesterAction.AcceptLease) {
-        diary.arrive(now());
+        statistics.arrive(now());
       } else if (action instanceof RequesterAction.SendToTeam team
           && team.message() instanceof ResponderId id) {
         awarded(id.winner());
@@ -219,18 +219,18 @@ final class FieldRun {
     }
 
     private void awarded(String winner) {
-      if (diary.isAwarded) {
+      if (statistics.isAwarded) {
         return;
       }
       double best = Double.POSITIVE_INFINITY;
       double chosen = 0;
       for (int i = 0; i < vehicles.size(); i++) {
-        double eta = vehicles.get(i).seconds(diary.place);
+        double eta = vehicles.get(i).seconds(statistics.place);
         ResponderPhase phase = helpers.get(i).status().responderPhase();
         best = phase.isCommitted() ? best : Math.min(best, eta);
         chosen = winner.equals("ugv" + (i + 1)) ? eta : chosen;
       }
-      diary.award(now(), Math.max(0, chosen - best));
+      statistics.award(now(), Math.max(0, chosen - best));
     }
   }
 }

@@ -103,7 +103,7 @@ public final class MeasuredDelays implements DelayModel {
   }
 
   @Override
-  public double next(RandomGenerator lot) {
-    return quantile(lot.nextDouble());
+  public double next(RandomGenerator random) {
+    return quantile(random.nextDouble());
   }
 }

@@ -45,10 +45,10 @@ public final class MessageRate {
   private static final int CALLER_EVERY = 10;
 
   private final VirtualTime time = new VirtualTime(Instant.parse("2026-11-21T00:00:00Z"));
-  private final SplittableRandom lot = new SplittableRandom(1);
+  private final SplittableRandom random = new SplittableRandom(1);
   private final SimulatedNetwork network =
       new SimulatedNetwork(
-          time, DeliveryModel.of(LossModel.none(), MeasuredDelays.ofMessages(), lot));
+          time, DeliveryModel.of(LossModel.none(), MeasuredDelays.ofMessages(), random));
   private final List<Recruiter> callers = new ArrayList<>();
   private final int agents;
 
@@ -64,8 +64,8 @@ public final class MessageRate {
 
   private Recruiter agent(String name, boolean calls) {
     Set<String> percepts = calls ? Set.of() : Set.of("mine");
-    FieldPoint begin = new FieldPoint(100 * lot.nextDouble(), 100 * lot.nextDouble());
-    ExperimentRobot body = new ExperimentRobot(time, percepts, 1, lot.split(), null, begin);
+    FieldPoint begin = new FieldPoint(100 * random.nextDouble(), 100 * random.nextDouble());
+    ExperimentRobot body = new ExperimentRobot(time, percepts, 1, random.split(), null, begin);
     Recruiter agent =
         new Recruiter(
             name,

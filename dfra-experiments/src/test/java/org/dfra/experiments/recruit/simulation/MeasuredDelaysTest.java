@@ -34,10 +34,10 @@ class MeasuredDelaysTest {
   void whatIsDrawnIsDistributedAsWhatWasMeasured() {
     MeasuredDelays used = MeasuredDelays.ofMessages();
     long seed = 20261121;
-    RandomGenerator lot = new SplittableRandom(seed);
+    RandomGenerator random = new SplittableRandom(seed);
     int count = 100_000;
     double[] drawn = new double[count];
-    Arrays.setAll(drawn, i -> used.next(lot));
+    Arrays.setAll(drawn, i -> used.next(random));
     for (double share : new double[] {0.1, 0.5, 0.9, 0.99}) {
       double limit = used.quantile(share);
       double found = (double) Arrays.stream(drawn).filter(each -> each <= limit).count() / count;

@@ -255,7 +255,7 @@ public final class MavlinkFlightImpl extends EffectorImpl<FlightCommand> impleme
             vehicle == null
                 ? null
                 : version == null ? vehicle.software() : vehicle.software() + " " + version,
-            vehicle == null ? null : vehicle.craft(),
+            vehicle == null ? null : vehicle.typeName(),
             limits.maxSpeed(),
             limits.maxHeight()));
   }

@@ -127,7 +127,7 @@ public final class MavlinkGpsImpl extends MavlinkSensorImpl<MavlinkGpsImpl.Snaps
       if (last == null) {
         return;
       }
-      latest().amend(new Snapshot(fix, last.location(), last.time(), raw));
+      latest().replaceValue(new Snapshot(fix, last.location(), last.time(), raw));
     } else {
       LocationReading location = new LocationReading(position, path(), fix.utc());
       attributes.located(location);

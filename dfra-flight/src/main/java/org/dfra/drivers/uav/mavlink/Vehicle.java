@@ -26,7 +26,7 @@ record Vehicle(int system, int component, int type, int autopilot) {
   }
 
   /** Human-readable type of craft. */
-  String craft() {
+  String typeName() {
     return switch (type) {
       case 1 -> "fixed wing";
       case 2 -> "quadrotor";
@@ -42,6 +42,6 @@ record Vehicle(int system, int component, int type, int autopilot) {
 
   @Override
   public String toString() {
-    return software() + " " + craft() + ", vehicle " + system;
+    return software() + " " + typeName() + ", vehicle " + system;
   }
 }

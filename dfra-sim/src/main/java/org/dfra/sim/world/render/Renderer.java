@@ -27,7 +27,7 @@ public final class Renderer {
   private final double[] world = new double[3 * 64];
 
   /** A robot in the image: its mesh and its pose. */
-  public record PlacedRobot(RobotMesh model, MutableTransform stance) {}
+  public record PlacedRobot(RobotMesh model, MutableTransform pose) {}
 
   /**
    * @param width pixels in a row
@@ -75,7 +75,7 @@ public final class Renderer {
       }
     }
     for (PlacedRobot robot : placed) {
-      MutableTransform at = robot.stance();
+      MutableTransform at = robot.pose();
       robot.model().middle(at, middle);
       if (canvas.mayShow(middle[0], middle[1], middle[2], robot.model().radius)) {
         for (Facet facet : robot.model().facets) {
@@ -115,10 +115,10 @@ public final class Renderer {
       }
     }
     for (PlacedRobot robot : placed) {
-      robot.model().middle(robot.stance(), middle);
+      robot.model().middle(robot.pose(), middle);
       if (mayShowShadow(middle[0], middle[1], middle[2], robot.model().radius)) {
         for (Facet facet : robot.model().facets) {
-          shadow(moved(facet, robot.stance()), facet.corners().length);
+          shadow(moved(facet, robot.pose()), facet.corners().length);
         }
       }
     }

@@ -31,7 +31,7 @@ public final class RayCaster {
   private double[] sin = {};
   private double[] distances = {};
   private double[] reflectivities = {};
-  private final MutableTransform stance = new MutableTransform();
+  private final MutableTransform pose = new MutableTransform();
   private double inverse00;
   private double inverse01;
   private double inverse10;
@@ -80,21 +80,21 @@ public final class RayCaster {
    * @param maxRange maximum range, metres
    */
   public void beginScan(MutableTransform from, double maxRange) {
-    stance.set(from);
+    pose.set(from);
     this.longest = maxRange;
-    double determinant = stance.xx * stance.yy - stance.xy * stance.yx;
+    double determinant = pose.xx * pose.yy - pose.xy * pose.yx;
     if (!(Math.abs(determinant) > 0.4)) {
       throw new IllegalArgumentException(
           "beams tilted by more than 60° from the level cannot be simulated; tilt them less");
     }
-    inverse00 = stance.yy / determinant;
-    inverse01 = -stance.xy / determinant;
-    inverse10 = -stance.yx / determinant;
-    inverse11 = stance.xx / determinant;
+    inverse00 = pose.yy / determinant;
+    inverse01 = -pose.xy / determinant;
+    inverse10 = -pose.yx / determinant;
+    inverse11 = pose.xx / determinant;
     stretch = 1 / Math.abs(determinant);
     Arrays.fill(distances, maxRange);
     Arrays.fill(reflectivities, 0);
-    if (Math.abs(stance.zx) > LEVEL || Math.abs(stance.zy) > LEVEL) {
+    if (Math.abs(pose.zx) > LEVEL || Math.abs(pose.zy) > LEVEL) {
       intersectGround();
     }
   }
@@ -111,9 +111,9 @@ public final class RayCaster {
 
   private void intersectGround() {
     for (int i = 0; i < beams; i++) {
-      double down = -(stance.zx * cos[i] + stance.zy * sin[i]);
-      if (down > 0 && stance.up / down < distances[i]) {
-        distances[i] = stance.up / down;
+      double down = -(pose.zx * cos[i] + pose.zy * sin[i]);
+      if (down > 0 && pose.up / down < distances[i]) {
+        distances[i] = pose.up / down;
         reflectivities[i] = GROUND_REFLECTIVITY;
       }
     }
@@ -168,19 +168,19 @@ public final class RayCaster {
   }
 
   private boolean isFar(double east, double north, double radius) {
-    double x = east - stance.east;
-    double y = north - stance.north;
+    double x = east - pose.east;
+    double y = north - pose.north;
     double reach = longest + radius;
     return x * x + y * y > reach * reach;
   }
 
   /** An edge with the inside to its left; it is not visible from there. */
   private void intersectEdge(double ax, double ay, double bx, double by) {
-    if (LineSegments.side(ax, ay, bx, by, stance.east, stance.north) >= 0) {
+    if (LineSegments.side(ax, ay, bx, by, pose.east, pose.north) >= 0) {
       return;
     }
-    double east = ax - stance.east;
-    double north = ay - stance.north;
+    double east = ax - pose.east;
+    double north = ay - pose.north;
     double px = inverse00 * east + inverse01 * north;
     double py = inverse10 * east + inverse11 * north;
     double ex = inverse00 * (bx - ax) + inverse01 * (by - ay);
@@ -214,8 +214,8 @@ public final class RayCaster {
   }
 
   private void intersectDisc(Disc disc) {
-    double x = stance.east - disc.east();
-    double y = stance.north - disc.north();
+    double x = pose.east - disc.east();
+    double y = pose.north - disc.north();
     double outside = x * x + y * y - disc.radius() * disc.radius();
     if (outside <= 0) {
       return;
@@ -234,8 +234,8 @@ public final class RayCaster {
     for (; low + round <= beams - 1; round += period) {
       int end = (int) Math.min(beams - 1, Math.floor(high + round));
       for (int i = (int) Math.max(0, Math.ceil(low + round)); i <= end; i++) {
-        double dx = stance.xx * cos[i] + stance.xy * sin[i];
-        double dy = stance.yx * cos[i] + stance.yy * sin[i];
+        double dx = pose.xx * cos[i] + pose.xy * sin[i];
+        double dy = pose.yx * cos[i] + pose.yy * sin[i];
         double a = dx * dx + dy * dy;
         double b = dx * x + dy * y;
         double root = b * b - a * outside;
@@ -248,7 +248,7 @@ public final class RayCaster {
 
   private void recordHit(int beam, double distance) {
     if (distance < distances[beam]) {
-      double up = stance.up + distance * (stance.zx * cos[beam] + stance.zy * sin[beam]);
+      double up = pose.up + distance * (pose.zx * cos[beam] + pose.zy * sin[beam]);
       if (up >= bottom && up <= top) {
         distances[beam] = distance;
         reflectivities[beam] = reflectivity;

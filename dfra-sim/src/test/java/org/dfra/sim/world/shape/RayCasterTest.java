@@ -88,11 +88,11 @@ class RayCasterTest {
   }
 
   private static void agreesOnce(Random random, String what) {
-    MutableTransform stance = randomStance(random);
+    MutableTransform pose = randomStance(random);
     List<StaticObstacle> solids = new ArrayList<>();
     for (int i = random.nextInt(40); i > 0; i--) {
       StaticObstacle solid = randomSolid(random);
-      if (!solid.outline().contains(stance.east, stance.north)) {
+      if (!solid.outline().contains(pose.east, pose.north)) {
         solids.add(solid);
       }
     }
@@ -104,14 +104,14 @@ class RayCasterTest {
     double step = (random.nextDouble() - 0.5) * 0.05;
     int beams = 1 + random.nextInt(400);
 
-    RayCaster fan = fan(stance, first, step, beams);
+    RayCaster fan = fan(pose, first, step, beams);
     solids.forEach(fan::intersect);
     fan.intersect(box, 0, 0.6, 0.5);
 
     for (int i = 0; i < beams; i++) {
       double c = Math.cos(first + i * step);
       double s = Math.sin(first + i * step);
-      BeamByBeam beam = new BeamByBeam(stance, c, s, LONGEST);
+      BeamByBeam beam = new BeamByBeam(pose, c, s, LONGEST);
       solids.forEach(beam::meet);
       beam.meetBox(box, 0.6);
       assertThat(fan.distance(i))
@@ -121,13 +121,13 @@ class RayCasterTest {
   }
 
   private static MutableTransform randomStance(Random random) {
-    MutableTransform stance = new MutableTransform();
+    MutableTransform pose = new MutableTransform();
     double yaw = random.nextDouble() * 7;
     boolean isLevel = random.nextBoolean();
     double roll = isLevel ? 0 : (random.nextDouble() - 0.5) * 0.6;
     double pitch = isLevel ? 0 : (random.nextDouble() - 0.5) * 0.6;
     boolean isUpsideDown = random.nextInt(4) == 0;
-    stance.set(
+    pose.set(
         20 * random.nextDouble(),
         20 * random.nextDouble(),
         0.1 + 0.8 * random.nextDouble(),
@@ -135,7 +135,7 @@ class RayCasterTest {
         pitch,
         Math.cos(yaw),
         Math.sin(yaw));
-    return stance;
+    return pose;
   }
 
   private static StaticObstacle randomSolid(Random random) {
@@ -166,10 +166,10 @@ class RayCasterTest {
             new Vertex(west, north)));
   }
 
-  private static RayCaster fan(MutableTransform stance, double first, double step, int beams) {
+  private static RayCaster fan(MutableTransform pose, double first, double step, int beams) {
     RayCaster fan = new RayCaster();
     fan.setBeams(first, step, beams);
-    fan.beginScan(stance, LONGEST);
+    fan.beginScan(pose, LONGEST);
     return fan;
   }
 }

@@ -20,7 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The three drivers examine and mend their controller, and say what they refuse and why. */
-class RflexExaminationTest extends RflexInLockStep {
+class RflexDiagnosticsTest extends RflexInLockStep {
 
   @Test
   void passesItsTestsWhenAllIsWellWithoutMoving() {

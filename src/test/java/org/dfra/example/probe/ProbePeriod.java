@@ -9,7 +9,7 @@ import org.dfra.core.module.ParameterTable.NumberRange;
  * How often the probe sends its temperature: the parameters {@code period} and {@code idle_period}.
  * Safe for use by several threads.
  */
-final class ProbePace {
+final class ProbePeriod {
 
   private static final NumberRange RANGE = NumberRange.of(1, 60, "s");
 
@@ -17,7 +17,7 @@ final class ProbePace {
   private volatile double period;
   private volatile boolean isIdle;
 
-  ProbePace(Parameters written) {
+  ProbePeriod(Parameters written) {
     period = written.number("period", 1, 1, 60);
     idlePeriod = written.number("idle_period", 10, 1, 60);
   }

@@ -7,7 +7,7 @@ import org.dfra.drivers.link.EventCounter;
 import org.dfra.drivers.link.LinkKeeper;
 
 /** What of the probe can be examined (test {@code readings}) and mended ({@code reopen_link}). */
-record ProbeExamination(LinkKeeper keeper, EventCounter received, ProbePace pace) {
+record ProbeDiagnostics(LinkKeeper keeper, EventCounter received, ProbePeriod pace) {
 
   static final String OPENING = "opening";
   static final String READING = "reading";
@@ -23,11 +23,11 @@ record ProbeExamination(LinkKeeper keeper, EventCounter received, ProbePace pace
     if (!keeper.isOpen()) {
       return new DiagnosticFinding(false, "the link is not open: " + keeper.fault());
     }
-    Duration patience = ProbePace.patience(pace.seconds());
+    Duration patience = ProbePeriod.patience(pace.seconds());
     return received.await(READING, received.total(READING), patience)
         ? new DiagnosticFinding(true, "the probe tells its temperature")
         : new DiagnosticFinding(
-            false, "no temperature has come within " + ProbePace.inWords(patience));
+            false, "no temperature has come within " + ProbePeriod.inWords(patience));
   }
 
   private DiagnosticFinding reopenLink() throws InterruptedException {

@@ -12,7 +12,7 @@ import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.phoenix.GroupStatus;
 
 /** A phoenix for tests: its process and those of its groups are ended by number, come what may. */
-public final class LivingPhoenix implements AutoCloseable {
+public final class RunningPhoenix implements AutoCloseable {
 
   private static final Duration PATIENCE = Duration.ofSeconds(30);
 
@@ -21,20 +21,20 @@ public final class LivingPhoenix implements AutoCloseable {
   private final Set<ProcessHandle> seen = ConcurrentHashMap.newKeySet();
   private final Thread lastResort = new Thread(this::killAll, "phoenix of a test ends");
 
-  private LivingPhoenix(PhoenixProcess phoenix, ProcessHandle process) {
+  private RunningPhoenix(PhoenixProcess phoenix, ProcessHandle process) {
     this.phoenix = phoenix;
     this.process = process;
     seen.add(process);
     Runtime.getRuntime().addShutdownHook(lastResort);
   }
 
-  public static LivingPhoenix start(Path state) throws IOException {
+  public static RunningPhoenix start(Path state) throws IOException {
     return start("127.0.0.1", state);
   }
 
-  public static LivingPhoenix start(String host, Path state) throws IOException {
+  public static RunningPhoenix start(String host, Path state) throws IOException {
     PhoenixProcess phoenix = new PhoenixProcess(host, FreePorts.allocate(), -1, state);
-    return new LivingPhoenix(phoenix, phoenix.start(PATIENCE).toHandle());
+    return new RunningPhoenix(phoenix, phoenix.start(PATIENCE).toHandle());
   }
 
   public PhoenixProcess process() {
