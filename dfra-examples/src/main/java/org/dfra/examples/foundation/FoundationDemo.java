@@ -21,9 +21,9 @@ import org.dfra.core.config.RobotDescription;
 import org.dfra.core.config.RobotXml;
 import org.dfra.core.host.FreePorts;
 import org.dfra.examples.harness.DemoEnvironment;
+import org.dfra.examples.harness.DemoHost;
 import org.dfra.examples.harness.DemoRunner;
 import org.dfra.examples.harness.DemoRunner.Demo;
-import org.dfra.examples.harness.Host;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
@@ -64,7 +64,7 @@ public final class FoundationDemo implements Demo {
         link);
 
     ProgressReporter.Stopwatch coldStart = progress.stopwatch();
-    Host host = environment.host("atrv1");
+    DemoHost host = environment.host("atrv1");
     String locator = bringUp(host, link);
 
     progress.chapter("finding the receiver", "A client finds a receiver");
@@ -87,7 +87,7 @@ public final class FoundationDemo implements Demo {
     }
   }
 
-  private String bringUp(Host host, String link) throws Exception {
+  private String bringUp(DemoHost host, String link) throws Exception {
     progress.step("starting phoenix");
     ProgressReporter.Stopwatch watch = progress.stopwatch();
     ProcessHandle phoenix = host.startPhoenix();
@@ -122,7 +122,7 @@ public final class FoundationDemo implements Demo {
     return "jini://" + DemoEnvironment.ADDRESS + ":" + port;
   }
 
-  private void killTheReceiversGroup(DemoEnvironment environment, Host host, GPSSensor gps)
+  private void killTheReceiversGroup(DemoEnvironment environment, DemoHost host, GPSSensor gps)
       throws Exception {
     progress.chapter("killing the receiver's group", "kill -9 of the receiver's virtual machine");
     long old = host.group("gps").pid();
@@ -144,7 +144,7 @@ public final class FoundationDemo implements Demo {
     return gps.fix();
   }
 
-  private void silence(DemoEnvironment environment, Host host, GPSSensor gps) throws Exception {
+  private void silence(DemoEnvironment environment, DemoHost host, GPSSensor gps) throws Exception {
     progress.chapter(
         "stopping the receiver's group",
         "kill -STOP: a process that does not answer, as out of radio range");
@@ -176,14 +176,14 @@ public final class FoundationDemo implements Demo {
         QuantityText.seconds(watch.elapsed()));
   }
 
-  private void activateInALivingGroup(Host host) throws Exception {
+  private void activateInALivingGroup(DemoHost host) throws Exception {
     progress.chapter("activating an object in a living group", "Activation of an object");
     ActivationSystem system = host.phoenix().system();
     ActivationGroupID group = gpsGroup(host);
     beacon(system, group).pid(); // loads the classes of the PID service
     ActivationID id = register(system, group);
     ProgressReporter.Stopwatch watch = progress.stopwatch();
-    long pid = ((PidService) id.activate(false)).pid();
+    long pid = ((ProcessIdService) id.activate(false)).pid();
     Duration took = watch.elapsed();
     DemoAssertions.require(
         pid == host.group("gps").pid(), "the object was created in another process");
@@ -193,19 +193,19 @@ public final class FoundationDemo implements Demo {
     progress.figure("activation of an object in a live group", took, Duration.ofMillis(100));
   }
 
-  private static PidService beacon(ActivationSystem system, ActivationGroupID group)
+  private static ProcessIdService beacon(ActivationSystem system, ActivationGroupID group)
       throws ActivationException, RemoteException {
-    return (PidService) register(system, group).activate(false);
+    return (ProcessIdService) register(system, group).activate(false);
   }
 
   private static ActivationID register(ActivationSystem system, ActivationGroupID group)
       throws ActivationException, RemoteException {
     return system.registerObject(
         new ActivationDesc(
-            group, PidService.Server.class.getName(), null, (MarshalledObject<?>) null));
+            group, ProcessIdService.Server.class.getName(), null, (MarshalledObject<?>) null));
   }
 
-  private static ActivationGroupID gpsGroup(Host host) throws IOException {
+  private static ActivationGroupID gpsGroup(DemoHost host) throws IOException {
     @SuppressWarnings("unchecked") // as phoenix declares it
     Map<ActivationGroupID, ActivationGroupDesc> groups =
         host.phoenix().admin().getActivationGroups();
@@ -217,7 +217,8 @@ public final class FoundationDemo implements Demo {
         .orElseThrow(() -> new IOException("the GPS group is not registered"));
   }
 
-  private void killPhoenix(DemoEnvironment environment, Host host, GPSSensor gps) throws Exception {
+  private void killPhoenix(DemoEnvironment environment, DemoHost host, GPSSensor gps)
+      throws Exception {
     progress.chapter("registering many objects", "kill -9 of phoenix");
     ActivationSystem system = host.phoenix().system();
     ActivationGroupID group = gpsGroup(host);

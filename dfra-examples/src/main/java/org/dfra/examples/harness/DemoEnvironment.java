@@ -36,7 +36,7 @@ public final class DemoEnvironment implements AutoCloseable {
   private static final String READY = "listening on ";
 
   private final Path folder;
-  private final List<Host> hosts = new CopyOnWriteArrayList<>();
+  private final List<DemoHost> hosts = new CopyOnWriteArrayList<>();
   private final List<ProcessHandle> started = new CopyOnWriteArrayList<>();
   private final List<Process> devices = new CopyOnWriteArrayList<>();
   private volatile boolean keepFolder;
@@ -63,8 +63,8 @@ public final class DemoEnvironment implements AutoCloseable {
    *
    * @param name of its folder
    */
-  public Host host(String name) throws IOException {
-    Host host = new Host(this, folder.resolve(name));
+  public DemoHost host(String name) throws IOException {
+    DemoHost host = new DemoHost(this, folder.resolve(name));
     hosts.add(host);
     return host;
   }
@@ -143,7 +143,7 @@ public final class DemoEnvironment implements AutoCloseable {
 
   /** Shuts everything down as an operator would; the devices end last. */
   public void shutDown() throws IOException, InterruptedException {
-    for (Host host : hosts) {
+    for (DemoHost host : hosts) {
       host.shutDown();
     }
     devices.forEach(Process::destroy);
@@ -169,7 +169,7 @@ public final class DemoEnvironment implements AutoCloseable {
       return;
     }
     closed = true;
-    hosts.forEach(Host::rememberGroups);
+    hosts.forEach(DemoHost::rememberGroups);
     started.forEach(ProcessHandle::destroyForcibly);
     if (!keepFolder) {
       try (Stream<Path> paths = Files.walk(folder)) {

@@ -17,11 +17,11 @@ import org.dfra.river.phoenix.GroupStatus;
 /** A robot of a team in {@code config/teams}, on its own host. */
 public final class DemoRobot {
 
-  private final Host host;
+  private final DemoHost host;
   private final RobotDescription robot;
   private final String locator;
 
-  private DemoRobot(Host host, RobotDescription robot, String locator) {
+  private DemoRobot(DemoHost host, RobotDescription robot, String locator) {
     this.host = host;
     this.robot = robot;
     this.locator = locator;
@@ -103,7 +103,7 @@ public final class DemoRobot {
     return robot.name();
   }
 
-  public Host host() {
+  public DemoHost host() {
     return host;
   }
 

@@ -95,7 +95,7 @@ public final class LocalMission implements Mission {
     MissionListener.RobotProgress sample(
         double time,
         Map<String, GroundTruthPose> poses,
-        ClearanceCalculator bodies,
+        GroundTruthClearance bodies,
         LocalFrame field)
         throws IOException {
       GroundTruthPose truth = Objects.requireNonNull(poses.get(name));
@@ -177,7 +177,7 @@ public final class LocalMission implements Mission {
                       scenario.spacing(),
                       i % 2 == 1));
     }
-    ClearanceCalculator bodies = new ClearanceCalculator(scenario.world());
+    GroundTruthClearance bodies = new GroundTruthClearance(scenario.world());
     LocalFrame field = new LocalFrame(scenario.world().datum());
     double seconds = 0;
     while (seconds < longest.toSeconds()

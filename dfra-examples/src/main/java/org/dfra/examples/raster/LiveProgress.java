@@ -6,8 +6,8 @@ import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import org.dfra.behaviors.raster.RasterPlan;
-import org.dfra.examples.mission.ClearanceCalculator;
 import org.dfra.examples.mission.CrossTrackError;
+import org.dfra.examples.mission.GroundTruthClearance;
 import org.dfra.examples.mission.MissionListener;
 import org.dfra.examples.mission.MissionListener.MissionEvent;
 import org.dfra.examples.mission.RobotLog.Sample;
@@ -28,7 +28,7 @@ final class LiveProgress implements MissionListener {
   private final ProgressReporter progress;
   private final LongSupplier nanos;
   private final Scenario scenario;
-  private final ClearanceCalculator bodies;
+  private final GroundTruthClearance bodies;
   private final List<RasterPlan> plans = new ArrayList<>();
   private final List<List<LocalPosition>> driven = new ArrayList<>();
   private double clearance = Double.POSITIVE_INFINITY;
@@ -41,7 +41,7 @@ final class LiveProgress implements MissionListener {
     this.progress = progress;
     this.nanos = nanos;
     this.scenario = scenario;
-    this.bodies = new ClearanceCalculator(scenario.world());
+    this.bodies = new GroundTruthClearance(scenario.world());
     this.reported = nanos.getAsLong();
   }
 

@@ -10,8 +10,8 @@ import org.dfra.behaviors.raster.CoverageMap;
 import org.dfra.behaviors.raster.RasterPlan;
 import org.dfra.behaviors.raster.RasterPlan.Lane;
 import org.dfra.examples.map.FieldMap;
-import org.dfra.examples.mission.ClearanceCalculator;
 import org.dfra.examples.mission.CrossTrackError;
+import org.dfra.examples.mission.GroundTruthClearance;
 import org.dfra.examples.mission.MissionListener.MissionEvent;
 import org.dfra.examples.mission.MissionResult;
 import org.dfra.examples.mission.MissionResult.RobotMissionResult;
@@ -147,7 +147,7 @@ final class RasterCharts {
 
   /** Samples of all robots have the same times. */
   private LinePanel bodyDistance() {
-    ClearanceCalculator bodies = new ClearanceCalculator(scenario.world());
+    GroundTruthClearance bodies = new GroundTruthClearance(scenario.world());
     LinePanel panel = new LinePanel("Distance from body to body", TIME, Axis.of("distance", "m"));
     RobotMissionResult first = flight.robots().get(0);
     for (RobotMissionResult other : flight.robots().subList(1, flight.robots().size())) {

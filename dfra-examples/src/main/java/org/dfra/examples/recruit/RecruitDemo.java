@@ -93,7 +93,7 @@ public final class RecruitDemo implements Demo {
       try (Simulation simulation = Simulation.overTcp(world, clock, PortPolicy.EPHEMERAL)) {
         simulation.start();
         LocalFrame frame = new LocalFrame(world.datum());
-        try (Team team = new Team(environment, simulation, names);
+        try (DemoTeam team = new DemoTeam(environment, simulation, names);
             JiniModuleDirectory directory =
                 new JiniModuleDirectory(DemoEnvironment.ADDRESS, List.of(), team.locators());
             TrueTrajectories ways =

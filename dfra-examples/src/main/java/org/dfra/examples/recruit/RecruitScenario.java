@@ -45,7 +45,7 @@ final class RecruitScenario {
   private static final Duration SHORT_STAY = Duration.ofSeconds(15);
 
   private final ProgressReporter progress;
-  private final Team team;
+  private final DemoTeam team;
   private final ModuleDirectory directory;
   private final AgentMonitor monitor;
   private final World world;
@@ -61,7 +61,7 @@ final class RecruitScenario {
    */
   RecruitScenario(
       ProgressReporter progress,
-      Team team,
+      DemoTeam team,
       ModuleDirectory directory,
       AgentMonitor monitor,
       BackgroundSearches searches,
@@ -98,7 +98,7 @@ final class RecruitScenario {
     refuse(calls);
     FlightEffector flight =
         directory.proxyFor(ModuleQuery.of(FlightEffector.class).robot(REQUESTER));
-    try (Scout scout = new Scout(progress, REQUESTER, flight, frame)) {
+    try (HoverCaller scout = new HoverCaller(progress, REQUESTER, flight, frame)) {
       oneComesAndIsReleased(scout, calls);
       String dead = oneDiesOnItsWay(scout, calls);
       theRequesterIsCutOff(scout, calls, dead);
@@ -119,7 +119,7 @@ final class RecruitScenario {
     calls.requireRefused(new HelpCall(PERCEPT, place(60, 11), SHORT_STAY, LOOKED_FOR));
   }
 
-  private void oneComesAndIsReleased(Scout scout, HelpRequester calls) throws Exception {
+  private void oneComesAndIsReleased(HoverCaller scout, HelpRequester calls) throws Exception {
     progress.chapter("recruiting one", "A helper comes, observes, and is released");
     HelpCall call = new HelpCall(PERCEPT, place(12, 11), LONG_STAY, LOOKED_FOR);
     scout.lookAt(call.position());
@@ -135,7 +135,7 @@ final class RecruitScenario {
   }
 
   /** Returns the robot that died. */
-  private String oneDiesOnItsWay(Scout scout, HelpRequester calls) throws Exception {
+  private String oneDiesOnItsWay(HoverCaller scout, HelpRequester calls) throws Exception {
     progress.chapter("killing a helper on its way", "A helper dies on its way, and is replaced");
     HelpCall call = new HelpCall(PERCEPT, place(27, 12), LONG_STAY, LOOKED_FOR);
     scout.lookAt(call.position());
@@ -161,7 +161,7 @@ final class RecruitScenario {
     return dead;
   }
 
-  private void theRequesterIsCutOff(Scout scout, HelpRequester calls, String dead)
+  private void theRequesterIsCutOff(HoverCaller scout, HelpRequester calls, String dead)
       throws Exception {
     progress.chapter("cutting the requester off", "The requester becomes unreachable");
     HelpCall call = new HelpCall(PERCEPT, place(16, 18), SHORT_STAY, LOOKED_FOR);

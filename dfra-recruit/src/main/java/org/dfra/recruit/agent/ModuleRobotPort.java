@@ -18,8 +18,8 @@ import org.slf4j.Logger;
 
 /**
  * Implements the port with the robot's own modules: {@link RobotStateMonitor} gives position and
- * charge, a {@link Trip} drives to the place, and {@link InterruptedSearches} are paused and
- * resumed. Calls to its modules run on their own thread, {@code dfra-robot-port robot/name}.
+ * charge, a {@link WaypointTrip} drives to the place, and {@link InterruptedSearches} are paused
+ * and resumed. Calls to its modules run on their own thread, {@code dfra-robot-port robot/name}.
  */
 final class ModuleRobotPort implements RobotPort, AutoCloseable {
 
@@ -30,7 +30,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
   private final RobotStateMonitor robotState;
   private final DelayedTaskExecutor taskExecutor;
   private final OperatorHold hold;
-  private final Trip trip; // task thread only, except for its last goal
+  private final WaypointTrip trip; // task thread only, except for its last goal
   private final InterruptedSearches work; // by errands only
   private volatile boolean isAway; // helping, or on its way; written by the task thread only
   private volatile boolean isStarted; // whether its modules can be found
@@ -47,7 +47,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
         new DelayedTaskExecutor("dfra-robot-port " + context.path(), context.robotTime());
     this.work = new InterruptedSearches(context, log);
     this.hold = new OperatorHold(context, robotState, log);
-    this.trip = new Trip(context, taskExecutor, work, hold, log);
+    this.trip = new WaypointTrip(context, taskExecutor, work, hold, log);
   }
 
   /** Ends the trip of an earlier process; the searches it interrupted stay as they are. */
@@ -81,7 +81,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
       reportedHold = why;
       onHold.run();
     }
-    taskExecutor.schedule(Trip.POLL_INTERVAL_NANOS, this::watchHold);
+    taskExecutor.schedule(WaypointTrip.POLL_INTERVAL_NANOS, this::watchHold);
   }
 
   /** The agent starts nothing while it is held, so an operator started this. */
@@ -234,7 +234,7 @@ final class ModuleRobotPort implements RobotPort, AutoCloseable {
     if (!isDone && !isRetrying) {
       isRetrying = true;
       taskExecutor.schedule(
-          2 * Trip.POLL_INTERVAL_NANOS,
+          2 * WaypointTrip.POLL_INTERVAL_NANOS,
           () -> {
             isRetrying = false;
             goOn();

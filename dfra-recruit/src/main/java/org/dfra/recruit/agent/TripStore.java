@@ -7,7 +7,7 @@ import java.util.UUID;
 import org.dfra.core.module.ModuleContext;
 import org.slf4j.Logger;
 
-/** Persistent state of a {@link Trip}. Confined to the task thread. */
+/** Persistent state of a {@link WaypointTrip}. Confined to the task thread. */
 final class TripStore {
 
   private static final String DOCUMENT = "trip";

@@ -128,7 +128,7 @@ public final class HeatPanel implements Panel {
   }
 
   private void paintCells(Graphics2D g, Plot plot, Range range) {
-    Shades shades = shades(range);
+    ColourScale shades = shades(range);
     // Antialiased edges of adjacent rectangles would show the background between them.
     g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);
     Path2D[] levels = levels(plot, range);
@@ -186,8 +186,8 @@ public final class HeatPanel implements Panel {
     return new Rectangle2D.Double(left, top, right - left, bottom - top);
   }
 
-  private Shades shades(Range range) {
-    return names.isEmpty() ? Shades.of(range) : Shades.RISING;
+  private ColourScale shades(Range range) {
+    return names.isEmpty() ? ColourScale.of(range) : ColourScale.RISING;
   }
 
   /** A colour's index in the bar: with labels there are as many colours as labels. */
@@ -195,7 +195,7 @@ public final class HeatPanel implements Panel {
     return names.isEmpty() ? level : level(level * names.size() / LEVELS, range);
   }
 
-  private static Color colour(Shades shades, int level) {
+  private static Color colour(ColourScale shades, int level) {
     return shades.at(level / (LEVELS - 1.0));
   }
 
@@ -230,7 +230,7 @@ public final class HeatPanel implements Panel {
 
   private void paintBar(Graphics2D g, Rectangle2D area, Range range) {
     double left = area.getMaxX() + BAR;
-    Shades shades = shades(range);
+    ColourScale shades = shades(range);
     g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);
     for (int level = 0; level < LEVELS; level++) {
       double top = area.getMaxY() - area.getHeight() * (level + 1) / LEVELS;

@@ -53,7 +53,7 @@ public final class MatrixPanel implements Panel {
       if (Double.isNaN(part)) {
         return Palette.PAPER;
       }
-      return (isAroundZero ? Shades.AROUND_ZERO : Shades.RISING).tint(part);
+      return (isAroundZero ? ColourScale.AROUND_ZERO : ColourScale.RISING).tint(part);
     }
   }
 

@@ -34,10 +34,10 @@ class HeatPanelTest {
     BufferedImage image =
         Bitmaps.of(new HeatPanel("", EAST, NORTH, HEIGHT.between(0, 3), cells), 600, 300, 0);
     // Well inside the quarters of what is between the axes, which takes most of the panel.
-    assertThat(new Color(image.getRGB(150, 200))).isEqualTo(Shades.RISING.at(0));
-    assertThat(new Color(image.getRGB(400, 200))).isEqualTo(Shades.RISING.at(21 / 63.0));
-    assertThat(new Color(image.getRGB(150, 60))).isEqualTo(Shades.RISING.at(42 / 63.0));
-    assertThat(new Color(image.getRGB(400, 60))).isEqualTo(Shades.RISING.at(1));
+    assertThat(new Color(image.getRGB(150, 200))).isEqualTo(ColourScale.RISING.at(0));
+    assertThat(new Color(image.getRGB(400, 200))).isEqualTo(ColourScale.RISING.at(21 / 63.0));
+    assertThat(new Color(image.getRGB(150, 60))).isEqualTo(ColourScale.RISING.at(42 / 63.0));
+    assertThat(new Color(image.getRGB(400, 60))).isEqualTo(ColourScale.RISING.at(1));
   }
 
   @Test
@@ -92,7 +92,7 @@ class HeatPanelTest {
     for (int y = 0; y < 500; y++) {
       for (int x = 0; x < 420; x++) {
         Color colour = new Color(image.getRGB(x, y));
-        if (colour.equals(Shades.RISING.at(0)) || colour.equals(Shades.RISING.at(1))) {
+        if (colour.equals(ColourScale.RISING.at(0)) || colour.equals(ColourScale.RISING.at(1))) {
           wide[0] = Math.min(wide[0], x);
           wide[1] = Math.max(wide[1], x);
           high[0] = Math.min(high[0], y);
@@ -106,14 +106,14 @@ class HeatPanelTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Shades.class)
-  void lightnessDistinguishesHighFromLowForEveryEye(Shades shades) {
+  @EnumSource(ColourScale.class)
+  void lightnessDistinguishesHighFromLowForEveryEye(ColourScale shades) {
     for (double[][] eye : Eyes.ALL) {
       double before = Double.NEGATIVE_INFINITY;
       for (int i = 0; i <= 20; i++) {
-        boolean isFalling = shades == Shades.AROUND_ZERO && i > 10;
+        boolean isFalling = shades == ColourScale.AROUND_ZERO && i > 10;
         double lightness = Eyes.lab(eye, shades.at(i / 20.0))[0] * (isFalling ? -1 : 1);
-        boolean isTurn = shades == Shades.AROUND_ZERO && i == 11;
+        boolean isTurn = shades == ColourScale.AROUND_ZERO && i == 11;
         if (!isTurn) {
           assertThat(lightness).as("step %d", i).isGreaterThan(before);
         }
@@ -126,8 +126,8 @@ class HeatPanelTest {
   void bothSidesOfZeroDifferToEveryEye() {
     for (double[][] eye : Eyes.ALL) {
       for (double part : new double[] {0.1, 0.25, 0.4}) {
-        Color one = Shades.AROUND_ZERO.at(part);
-        Color other = Shades.AROUND_ZERO.at(1 - part);
+        Color one = ColourScale.AROUND_ZERO.at(part);
+        Color other = ColourScale.AROUND_ZERO.at(1 - part);
         assertThat(Eyes.distance(eye, one, other)).isGreaterThan(15);
       }
     }
@@ -171,8 +171,8 @@ class HeatPanelTest {
     for (double part : new double[] {0.5 / 3, 1.5 / 3, 2.5 / 3}) {
       int level = (int) (part * 64);
       // a third of what is between the axes, and a third of the bar
-      assertThat(Bitmaps.count(image, Shades.RISING.at(level / 63.0))).isGreaterThan(20_000L);
+      assertThat(Bitmaps.count(image, ColourScale.RISING.at(level / 63.0))).isGreaterThan(20_000L);
     }
-    assertThat(Bitmaps.count(image, Shades.RISING.at(0))).isZero(); // none between
+    assertThat(Bitmaps.count(image, ColourScale.RISING.at(0))).isZero(); // none between
   }
 }

@@ -69,8 +69,8 @@ class TablesTest {
     assertThat(Bitmaps.inkAtEdge(image, 12)).isEmpty();
     int right = image.getWidth() - 30;
     int bottom = image.getHeight() - 32;
-    assertThat(new Color(image.getRGB(right, bottom))).isEqualTo(Shades.RISING.tint(1));
-    assertThat(new Color(image.getRGB(right, bottom - 22))).isEqualTo(Shades.RISING.tint(0));
+    assertThat(new Color(image.getRGB(right, bottom))).isEqualTo(ColourScale.RISING.tint(1));
+    assertThat(new Color(image.getRGB(right, bottom - 22))).isEqualTo(ColourScale.RISING.tint(0));
     assertThat(words(panel, panel.height())).contains("side", "ahead", "medium", "stop", "fast");
   }
 
@@ -84,7 +84,7 @@ class TablesTest {
   @Test
   void textCanBeReadOnEveryTint() {
     for (double[][] eye : Eyes.ALL) {
-      for (Shades shades : Shades.values()) {
+      for (ColourScale shades : ColourScale.values()) {
         for (int i = 0; i <= 10; i++) {
           double paper = Eyes.lab(eye, shades.tint(i / 10.0))[0];
           double ink = Eyes.lab(eye, Palette.INK)[0];

@@ -45,7 +45,7 @@ final class Belief {
 
   private final TrackerSettings settings;
   private final StateTransitionMatrix transition = new StateTransitionMatrix();
-  private final Correction byRest = new Correction(SIZE, 1);
+  private final MeasurementUpdate byRest = new MeasurementUpdate(SIZE, 1);
   private final FixCorrection byFix;
   private long time;
   private double speed;
@@ -159,7 +159,7 @@ final class Belief {
     state.set(YAW, Math.IEEEremainder(state.get(YAW) + turn, 2 * Math.PI));
     transition.apply(covariance);
     addNoise(step, dt, rests, turn, keep, cos, sin);
-    Correction.symmetrize(covariance);
+    MeasurementUpdate.symmetrize(covariance);
     time = step.time();
     speed = dt > 0 ? way / dt : 0;
     yawRate = dt > 0 ? turn / dt : 0;

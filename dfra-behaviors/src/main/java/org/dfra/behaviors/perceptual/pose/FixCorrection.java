@@ -8,8 +8,8 @@ import org.ejml.dense.row.CommonOps_DDRM;
 final class FixCorrection {
 
   private final TrackerSettings settings;
-  private final Correction byCourse = new Correction(Belief.SIZE, 1);
-  private final Correction byPosition = new Correction(Belief.SIZE, 2);
+  private final MeasurementUpdate byCourse = new MeasurementUpdate(Belief.SIZE, 1);
+  private final MeasurementUpdate byPosition = new MeasurementUpdate(Belief.SIZE, 2);
 
   FixCorrection(TrackerSettings settings) {
     this.settings = settings;

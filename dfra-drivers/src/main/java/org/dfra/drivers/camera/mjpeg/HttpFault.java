@@ -14,7 +14,7 @@ final class HttpFault {
    * @param path the requested path
    * @param user user name of the request; empty without authentication
    */
-  static String of(HttpHead head, String path, String user) {
+  static String of(HttpHeader head, String path, String user) {
     String answer = (head.status() + " " + head.reason()).strip();
     return switch (head.status()) {
       case 200 -> ofBody(head, path);
@@ -36,7 +36,7 @@ final class HttpFault {
     };
   }
 
-  private static String ofBody(HttpHead head, String path) {
+  private static String ofBody(HttpHeader head, String path) {
     if (head.header("transfer-encoding").toLowerCase(Locale.ROOT).contains("chunked")) {
       return "the camera answers HTTP/1.0 in chunks, which that does not have; is a proxy between?";
     }
@@ -51,7 +51,7 @@ final class HttpFault {
     return "";
   }
 
-  private static String unauthorized(HttpHead head, String answer, String user) {
+  private static String unauthorized(HttpHeader head, String answer, String user) {
     String challenge = head.header("www-authenticate").toLowerCase(Locale.ROOT);
     if (!challenge.isEmpty() && !challenge.contains("basic")) {
       return "the camera requires authentication by "

@@ -8,7 +8,7 @@ sealed interface MjpegMessage {
    *
    * @param head its head
    */
-  record Response(HttpHead head) implements MjpegMessage {}
+  record Response(HttpHeader head) implements MjpegMessage {}
 
   /**
    * An image, complete from its first marker to its last.
@@ -18,7 +18,7 @@ sealed interface MjpegMessage {
    * @param data the image as the camera encoded it; not shared
    */
   record Part(
-      HttpHead head, ImageFormat shape, @SuppressWarnings("ArrayRecordComponent") byte[] data)
+      HttpHeader head, ImageFormat shape, @SuppressWarnings("ArrayRecordComponent") byte[] data)
       implements MjpegMessage {}
 
   /**

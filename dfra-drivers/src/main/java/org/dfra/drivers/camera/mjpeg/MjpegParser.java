@@ -56,7 +56,7 @@ final class MjpegParser implements StreamParser {
 
   private State state = State.RESPONSE_HEAD;
   private byte[] delimiter = {};
-  private HttpHead partHead = HttpHead.ofPart(delimiter, 0, 0);
+  private HttpHeader partHead = HttpHeader.ofPart(delimiter, 0, 0);
   private int length; // of the part, where its length is known
   private int searched; // bytes of the part searched for a delimiter, where it has no length
 
@@ -154,7 +154,7 @@ final class MjpegParser implements StreamParser {
     if (end < 0) {
       return false;
     }
-    Optional<HttpHead> head = HttpHead.ofResponse(bytes, start, end - start);
+    Optional<HttpHeader> head = HttpHeader.ofResponse(bytes, start, end - start);
     if (head.isEmpty()) {
       return end("its status line is none of HTTP");
     }
@@ -217,7 +217,7 @@ final class MjpegParser implements StreamParser {
     if (end < 0) {
       return false;
     }
-    partHead = HttpHead.ofPart(pending.array(), pending.start(), end - pending.start());
+    partHead = HttpHeader.ofPart(pending.array(), pending.start(), end - pending.start());
     structure(end - pending.start());
     String lengthText = partHead.header("content-length");
     if (lengthText.isEmpty()) {

@@ -4,7 +4,7 @@
  *
  * <pre>
  *   bytes --&gt; MjpegParser --MjpegMessage: Response, Part ...--&gt; MjpegProtocol --&gt; MjpegCameraImpl
- *             HttpHead, ImageFormat
+ *             HttpHeader, ImageFormat
  *   SuspendableLink: the connection, closed while there are no clients
  * </pre>
  *

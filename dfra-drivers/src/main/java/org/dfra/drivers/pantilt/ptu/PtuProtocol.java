@@ -88,7 +88,7 @@ final class PtuProtocol implements DeviceProtocol {
   private final Listener listener;
   private final Ticker ticker;
   private final DoubleSupplier rate;
-  private final PtuDialogue exchange;
+  private final PtuExchange exchange;
   private final PtuParser parser = new PtuParser(this::replyReceived);
   private final PollTimer pollTimer = new PollTimer();
   private final Queue<String> requests = new ConcurrentLinkedQueue<>();
@@ -109,7 +109,7 @@ final class PtuProtocol implements DeviceProtocol {
     this.listener = listener;
     this.ticker = ticker;
     this.rate = rate;
-    this.exchange = new PtuDialogue(sender, ticker, listener::refused);
+    this.exchange = new PtuExchange(sender, ticker, listener::refused);
   }
 
   /** Sends commands to the unit; from any thread. False when there is no link. */

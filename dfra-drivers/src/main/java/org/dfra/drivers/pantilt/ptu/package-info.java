@@ -2,9 +2,9 @@
  * The pan-tilt units of Directed Perception, PTU-46 and D46, with their ASCII commands.
  *
  * <pre>
- *   bytes --&gt; PtuFramer --lines--&gt; PtuDecoder --PtuReply--&gt; PtuDialogue --matched replies--&gt;
+ *   bytes --&gt; PtuFramer --lines--&gt; PtuDecoder --PtuReply--&gt; PtuExchange --matched replies--&gt;
  *   PtuProtocol --positions--&gt; PtuImpl
- *   PtuImpl, PtuProtocol --commands--&gt; PtuDialogue --bytes--&gt; the unit
+ *   PtuImpl, PtuProtocol --commands--&gt; PtuExchange --bytes--&gt; the unit
  * </pre>
  *
  * <p>Enter at {@link org.dfra.drivers.pantilt.ptu.PtuImpl}. Source: Directed Perception, PTU-D46

@@ -12,7 +12,7 @@ import java.util.Objects;
 import java.util.concurrent.locks.LockSupport;
 import org.dfra.behavior.RasterGoal;
 import org.dfra.examples.harness.GoalSubmission;
-import org.dfra.examples.mission.ClearanceCalculator;
+import org.dfra.examples.mission.GroundTruthClearance;
 import org.dfra.examples.mission.MissionListener;
 import org.dfra.examples.mission.MissionListener.MissionEvent;
 import org.dfra.examples.mission.MissionResult;
@@ -59,7 +59,7 @@ public final class MissionMonitor<R> {
   private final MissionListener listener;
   private final InstantSource clock;
   private final LocalFrame field;
-  private final ClearanceCalculator bodies;
+  private final GroundTruthClearance bodies;
   private final List<MissionEvent> marks = new ArrayList<>();
 
   /**
@@ -87,7 +87,7 @@ public final class MissionMonitor<R> {
     this.figures = figures;
     this.listener = listener;
     this.field = new LocalFrame(scenario.world().datum());
-    this.bodies = new ClearanceCalculator(scenario.world());
+    this.bodies = new GroundTruthClearance(scenario.world());
   }
 
   /**

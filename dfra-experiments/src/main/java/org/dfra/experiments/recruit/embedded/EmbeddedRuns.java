@@ -101,9 +101,9 @@ public final class EmbeddedRuns implements AutoCloseable {
         .run(cells, Seeds.tuning(each), (done, all) -> {});
   }
 
-  private EmbeddedVenue environment(
+  private EmbeddedEnvironment environment(
       ExperimentCell cell, ExperimentPlan same, long seed, MessageDelays noted) throws IOException {
-    return new EmbeddedVenue(
+    return new EmbeddedEnvironment(
         cell, same, seed, team(cell.vehicles()), used -> free(cell.vehicles()).add(used), noted);
   }
 

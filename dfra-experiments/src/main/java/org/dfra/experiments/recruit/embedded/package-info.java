@@ -3,7 +3,7 @@
  * sensors, remote events over the loopback.
  *
  * <pre>
- *   Experiment --&gt; FieldRun --Member--&gt; EmbeddedVenue --AgentSlot--&gt; FieldAgent
+ *   Experiment --&gt; FieldRun --Member--&gt; EmbeddedEnvironment --AgentSlot--&gt; FieldAgent
  *                                            |                          ^
  *                                       registrar, servers          AgentMessageEvent by JERI
  * </pre>

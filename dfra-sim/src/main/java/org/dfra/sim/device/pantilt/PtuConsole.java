@@ -13,8 +13,8 @@ final class PtuConsole {
   private static final Pattern COMMAND = Pattern.compile("([A-Z]{1,2})([-+]?[0-9]{1,6})?");
   private static final String END = "\r\n";
 
-  private final StepMotor pan;
-  private final StepMotor tilt;
+  private final StepperMotor pan;
+  private final StepperMotor tilt;
   private final Consumer<String> printer;
   private final Consumer<PtuMotion> motions;
   private boolean echo = true;
@@ -29,7 +29,8 @@ final class PtuConsole {
    * @param motions receives a motion that must end before the next command; {@link #done} is the
    *     reply then
    */
-  PtuConsole(StepMotor pan, StepMotor tilt, Consumer<String> printer, Consumer<PtuMotion> motions) {
+  PtuConsole(
+      StepperMotor pan, StepperMotor tilt, Consumer<String> printer, Consumer<PtuMotion> motions) {
     this.pan = pan;
     this.tilt = tilt;
     this.printer = printer;
@@ -55,7 +56,7 @@ final class PtuConsole {
     String number = matcher.group(2);
     boolean isOfAxis = name.length() == 2 && (name.charAt(0) == 'P' || name.charAt(0) == 'T');
     if (isOfAxis) {
-      StepMotor motor = name.charAt(0) == 'P' ? pan : tilt;
+      StepperMotor motor = name.charAt(0) == 'P' ? pan : tilt;
       if (number == null) {
         answer(motor, name.charAt(1));
       } else {
@@ -68,7 +69,7 @@ final class PtuConsole {
     }
   }
 
-  private void answer(StepMotor motor, char what) {
+  private void answer(StepperMotor motor, char what) {
     String name = motor.name();
     switch (what) {
       case 'P' -> replyNumber("Current " + name + " position is ", motor.position(), "");
@@ -86,7 +87,7 @@ final class PtuConsole {
     }
   }
 
-  private void set(StepMotor motor, char what, int number) {
+  private void set(StepperMotor motor, char what, int number) {
     switch (what) {
       case 'P' -> position(motor, number);
       case 'O' -> position(motor, motor.position() + number);
@@ -103,7 +104,7 @@ final class PtuConsole {
     }
   }
 
-  private void position(StepMotor motor, int there) {
+  private void position(StepperMotor motor, int there) {
     if (!motor.isReachable(there)) {
       boolean over = there > motor.maxPosition();
       refuse(
@@ -124,7 +125,7 @@ final class PtuConsole {
     printer.accept(done());
   }
 
-  private void speed(StepMotor motor, int speed) {
+  private void speed(StepperMotor motor, int speed) {
     if (speed > motor.maxSpeed()) {
       refuse(motor.name() + " speed cannot exceed " + motor.maxSpeed() + " positions/sec");
     } else if (speed < motor.minSpeed()) {
@@ -210,24 +211,24 @@ final class PtuConsole {
   /** A motion that the unit completes before it executes the next command. */
   static final class PtuMotion {
 
-    private final StepMotor pan;
-    private final StepMotor tilt;
+    private final StepperMotor pan;
+    private final StepperMotor tilt;
     private final ArrayDeque<Runnable> legs = new ArrayDeque<>();
 
-    private PtuMotion(StepMotor pan, StepMotor tilt) {
+    private PtuMotion(StepperMotor pan, StepperMotor tilt) {
       this.pan = pan;
       this.tilt = tilt;
     }
 
     /** Until both axes reach their commanded positions. */
-    static PtuMotion ending(StepMotor pan, StepMotor tilt) {
+    static PtuMotion ending(StepperMotor pan, StepperMotor tilt) {
       return new PtuMotion(pan, tilt);
     }
 
     /** Each given axis to its one limit, to the other, and to 0; one axis after the other. */
-    static PtuMotion reset(StepMotor... motors) {
+    static PtuMotion reset(StepperMotor... motors) {
       PtuMotion motion = new PtuMotion(motors[0], motors[motors.length - 1]);
-      for (StepMotor motor : motors) {
+      for (StepperMotor motor : motors) {
         motion.legs.add(() -> motor.goTo(motor.minPosition()));
         motion.legs.add(() -> motor.goTo(motor.maxPosition()));
         motion.legs.add(() -> motor.goTo(0));

@@ -38,8 +38,8 @@ public final class PtuDevice extends UartDevice {
   private static final Duration LONGEST_SLEEP = Duration.ofSeconds(60); // any motion has ended
 
   private final PanTiltPhysics body;
-  private final StepMotor pan = new StepMotor('P', "Pan", -3090, 3090);
-  private final StepMotor tilt = new StepMotor('T', "Tilt", -907, 604);
+  private final StepperMotor pan = new StepperMotor('P', "Pan", -3090, 3090);
+  private final StepperMotor tilt = new StepperMotor('T', "Tilt", -907, 604);
   private final PtuConsole console = new PtuConsole(pan, tilt, this::enqueue, this::begin);
   private final boolean resets;
   private final ArrayDeque<Character> input = new ArrayDeque<>();
@@ -105,7 +105,7 @@ public final class PtuDevice extends UartDevice {
 
   private void step(Instant at, boolean reports) {
     boolean arrives = false;
-    for (StepMotor motor : new StepMotor[] {pan, tilt}) {
+    for (StepperMotor motor : new StepperMotor[] {pan, tilt}) {
       boolean moved = motor.isMoving();
       motor.step();
       arrives |= moved && !motor.isMoving();

@@ -1,7 +1,7 @@
 package org.dfra.sim.world.render;
 
 import org.dfra.sim.world.description.WorldDescription.WeatherDescription;
-import org.dfra.sim.world.render.Facet.Paint;
+import org.dfra.sim.world.render.MeshFace.Paint;
 import org.dfra.sim.world.render.Renderer.RenderMode;
 
 /** The sun and the sky: brightness and temperature of surfaces by their orientation. Immutable. */

@@ -2,7 +2,7 @@ package org.dfra.sim.world.render;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.dfra.sim.world.render.Facet.Paint;
+import org.dfra.sim.world.render.MeshFace.Paint;
 import org.dfra.sim.world.shape.PlanarShape;
 import org.dfra.sim.world.shape.PlanarShape.Disc;
 import org.dfra.sim.world.shape.PlanarShape.Polygon;
@@ -14,14 +14,15 @@ final class MeshBuilder {
   private MeshBuilder() {}
 
   /** A prism over an outline; a disc is approximated by the given number of sides. */
-  static List<Facet> prism(PlanarShape outline, int sides, double bottom, double top, Paint paint) {
-    List<Facet> facets = new ArrayList<>();
+  static List<MeshFace> prism(
+      PlanarShape outline, int sides, double bottom, double top, Paint paint) {
+    List<MeshFace> facets = new ArrayList<>();
     List<Vertex> corners = corners(outline, sides);
     for (int i = 0; i < corners.size(); i++) {
       Vertex a = corners.get(i);
       Vertex b = corners.get((i + 1) % corners.size());
       facets.add(
-          Facet.of(
+          MeshFace.of(
               new double[] {
                 a.east(), a.north(), bottom, b.east(), b.north(), bottom, b.east(), b.north(), top,
                 a.east(), a.north(), top
@@ -54,32 +55,32 @@ final class MeshBuilder {
     return corners;
   }
 
-  private static Facet level(List<Vertex> corners, double up, Paint paint) {
+  private static MeshFace level(List<Vertex> corners, double up, Paint paint) {
     double[] at = new double[3 * corners.size()];
     for (int i = 0; i < corners.size(); i++) {
       at[3 * i] = corners.get(i).east();
       at[3 * i + 1] = corners.get(i).north();
       at[3 * i + 2] = up;
     }
-    return new Facet(at, 0, 0, 1, paint);
+    return new MeshFace(at, 0, 0, 1, paint);
   }
 
   /** A box between two corners, all six sides. */
-  static List<Facet> box(
+  static List<MeshFace> box(
       double x0, double y0, double z0, double x1, double y1, double z1, Paint paint) {
     return List.of(
-        Facet.of(new double[] {x1, y0, z0, x1, y1, z0, x1, y1, z1, x1, y0, z1}, paint),
-        Facet.of(new double[] {x0, y1, z0, x0, y0, z0, x0, y0, z1, x0, y1, z1}, paint),
-        Facet.of(new double[] {x1, y1, z0, x0, y1, z0, x0, y1, z1, x1, y1, z1}, paint),
-        Facet.of(new double[] {x0, y0, z0, x1, y0, z0, x1, y0, z1, x0, y0, z1}, paint),
-        Facet.of(new double[] {x0, y0, z1, x1, y0, z1, x1, y1, z1, x0, y1, z1}, paint),
-        Facet.of(new double[] {x0, y1, z0, x1, y1, z0, x1, y0, z0, x0, y0, z0}, paint));
+        MeshFace.of(new double[] {x1, y0, z0, x1, y1, z0, x1, y1, z1, x1, y0, z1}, paint),
+        MeshFace.of(new double[] {x0, y1, z0, x0, y0, z0, x0, y0, z1, x0, y1, z1}, paint),
+        MeshFace.of(new double[] {x1, y1, z0, x0, y1, z0, x0, y1, z1, x1, y1, z1}, paint),
+        MeshFace.of(new double[] {x0, y0, z0, x1, y0, z0, x1, y0, z1, x0, y0, z1}, paint),
+        MeshFace.of(new double[] {x0, y0, z1, x1, y0, z1, x1, y1, z1, x0, y1, z1}, paint),
+        MeshFace.of(new double[] {x0, y1, z0, x1, y1, z0, x1, y0, z0, x0, y0, z0}, paint));
   }
 
   /** A wheel whose axle lies along y. */
-  static List<Facet> wheel(double x, double y, double radius, double width, Paint paint) {
+  static List<MeshFace> wheel(double x, double y, double radius, double width, Paint paint) {
     int sides = 14;
-    List<Facet> facets = new ArrayList<>();
+    List<MeshFace> facets = new ArrayList<>();
     double[] left = new double[3 * sides];
     double[] right = new double[3 * sides];
     for (int i = 0; i < sides; i++) {
@@ -91,12 +92,12 @@ final class MeshBuilder {
       double bz = radius + radius * StrictMath.sin(next);
       double y0 = y - width / 2;
       double y1 = y + width / 2;
-      facets.add(Facet.of(new double[] {ax, y0, az, ax, y1, az, bx, y1, bz, bx, y0, bz}, paint));
+      facets.add(MeshFace.of(new double[] {ax, y0, az, ax, y1, az, bx, y1, bz, bx, y0, bz}, paint));
       put(right, i, ax, y0, az);
       put(left, sides - 1 - i, ax, y1, az);
     }
-    facets.add(Facet.of(left, paint));
-    facets.add(Facet.of(right, paint));
+    facets.add(MeshFace.of(left, paint));
+    facets.add(MeshFace.of(right, paint));
     return facets;
   }
 

@@ -69,7 +69,7 @@ public final class Renderer {
   private void things(List<PlacedRobot> placed) {
     for (Scenery.Group group : scenery.groups) {
       if (canvas.mayShow(group.east(), group.north(), group.up(), group.radius())) {
-        for (Facet facet : group.facets()) {
+        for (MeshFace facet : group.facets()) {
           fill(facet, facet.corners(), facet.nx(), facet.ny(), facet.nz());
         }
       }
@@ -78,7 +78,7 @@ public final class Renderer {
       MutableTransform at = robot.pose();
       robot.model().middle(at, middle);
       if (canvas.mayShow(middle[0], middle[1], middle[2], robot.model().radius)) {
-        for (Facet facet : robot.model().facets) {
+        for (MeshFace facet : robot.model().facets) {
           double nx = at.xx * facet.nx() + at.xy * facet.ny() + at.xz * facet.nz();
           double ny = at.yx * facet.nx() + at.yy * facet.ny() + at.yz * facet.nz();
           double nz = at.zx * facet.nx() + at.zy * facet.ny() + at.zz * facet.nz();
@@ -88,7 +88,7 @@ public final class Renderer {
     }
   }
 
-  private void fill(Facet facet, double[] corners, double nx, double ny, double nz) {
+  private void fill(MeshFace facet, double[] corners, double nx, double ny, double nz) {
     for (int i = 0; 3 * i < facet.corners().length; i++) {
       canvas.corner(i, corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]);
     }
@@ -96,7 +96,7 @@ public final class Renderer {
     canvas.fill(nx, ny, nz, sample, facet.paint().leafy());
   }
 
-  private double[] moved(Facet facet, MutableTransform at) {
+  private double[] moved(MeshFace facet, MutableTransform at) {
     double[] own = facet.corners();
     for (int i = 0; i < own.length; i += 3) {
       world[i] = at.east + at.xx * own[i] + at.xy * own[i + 1] + at.xz * own[i + 2];
@@ -109,7 +109,7 @@ public final class Renderer {
   private void shadows(List<PlacedRobot> placed) {
     for (Scenery.Group group : scenery.groups) {
       if (mayShowShadow(group.east(), group.north(), group.up(), group.radius())) {
-        for (Facet facet : group.facets()) {
+        for (MeshFace facet : group.facets()) {
           shadow(facet.corners(), facet.corners().length);
         }
       }
@@ -117,7 +117,7 @@ public final class Renderer {
     for (PlacedRobot robot : placed) {
       robot.model().middle(robot.pose(), middle);
       if (mayShowShadow(middle[0], middle[1], middle[2], robot.model().radius)) {
-        for (Facet facet : robot.model().facets) {
+        for (MeshFace facet : robot.model().facets) {
           shadow(moved(facet, robot.pose()), facet.corners().length);
         }
       }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dfra.sim.world.description.VehicleDescription;
 import org.dfra.sim.world.description.VehicleDescription.VehicleType;
-import org.dfra.sim.world.render.Facet.Paint;
+import org.dfra.sim.world.render.MeshFace.Paint;
 import org.dfra.sim.world.shape.MutableTransform;
 import org.dfra.sim.world.shape.PlanarShape.Disc;
 
@@ -21,11 +21,11 @@ public final class RobotMesh {
   private static final Paint MOTOR = new Paint(0x26282B, 14, 0.4);
   private static final Paint ROTOR = new Paint(0x6E7277, 0, 0.2);
 
-  final List<Facet> facets;
+  final List<MeshFace> facets;
   final double radius;
   final double middle;
 
-  private RobotMesh(List<Facet> facets, VehicleDescription vehicle) {
+  private RobotMesh(List<MeshFace> facets, VehicleDescription vehicle) {
     this.facets = List.copyOf(facets);
     this.middle = vehicle.height() / 2;
     this.radius =
@@ -42,13 +42,13 @@ public final class RobotMesh {
         vehicle.type() == VehicleType.UGV ? onWheels(vehicle) : onRotors(vehicle), vehicle);
   }
 
-  private static List<Facet> onWheels(VehicleDescription vehicle) {
+  private static List<MeshFace> onWheels(VehicleDescription vehicle) {
     double x = vehicle.length() / 2;
     double y = vehicle.width() / 2;
     double z = vehicle.height();
     double tyre = 0.2 * y;
     double wheel = Math.min(0.28 * z, 0.45 * x);
-    List<Facet> facets = new ArrayList<>();
+    List<MeshFace> facets = new ArrayList<>();
     facets.addAll(
         MeshBuilder.box(
             -0.95 * x, tyre * 1.2 - y, 0.22 * z, 0.95 * x, y - tyre * 1.2, 0.75 * z, BODY));
@@ -62,11 +62,11 @@ public final class RobotMesh {
     return facets;
   }
 
-  private static List<Facet> onRotors(VehicleDescription vehicle) {
+  private static List<MeshFace> onRotors(VehicleDescription vehicle) {
     double x = vehicle.length() / 2;
     double y = vehicle.width() / 2;
     double z = vehicle.height();
-    List<Facet> facets = new ArrayList<>();
+    List<MeshFace> facets = new ArrayList<>();
     facets.addAll(MeshBuilder.box(-0.35 * x, -0.3 * y, 0.2 * z, 0.35 * x, 0.3 * y, 0.8 * z, FRAME));
     facets.addAll(
         MeshBuilder.box(-0.6 * x, -0.62 * y, 0.55 * z, 0.6 * x, -0.54 * y, 0.65 * z, FRAME));

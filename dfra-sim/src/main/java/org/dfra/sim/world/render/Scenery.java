@@ -6,7 +6,7 @@ import org.dfra.sim.world.description.WorldDescription;
 import org.dfra.sim.world.description.WorldDescription.MineDescription;
 import org.dfra.sim.world.description.WorldDescription.ObstacleDescription;
 import org.dfra.sim.world.noise.RandomStream;
-import org.dfra.sim.world.render.Facet.Paint;
+import org.dfra.sim.world.render.MeshFace.Paint;
 import org.dfra.sim.world.shape.PlanarShape.Disc;
 
 /**
@@ -22,7 +22,7 @@ public final class Scenery {
   private static final double PLATE_BRIGHTNESS = 0.8; // of its colour
 
   /** The facets of one object, with a bounding ball. */
-  record Group(List<Facet> facets, double east, double north, double up, double radius) {}
+  record Group(List<MeshFace> facets, double east, double north, double up, double radius) {}
 
   final Light light;
   final GroundTexture meadow;
@@ -63,7 +63,8 @@ public final class Scenery {
     Disc outline = new Disc(mine.east(), mine.north(), mine.radius());
     Disc inner = new Disc(mine.east(), mine.north(), PLATE_RADIUS * mine.radius());
     double bodyTop = mine.height() / PLATE_HEIGHT;
-    List<Facet> facets = new ArrayList<>(MeshBuilder.prism(outline, MINE_SIDES, 0, bodyTop, body));
+    List<MeshFace> facets =
+        new ArrayList<>(MeshBuilder.prism(outline, MINE_SIDES, 0, bodyTop, body));
     facets.addAll(MeshBuilder.prism(inner, MINE_SIDES, bodyTop, mine.height(), plate));
     return new Group(
         List.copyOf(facets),

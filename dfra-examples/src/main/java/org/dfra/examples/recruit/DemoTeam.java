@@ -12,8 +12,8 @@ import org.dfra.core.config.RobotDescription;
 import org.dfra.core.config.RobotDescription.GroupDescription;
 import org.dfra.core.robot.ResourceCloser;
 import org.dfra.examples.harness.DemoEnvironment;
+import org.dfra.examples.harness.DemoHost;
 import org.dfra.examples.harness.DemoRobot;
-import org.dfra.examples.harness.Host;
 import org.dfra.river.bootstrap.EmbeddedRobot;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.sim.run.Simulation;
@@ -23,7 +23,7 @@ import org.dfra.sim.run.Simulation.DeviceEndpoint;
  * The robots of the demonstration. All modules of a robot except its agent are embedded in this
  * JVM; its agent's service group is a process under one phoenix for all robots.
  */
-final class Team implements AutoCloseable {
+final class DemoTeam implements AutoCloseable {
 
   private static final Path FOLDER =
       Path.of(System.getProperty("dfra.root", "."), "config", "teams", "recruit");
@@ -32,14 +32,15 @@ final class Team implements AutoCloseable {
   static final String AGENT = "agent";
 
   private final DemoEnvironment environment;
-  private final Host host;
+  private final DemoHost host;
   private final List<String> locators;
   private final Map<String, RobotDescription> bodies = new LinkedHashMap<>();
   private final Map<String, RobotDescription> agents = new LinkedHashMap<>();
   private final Map<String, EmbeddedRobot> running = new LinkedHashMap<>();
 
   /** Reads the descriptions of the robots of that world; starts nothing. */
-  Team(DemoEnvironment environment, Simulation simulation, List<String> names) throws IOException {
+  DemoTeam(DemoEnvironment environment, Simulation simulation, List<String> names)
+      throws IOException {
     this.environment = environment;
     this.host = environment.host("agents");
     Map<String, RobotDescription> written = new LinkedHashMap<>();

@@ -14,14 +14,14 @@ import org.dfra.river.server.Exporters;
  * The smallest activatable object: it needs no device, so that it shows the cost of activation
  * itself.
  */
-public interface PidService extends Remote {
+public interface ProcessIdService extends Remote {
 
   /** The ID of the process that the service runs in. */
   @Idempotent
   long pid() throws RemoteException;
 
   /** The server of the PID service. */
-  final class Server implements PidService, ProxyAccessor {
+  final class Server implements ProcessIdService, ProxyAccessor {
 
     private static final long DEADLINE_MILLIS = 2000;
 

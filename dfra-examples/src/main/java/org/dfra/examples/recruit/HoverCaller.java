@@ -16,7 +16,7 @@ import org.dfra.report.progress.DemoAssertions;
 import org.dfra.report.progress.ProgressReporter;
 
 /** A robot that observes from above, and hovers over targets that need inspection from near. */
-final class Scout implements AutoCloseable {
+final class HoverCaller implements AutoCloseable {
 
   private static final Duration PATIENCE = HelpRequester.PATIENCE;
 
@@ -38,7 +38,7 @@ final class Scout implements AutoCloseable {
    *
    * @param frame the world's
    */
-  Scout(ProgressReporter progress, String robot, FlightEffector flight, LocalFrame frame)
+  HoverCaller(ProgressReporter progress, String robot, FlightEffector flight, LocalFrame frame)
       throws Exception {
     this.progress = progress;
     this.robot = robot;

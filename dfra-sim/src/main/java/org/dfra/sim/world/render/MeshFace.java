@@ -9,10 +9,10 @@ package org.dfra.sim.world.render;
  * @param nz its z
  * @param paint its appearance
  */
-record Facet(double[] corners, double nx, double ny, double nz, Facet.Paint paint) {
+record MeshFace(double[] corners, double nx, double ny, double nz, MeshFace.Paint paint) {
 
   /** The normal is found from the first three corners, which do not lie on one line. */
-  static Facet of(double[] corners, Paint paint) {
+  static MeshFace of(double[] corners, Paint paint) {
     double ax = corners[3] - corners[0];
     double ay = corners[4] - corners[1];
     double az = corners[5] - corners[2];
@@ -23,7 +23,7 @@ record Facet(double[] corners, double nx, double ny, double nz, Facet.Paint pain
     double y = az * bx - ax * bz;
     double z = ax * by - ay * bx;
     double length = Math.sqrt(x * x + y * y + z * z);
-    return new Facet(corners, x / length, y / length, z / length, paint);
+    return new MeshFace(corners, x / length, y / length, z / length, paint);
   }
 
   /**

@@ -15,31 +15,32 @@ import java.util.regex.Pattern;
  * @param reason such as {@code Not Found}; may be empty
  * @param headers values by lower-case name; the first value of a repeated name
  */
-record HttpHead(int status, String reason, Map<String, String> headers) {
+record HttpHeader(int status, String reason, Map<String, String> headers) {
 
   private static final Pattern STATUS = Pattern.compile("HTTP/1\\.[01] ([1-5][0-9]{2})(?: (.*))?");
   private static final Pattern BOUNDARY =
       Pattern.compile("(?i).*;\\s*boundary\\s*=\\s*(?:\"([^\"]+)\"|([^\\s;]+)).*");
   private static final int LONGEST_BOUNDARY = 100; // maximum 70, RFC 2046
 
-  public HttpHead {
+  public HttpHeader {
     headers = Map.copyOf(headers);
   }
 
   /** Parses a response's head; empty where its first line is not a status line. */
-  static Optional<HttpHead> ofResponse(byte[] bytes, int offset, int length) {
+  static Optional<HttpHeader> ofResponse(byte[] bytes, int offset, int length) {
     String[] lines = lines(bytes, offset, length);
     Matcher matcher = STATUS.matcher(lines[0].stripTrailing());
     if (!matcher.matches()) {
       return Optional.empty();
     }
     String reason = matcher.group(2) == null ? "" : printable(matcher.group(2));
-    return Optional.of(new HttpHead(Integer.parseInt(matcher.group(1)), reason, headers(lines, 1)));
+    return Optional.of(
+        new HttpHeader(Integer.parseInt(matcher.group(1)), reason, headers(lines, 1)));
   }
 
   /** Parses the head of a part, which may be empty. */
-  static HttpHead ofPart(byte[] bytes, int offset, int length) {
-    return new HttpHead(0, "", headers(lines(bytes, offset, length), 0));
+  static HttpHeader ofPart(byte[] bytes, int offset, int length) {
+    return new HttpHeader(0, "", headers(lines(bytes, offset, length), 0));
   }
 
   private static String[] lines(byte[] bytes, int offset, int length) {

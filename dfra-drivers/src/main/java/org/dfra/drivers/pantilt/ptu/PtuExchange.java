@@ -24,7 +24,7 @@ import org.dfra.drivers.pantilt.ptu.PtuReply.Value;
  * blocked write of another thread; so it detects that the unit is silent and closes the link, which
  * unblocks the write.
  */
-final class PtuDialogue {
+final class PtuExchange {
 
   /** A command that was sent and has no reply yet. */
   private record Pending(
@@ -60,7 +60,7 @@ final class PtuDialogue {
    * @param ticker the clock for reply timeouts
    * @param refusals receives the command and the reason of each rejection
    */
-  PtuDialogue(Predicate<byte[]> sender, Ticker ticker, BiConsumer<String, String> refusals) {
+  PtuExchange(Predicate<byte[]> sender, Ticker ticker, BiConsumer<String, String> refusals) {
     this.sender = sender;
     this.ticker = ticker;
     this.refusals = refusals;

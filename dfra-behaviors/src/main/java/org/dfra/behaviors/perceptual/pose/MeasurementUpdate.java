@@ -7,7 +7,7 @@ import org.ejml.dense.row.CommonOps_DDRM;
  * The measurement update of a Kalman filter, with the covariance in Joseph's form. It is created
  * once for a size and reused.
  */
-final class Correction {
+final class MeasurementUpdate {
 
   /** Measurement matrix; a row for each measured component. The caller fills it in. */
   final DMatrixRMaj jacobian;
@@ -32,7 +32,7 @@ final class Correction {
    * @param size dimension of the state
    * @param measured dimension of the measurement
    */
-  Correction(int size, int measured) {
+  MeasurementUpdate(int size, int measured) {
     jacobian = new DMatrixRMaj(measured, size);
     innovation = new DMatrixRMaj(measured, 1);
     noise = new DMatrixRMaj(measured, measured);

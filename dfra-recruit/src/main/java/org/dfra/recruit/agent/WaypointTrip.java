@@ -33,7 +33,7 @@ import org.slf4j.Logger;
  * limit; and the goal's name is stored, so that the next process either continues it or ends it.
  * This fails if the process crashes within the milliseconds between the start and the write.
  */
-final class Trip {
+final class WaypointTrip {
 
   /** Polling period. */
   static final long POLL_INTERVAL_NANOS = 500_000_000;
@@ -62,7 +62,7 @@ final class Trip {
    *     stop of the trip
    * @param hold decides whether a leg may start, and records a trip whose end is unknown
    */
-  Trip(
+  WaypointTrip(
       ModuleContext context,
       DelayedTaskExecutor taskExecutor,
       InterruptedSearches work,

@@ -5,7 +5,7 @@ package org.dfra.sim.device.pantilt;
  * all three during a motion. Positions are in the unit's own counts. It moves in steps of a
  * millisecond, so its position does not depend on how often it is polled.
  */
-final class StepMotor {
+final class StepperMotor {
 
   static final double STEP_SECONDS = 0.001;
 
@@ -34,7 +34,7 @@ final class StepMotor {
    * @param least position at the right or lower limit
    * @param most position at the other
    */
-  StepMotor(char envelope, String name, int least, int most) {
+  StepperMotor(char envelope, String name, int least, int most) {
     this.envelope = envelope;
     this.name = name;
     this.least = least;

@@ -22,7 +22,7 @@ import org.dfra.time.Scheduler;
  * <p>Time runs faster than real time, for agents, leases and robots alike; the delays of River and
  * of the machine are real, so they are longer in the scaled time.
  */
-final class EmbeddedVenue implements ExperimentEnvironment {
+final class EmbeddedEnvironment implements ExperimentEnvironment {
 
   private static final int HEAD = 300; // its random numbers
   private static final double LONGEST_HEAD = 0.5; // of a period
@@ -38,7 +38,7 @@ final class EmbeddedVenue implements ExperimentEnvironment {
    * @param team for exclusive use by this run
    * @param giveBack receives it after the run
    */
-  EmbeddedVenue(
+  EmbeddedEnvironment(
       ExperimentCell cell,
       ExperimentPlan plan,
       long seed,

@@ -17,7 +17,7 @@ import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
 
 /** Computes the true clearance between the bodies of a world. */
-public final class ClearanceCalculator {
+public final class GroundTruthClearance {
 
   private record Obstacle(Geometry shape, double radius) {}
 
@@ -28,7 +28,7 @@ public final class ClearanceCalculator {
   /**
    * @param world with the obstacles and robots
    */
-  public ClearanceCalculator(WorldDescription world) {
+  public GroundTruthClearance(WorldDescription world) {
     for (ObstacleDescription each : world.obstacles()) {
       if (each.footprint() instanceof Disc disc) {
         Coordinate middle = new Coordinate(disc.east(), disc.north());

@@ -6,7 +6,7 @@ import java.awt.Color;
  * Colour scales. They differ in blue and yellow and in lightness, which colour-blind readers see
  * too.
  */
-enum Shades {
+enum ColourScale {
   /** From dark blue to light yellow: the higher, the lighter. */
   RISING(0x14264F, 0x2B5A8A, 0x5E8F97, 0xA9BE86, 0xFBEFA0),
   /** From blue over white to brown: lighter towards the middle. */
@@ -14,12 +14,12 @@ enum Shades {
 
   private final int[] anchors;
 
-  Shades(int... anchors) {
+  ColourScale(int... anchors) {
     this.anchors = anchors;
   }
 
   /** The scale for a range: symmetric if the middle is zero. */
-  static Shades of(Range range) {
+  static ColourScale of(Range range) {
     boolean isAroundZero = Math.abs(range.low() + range.high()) < 1e-6 * range.length();
     return isAroundZero ? AROUND_ZERO : RISING;
   }

@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * A simulated host of a demonstration on this computer: a phoenix and its service groups. It shares
  * neither a process nor a file with the other hosts.
  */
-public final class Host {
+public final class DemoHost {
 
   private static final Duration PATIENCE = DemoEnvironment.PATIENCE;
 
@@ -29,7 +29,7 @@ public final class Host {
    * @param environment records the processes
    * @param folder the host's own folder
    */
-  public Host(DemoEnvironment environment, Path folder) throws IOException {
+  public DemoHost(DemoEnvironment environment, Path folder) throws IOException {
     this.environment = environment;
     PrivateFiles.makeFolder(folder); // before other files in it create it
     this.phoenix = new PhoenixProcess(DemoEnvironment.ADDRESS, FreePorts.allocate(), -1, folder);
