@@ -62,8 +62,8 @@ abstract class DemoPlay {
   /** What the last run wrote is in this folder, one for each run. */
   private Path played = Path.of("not played yet");
 
-  final void play(String name, String... story) throws Exception {
-    String unused = play(name, List.of(), story);
+  final void play(String name, String... steps) throws Exception {
+    String unused = play(name, List.of(), steps);
   }
 
   /** The folder of the last run's report. */
@@ -77,10 +77,10 @@ abstract class DemoPlay {
    *
    * @return what it said, in one line
    */
-  final String play(String name, List<String> options, String... story) throws Exception {
+  final String play(String name, List<String> options, String... steps) throws Exception {
     try (StallProbe probe = StallProbe.start()) {
       StallProbe.Stopwatch first = probe.stopwatch();
-      String out = run(FIRST, name, options, story);
+      String out = run(FIRST, name, options, steps);
       Timing run = first.stop();
       List<String> excuses = IS_STRICT ? DemoTimes.of(out).excuses(run) : List.of();
       if (!excuses.isEmpty() && isTooSlow(out)) {
@@ -88,7 +88,7 @@ abstract class DemoPlay {
       } else if (!excuses.isEmpty()) {
         excuses.forEach(each -> System.out.println(each + "; played once more"));
         StallProbe.Stopwatch second = probe.stopwatch();
-        out = run("second", name, options, story);
+        out = run("second", name, options, steps);
         run = second.stop();
       }
       if (IS_STRICT) {
@@ -131,7 +131,7 @@ abstract class DemoPlay {
    * @param run names its folder
    * @return what it said
    */
-  private String run(String run, String name, List<String> options, String... story)
+  private String run(String run, String name, List<String> options, String... steps)
       throws Exception {
     played = Files.createDirectory(folder.resolve(run));
     Path temp = Files.createDirectory(played.resolve("tmp"));
@@ -157,7 +157,7 @@ abstract class DemoPlay {
                       + endsOfLogs(temp))
           .doesNotContain("FAILED");
       assertThat(outcome.err()).isEmpty();
-      assertStory(inOneLine(outcome.out()), story);
+      assertSteps(inOneLine(outcome.out()), steps);
       assertThat(outcome.out().lines().filter(line -> line.length() > WIDTH))
           .as("lines that are wider than %d columns", WIDTH)
           .isEmpty();
@@ -213,20 +213,20 @@ abstract class DemoPlay {
    * A sentence that comes out differently where the computer is too busy for the demonstration's
    * pace, though all is well: that the first of two receivers answers, or that nothing was lost.
    */
-  static String atPace(String sentence) {
+  static String atSpeed(String sentence) {
     return IS_STRICT ? sentence : "";
   }
 
   /** Says which sentence is missing and what stands in its place: the whole story has pages. */
-  private static void assertStory(String said, String... story) {
+  private static void assertSteps(String output, String... steps) {
     int from = 0;
-    for (String sentence : story) {
-      int found = said.indexOf(sentence, from);
+    for (String sentence : steps) {
+      int found = output.indexOf(sentence, from);
       if (found < 0) {
         int known = Math.max(0, from - CONTEXT);
         fail(
             "the story does not say \"%s\" after \"…%s\"; it goes on: %s",
-            sentence, said.substring(known, from), said.substring(from));
+            sentence, output.substring(known, from), output.substring(from));
       }
       from = found + sentence.length();
     }

@@ -19,7 +19,7 @@ class DemoRasterIT extends DemoPlay {
   /** A smaller region, without processes. */
   @Test
   void theRasterIsSearchedThoughLookupServicesEnd() throws Exception {
-    String said =
+    String output =
         play(
             "raster",
             List.of("--embedded", "--speed=3", "--region=" + LANES),
@@ -41,7 +41,7 @@ class DemoRasterIT extends DemoPlay {
             "robots that did not come to the end of their lanes 0 target ≤ 0",
             "collisions 0 target ≤ 0",
             "share of the region that no robot saw");
-    assertThat(said)
+    assertThat(output)
         .containsSubsequence(
             "atrv2: its registrar is ended", "atrv2: its registrar is back and lists its")
         .containsSubsequence("atrv1: its registrar is ended", "were without its registrar");
@@ -54,7 +54,7 @@ class DemoRasterIT extends DemoPlay {
    */
   @Test
   void theRasterIsSearchedThoughProcessesAreKilled() throws Exception {
-    String said =
+    String output =
         play(
             "raster",
             List.of(),
@@ -69,7 +69,7 @@ class DemoRasterIT extends DemoPlay {
             "Measured",
             "robots that did not come to the end of their lanes 0 target ≤ 0",
             "collisions 0 target ≤ 0");
-    assertThat(said)
+    assertThat(output)
         .containsSubsequence("atrv1: gps_front is killed", "atrv1: gps_front is back")
         .containsSubsequence(
             "atrv1: navigation is killed",

@@ -71,11 +71,11 @@ class DetachedCommandIT {
     Process script = script(port);
     try {
       BufferedReader out = script.inputReader();
-      List<String> said = new ArrayList<>();
-      for (String line; !said.contains(UP) && (line = out.readLine()) != null; ) {
-        said.add(line);
+      List<String> messages = new ArrayList<>();
+      for (String line; !messages.contains(UP) && (line = out.readLine()) != null; ) {
+        messages.add(line);
       }
-      assertThat(said).contains(UP);
+      assertThat(messages).contains(UP);
       GroupStatus before = phoenix.admin().groupStatus().get(0);
       long pid = phoenix.pid().orElseThrow();
 

@@ -60,8 +60,8 @@ class DoctorIT {
               .atMost(PATIENCE.multipliedBy(3))
               .until(
                   () -> {
-                    Outcome said = doctor(state, 20);
-                    return found(said, "clock").contains("ok") ? said : null;
+                    Outcome outcome = doctor(state, 20);
+                    return found(outcome, "clock").contains("ok") ? outcome : null;
                   },
                   Objects::nonNull);
       assertThat(found(well, "java")).containsExactly("ok");

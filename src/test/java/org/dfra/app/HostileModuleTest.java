@@ -182,21 +182,21 @@ class HostileModuleTest {
 
   @Test
   void leasesOnOtherModulesAreListedAndItIsNamed() {
-    InProcessCommand said = dfra("lease", "list");
-    assertThat(said.out()).contains("robot/good");
-    assertThat(said.err())
+    InProcessCommand output = dfra("lease", "list");
+    assertThat(output.out()).contains("robot/good");
+    assertThat(output.err())
         .isEqualTo(
             "dfra: robot/hostile cannot be asked, since its proxy failed: "
                 + WHY
                 + System.lineSeparator());
-    assertThat(said.code()).as("not all is known").isEqualTo(ExitCode.NO_ANSWER);
+    assertThat(output.code()).as("not all is known").isEqualTo(ExitCode.NO_ANSWER);
   }
 
   @Test
   void modulesAreListedAndItSaysNotWhyItHasFailed() {
-    InProcessCommand said = dfra("module", "list", "--json");
-    assertThat(said.code()).as(said.err()).isEqualTo(ExitCode.SUCCESS);
-    assertThat(said.out()).contains("good", "hostile", "it does not say why (" + WHY + ")");
+    InProcessCommand output = dfra("module", "list", "--json");
+    assertThat(output.code()).as(output.err()).isEqualTo(ExitCode.SUCCESS);
+    assertThat(output.out()).contains("good", "hostile", "it does not say why (" + WHY + ")");
   }
 
   @Test

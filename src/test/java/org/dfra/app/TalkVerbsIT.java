@@ -74,7 +74,7 @@ class TalkVerbsIT {
             "--registry-port=-1",
             state());
     assertThat(up.exit()).as(up.out() + up.err()).isZero();
-    await().atMost(PATIENCE).until(() -> !said("module", "list").contains("initializing"));
+    await().atMost(PATIENCE).until(() -> !output("module", "list").contains("initializing"));
   }
 
   @AfterAll
@@ -106,7 +106,7 @@ class TalkVerbsIT {
             .toArray(String[]::new));
   }
 
-  private static String said(String... words) {
+  private static String output(String... words) {
     Outcome outcome = ask(words);
     assertThat(outcome.exit()).as(outcome.out() + outcome.err()).isZero();
     return outcome.out();
@@ -126,16 +126,16 @@ class TalkVerbsIT {
 
   @Test
   void robotsAreShownAndFoundByWhatTheyCanDo() throws Exception {
-    assertThat(said("persona", "list").lines().map(line -> line.replaceAll(" +", " ")))
+    assertThat(output("persona", "list").lines().map(line -> line.replaceAll(" +", " ")))
         .containsExactly("ROBOT ROLE MODULES HOST LAST SEEN", "zeta scout 1 127.0.0.1 now");
-    assertThat(said("persona", "show", "zeta"))
+    assertThat(output("persona", "show", "zeta"))
         .contains("zeta, scout", "seen now", "Goals", "  Map the field.")
         .contains("gps_front, GPSSensor: ", "gps receiver: ", "fix modes 2D 3D", "sensor: reads");
-    assertThat(said("persona", "show", "zeta", "--json"))
+    assertThat(output("persona", "show", "zeta", "--json"))
         .contains("\"role\" : \"scout\"", "\"fixModes\" : [ \"2D\", \"3D\" ]");
 
     assertThat(
-            said(
+            output(
                 "persona",
                 "find",
                 "LocationSensor with sensor.maxRate >= 1 and gps_receiver.fixModes contains \"3D\""
@@ -159,28 +159,28 @@ class TalkVerbsIT {
 
   @Test
   void eventsAreShownAndMeasured() throws Exception {
-    assertThat(said("event", "echo", GPS, "--kind=reading", "--count=2").lines())
+    assertThat(output("event", "echo", GPS, "--kind=reading", "--count=2").lines())
         .hasSize(2)
         .allSatisfy(
             line ->
                 assertThat(line)
                     .matches("\\S+Z  reading    #\\d+  GpsFix mode FIX_3D, position .*"));
-    assertThat(said("event", "echo", GPS, "--count=1", "--kind=reading", "--json").lines())
+    assertThat(output("event", "echo", GPS, "--count=1", "--kind=reading", "--json").lines())
         .singleElement()
         .asString()
         .contains("\"module\":\"" + GPS + "\"", "\"lost\":0", "\"mode\":\"FIX_3D\"");
-    assertThat(said("event", "hz", GPS, "--count=3").lines().reduce((a, b) -> b).orElseThrow())
+    assertThat(output("event", "hz", GPS, "--count=3").lines().reduce((a, b) -> b).orElseThrow())
         .matches("[\\d.]+ Hz; interval min [\\d.]+ s, max [\\d.]+ s, std [\\d.]+ s; 3 events");
-    assertThat(said("event", "bw", GPS, "--count=2", "--json").lines().reduce((a, b) -> b))
+    assertThat(output("event", "bw", GPS, "--count=2", "--json").lines().reduce((a, b) -> b))
         .hasValueSatisfying(
             line ->
                 assertThat(line).contains("\"events\":2").containsPattern("\"minSize\":\\d{3}"));
-    assertThat(said("event", "hz", GPS, "--kind=incident", "--for=0.5").strip())
+    assertThat(output("event", "hz", GPS, "--kind=incident", "--for=0.5").strip())
         .isEqualTo("no event so far");
-    assertThat(said("event", "noise", GPS, "--count=3").lines().map(row -> row.split(" ", 2)[0]))
+    assertThat(output("event", "noise", GPS, "--count=3").lines().map(row -> row.split(" ", 2)[0]))
         .containsExactly(
             "PARAMETER", "gps_white_noise_sigma", "gps_bias_sigma", "gps_bias_correlation_time");
-    assertThat(said("event", "noise", GPS, "--count=3", "--json"))
+    assertThat(output("event", "noise", GPS, "--count=3", "--json"))
         .contains("\"gps_white_noise_sigma\"", "3 fixes");
     Outcome nothing = ask("event", "noise", GPS, "--kind=incident", "--for=0.5");
     assertThat(nothing.exit()).isEqualTo(1);
@@ -189,15 +189,15 @@ class TalkVerbsIT {
     assertThat(ask("event", "echo", GPS, "--depth=0").exit()).isEqualTo(2);
     await("all of them gave their leases back")
         .atMost(PATIENCE)
-        .untilAsserted(() -> assertThat(said("lease", "list")).contains("Nobody"));
+        .untilAsserted(() -> assertThat(output("lease", "list")).contains("Nobody"));
   }
 
   @Test
   void aListenerIsSeenRevokedAndGoneWhenItIsTerminated() throws Exception {
     CompletableFuture<Outcome> listener = askBeside("event", "echo", GPS);
     String unusedFirst = awaitLease();
-    assertThat(said("log", "level", GPS)).contains("logs INFO and above");
-    assertThat(said("log", "level", GPS, "debug")).contains("logs DEBUG and above");
+    assertThat(output("log", "level", GPS)).contains("logs INFO and above");
+    assertThat(output("log", "level", GPS, "debug")).contains("logs DEBUG and above");
     assertThat(ask("log", "level", GPS, "loud").exit()).isEqualTo(2);
     String lease = revoke();
     Outcome revoked = listener.get();
@@ -217,7 +217,7 @@ class TalkVerbsIT {
         .atMost(PATIENCE)
         .untilAsserted(
             () ->
-                assertThat(said("lease", "list", GPS))
+                assertThat(output("lease", "list", GPS))
                     .isEqualToIgnoringNewLines("Nobody holds a lease on " + GPS + "."));
   }
 
@@ -245,7 +245,7 @@ class TalkVerbsIT {
         .atMost(PATIENCE)
         .until(
             () -> {
-              List<String> rows = said("lease", "list", GPS).lines().skip(1).toList();
+              List<String> rows = output("lease", "list", GPS).lines().skip(1).toList();
               if (rows.size() == 1) {
                 String[] cells = rows.get(0).split(" {2,}");
                 assertThat(cells).startsWith(GPS, "client", "a program at 127.0.0.1");

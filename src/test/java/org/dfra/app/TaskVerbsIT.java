@@ -77,7 +77,7 @@ class TaskVerbsIT {
             "--registry-port=-1",
             state());
     assertThat(up.exit()).as(up.out() + up.err()).isZero();
-    await().atMost(PATIENCE).until(() -> !said("module", "list").contains("initializing"));
+    await().atMost(PATIENCE).until(() -> !output("module", "list").contains("initializing"));
   }
 
   /** The robot's own description with its registrar and all modules in one group. */
@@ -135,7 +135,7 @@ class TaskVerbsIT {
             .toArray(String[]::new));
   }
 
-  private static String said(String... words) {
+  private static String output(String... words) {
     Outcome outcome = ask(words);
     assertThat(outcome.exit()).as(outcome.out() + outcome.err()).isZero();
     return outcome.out();
@@ -152,7 +152,7 @@ class TaskVerbsIT {
   private static JsonNode tasks(String... words) throws Exception {
     return new ObjectMapper()
         .readTree(
-            said(
+            output(
                 Stream.concat(Stream.of("task"), Stream.concat(Arrays.stream(words), json()))
                     .toArray(String[]::new)));
   }
@@ -217,10 +217,10 @@ class TaskVerbsIT {
     assertThat(moves("atrv1")).isFalse();
     assertPhases(tasks("status"), "PAUSED", "RUNNING");
 
-    assertThat(said("stop", "--all")).contains("atrv1/drive: stopped.", "atrv2/drive: stopped.");
+    assertThat(output("stop", "--all")).contains("atrv1/drive: stopped.", "atrv2/drive: stopped.");
     awaitRest();
     await().atMost(PATIENCE).untilAsserted(() -> assertPhases(tasks("status"), "PAUSED", "PAUSED"));
-    assertThat(said("stop", "--release", "--all")).contains("2 effectors: 2 released.");
+    assertThat(output("stop", "--release", "--all")).contains("2 effectors: 2 released.");
     assertPhases(tasks("status"), "PAUSED", "PAUSED");
     assertPhases(tasks("resume"), "RUNNING", "RUNNING");
     awaitMotion();

@@ -89,15 +89,15 @@ class FalseStopIT {
     try (Commander unused = robot.driven(LEASE, new Velocity(1, 0))) {
       robot.awaitFullSpeed();
       int before = eta.fakes().orders();
-      CommandResult said;
+      CommandResult result;
       Timing timing;
       try (Replacing unusedAttacker = new Replacing()) {
         StallProbe.Stopwatch running = eta.probe().stopwatch();
-        said = stop();
+        result = stop();
         timing = running.stop();
       }
       int orders = eta.fakes().orders() - before;
-      assertThat(said)
+      assertThat(result)
           .isEqualTo(new CommandResult(0, "eta/drive: stopped.\n1 effector: 1 stopped.\n"));
       timing.requireWithin("./dfra stop --all beside a fake", Duration.ofSeconds(5));
       robot.wheels().assertTheyStoodWithinHalfASecondOfTheLastCommand();
@@ -144,9 +144,9 @@ class FalseStopIT {
     robot.signal("STOP", "eta.wheels"); // first, so that the drive cannot register itself again
     try {
       eta.fakes().replace();
-      CommandResult said = stop();
-      assertThat(said.status()).as(said.text()).isEqualTo(4);
-      assertThat(said.text())
+      CommandResult result = stop();
+      assertThat(result.status()).as(result.text()).isEqualTo(4);
+      assertThat(result.text())
           .startsWith(
               "eta/drive: DOUBTFUL: its proxy says that it is stopped, and the phoenix of its robot"
                   + " does not confirm that")

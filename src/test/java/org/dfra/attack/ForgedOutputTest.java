@@ -75,9 +75,9 @@ class ForgedOutputTest {
         .noneMatch(line -> line.startsWith(HostileModule.FORGED));
   }
 
-  private static void assertHarmless(InProcessCommand said) {
-    assertHarmless(said.out());
-    assertHarmless(said.err());
+  private static void assertHarmless(InProcessCommand output) {
+    assertHarmless(output.out());
+    assertHarmless(output.err());
   }
 
   @ParameterizedTest
@@ -93,19 +93,19 @@ class ForgedOutputTest {
         "stop --all --json"
       })
   void noCommandLetsItControlTheTerminalOrBeginALine(String command) {
-    InProcessCommand said = run(command.split(" "));
-    assertHarmless(said);
-    assertThat(said.out()).as("it is shown all the same").contains("\\u009b2");
+    InProcessCommand output = run(command.split(" "));
+    assertHarmless(output);
+    assertThat(output.out()).as("it is shown all the same").contains("\\u009b2");
   }
 
   @Test
   void aForgedStopIsShownInTheLineOfTheModuleThatClaimsIt() {
-    InProcessCommand said = run("stop", "--all");
-    assertHarmless(said);
-    assertThat(said.out()).startsWith("2\\u0020effectors:\\u00202\\u0020stopped.\\u009b2K");
-    assertThat(said.out().lines().reduce((first, last) -> last).orElseThrow())
+    InProcessCommand output = run("stop", "--all");
+    assertHarmless(output);
+    assertThat(output.out()).startsWith("2\\u0020effectors:\\u00202\\u0020stopped.\\u009b2K");
+    assertThat(output.out().lines().reduce((first, last) -> last).orElseThrow())
         .startsWith("1 effector: 1 DRIVER NOT STOPPED");
-    assertThat(said.code()).isEqualTo(ExitCode.FAILED);
+    assertThat(output.code()).isEqualTo(ExitCode.FAILED);
   }
 
   /** What they show of one that is named is not the same in each; none of it is raw. */
@@ -124,8 +124,8 @@ class ForgedOutputTest {
   void norDoesOneThatIsAskedAboutIt(String command) {
     List<String> words = new ArrayList<>(Arrays.asList(command.split(" ")));
     words.add(2, command.startsWith("persona") ? ROBOT : ROBOT + "/" + ROBOT);
-    InProcessCommand said = run(words.toArray(String[]::new));
-    assertHarmless(said);
-    assertThat(said.out() + said.err()).contains("\\u009b2");
+    InProcessCommand output = run(words.toArray(String[]::new));
+    assertHarmless(output);
+    assertThat(output.out() + output.err()).contains("\\u009b2");
   }
 }

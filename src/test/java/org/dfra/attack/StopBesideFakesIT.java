@@ -59,27 +59,27 @@ class StopBesideFakesIT {
       robot.awaitFullSpeed();
       StallProbe.Stopwatch running = eta.probe().stopwatch();
       Instant typed = Instant.now();
-      CommandResult said = eta.stop(words);
+      CommandResult result = eta.stop(words);
       Timing timing = running.stop();
       Instant ordered =
-          Objects.requireNonNull(robot.drive().emergencyStopState().since(), said.text());
+          Objects.requireNonNull(robot.drive().emergencyStopState().since(), result.text());
       timing.ofPart(Duration.between(typed, ordered)).requireWithin(what, STOPPED);
       robot.wheels().assertTheyStoodWithinHalfASecondOfTheLastCommand();
-      return said;
+      return result;
     }
   }
 
   @Test
   void itsPhoenixStopsItBeforeAnythingIsRead() throws Exception {
-    CommandResult said =
+    CommandResult result =
         stopInTime("./dfra stop --all beside fakes", "--all", eta.robot().phoenixOption());
-    assertThat(said.text()).contains("eta/drive: stopped.\n");
+    assertThat(result.text()).contains("eta/drive: stopped.\n");
   }
 
   @Test
   void itIsReadFirstWhereItIsNamed() throws Exception {
-    CommandResult said = stopInTime("./dfra stop eta beside fakes", "eta");
-    assertThat(said)
+    CommandResult result = stopInTime("./dfra stop eta beside fakes", "eta");
+    assertThat(result)
         .as("no phoenix is known there, so its own word counts")
         .isEqualTo(new CommandResult(0, "eta/drive: stopped.\n1 effector: 1 stopped.\n"));
   }

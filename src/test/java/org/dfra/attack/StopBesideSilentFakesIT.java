@@ -48,17 +48,17 @@ class StopBesideSilentFakesIT {
         robot.awaitFullSpeed();
         StallProbe.Stopwatch running = eta.probe().stopwatch();
         Instant typed = Instant.now();
-        CommandResult said = eta.stop("--all");
+        CommandResult result = eta.stop("--all");
         Timing timing = running.stop();
         Instant ordered =
-            Objects.requireNonNull(robot.drive().emergencyStopState().since(), said.text());
+            Objects.requireNonNull(robot.drive().emergencyStopState().since(), result.text());
         System.out.println("ordered " + Duration.between(typed, ordered) + " after it was typed");
         timing
             .ofPart(Duration.between(typed, ordered))
             .requireWithin("./dfra stop --all beside silent fakes", STOPPED);
         robot.wheels().assertTheyStoodWithinHalfASecondOfTheLastCommand();
-        assertThat(said.text()).contains("eta/drive: stopped.\n");
-        assertThat(said.status()).as("the fakes did not stop").isNotZero();
+        assertThat(result.text()).contains("eta/drive: stopped.\n");
+        assertThat(result.status()).as("the fakes did not stop").isNotZero();
       }
     }
   }

@@ -86,17 +86,17 @@ class BehaviorsTest {
 
   @Test
   void schemasAreFoundByTheirAttributesAndPublishTheirPerceptsThroughTheNetwork() throws Exception {
-    RangeFilterProxy room =
+    RangeFilterProxy rangeFilter =
         far(
             RangeFilterProxy.class,
             "RangeFilter with perceptual_schema.percept = Clearance"
                 + " and perceptual_schema.method = median");
-    assertThat(room.awaitReadiness(PATIENCE).serves()).isTrue();
-    Clearance clearance = room.clearance();
+    assertThat(rangeFilter.awaitReadiness(PATIENCE).serves()).isTrue();
+    Clearance clearance = rangeFilter.clearance();
     assertThat(clearance.min()).isEqualTo(8);
-    List<Clearance> rooms = ServedRobots.received(room, Clearance.class);
-    await().atMost(PATIENCE).until(() -> rooms.size() > 3);
-    assertThat(rooms.get(0).frame()).isEqualTo("robot/base_link");
+    List<Clearance> clearances = ServedRobots.received(rangeFilter, Clearance.class);
+    await().atMost(PATIENCE).until(() -> clearances.size() > 3);
+    assertThat(clearances.get(0).frame()).isEqualTo("robot/base_link");
 
     PositionEstimatorProxy position =
         far(
@@ -128,14 +128,14 @@ class BehaviorsTest {
 
     FuzzyDriveProxy near = (FuzzyDriveProxy) robots.find("FuzzyDrive").module();
     assertThat(near.advise(clearance, heading)).isEqualTo(advice);
-    assertThat(room.inputTypes()).containsExactly("Odometry", "RangeScan");
-    room.setInputs(List.of("robot/odometry", "robot/laser"));
-    assertThat(room.inputs()).containsExactly("robot/odometry", "robot/laser");
-    assertThatThrownBy(() -> room.setInputs(List.of("robot/odometry", "robot/gps")))
+    assertThat(rangeFilter.inputTypes()).containsExactly("Odometry", "RangeScan");
+    rangeFilter.setInputs(List.of("robot/odometry", "robot/laser"));
+    assertThat(rangeFilter.inputs()).containsExactly("robot/odometry", "robot/laser");
+    assertThatThrownBy(() -> rangeFilter.setInputs(List.of("robot/odometry", "robot/gps")))
         .hasMessage(
             "robot/range_filter cannot be wired to robot/gps: it is not of type RangeSensor");
-    int before = rooms.size();
-    await().atMost(PATIENCE).until(() -> rooms.size() > before + 3);
+    int before = clearances.size();
+    await().atMost(PATIENCE).until(() -> clearances.size() > before + 3);
   }
 
   @Test
@@ -261,8 +261,8 @@ class BehaviorsTest {
 
   @Test
   void whenAllHaveEndedNoThreadOfTheirsIsLeft() throws Exception {
-    RangeFilterProxy room = (RangeFilterProxy) robots.find("RangeFilter").module();
-    assertThat(room.awaitReadiness(PATIENCE).serves()).isTrue();
+    RangeFilterProxy rangeFilter = (RangeFilterProxy) robots.find("RangeFilter").module();
+    assertThat(rangeFilter.awaitReadiness(PATIENCE).serves()).isTrue();
     GoToWaypointProxy goTo = far(GoToWaypointProxy.class, "GoToWaypoint");
     UUID unused = pursue(goTo, FAR, GoToWaypointProxy::pursue);
     await().atMost(PATIENCE).until(() -> SmallRobot.east() > 0.3);

@@ -252,7 +252,7 @@ class RecruitmentAgentsIT {
                   assertThat(helping.status().holdReason())
                       .isNotNull()
                       .contains("robot/go_to_waypoint"));
-      List<RecruitmentStatus> said = ServedRobots.received(helping, RecruitmentStatus.class);
+      List<RecruitmentStatus> statuses = ServedRobots.received(helping, RecruitmentStatus.class);
       int calls = 3;
       await()
           .atMost(PATIENCE)
@@ -264,7 +264,8 @@ class RecruitmentAgentsIT {
           .during(Duration.ofSeconds(calls))
           .atMost(PATIENCE)
           .until(
-              () -> said.stream().allMatch(each -> each.responderPhase() == ResponderPhase.FREE));
+              () ->
+                  statuses.stream().allMatch(each -> each.responderPhase() == ResponderPhase.FREE));
       assertThat(helping.status().responderPhase()).isEqualTo(ResponderPhase.FREE);
       assertThat(driving.status().phase()).isEqualTo(Phase.CANCELLED);
 

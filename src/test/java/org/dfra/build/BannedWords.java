@@ -5,13 +5,15 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Predicate;
+import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
  * Finds words that the project does not use; {@code docs/reference/glossary.md} has its terms. Some
  * words are banned everywhere: in names, comments, literals and text. Others are ordinary English
- * in a sentence, but say nothing as a name. Some whole identifiers are banned in one role only.
+ * in a sentence, but say nothing as a name, or as a part of one. Some whole identifiers are banned
+ * in one role only. The names of files are checked as those of the types in them.
  */
 final class BannedWords {
 
@@ -42,6 +44,52 @@ final class BannedWords {
           "apart", "been", "errand", "errands", "hear", "letters", "pursuit", "seat", "tell",
           "telling", "tells", "tenure");
 
+  /** Whole names: of fields, parameters, variables and methods. */
+  private static final Set<String> NAMES =
+      Set.of(
+          "agenda",
+          "amend",
+          "atone",
+          "chapter",
+          "chronicle",
+          "depose",
+          "dialogue",
+          "diary",
+          "doubt",
+          "dress",
+          "examination",
+          "gallery",
+          "heed",
+          "hurry",
+          "lineage",
+          "lot",
+          "mail",
+          "mate",
+          "mates",
+          "mend",
+          "narration",
+          "objection",
+          "openness",
+          "readdress",
+          "rehearsal",
+          "relieve",
+          "rig",
+          "room",
+          "rooms",
+          "said",
+          "saying",
+          "senses",
+          "sightings",
+          "stage",
+          "stance",
+          "story",
+          "tally",
+          "unretire",
+          "venue",
+          "vouch",
+          "voucher",
+          "witness");
+
   /** Old names of parameters, as whole words of any file. */
   private static final Set<String> OLD_PARAMETERS =
       Set.of("longest_silence", "max_turn_rate", "turns_missed");
@@ -50,9 +98,9 @@ final class BannedWords {
   private static final Pattern TYPES =
       Pattern.compile(
           "\\b(?:class|interface|record|enum)\\s+(Apart|Been|Beside|Deed|Ear|Eye|FlightPicture|"
-              + "FlightRest|Gallery|Glance|HelpRefusedException|HistoryBook|KnownOutcome|Letter|"
+              + "FlightRest|Gallery|Glance|Facet|HelpRefusedException|HistoryBook|KnownOutcome|Letter|"
               + "LmsErrand|LmsExamination|Look|Loose|LostRegistrar|M12Settlement|Methods|Needed|"
-              + "OffLane|Recruiting|Rig|Said|Seat|Sightings|SilentPeers|SimulatedLine|Trouble)\\b");
+              + "OffLane|Recruiting|Rig|Said|Scout|Seat|Shades|Sightings|SilentPeers|SimulatedLine|Trouble)\\b");
 
   /** Declared methods: the type of the result stands before the name. */
   private static final Pattern METHODS =
@@ -68,6 +116,8 @@ final class BannedWords {
           "\"\"\"(?s:.)*?\"\"\"|\"(?:\\\\.|[^\"\\\\\\n])*+\"|'(?:\\\\.|[^'\\\\\\n])*+'"
               + "|//[^\\n]*|/\\*(?s:.)*?\\*/");
 
+  private static final Pattern IDENTIFIER = Pattern.compile("\\b[A-Za-z_]\\w*\\b");
+
   private static final Pattern ESCAPE = Pattern.compile("\\\\.");
 
   private BannedWords() {}
@@ -75,6 +125,7 @@ final class BannedWords {
   /** The banned words of a file, each after the file's name. */
   static Set<String> in(String file, String text) {
     Set<String> words = new TreeSet<>();
+    addWords(file, word -> EVERYWHERE.contains(word) || IN_NAMES.contains(word), words);
     if (file.endsWith(".java")) {
       addOfJava(text, words);
     } else {
@@ -106,6 +157,12 @@ final class BannedWords {
           found);
     }
     code.append(source, end, source.length());
+    IDENTIFIER
+        .matcher(code)
+        .results()
+        .map(MatchResult::group)
+        .filter(NAMES::contains)
+        .forEach(found::add);
     addWords(code.toString(), word -> EVERYWHERE.contains(word) || IN_NAMES.contains(word), found);
     for (Pattern declared : List.of(TYPES, METHODS, PARAMETERS)) {
       declared.matcher(code).results().forEach(each -> found.add(each.group(1)));

@@ -33,7 +33,7 @@ class RepeatedTestsTest {
   @TempDir Path house;
   private ScriptFolder script;
   private PretendedReports pretended;
-  private String said = "";
+  private String output = "";
 
   @BeforeEach
   void build() throws IOException {
@@ -44,7 +44,7 @@ class RepeatedTestsTest {
   /** The exit code of {@code ./dfra test} with these words behind. */
   private int test(String tool, String... words) throws IOException, InterruptedException {
     int code = script.run(tool, "test", words);
-    said = script.printed();
+    output = script.printed();
     return code;
   }
 
@@ -60,8 +60,8 @@ class RepeatedTestsTest {
     pretended.leaveMiss("dfra-b/" + reports, "SecondTest", "", BAD);
     pretended.leaveMiss("dfra-b/" + reports, "ThirdTest", "", GOOD);
     pretended.leaveMiss(across, "FourthIT", "", GOOD);
-    assertThat(test(tool, "--seed", "7", "--full")).as(said).isEqualTo(1);
-    assertThat(said)
+    assertThat(test(tool, "--seed", "7", "--full")).as(output).isEqualTo(1);
+    assertThat(output)
         .contains("dfra: running again, alone: ")
         .contains("org.dfra.FirstTest", "org.dfra.SecondTest", "org.dfra.FourthIT")
         .contains("failed: org.dfra.SecondTest.bad: was 3")
@@ -89,9 +89,9 @@ class RepeatedTestsTest {
   void repeatsNothingThatFailedAndNothingThatMissedNoBound() throws Exception {
     pretended.leave("dfra-a", "FirstTest", "1.5", false);
     pretended.leaveMiss("dfra-b/target/surefire-reports", "SecondTest", "\n    " + BAD, GOOD);
-    assertThat(test("maven", "--full")).as(said).isEqualTo(1);
+    assertThat(test("maven", "--full")).as(output).isEqualTo(1);
     assertThat(house.resolve("again")).doesNotExist();
-    assertThat(said)
+    assertThat(output)
         .contains("missed during an overload: org.dfra.SecondTest.bad: it took 3 s")
         .contains("failed: org.dfra.SecondTest.bad: was 3")
         .doesNotContain("running again, alone")
@@ -101,10 +101,10 @@ class RepeatedTestsTest {
   @Test
   void failsEverydayWhereABoundIsMissedAgainAlone() throws Exception {
     pretended.leaveMiss("dfra-a/target/surefire-reports", "FirstTest", "", BAD);
-    assertThat(test("maven")).as(said).isEqualTo(1);
+    assertThat(test("maven")).as(output).isEqualTo(1);
     assertThat(Files.readAllLines(house.resolve("again")))
         .contains("-Dtest=org.dfra.FirstTest", "-Ddfra.full=false", "-Ddfra.test.repeats=false");
-    assertThat(said)
+    assertThat(output)
         .contains("dfra: running again, alone: org.dfra.FirstTest\n")
         .contains("failed: org.dfra.FirstTest.bad: was 3")
         .endsWith("\n1 passed, 1 failed, 0 skipped\n");
@@ -117,8 +117,8 @@ class RepeatedTestsTest {
       pretended.leaveMiss("dfra-a/" + reports, each + "Test", "", GOOD);
     }
     pretended.leaveMiss("dfra-b/" + reports, "DTest", "", "");
-    assertThat(test(tool)).as(said).isZero();
-    assertThat(said)
+    assertThat(test(tool)).as(output).isZero();
+    assertThat(output)
         .contains("dfra: running again, alone: org.dfra.ATest org.dfra.BTest org.dfra.CTest\n")
         .containsOnlyOnce("missed during an overload: ")
         .contains("missed during an overload: org.dfra.DTest.bad: it took 3 s")
@@ -131,8 +131,8 @@ class RepeatedTestsTest {
   @ValueSource(strings = {"--full", "--integration"})
   void failsWhereWhatMissedABoundCannotBeRepeated(String option) throws Exception {
     pretended.leaveMiss("dfra-a/target/surefire-reports", "FirstTest", "", "");
-    assertThat(test("maven", option)).as(said).isEqualTo(1);
-    assertThat(said)
+    assertThat(test("maven", option)).as(output).isEqualTo(1);
+    assertThat(output)
         .contains("missed during an overload: org.dfra.FirstTest.bad: it took 3 s")
         .contains("could not be repeated")
         .endsWith("\n2 passed, 1 failed, 0 skipped\n");
@@ -152,7 +152,9 @@ class RepeatedTestsTest {
             + "case \"$*\" in *dfra.test.repeats=true*) sed 's/MISSED//; s/FirstTest/OtherTest/'"
             + " <%1$s/TEST-org.dfra.FirstTest.xml >%1$s/TEST-org.dfra.OtherTest.xml ;; esac\n"
                 .formatted(reports));
-    assertThat(test("gradle", "--full")).as(said).isZero();
-    assertThat(said).contains("running again, alone").endsWith("\n4 passed, 0 failed, 0 skipped\n");
+    assertThat(test("gradle", "--full")).as(output).isZero();
+    assertThat(output)
+        .contains("running again, alone")
+        .endsWith("\n4 passed, 0 failed, 0 skipped\n");
   }
 }

@@ -148,32 +148,32 @@ class RunVerbsTest {
   }
 
   private Process start(String... words) throws IOException {
-    Path said = Files.createTempFile(folder, "said", ".txt");
-    ProcessBuilder builder = scripts.script(tool, words).redirectOutput(said.toFile());
+    Path output = Files.createTempFile(folder, "said", ".txt");
+    ProcessBuilder builder = scripts.script(tool, words).redirectOutput(output.toFile());
     builder.environment().put("JAVA_HOME", folder.resolve("jdk").toString());
     builder.environment().put("HOME", folder.toString());
     Process script = builder.start();
     script.getOutputStream().close();
     started.add(script);
-    said(script, said);
+    output(script, output);
     return script;
   }
 
-  private final Map<Process, Path> said = new java.util.HashMap<>();
+  private final Map<Process, Path> output = new java.util.HashMap<>();
 
-  private void said(Process script, Path file) {
-    said.put(script, file);
+  private void output(Process script, Path file) {
+    output.put(script, file);
   }
 
-  private String said(Process script) throws IOException {
-    return Files.readString(said.get(script));
+  private String output(Process script) throws IOException {
+    return Files.readString(output.get(script));
   }
 
   /** What {@code ./dfra} says to these words; it has to end by itself. */
   private String dfra(String... words) throws IOException {
     Process script = start(words);
     assertThat(ended(script)).as("./dfra %s has ended", List.of(words)).isTrue();
-    return said(script);
+    return output(script);
   }
 
   private int builds() throws IOException {
@@ -210,7 +210,7 @@ class RunVerbsTest {
     Process build = start("build");
     assertThat(ended(build)).isTrue();
     assertThat(build.exitValue()).isEqualTo(1);
-    assertThat(said(build)).contains("dfra: the build failed; the log is ");
+    assertThat(output(build)).contains("dfra: the build failed; the log is ");
     assertThat(dfra("stop", "--all")).isEqualTo("runs version 1\n" + OLDER);
     assertThat(builds()).isEqualTo(2);
   }
@@ -227,7 +227,7 @@ class RunVerbsTest {
     assertThat(build.isAlive()).as("the build is held up").isTrue();
     Files.delete(tools.resolve("hold"));
     assertThat(ended(build)).isTrue();
-    assertThat(said(build)).isEqualTo(BUILDING);
+    assertThat(output(build)).isEqualTo(BUILDING);
     assertThat(dfra("status")).isEqualTo("runs version 2\n");
   }
 
@@ -243,7 +243,7 @@ class RunVerbsTest {
     assertThat(tests.isAlive()).as("the tests are held up").isTrue();
     Files.delete(tools.resolve("hold"));
     assertThat(ended(tests)).isTrue();
-    assertThat(said(tests)).startsWith("dfra: testing on Java 17 at ");
+    assertThat(output(tests)).startsWith("dfra: testing on Java 17 at ");
   }
 
   @Test
@@ -259,8 +259,8 @@ class RunVerbsTest {
   private String refused(String... words) throws IOException {
     Process script = start(words);
     assertThat(ended(script)).isTrue();
-    assertThat(script.exitValue()).as(said(script)).isEqualTo(69);
-    return said(script);
+    assertThat(script.exitValue()).as(output(script)).isEqualTo(69);
+    return output(script);
   }
 
   @ParameterizedTest
@@ -318,7 +318,7 @@ class RunVerbsTest {
   void leavesWhatRunsItsJarsHoweverOftenIsBuilt() throws Exception {
     dfra("build");
     Process robot = start("up");
-    await().atMost(PATIENCE).until(() -> said(robot).equals("runs version 1\n"));
+    await().atMost(PATIENCE).until(() -> output(robot).equals("runs version 1\n"));
     for (int version = 2; version <= 4; version++) {
       Files.writeString(source, "version " + version + "\n");
       dfra("build");
@@ -326,7 +326,7 @@ class RunVerbsTest {
     assertThat(copies()).as("that of the robot, the last and the one before").hasSize(3);
     Files.createFile(folder.resolve("end"));
     assertThat(ended(robot)).isTrue();
-    assertThat(said(robot)).isEqualTo("runs version 1\nstill version 1\n");
+    assertThat(output(robot)).isEqualTo("runs version 1\nstill version 1\n");
 
     Files.writeString(source, "version 5\n");
     dfra("build");
@@ -341,7 +341,7 @@ class RunVerbsTest {
     tool = with;
     dfra("build");
     Process robot = start("up");
-    await().atMost(PATIENCE).until(() -> said(robot).equals("runs version 1\n"));
+    await().atMost(PATIENCE).until(() -> output(robot).equals("runs version 1\n"));
     for (String outputs :
         List.of(
             "target",
@@ -354,7 +354,7 @@ class RunVerbsTest {
     }
     Files.createFile(folder.resolve("end"));
     assertThat(ended(robot)).isTrue();
-    assertThat(said(robot)).isEqualTo("runs version 1\nstill version 1\n");
+    assertThat(output(robot)).isEqualTo("runs version 1\nstill version 1\n");
     assertThat(dfra("stop", "--all")).isEqualTo("runs version 1\n");
     assertThat(builds()).isOne();
   }

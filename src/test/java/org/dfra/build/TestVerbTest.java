@@ -37,7 +37,7 @@ class TestVerbTest {
   private ScriptFolder script;
   private PretendedReports pretended;
   private Path given;
-  private String said = "";
+  private String output = "";
 
   @BeforeEach
   void build() throws IOException {
@@ -49,12 +49,12 @@ class TestVerbTest {
   /** The exit code of {@code ./dfra test} with these words behind. */
   private int test(String tool, String... words) throws IOException, InterruptedException {
     int code = script.run(tool, "test", words);
-    said = script.printed();
+    output = script.printed();
     return code;
   }
 
   private List<String> given(String tool, String... words) throws Exception {
-    assertThat(test(tool, words)).as(said).isZero();
+    assertThat(test(tool, words)).as(output).isZero();
     return Files.readAllLines(given);
   }
 
@@ -78,7 +78,7 @@ class TestVerbTest {
       strings = {"", "-", "-0", "4x", "1 2", "010", "+5", "-new", "1e3", "9223372036854775808"})
   void refusesASeedThatIsNoNumber(String seed) throws Exception {
     assertThat(test("maven", "--seed", seed)).isEqualTo(64);
-    assertThat(said)
+    assertThat(output)
         .isEqualTo(
             "dfra: --seed \""
                 + seed
@@ -90,12 +90,12 @@ class TestVerbTest {
   @Test
   void saysWhatASeedIsWhereNoneIsGiven() throws Exception {
     assertThat(test("maven", "--full", "--seed")).isEqualTo(64);
-    assertThat(said)
+    assertThat(output)
         .isEqualTo(
             "dfra: --seed needs the number that a failing test printed, or new, as in: ./dfra test"
                 + " --seed 42\n");
     assertThat(test("maven", "--help")).isZero();
-    assertThat(said).contains("[--seed N|new]\n", "  --seed N  ");
+    assertThat(output).contains("[--seed N|new]\n", "  --seed N  ");
   }
 
   @ParameterizedTest
@@ -160,8 +160,8 @@ class TestVerbTest {
   void countsTheTestsOfEveryModuleAndFailsIfOneOfThemDid() throws Exception {
     pretended.leave("dfra-a", "FirstTest", "1.5", true);
     pretended.leave("dfra-b", "SecondTest", "1,002.3", false);
-    assertThat(test("maven")).as(said).isEqualTo(1);
-    assertThat(said)
+    assertThat(test("maven")).as(output).isEqualTo(1);
+    assertThat(output)
         .contains("dfra-a           Tests run: 2, Failures: 1", "dfra-b           Tests run: 2")
         .contains("failed: org.dfra.FirstTest.bad: was 2")
         .doesNotContain("build")
@@ -174,8 +174,8 @@ class TestVerbTest {
   @Test
   void passesIfAllTestsDo() throws Exception {
     pretended.leave("dfra-a", "FirstTest", "1.5", false);
-    assertThat(test("maven")).as(said).isZero();
-    assertThat(said).endsWith("\n2 passed, 0 failed, 0 skipped\n");
+    assertThat(test("maven")).as(output).isZero();
+    assertThat(output).endsWith("\n2 passed, 0 failed, 0 skipped\n");
   }
 
   @Test
@@ -185,12 +185,12 @@ class TestVerbTest {
     for (int i = 0; i < 10; i++) {
       pretended.leave("dfra-c", "Third" + i + "Test", "3." + i, false);
     }
-    assertThat(test("maven")).as(said).isZero();
+    assertThat(test("maven")).as(output).isZero();
     String slowest =
         "The slowest test classes, in seconds:\n"
             + "  1002.3  org.dfra.SecondTest\n"
             + "     3.9  org.dfra.Third9Test\n";
-    assertThat(said)
+    assertThat(output)
         .contains(slowest)
         .contains(
             "The slowest tests, in seconds:\n"
@@ -207,10 +207,10 @@ class TestVerbTest {
     Path during = house.resolve("during");
     String ended = "echo '[ERROR] There was a timeout or other error in the fork'\n";
     Files.writeString(during, Files.readString(during) + ended);
-    assertThat(test("maven")).as(said).isEqualTo(1);
-    assertThat(said).contains("that hung").endsWith("\n2 passed, 1 failed, 0 skipped\n");
+    assertThat(test("maven")).as(output).isEqualTo(1);
+    assertThat(output).contains("that hung").endsWith("\n2 passed, 1 failed, 0 skipped\n");
     Files.writeString(during, Files.readString(during) + "exit 1\n");
-    assertThat(test("maven")).as(said).isEqualTo(1);
-    assertThat(said).endsWith("\n2 passed, 2 failed, 0 skipped\n");
+    assertThat(test("maven")).as(output).isEqualTo(1);
+    assertThat(output).endsWith("\n2 passed, 2 failed, 0 skipped\n");
   }
 }

@@ -114,6 +114,21 @@ class WordsTest {
   }
 
   @Test
+  void findsWholeNames() {
+    assertThat(BannedWords.in("A.java", "double next(Random lot) { return lot.next(); }"))
+        .containsExactly("A.java lot");
+    assertThat(BannedWords.in("A.java", "Object lotNumber; String s = \"a lot\"; // room"))
+        .isEmpty();
+  }
+
+  @Test
+  void findsWordsInTheNamesOfFiles() {
+    assertThat(BannedWords.in("docs/017-letters.md", "Events."))
+        .containsExactly("docs/017-letters.md letters");
+    assertThat(BannedWords.in("src/HelmTest.java", "")).containsExactly("src/HelmTest.java helm");
+  }
+
+  @Test
   void findsIdentifiersInTheRoleInWhichTheyAreBanned() {
     assertThat(BannedWords.in("A.java", "record Methods(int a) { class Eye {} }"))
         .containsExactly("A.java Eye", "A.java Methods");

@@ -130,15 +130,15 @@ abstract class DirectoryContract extends DirectoryFixture {
       list("r", "slow", 1);
       ListedGps gps = list("r", "gps", 5);
       assertThat(received.next()).isEqualTo("matched gps");
-      stage.announce(gps, attributes("r", "gps", 6), Locality.SAME_HOST);
+      fixture.announce(gps, attributes("r", "gps", 6), Locality.SAME_HOST);
       assertThat(received.next()).isEqualTo("changed gps");
-      stage.announce(gps, attributes("r", "gps", 4), Locality.SAME_HOST);
+      fixture.announce(gps, attributes("r", "gps", 4), Locality.SAME_HOST);
       assertThat(received.next()).isEqualTo("unmatched gps");
-      stage.announce(gps, attributes("r", "gps", 7), Locality.SAME_HOST);
+      fixture.announce(gps, attributes("r", "gps", 7), Locality.SAME_HOST);
       assertThat(received.next()).isEqualTo("matched gps");
-      stage.withdraw(gps.id());
+      fixture.withdraw(gps.id());
       assertThat(received.next()).isEqualTo("unmatched gps");
-      stage.loseSight();
+      fixture.loseSight();
       assertThat(received.next()).as("%s", watch).isEqualTo("changed before stale");
     }
     assertThat(received.lines).isEmpty();
@@ -176,7 +176,7 @@ abstract class DirectoryContract extends DirectoryFixture {
       assertThat(blocked.await(10, TimeUnit.SECONDS)).as("%s %s", slow, other).isTrue();
       assertThat(healthy.next()).isEqualTo("matched gps");
       for (int rate = 2; rate <= 9; rate++) {
-        stage.announce(gps, attributes("r", "gps", rate), Locality.SAME_HOST);
+        fixture.announce(gps, attributes("r", "gps", rate), Locality.SAME_HOST);
         assertThat(healthy.next()).isEqualTo("changed gps");
       }
       go.countDown();
@@ -209,9 +209,9 @@ abstract class DirectoryContract extends DirectoryFixture {
   @Test
   void keepsTheLastKnownAsStaleWithItsAge() throws Exception {
     list("r", "gps", 1);
-    stage.announce(new PersonaAttributes("r", "scout", List.of("map"), List.of()));
+    fixture.announce(new PersonaAttributes("r", "scout", List.of("map"), List.of()));
     await().atMost(PATIENCE).until(() -> directory.personas().get(0).attributes().isPresent());
-    stage.loseSight();
+    fixture.loseSight();
     await()
         .atMost(PATIENCE)
         .until(() -> directory.find(ModuleQuery.of(GPSSensor.class)).get(0).stale());
@@ -230,8 +230,8 @@ abstract class DirectoryContract extends DirectoryFixture {
     list("a", "gps", 1);
     PersonaAttributes persona =
         new PersonaAttributes("a", "scout", List.of("map the field"), List.of("no stairs"));
-    stage.announce(persona);
-    stage.announce(new PersonaAttributes("c", "", List.of(), List.of()));
+    fixture.announce(persona);
+    fixture.announce(new PersonaAttributes("c", "", List.of(), List.of()));
     await().atMost(PATIENCE).until(() -> directory.personas().size() == 3);
     await().atMost(PATIENCE).until(() -> directory.personas().get(0).attributes().isPresent());
     List<Persona> personas = directory.personas();
@@ -262,8 +262,8 @@ abstract class DirectoryContract extends DirectoryFixture {
                 assertThat(directory.personas())
                     .extracting(Persona::robot, Persona::host, each -> each.modules().size())
                     .containsExactly(tuple("a", "127.0.0.1", 2), tuple("a", "192.0.2.1", 1)));
-    stage.announce(persona);
-    stage.announce(new PersonaAttributes("b", "carrier", List.of(), List.of()));
+    fixture.announce(persona);
+    fixture.announce(new PersonaAttributes("b", "carrier", List.of(), List.of()));
     await()
         .atMost(PATIENCE)
         .until(() -> directory.personas().stream().anyMatch(each -> each.robot().equals("b")));
@@ -346,7 +346,7 @@ abstract class DirectoryContract extends DirectoryFixture {
     ListedGps x = list("r", "x", 1);
     assertThat(lamp.who()).isEqualTo("x");
     assertThat(lamp).isEqualTo(lamp).hasToString("any Lamp named x on r");
-    stage.withdraw(x.id());
+    fixture.withdraw(x.id());
     await()
         .atMost(PATIENCE)
         .untilAsserted(
@@ -358,7 +358,7 @@ abstract class DirectoryContract extends DirectoryFixture {
     ScriptedQuestions script =
         new ScriptedQuestions(Boolean.getBoolean("dfra.full") ? 10_000 : 1_000);
     for (ScriptedQuestions.Listed each : script.listed()) {
-      stage.announce(each.module(), each.attributes(), Locality.SAME_HOST);
+      fixture.announce(each.module(), each.attributes(), Locality.SAME_HOST);
     }
     ModuleQuery<GPSSensor> all = ModuleQuery.of(GPSSensor.class);
     await()

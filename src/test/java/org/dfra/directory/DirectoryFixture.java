@@ -24,7 +24,7 @@ abstract class DirectoryFixture {
   static final Duration PATIENCE = Duration.ofSeconds(30);
 
   /** A directory together with the means to put modules before it. */
-  interface Stage extends AutoCloseable {
+  interface Fixture extends AutoCloseable {
     ModuleDirectory directory();
 
     /** Makes a module known, or known again. */
@@ -41,21 +41,21 @@ abstract class DirectoryFixture {
     void loseSight() throws Exception;
   }
 
-  Stage stage;
+  Fixture fixture;
   ModuleDirectory directory;
 
-  abstract Stage stage() throws Exception;
+  abstract Fixture fixture() throws Exception;
 
   @BeforeEach
   void begin() throws Exception {
-    stage = stage();
-    directory = stage.directory();
+    fixture = fixture();
+    directory = fixture.directory();
   }
 
   @AfterEach
   void end() throws Exception {
     directory.close();
-    stage.close();
+    fixture.close();
   }
 
   static ModuleAttributes module(String robot, String name, String host, Readiness state) {
@@ -82,7 +82,7 @@ abstract class DirectoryFixture {
 
   ListedGps list(String name, List<Attributes> attributes, Locality locality) throws Exception {
     ListedGps module = new ListedGps(UUID.randomUUID(), name);
-    stage.announce(module, attributes, locality);
+    fixture.announce(module, attributes, locality);
     ModuleAttributes who = (ModuleAttributes) attributes.get(0);
     assertThat(
             directory.findFirst(

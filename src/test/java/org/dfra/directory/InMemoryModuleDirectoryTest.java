@@ -13,10 +13,10 @@ import org.junit.jupiter.api.Test;
 class InMemoryModuleDirectoryTest extends DirectoryContract {
 
   @Override
-  Stage stage() {
+  Fixture fixture() {
     InMemoryModuleDirectory memory = new InMemoryModuleDirectory();
     UUID robot = UUID.randomUUID();
-    return new Stage() {
+    return new Fixture() {
       @Override
       public ModuleDirectory directory() {
         return memory;

@@ -71,7 +71,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
   }
 
   @Override
-  Stage stage() throws Exception {
+  Fixture fixture() throws Exception {
     EmbeddedReggie reggie = start(0);
     return new JiniFixture(
         reggie,
@@ -79,7 +79,7 @@ class JiniModuleDirectoryTest extends DirectoryContract {
   }
 
   /** A lookup service and a client of it. */
-  private final class JiniFixture implements Stage {
+  private final class JiniFixture implements Fixture {
     private final EmbeddedReggie reggie;
     private final JiniModuleDirectory directory;
     private final Map<UUID, ServiceRegistration> registrations = new HashMap<>();

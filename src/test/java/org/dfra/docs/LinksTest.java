@@ -24,14 +24,14 @@ class LinksTest {
       Pattern.compile(
           "(?<![\\w/.~-])(?:config|docs|src|benchmarks|\\.ci|\\.mvn|dfra-[a-z]+)/[\\w./-]*[\\w/]");
 
-  /** A room of the house, wherever it is named. */
-  private static final Pattern ROOM = Pattern.compile("(?<![\\w./<-])dfra-[a-z]+(?![\\w<-])");
+  /** A module of the build, wherever it is named. */
+  private static final Pattern MODULE = Pattern.compile("(?<![\\w./<-])dfra-[a-z]+(?![\\w<-])");
 
   private static final Pattern CLASS =
       Pattern.compile("(?<![\\w.])org\\.dfra\\.(?:[a-z]\\w*\\.)*[A-Z]\\w*");
 
-  /** Names that begin like a room's: a command, a temporary folder, the room that is five now. */
-  private static final Set<String> NO_ROOMS = Set.of("dfra-demo", "dfra-call", "dfra-app");
+  /** Names that begin like a module: a command, a temporary folder, a module that was split. */
+  private static final Set<String> NO_MODULES = Set.of("dfra-demo", "dfra-call", "dfra-app");
 
   @Test
   void everyRelativeLinkLeadsToAFileAndAnHeadingInIt() {
@@ -74,17 +74,18 @@ class LinksTest {
   }
 
   @Test
-  void everyRoomThatIsNamedExists() {
+  void everyModuleThatIsNamedExists() {
     List<String> missing = new ArrayList<>();
     for (Document document : Documents.all()) {
-      ROOM.matcher(document.text())
+      MODULE
+          .matcher(document.text())
           .results()
           .map(found -> found.group())
-          .filter(name -> !NO_ROOMS.contains(name))
+          .filter(name -> !NO_MODULES.contains(name))
           .filter(name -> !Files.isDirectory(Documents.ROOT.resolve(name)))
           .forEach(name -> missing.add(document.name() + ": " + name));
     }
-    assertThat(missing).as("rooms that are named and do not exist").isEmpty();
+    assertThat(missing).as("modules that are named and do not exist").isEmpty();
   }
 
   @Test

@@ -70,11 +70,11 @@ class ModuleConfigurationReferenceTest {
     assertThat(documented.keySet()).as("entries in " + REFERENCE).isEqualTo(asked.keySet());
     asked.forEach(
         (name, question) -> {
-          Asked said = documented.get(name);
-          assertThat(said.type()).as("type of " + name).isEqualTo(question.type());
+          Asked output = documented.get(name);
+          assertThat(output.type()).as("type of " + name).isEqualTo(question.type());
           boolean seen = !question.fallback().equals(String.valueOf(Configuration.NO_DEFAULT));
-          if (seen && said.fallback().matches("`[^`]+`")) { // else asked through a wrapper
-            assertThat(said.fallback())
+          if (seen && output.fallback().matches("`[^`]+`")) { // else asked through a wrapper
+            assertThat(output.fallback())
                 .as("default of " + name)
                 .isEqualTo("`" + question.fallback() + "`");
           }

@@ -224,12 +224,12 @@ class TutorialIT {
 
   /** Runs what a reader types, in a shell that ends at the first failure; gives all it printed. */
   private static String shell(Path in, String commands) throws IOException, InterruptedException {
-    Path said = Files.createTempFile(in, "said", ".txt");
+    Path output = Files.createTempFile(in, "said", ".txt");
     ProcessBuilder shell =
         new ProcessBuilder("sh", "-eu", "-c", commands)
             .directory(in.toFile())
             .redirectErrorStream(true)
-            .redirectOutput(said.toFile());
+            .redirectOutput(output.toFile());
     Path java = Path.of(System.getProperty("java.home"), "bin");
     shell.environment().merge("PATH", java.toString(), (path, own) -> own + ":" + path);
     shell.environment().put("PWD", in.toString());
@@ -239,8 +239,8 @@ class TutorialIT {
     Process process = shell.start();
     boolean ended = process.waitFor(240, TimeUnit.SECONDS);
     process.destroyForcibly();
-    String printed = Files.readString(said, StandardCharsets.UTF_8);
-    Files.delete(said);
+    String printed = Files.readString(output, StandardCharsets.UTF_8);
+    Files.delete(output);
     assertThat(ended).as("%s\nstill runs; it said: %s", commands, printed).isTrue();
     assertThat(process.exitValue()).as("%s\nsaid: %s", commands, printed).isZero();
     return printed;

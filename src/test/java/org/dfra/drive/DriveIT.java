@@ -264,9 +264,9 @@ class DriveIT {
   }
 
   /** What {@code ./dfra} has answered to a question that it can answer. */
-  private static String answered(WheeledRobot.CommandResult said) {
-    assertThat(said.status()).as(said.text()).isZero();
-    return said.text();
+  private static String answered(WheeledRobot.CommandResult result) {
+    assertThat(result.status()).as(result.text()).isZero();
+    return result.text();
   }
 
   @Test

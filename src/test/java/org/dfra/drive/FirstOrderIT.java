@@ -73,10 +73,10 @@ class FirstOrderIT {
               "--host=" + WheeledRobot.HOST,
               "--wait=20",
               "--state=" + robot.phoenix().process().state());
-      String said = new String(stop.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+      String output = new String(stop.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
       Timing whole = running.stop();
-      assertThat(stop.waitFor()).as(said).isZero();
-      assertThat(said)
+      assertThat(stop.waitFor()).as(output).isZero();
+      assertThat(output)
           .isEqualTo(
               "eta/drive: stopped.\n1 effector: 1 stopped.\n"
                   + "dfra: these jars are older than the sources; type ./dfra build to create new ones\n");

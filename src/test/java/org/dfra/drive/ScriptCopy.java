@@ -65,9 +65,9 @@ final class ScriptCopy implements AutoCloseable {
         new ProcessBuilder("sh", "-euc", ". '" + functions + "'; " + home + "; " + archive)
             .redirectErrorStream(true)
             .start();
-    String said = new String(script.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    String output = new String(script.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     try (Stream<Path> files = Files.list(jars.resolve("lib/archive"))) {
-      assertThat(files.map(Path::toString)).as(said).anyMatch(each -> each.endsWith(".jsa"));
+      assertThat(files.map(Path::toString)).as(output).anyMatch(each -> each.endsWith(".jsa"));
     }
   }
 

@@ -107,8 +107,8 @@ class StopIT {
     try (Commander commander = robot.driven(LEASE, AHEAD)) {
       robot.awaitFullSpeed();
       Instant typed = Instant.now();
-      CommandResult said = stop("--all");
-      assertThat(said)
+      CommandResult result = stop("--all");
+      assertThat(result)
           .isEqualTo(new CommandResult(0, "eta/drive: stopped.\n1 effector: 1 stopped.\n"));
       assertTheyStand(typed, "./dfra stop --all was typed");
       await().atMost(PATIENCE).until(commander::hasGivenUp);
@@ -150,9 +150,9 @@ class StopIT {
       WheeledRobot.signal("STOP", pid);
       try {
         Instant typed = Instant.now();
-        CommandResult said =
+        CommandResult result =
             robot.dfra("stop", "--all", "--team=", "--host=" + WheeledRobot.HOST, "--wait=1");
-        assertThat(said)
+        assertThat(result)
             .isEqualTo(new CommandResult(0, "eta/drive: stopped.\n1 effector: 1 stopped.\n"));
         assertTheyStand(typed, "./dfra stop --all was typed, without a lookup service");
       } finally {
@@ -167,7 +167,7 @@ class StopIT {
     try (Commander unused = robot.driven(LEASE, AHEAD)) {
       robot.awaitFullSpeed();
       Instant typed = Instant.now();
-      CommandResult said =
+      CommandResult result =
           robot.dfraHere(
               "stop",
               "--all",
@@ -175,13 +175,13 @@ class StopIT {
               "--host=203.0.113.9",
               "--locator=nowhere:99999",
               "--wait=-1");
-      assertThat(said.text())
+      assertThat(result.text())
           .contains(
               "eta/drive: stopped.",
               "host 203.0.113.9 is not an address of this machine",
               "the lookup service jini://nowhere:99999 cannot be asked: ",
               "--wait=-1.0 is not a number of seconds from 0 to 3600; it waits 2 s");
-      assertThat(said.status()).as("a lookup service was not asked").isEqualTo(4);
+      assertThat(result.status()).as("a lookup service was not asked").isEqualTo(4);
       assertTheyStand(typed, "./dfra stop --all was typed, with wrong options");
     }
     assertNobodyCommands();
@@ -200,11 +200,11 @@ class StopIT {
       WheeledRobot.signal("STOP", pid);
       try {
         Instant typed = Instant.now();
-        CommandResult said =
+        CommandResult result =
             robot.dfraHere("stop", "--all", "--team=", "--host=" + WheeledRobot.HOST, "--wait=1");
-        assertThat(said.text())
+        assertThat(result.text())
             .contains("eta/drive: stopped.\n", "eta/motor: NOT STOPPED: phoenix of this host");
-        assertThat(said.status()).isEqualTo(4);
+        assertThat(result.status()).isEqualTo(4);
         assertTheyStand(typed, "./dfra stop --all was typed, under a name that no XML has");
       } finally {
         WheeledRobot.signal("CONT", pid);
@@ -218,9 +218,9 @@ class StopIT {
     long pid = phoenix.group("eta.wheels").pid();
     WheeledRobot.signal("STOP", pid);
     try {
-      CommandResult said = stop("--all");
-      assertThat(said.status()).as(said.text()).isEqualTo(4);
-      assertThat(said.text())
+      CommandResult result = stop("--all");
+      assertThat(result.status()).as(result.text()).isEqualTo(4);
+      assertThat(result.text())
           .startsWith("eta/drive: NOT STOPPED: ")
           .endsWith("1 effector: 1 NOT STOPPED. Use the robot's own emergency stop.\n");
     } finally {

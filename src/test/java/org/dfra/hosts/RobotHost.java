@@ -79,9 +79,9 @@ final class RobotHost implements AutoCloseable {
   private void bringUp(String xml) throws IOException, InterruptedException {
     String state = "--state=" + folder.resolve("state");
     for (int attempt = 1; dfra("up", xml, "--registry-port=-1", state) != 0; attempt++) {
-      String said = Files.readString(folder.resolve(LOG));
-      assertThat(attempt).as(said).isLessThan(ATTEMPTS);
-      assertThat(said).contains("got no answer within");
+      String printed = Files.readString(folder.resolve(LOG));
+      assertThat(attempt).as(printed).isLessThan(ATTEMPTS);
+      assertThat(printed).contains("got no answer within");
       int unused = dfra("down", state);
     }
   }
@@ -118,10 +118,10 @@ final class RobotHost implements AutoCloseable {
 
   /** Modules that the client here sees, by path: identity and whether fresh. */
   Map<String, String> list() throws IOException, InterruptedException {
-    String said = client.request("list");
-    return said.isBlank()
+    String printed = client.request("list");
+    return printed.isBlank()
         ? Map.of()
-        : Arrays.stream(said.split(" "))
+        : Arrays.stream(printed.split(" "))
             .map(each -> each.split("="))
             .collect(Collectors.toMap(each -> each[0], each -> each[1], (a, b) -> a, TreeMap::new));
   }

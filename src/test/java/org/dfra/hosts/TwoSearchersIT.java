@@ -63,7 +63,7 @@ class TwoSearchersIT {
   private static final List<SerialCable> CABLES = new ArrayList<>();
 
   private static NetworkNamespaceHosts network;
-  private static DemoEnvironment stage;
+  private static DemoEnvironment phase;
   private static Path sockets;
   private static List<RobotHost> hosts = List.of();
 
@@ -72,10 +72,10 @@ class TwoSearchersIT {
     Optional<String> refusal = NetworkNamespaceHosts.unavailableReason();
     assumeTrue(refusal.isEmpty(), () -> refusal.orElse(""));
     network = new NetworkNamespaceHosts();
-    stage = new DemoEnvironment();
+    phase = new DemoEnvironment();
     sockets = Files.createTempDirectory("dfra-cables-"); // a socket's name must be short
     Path field = ROOT.resolve("config/worlds/raster.xml");
-    SimulationProcess world = SimulationProcess.start(stage, field, List.of("--seed=3"));
+    SimulationProcess world = SimulationProcess.start(phase, field, List.of("--seed=3"));
     RobotHost first = host(world, 0, "real");
     hosts = List.of(first);
     String skewed = String.format(Locale.ROOT, "%.4fx since %s", 1 + DRIFT, SKEWED_FROM);
@@ -113,7 +113,7 @@ class TwoSearchersIT {
   @AfterAll
   static void takeDown() throws Exception {
     try (NetworkNamespaceHosts removed = network;
-        DemoEnvironment ended = stage) {
+        DemoEnvironment ended = phase) {
       for (RobotHost host : hosts) {
         host.close();
       }

@@ -222,9 +222,9 @@ class RobotCodebaseIT {
         List.of("--locator=127.0.0.1:" + r1.port(), "--state=" + folder.resolve("nobody's")));
     Process list = new ProcessBuilder(command).redirectErrorStream(true).start();
     list.getOutputStream().close();
-    String said = new String(list.getInputStream().readAllBytes());
-    assertThat(list.waitFor()).as(said).isZero();
-    return said;
+    String printed = new String(list.getInputStream().readAllBytes());
+    assertThat(list.waitFor()).as(printed).isZero();
+    return printed;
   }
 
   @Test

@@ -58,7 +58,7 @@ class AdoptionIT {
     if (used == null) {
       phoenix.start();
     }
-    saidBefore = phoenix.said();
+    saidBefore = phoenix.output();
   }
 
   @AfterEach
@@ -193,7 +193,8 @@ class AdoptionIT {
     assertThat(phoenix.vms()).as("processes left").isEmpty();
     new ServerSocket(phoenix.port, 1, InetAddress.getLoopbackAddress()).close();
     new ServerSocket(phoenix.registryPort, 1, InetAddress.getLoopbackAddress()).close();
-    assertThat(phoenix.said().substring(saidBefore.length())).doesNotContain("did not close well");
+    assertThat(phoenix.output().substring(saidBefore.length()))
+        .doesNotContain("did not close well");
 
     phoenix.start();
     phoenix.awaitStatus("one", s -> s.state() == State.ACTIVE);

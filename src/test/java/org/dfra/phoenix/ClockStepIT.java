@@ -82,7 +82,7 @@ class ClockStepIT {
 
     private final Path clock;
     private final InteractiveProcess process;
-    final String said;
+    final String output;
 
     Skewed(Class<?> main, String... arguments) throws Exception {
       Optional<Path> library = library();
@@ -103,7 +103,7 @@ class ClockStepIT {
       command.add(main.getName());
       command.addAll(List.of(arguments));
       process = new InteractiveProcess(command);
-      said = process.awaitLine();
+      output = process.awaitLine();
     }
 
     private static Optional<Path> library() throws IOException {
@@ -276,9 +276,9 @@ class ClockStepIT {
 
   private void setTheClockOfARegistrar() throws Exception {
     try (Skewed process = new Skewed(Registrar.class)) {
-      LookupLocator locator = new LookupLocator(process.said);
+      LookupLocator locator = new LookupLocator(process.output);
       ServiceRegistrar registrar = locator.getRegistrar();
-      try (ThermometerServer server = thermometer(process.said).serve()) {
+      try (ThermometerServer server = thermometer(process.output).serve()) {
         await(server.toString())
             .atMost(PATIENCE)
             .ignoreExceptionsInstanceOf(RemoteException.class)
@@ -299,7 +299,7 @@ class ClockStepIT {
   private void setTheClockOfAModulesComputer() throws Exception {
     try (EmbeddedReggie reggie = new EmbeddedReggie().start();
         Skewed process = new Skewed(Served.class, reggie.locator())) {
-      await(process.said)
+      await(process.output)
           .atMost(PATIENCE)
           .until(() -> listed(reggie.registrar()).contains("robot/module"));
       for (long step : STEPS) {

@@ -208,7 +208,7 @@ class DiskIT {
       }
       Files.write(log, java.util.Arrays.copyOf(good, good.length - 30));
       phoenix.start();
-      assertThat(phoenix.said()).contains("was torn; it was never acknowledged and is dropped");
+      assertThat(phoenix.output()).contains("was torn; it was never acknowledged and is dropped");
       assertThat(phoenix.admin().getActivatableObjects(group)).hasSize(2);
     }
   }

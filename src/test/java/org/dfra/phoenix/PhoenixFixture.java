@@ -114,7 +114,7 @@ class PhoenixFixture implements AutoCloseable {
     launch();
     assertThat(process.waitFor(PATIENCE.toSeconds(), TimeUnit.SECONDS)).as("phoenix ends").isTrue();
     assertThat(process.exitValue()).as("exit code").isEqualTo(1);
-    return said();
+    return output();
   }
 
   private void launch() throws IOException {
@@ -168,7 +168,7 @@ class PhoenixFixture implements AutoCloseable {
   }
 
   /** What phoenix has printed. */
-  String said() {
+  String output() {
     try {
       return Files.exists(log()) ? Files.readString(log()) : "nothing";
     } catch (IOException e) {
@@ -178,7 +178,7 @@ class PhoenixFixture implements AutoCloseable {
 
   /** The last of it comes first: what quotes a failure may quote one line only. */
   private String lastLines() {
-    List<String> lines = new ArrayList<>(said().lines().toList());
+    List<String> lines = new ArrayList<>(output().lines().toList());
     Collections.reverse(lines);
     return String.join("\n", lines.subList(0, Math.min(20, lines.size())));
   }

@@ -23,10 +23,12 @@ class JvmCommandTest {
     List<String> command = new ArrayList<>(List.of(JvmCommand.java()));
     command.addAll(JvmCommand.options());
     command.add(Child.class.getName());
-    List<String> said = run(command);
-    assertThat(said.get(0)).as("java.rmi.activation, by the boot loader").isEqualTo("boot: null");
-    assertThat(said.get(1)).isEqualTo("home: " + System.getProperty("java.home"));
-    assertThat(said.subList(2, said.size()))
+    List<String> messages = run(command);
+    assertThat(messages.get(0))
+        .as("java.rmi.activation, by the boot loader")
+        .isEqualTo("boot: null");
+    assertThat(messages.get(1)).isEqualTo("home: " + System.getProperty("java.home"));
+    assertThat(messages.subList(2, messages.size()))
         .as("a grandchild would be started just so")
         .isEqualTo(JvmCommand.options());
   }
@@ -35,7 +37,7 @@ class JvmCommandTest {
   void aChildStartedByHandWithRelativePathsHandsOnAbsoluteOnes() throws Exception {
     Path boot = Path.of(System.getProperty("dfra.boot-class-path"));
     Path link = Files.createSymbolicLink(folder.resolve("boot"), boot.toAbsolutePath());
-    List<String> said =
+    List<String> messages =
         run(
             List.of(
                 JvmCommand.java(),
@@ -43,11 +45,11 @@ class JvmCommandTest {
                 "-cp",
                 "extra" + File.pathSeparator + System.getProperty("java.class.path"),
                 Child.class.getName()));
-    assertThat(said.get(0)).isEqualTo("boot: null");
-    assertThat(said).contains("-Xbootclasspath/a:" + folder.toRealPath().resolve("boot"));
-    assertThat(said.get(said.size() - 1))
+    assertThat(messages.get(0)).isEqualTo("boot: null");
+    assertThat(messages).contains("-Xbootclasspath/a:" + folder.toRealPath().resolve("boot"));
+    assertThat(messages.get(messages.size() - 1))
         .startsWith(folder.toRealPath().resolve("extra") + File.pathSeparator);
-    assertThat(said.get(said.size() - 1).split(File.pathSeparator))
+    assertThat(messages.get(messages.size() - 1).split(File.pathSeparator))
         .allSatisfy(entry -> assertThat(Path.of(entry)).isAbsolute());
   }
 
@@ -60,9 +62,9 @@ class JvmCommandTest {
     command.add("-Xlog:cds+dynamic=off");
     command.addAll(JvmCommand.options());
     command.add(Child.class.getName());
-    List<String> said = run(command);
-    assertThat(said.get(0)).as("nothing about the archive").isEqualTo("boot: null");
-    assertThat(said)
+    List<String> messages = run(command);
+    assertThat(messages.get(0)).as("nothing about the archive").isEqualTo("boot: null");
+    assertThat(messages)
         .containsSubsequence(
             "-XX:SharedArchiveFile=" + folder.toRealPath().resolve("classes.jsa"),
             "-Xlog:cds=off",
@@ -75,9 +77,9 @@ class JvmCommandTest {
   private List<String> run(List<String> command) throws IOException, InterruptedException {
     Process process =
         new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).start();
-    String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    assertThat(process.waitFor()).as(said).isZero();
-    return said.lines().toList();
+    String messages = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertThat(process.waitFor()).as(messages).isZero();
+    return messages.lines().toList();
   }
 
   /** Says what it has, and what it would give to a child of its own. */

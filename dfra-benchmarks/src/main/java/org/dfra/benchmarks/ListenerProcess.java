@@ -30,9 +30,9 @@ final class ListenerProcess implements AutoCloseable {
 
   /** Waits until it has subscribed. */
   void awaitReady() throws IOException {
-    String said = line();
-    if (!said.equals("ready")) {
-      throw new IOException("a listener's process said: " + said);
+    String output = line();
+    if (!output.equals("ready")) {
+      throw new IOException("a listener's process said: " + output);
     }
   }
 

@@ -73,7 +73,7 @@ final class ParserBench implements Bench {
         "SICK LMS 200",
         DeviceRecording.of(
             new LmsDevice(
-                ParserBench::room, LmsEmulatorSettings.factoryDefault().withBaud(500_000)),
+                ParserBench::scene, LmsEmulatorSettings.factoryDefault().withBaud(500_000)),
             List.of(LmsCommands.stream())),
         new LmsParser(
                 message -> {
@@ -87,7 +87,7 @@ final class ParserBench implements Bench {
   }
 
   /** A room around the laser; its far wall is out of range. */
-  private static void room(
+  private static void scene(
       Instant time, double first, double step, double longest, double[] distances) {
     for (int i = 0; i < distances.length; i++) {
       distances[i] = 2 + 10 * Math.abs(Math.sin(3 * (first + i * step)));

@@ -24,13 +24,13 @@ record DemoVerdict(RunMeasurements figures, boolean isStrict) {
   /**
    * The sentences below the measurements.
    *
-   * @param pace current speed of this computer, as a fraction of the reference of the time targets;
-   *     evaluated only if there are times
+   * @param speed current speed of this computer, as a fraction of the reference of the time
+   *     targets; evaluated only if there are times
    */
-  List<String> sentences(DoubleSupplier pace) {
+  List<String> sentences(DoubleSupplier speed) {
     List<String> all = new ArrayList<>();
     if (figures.hasTimes()) {
-      all.add(pace(pace.getAsDouble()));
+      all.add(speed(speed.getAsDouble()));
     }
     List<MeasuredValue> late = figures.missedTimes();
     if (!late.isEmpty()) {
@@ -51,7 +51,7 @@ record DemoVerdict(RunMeasurements figures, boolean isStrict) {
     return all;
   }
 
-  private static String pace(double share) {
+  private static String speed(double share) {
     double load = ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage();
     return String.format(
         Locale.ROOT,

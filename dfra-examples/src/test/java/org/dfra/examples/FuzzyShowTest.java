@@ -255,7 +255,7 @@ class FuzzyShowTest {
   }
 
   /** What another virtual machine says and how it ends, in this environment. */
-  private record Ended(int exit, String said) {}
+  private record Ended(int exit, String output) {}
 
   private Ended elsewhere(Map<String, String> environment) throws Exception {
     List<String> command = new ArrayList<>(List.of(JvmCommand.java()));
@@ -266,9 +266,9 @@ class FuzzyShowTest {
     builder.environment().putAll(environment);
     Process process = builder.start();
     try {
-      String said = new String(process.getInputStream().readAllBytes());
+      String output = new String(process.getInputStream().readAllBytes());
       assertThat(process.waitFor(60, TimeUnit.SECONDS)).isTrue();
-      return new Ended(process.exitValue(), said);
+      return new Ended(process.exitValue(), output);
     } finally {
       process.destroyForcibly();
     }
@@ -277,7 +277,7 @@ class FuzzyShowTest {
   @Test
   void needsNoDisplayEvenWhereOneIsNamed() throws Exception {
     Ended ended = elsewhere(Map.of("DISPLAY", "127.0.0.1:99"));
-    assertThat(ended.exit()).as(ended.said()).isZero();
+    assertThat(ended.exit()).as(ended.output()).isZero();
     assertThat(words()).contains("input left");
   }
 
@@ -291,7 +291,7 @@ class FuzzyShowTest {
             "<?xml version=\"1.0\"?><!DOCTYPE fontconfig SYSTEM \"fonts.dtd\"><fontconfig/>");
     Ended ended = elsewhere(Map.of("FONTCONFIG_FILE", none.toString()));
     assertThat(ended.exit()).isEqualTo(1);
-    assertThat(ended.said())
+    assertThat(ended.output())
         .startsWith("dfra: no picture can be painted, since Java finds no font here (")
         .contains("install fontconfig and a font")
         .hasLineCount(1);

@@ -15,7 +15,7 @@ class VerdictTest {
     return new DemoVerdict(figures, isStrict).passed();
   }
 
-  private String said(boolean isStrict) {
+  private String output(boolean isStrict) {
     return String.join(" ", new DemoVerdict(figures, isStrict).sentences(() -> 0.426));
   }
 
@@ -25,19 +25,19 @@ class VerdictTest {
     figures.add(new MeasuredValue("collisions", 0, 0, ""));
     assertThat(isWell(false)).isTrue();
     assertThat(isWell(true)).isFalse();
-    assertThat(said(false))
+    assertThat(output(false))
         .contains("now has 43 % of that speed")
         .contains("1 time was MISSED: gps_front killed to readings received again")
         .contains("not a failure")
         .doesNotContain("FAILED");
-    assertThat(said(true)).contains("With --strict this is a failure.");
+    assertThat(output(true)).contains("With --strict this is a failure.");
   }
 
   @Test
   void whatMustBeTrueAndIsNotIsAFailure() {
     figures.add(new MeasuredValue("troubles that did not come, or were not mended", 1, 0, ""));
     assertThat(isWell(false)).isFalse();
-    assertThat(said(false))
+    assertThat(output(false))
         .isEqualTo(
             "FAILED, although it does not depend on the computer's speed: troubles that did not come,"
                 + " or were not mended.");

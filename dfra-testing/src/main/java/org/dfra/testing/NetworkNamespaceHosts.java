@@ -155,11 +155,11 @@ public final class NetworkNamespaceHosts implements AutoCloseable {
 
   private static String run(String... command) throws IOException, InterruptedException {
     Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
-    String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     if (process.waitFor() != 0) {
-      throw new IOException(String.join(" ", command) + ": " + said.strip());
+      throw new IOException(String.join(" ", command) + ": " + output.strip());
     }
-    return said;
+    return output;
   }
 
   /** Kills the remaining processes on the hosts, with -9, and removes the hosts. Idempotent. */

@@ -136,11 +136,11 @@ class LateModuleTest {
   @Test
   void theCommandWaitsAsLongAsItsOptionSays(@TempDir Path folder) {
     long begun = System.nanoTime();
-    InProcessCommand said =
+    InProcessCommand output =
         InProcessCommand.at(
             REGGIE, folder.resolve("state"), List.of("module", "get", "never", "--wait=1.5"));
-    assertThat(said.code()).as(said.err()).isEqualTo(ExitCode.NOT_FOUND);
-    assertThat(said.err())
+    assertThat(output.code()).as(output.err()).isEqualTo(ExitCode.NOT_FOUND);
+    assertThat(output.err())
         .isEqualTo(
             "dfra: there is no module never; ./dfra module list shows what there is"
                 + System.lineSeparator());

@@ -30,14 +30,14 @@ final class TaskBroadcast {
    *
    * @return the exit code
    */
-  int send(SearchAction said) throws Exception {
+  int send(SearchAction action) throws Exception {
     int silent = 0;
     List<TaskView> tasks = new ArrayList<>();
     try (TeamDirectory team = searches.open()) {
       List<ModuleListing<RasterSearch>> all = searches.find(team);
       for (ModuleListing<RasterSearch> each : all) {
         try {
-          said.apply(each.module());
+          action.apply(each.module());
           tasks.add(TaskView.of(DuplicateRobotNames.displayName(each, all), each));
         } catch (RemoteException | RuntimeException | LinkageError e) {
           if (all.size() == 1 && !(e instanceof RemoteException)) {

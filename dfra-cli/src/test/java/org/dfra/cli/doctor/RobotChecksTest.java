@@ -240,7 +240,7 @@ class RobotChecksTest {
         .returns("there is room for 4 KB in " + folder, Finding::what);
   }
 
-  private static List<Finding> state(Path state, long room) {
-    return new StateCheck(state, path -> room).run();
+  private static List<Finding> state(Path state, long freeBytes) {
+    return new StateCheck(state, path -> freeBytes).run();
   }
 }

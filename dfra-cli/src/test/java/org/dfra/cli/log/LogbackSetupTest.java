@@ -44,7 +44,7 @@ class LogbackSetupTest {
     }
   }
 
-  private String said(Map<String, String> environment, List<String> options, Path... before)
+  private String output(Map<String, String> environment, List<String> options, Path... before)
       throws IOException, InterruptedException {
     List<String> command = new ArrayList<>(List.of(JvmCommand.java()));
     command.addAll(JvmCommand.options());
@@ -64,7 +64,7 @@ class LogbackSetupTest {
 
   @Test
   void aProcessLogsToItsStandardOutput() throws Exception {
-    assertThat(said(Map.of(), List.of()))
+    assertThat(output(Map.of(), List.of()))
         .matches(
             "\\d{4}-\\d\\d-\\d\\dT\\d\\d:\\d\\d:\\d\\d\\.\\d{3}(Z|[+-]\\d\\d:\\d\\d)"
                 + " INFO  \\[main\\] org\\.dfra\\.cli\\.log\\.Talker: by SLF4J\\R");
@@ -72,16 +72,16 @@ class LogbackSetupTest {
 
   @Test
   void theLevelComesFromTheEnvironmentAndReachesJavaUtilLogging() throws Exception {
-    assertThat(said(Map.of(LogbackSetup.LEVEL, "DEBUG"), List.of()))
+    assertThat(output(Map.of(LogbackSetup.LEVEL, "DEBUG"), List.of()))
         .containsSubsequence("by SLF4J", "in detail", "by java.util.logging");
-    assertThat(said(Map.of(LogbackSetup.LEVEL, "DEBUG"), List.of("-DDFRA_LOG=WARN")))
+    assertThat(output(Map.of(LogbackSetup.LEVEL, "DEBUG"), List.of("-DDFRA_LOG=WARN")))
         .as("the property counts first")
         .isEmpty();
   }
 
   @Test
   void saysWhichLevelIsNone() throws Exception {
-    assertThat(said(Map.of(LogbackSetup.LEVEL, "loud"), List.of()))
+    assertThat(output(Map.of(LogbackSetup.LEVEL, "loud"), List.of()))
         .startsWith("dfra: DFRA_LOG=loud is not a log level; INFO is used: set ERROR,")
         .contains("by SLF4J")
         .doesNotContain("in detail");
@@ -95,10 +95,10 @@ class LogbackSetupTest {
             + "<root level=\"INFO\"><appender-ref ref=\"a\"/></root></configuration>";
     Path named = Files.writeString(folder.resolve("named.xml"), xml);
     Path path = Files.createDirectory(folder.resolve("classes"));
-    assertThat(said(Map.of(), List.of("-Dlogback.configurationFile=" + named)))
+    assertThat(output(Map.of(), List.of("-Dlogback.configurationFile=" + named)))
         .isEqualTo("mine: by SLF4J\n");
     Files.writeString(path.resolve("logback.xml"), xml);
-    assertThat(said(Map.of(), List.of(), path)).isEqualTo("mine: by SLF4J\n");
+    assertThat(output(Map.of(), List.of(), path)).isEqualTo("mine: by SLF4J\n");
   }
 
   @ParameterizedTest

@@ -60,7 +60,7 @@ class DiscoveredPhoenixTest {
     return merge.merge(listings, Map.of(), new Confirmations(Arrays.asList(answers)));
   }
 
-  private void assertDoubt(
+  private void assertUncertain(
       String why, List<StopMerge.ProxyClaim> listings, PhoenixAnswer... answers) {
     assertThat(merged(listings, answers))
         .singleElement()
@@ -83,8 +83,8 @@ class DiscoveredPhoenixTest {
 
   @Test
   void itConfirmsNothingThatNoLookupServiceOfItsComputerLists() {
-    assertDoubt("no lookup service of that", List.of(), reported(STRANGER, FOUND, STOPPED));
-    assertDoubt(
+    assertUncertain("no lookup service of that", List.of(), reported(STRANGER, FOUND, STOPPED));
+    assertUncertain(
         "no lookup service of that",
         List.of(listed(ROBOT, Result.STOPPED)),
         reported(STRANGER, FOUND, STOPPED));
@@ -92,7 +92,7 @@ class DiscoveredPhoenixTest {
 
   @Test
   void itConfirmsNoRobotThatAConfiguredPhoenixHas() {
-    assertDoubt(
+    assertUncertain(
         "the configured phoenix of its robot does not",
         List.of(listed(STRANGER, Result.STOPPED)),
         reported(ROBOT, CONFIGURED),
@@ -101,7 +101,7 @@ class DiscoveredPhoenixTest {
 
   @Test
   void itConfirmsNothingWhileAConfiguredPhoenixIsSilent() {
-    assertDoubt(
+    assertUncertain(
         "none of the configured ones answers at 192.0.2.7:1198",
         List.of(listed(STRANGER, Result.STOPPED)),
         silent(ROBOT, CONFIGURED),
@@ -113,8 +113,8 @@ class DiscoveredPhoenixTest {
     List<StopMerge.ProxyClaim> both =
         List.of(listed(STRANGER, Result.STOPPED), listed(ROBOT, Result.STOPPED));
     PhoenixAnswer strangers = reported(STRANGER, FOUND, STOPPED);
-    assertDoubt("the phoenix at 192.0.2.7, where it", both, strangers, silent(ROBOT, FOUND));
-    assertDoubt("the phoenix at 192.0.2.7, where it", both, strangers, reported(ROBOT, FOUND));
+    assertUncertain("the phoenix at 192.0.2.7, where it", both, strangers, silent(ROBOT, FOUND));
+    assertUncertain("the phoenix at 192.0.2.7, where it", both, strangers, reported(ROBOT, FOUND));
     assertThat(merged(both, strangers, reported(ROBOT, FOUND, HANGS)))
         .as("one of both is false")
         .extracting(Outcome::result)
@@ -128,7 +128,7 @@ class DiscoveredPhoenixTest {
     StopMerge.ProxyClaim own = listed(ROBOT, Result.STOPPED);
     for (String elsewhere : Arrays.asList("192.0.2.8", "192.0.2.9", null)) {
       assertStopped(List.of(own, listed(elsewhere, Result.STOPPED)), its, others);
-      assertDoubt(
+      assertUncertain(
           "its proxy from another lookup service does not",
           List.of(own, listed(elsewhere, Result.NOT_STOPPED)),
           its,

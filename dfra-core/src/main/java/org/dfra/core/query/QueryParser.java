@@ -56,7 +56,7 @@ public final class QueryParser {
   private final class Run {
 
     private final TokenStream tokens;
-    private final Set<String> said = new HashSet<>();
+    private final Set<String> seen = new HashSet<>();
 
     Run(List<Token> tokens) {
       this.tokens = new TokenStream(tokens);
@@ -75,7 +75,7 @@ public final class QueryParser {
     private ModuleQuery<? extends Module> clause(ModuleQuery<? extends Module> query) {
       Token first = tokens.next();
       if (first.is("and")) {
-        if (said.contains("with") && !CLAUSES.contains(tokens.peek().text())) {
+        if (seen.contains("with") && !CLAUSES.contains(tokens.peek().text())) {
           return test(query);
         }
         first = tokens.next();
@@ -88,7 +88,7 @@ public final class QueryParser {
                 + NearestName.hint(
                     first.text(), CLAUSES, "; go on with named, on, with or within"));
       }
-      if (!said.add(first.text()) && !first.is("with")) {
+      if (!seen.add(first.text()) && !first.is("with")) {
         throw new QuerySyntaxException(
             first, "\"" + first.text() + "\" occurs here a second time; leave one out");
       }

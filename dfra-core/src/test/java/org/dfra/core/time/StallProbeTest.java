@@ -86,16 +86,16 @@ class StallProbeTest {
   @Test
   void anOverloadExcusesNothingWhereTheTestIsNotRepeated() {
     Timing overloaded = new Timing(Duration.ofSeconds(6), Duration.ZERO, 3);
-    assertThat(said(overloaded, true))
+    assertThat(output(overloaded, true))
         .startsWith("MISSED DURING AN OVERLOAD: listening again took 6.000 s, bound 5.000 s;");
-    assertThatThrownBy(() -> said(overloaded, false))
+    assertThatThrownBy(() -> output(overloaded, false))
         .isInstanceOf(AssertionError.class)
         .hasMessageStartingWith("listening again took 6.000 s, bound 5.000 s;");
     Timing stalled = new Timing(Duration.ofSeconds(6), Duration.ofSeconds(2), 3);
-    assertThat(said(stalled, false)).startsWith("MISSED DURING A STALL: listening again took");
+    assertThat(output(stalled, false)).startsWith("MISSED DURING A STALL: listening again took");
     Timing both = new Timing(Duration.ofSeconds(9), Duration.ofSeconds(2), 3);
     assertThat(both.compareWith(BOUND)).isEqualTo(BoundResult.MISSED_DURING_AN_OVERLOAD);
-    assertThatThrownBy(() -> said(both, false)).isInstanceOf(AssertionError.class);
+    assertThatThrownBy(() -> output(both, false)).isInstanceOf(AssertionError.class);
   }
 
   @Test
@@ -119,7 +119,7 @@ class StallProbeTest {
   }
 
   /** What it prints; not to the console, or ./dfra test would repeat this test. */
-  private static String said(Timing timing, boolean repeats) {
+  private static String output(Timing timing, boolean repeats) {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     timing.requireWithin("listening again", BOUND, repeats, new PrintStream(out));
     return out.toString();

@@ -41,7 +41,7 @@ public final class DeviceLink implements ReopeningLink {
   private final Ticker ticker;
   private final LinkKeeper keeper;
   private final EventCounter eventCounter;
-  private final LinkDiagnostics examination;
+  private final LinkDiagnostics diagnostics;
 
   /** Bytes from other threads, sent by the reader, which alone has the link. */
   private final ConcurrentLinkedQueue<byte[]> outbox = new ConcurrentLinkedQueue<>();
@@ -76,7 +76,7 @@ public final class DeviceLink implements ReopeningLink {
             LinkSettings.backOff(context.parameters()),
             ticker,
             log);
-    this.examination = new LinkDiagnostics(keeper, eventCounter);
+    this.diagnostics = new LinkDiagnostics(keeper, eventCounter);
   }
 
   /** Declares the tests, recoveries and parameters of every device behind a link, see above. */
@@ -170,7 +170,7 @@ public final class DeviceLink implements ReopeningLink {
 
   /** Checks that the link is open. */
   public DiagnosticFinding link() {
-    return examination.link();
+    return diagnostics.link();
   }
 
   private DiagnosticFinding life() throws InterruptedException {
@@ -189,7 +189,7 @@ public final class DeviceLink implements ReopeningLink {
 
   /** Reopens the link and waits for a sign of life; returns a finding. */
   public DiagnosticFinding reopenLink() throws InterruptedException {
-    return examination.reopen("device", this::nextLife);
+    return diagnostics.reopen("device", this::nextLife);
   }
 
   /** Handles the link, from one opening to the next; on the reader thread. */
@@ -201,7 +201,7 @@ public final class DeviceLink implements ReopeningLink {
       outbox.clear();
       protocol.opened(opened);
       link = opened;
-      examination.opened();
+      diagnostics.opened();
     }
 
     @Override

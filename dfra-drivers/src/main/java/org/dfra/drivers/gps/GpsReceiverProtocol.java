@@ -94,16 +94,16 @@ public interface GpsReceiverProtocol {
     /** For a receiver that reports the date only together with UTC. */
     public GpsSolution(
         GpsFix fix,
-        @Nullable String utcDoubt,
+        @Nullable String utcFault,
         String state,
         double horizontalAccuracy,
         double verticalAccuracy) {
-      this(fix, utcDoubt, state, horizontalAccuracy, verticalAccuracy, utcDoubt == null);
+      this(fix, utcFault, state, horizontalAccuracy, verticalAccuracy, utcFault == null);
     }
 
     /** For a receiver that does not report its accuracy. */
-    public GpsSolution(GpsFix fix, @Nullable String utcDoubt, String state) {
-      this(fix, utcDoubt, state, Double.NaN, Double.NaN);
+    public GpsSolution(GpsFix fix, @Nullable String utcFault, String state) {
+      this(fix, utcFault, state, Double.NaN, Double.NaN);
     }
   }
 

@@ -66,7 +66,7 @@ public final class DevicesDemo implements Demo {
   }
 
   private void play(DemoEnvironment environment) throws Exception {
-    progress.chapter("starting the world", "A world starts, and a robot in it");
+    progress.section("starting the world", "A world starts, and a robot in it");
     Instant begin = Instant.now();
     SimulationProcess field = SimulationProcess.start(environment, WORLD);
     Map<String, String> links = field.links(ROBOT);
@@ -105,7 +105,7 @@ public final class DevicesDemo implements Demo {
 
   private void meet(RobotDevices devices, ProgressReporter.Stopwatch sinceColdStart)
       throws Exception {
-    progress.chapter("finding the devices", "A client queries by capability");
+    progress.section("finding the devices", "A client queries by capability");
     DemoAssertions.await("that every device works", PATIENCE, devices::areAllAnswered);
     Duration cold = sinceColdStart.elapsed();
     Table table = new Table("NEEDED", "FOUND");
@@ -125,7 +125,7 @@ public final class DevicesDemo implements Demo {
       DeviceRecorders streams,
       Heading heading)
       throws Exception {
-    progress.chapter(
+    progress.section(
         "driving the square", "The robot drives a square, and its drive's process is killed");
     DemoAssertions.await(
         "that the gyro publishes its rate",
@@ -172,7 +172,7 @@ public final class DevicesDemo implements Demo {
 
   private List<CapturedImage> lookAround(RobotDevices devices, DeviceRecorders streams)
       throws Exception {
-    progress.chapter("turning the head", "The pan-tilt unit turns the cameras");
+    progress.section("turning the head", "The pan-tilt unit turns the cameras");
     PanTiltEffector head = devices.one(devices.panTilt).module();
     List<CapturedImage> photos = new ArrayList<>();
     try (CommandLease lease = head.acquireCommandLease(LEASE)) {
@@ -217,7 +217,7 @@ public final class DevicesDemo implements Demo {
   }
 
   private void judge(SimulationProcess field, Instant begin) throws Exception {
-    progress.chapter("looking at the truth", "Comparison with the ground truth");
+    progress.section("looking at the truth", "Comparison with the ground truth");
     GroundTruthTrack truth = GroundTruthTrack.read(field.truth(), ROBOT, begin);
     Instant moment = java.util.Objects.requireNonNull(killed);
     Instant command = java.util.Objects.requireNonNull(lastCommand);
@@ -241,7 +241,7 @@ public final class DevicesDemo implements Demo {
   private void write(
       SimulationProcess field, DeviceRecorders streams, Instant begin, List<CapturedImage> photos)
       throws Exception {
-    progress.chapter("writing the report", "The report");
+    progress.section("writing the report", "The report");
     long silent = streams.all().stream().filter(each -> each.count() == 0).count();
     DemoAssertions.require(silent == 0, silent + " streams had no readings");
     GroundTruthTrack truth = GroundTruthTrack.read(field.truth(), ROBOT, begin);

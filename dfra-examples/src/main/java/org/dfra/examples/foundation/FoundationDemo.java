@@ -57,7 +57,7 @@ public final class FoundationDemo implements Demo {
   }
 
   private void play(DemoEnvironment environment) throws Exception {
-    progress.chapter("switching on the receiver", "A robot starts");
+    progress.section("switching on the receiver", "A robot starts");
     String link = environment.startReceivers(List.of(ANTENNA)).get(0);
     progress.say(
         "An M12+ receiver is switched on at %s: an emulator that sends the receiver's real bytes.",
@@ -67,7 +67,7 @@ public final class FoundationDemo implements Demo {
     DemoHost host = environment.host("atrv1");
     String locator = bringUp(host, link);
 
-    progress.chapter("finding the receiver", "A client finds a receiver");
+    progress.section("finding the receiver", "A client finds a receiver");
     ProgressReporter.Stopwatch search = progress.stopwatch();
     try (PositionClient client = PositionClient.find(locator, PATIENCE)) {
       progress.say(
@@ -124,7 +124,7 @@ public final class FoundationDemo implements Demo {
 
   private void killTheReceiversGroup(DemoEnvironment environment, DemoHost host, GPSSensor gps)
       throws Exception {
-    progress.chapter("killing the receiver's group", "kill -9 of the receiver's virtual machine");
+    progress.section("killing the receiver's group", "kill -9 of the receiver's virtual machine");
     long old = host.group("gps").pid();
     ProgressReporter.Stopwatch watch = progress.stopwatch();
     environment.signal("KILL", old);
@@ -145,7 +145,7 @@ public final class FoundationDemo implements Demo {
   }
 
   private void silence(DemoEnvironment environment, DemoHost host, GPSSensor gps) throws Exception {
-    progress.chapter(
+    progress.section(
         "stopping the receiver's group",
         "kill -STOP: a process that does not answer, as out of radio range");
     long pid = host.group("gps").pid();
@@ -177,7 +177,7 @@ public final class FoundationDemo implements Demo {
   }
 
   private void activateInALivingGroup(DemoHost host) throws Exception {
-    progress.chapter("activating an object in a living group", "Activation of an object");
+    progress.section("activating an object in a living group", "Activation of an object");
     ActivationSystem system = host.phoenix().system();
     ActivationGroupID group = gpsGroup(host);
     beacon(system, group).pid(); // loads the classes of the PID service
@@ -219,7 +219,7 @@ public final class FoundationDemo implements Demo {
 
   private void killPhoenix(DemoEnvironment environment, DemoHost host, GPSSensor gps)
       throws Exception {
-    progress.chapter("registering many objects", "kill -9 of phoenix");
+    progress.section("registering many objects", "kill -9 of phoenix");
     ActivationSystem system = host.phoenix().system();
     ActivationGroupID group = gpsGroup(host);
     ProgressReporter.Stopwatch watch = progress.stopwatch();
@@ -278,7 +278,7 @@ public final class FoundationDemo implements Demo {
   }
 
   private void callLocally(DemoEnvironment environment, PositionClient client) throws Exception {
-    progress.chapter(
+    progress.section(
         "calling in the same virtual machine", "The proxy in the module's own virtual machine");
     SameVmCall.Result result =
         SameVmCall.measure(client.gps(), environment.startReceivers(List.of(ANTENNA)).get(0));

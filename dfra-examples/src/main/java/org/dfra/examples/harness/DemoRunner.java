@@ -83,7 +83,7 @@ public final class DemoRunner {
   }
 
   private static void end(ProgressReporter progress, DemoEnvironment environment) throws Exception {
-    progress.chapter("shutting down", "The end");
+    progress.section("shutting down", "The end");
     environment.shutDown();
     DemoAssertions.require(
         environment.runningProcesses().isEmpty(),

@@ -47,7 +47,7 @@ final class DiscoveryStep {
    */
   void awaitRobots(int robots, int modules, ProgressReporter.Stopwatch sinceColdStart)
       throws Exception {
-    progress.chapter("finding the robots", "A client finds the robots");
+    progress.section("finding the robots", "A client finds the robots");
     DemoAssertions.await(
         "that " + robots + " robots show " + modules + " working modules each",
         PATIENCE,
@@ -83,7 +83,7 @@ final class DiscoveryStep {
 
   /** Queries by capability. */
   void ask() throws Exception {
-    progress.chapter("asking by capability", "The client queries by capability, not by name");
+    progress.section("asking by capability", "The client queries by capability, not by name");
     List<ModuleListing<LocationSensor>> found = directory.find(CAPABLE_SENSORS);
     int rounds = 1000;
     ProgressReporter.Stopwatch watch = progress.stopwatch();

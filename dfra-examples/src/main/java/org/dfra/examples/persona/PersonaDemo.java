@@ -51,7 +51,7 @@ public final class PersonaDemo implements Demo {
   }
 
   private void play(DemoEnvironment environment) throws Exception {
-    progress.chapter("switching on the receivers", "Two robots start");
+    progress.section("switching on the receivers", "Two robots start");
     List<String> links = environment.startReceivers(ANTENNAS);
     progress.say(
         "%d Motorola M12+ GPS receivers are switched on. They are emulated byte for byte, so that the"
@@ -118,7 +118,7 @@ public final class PersonaDemo implements Demo {
   }
 
   private List<FixLog> listen(ModuleDirectory directory) throws Exception {
-    progress.chapter("listening to the receivers", "The client subscribes to all four");
+    progress.section("listening to the receivers", "The client subscribes to all four");
     List<FixLog> logs = new ArrayList<>();
     for (var each : directory.find(ModuleQuery.of(GPSSensor.class))) {
       logs.add(FixLog.of(each));

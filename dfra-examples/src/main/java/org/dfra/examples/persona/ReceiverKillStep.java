@@ -54,7 +54,7 @@ final class ReceiverKillStep {
 
   /** Kills the process of a receiver that has a listener and a lease. */
   void underASubscription(FixLog log) throws Exception {
-    progress.chapter("killing a receiver", "kill -9 of a receiver's process with a subscriber");
+    progress.section("killing a receiver", "kill -9 of a receiver's process with a subscriber");
     try (ModuleLease lease = log.gps().acquireLease(LEASE)) {
       DemoAssertions.require(lease.isLive(), "the lease on " + log.path() + " is not live");
       awaitClients(log, Instant.MIN);
@@ -120,7 +120,7 @@ final class ReceiverKillStep {
 
   /** Kills the receiver's process during a call that it has not answered. */
   void underACall() throws Exception {
-    progress.chapter("killing a receiver under a call", "kill -9 under a call");
+    progress.section("killing a receiver under a call", "kill -9 under a call");
     awaitAllReady();
     LocationSensor any = directory.proxyFor(DiscoveryStep.CAPABLE_SENSORS.robot(robot.name()));
     String asked = any.location().frame();

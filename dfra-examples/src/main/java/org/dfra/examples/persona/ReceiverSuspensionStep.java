@@ -40,7 +40,7 @@ final class ReceiverSuspensionStep {
    * @param others subscriptions that should not be affected
    */
   void play(FixLog stopped, List<FixLog> others) throws Exception {
-    progress.chapter("stopping a receiver", "kill -STOP: a process stops answering");
+    progress.section("stopping a receiver", "kill -STOP: a process stops answering");
     FixLog.Arrival unused = stopped.next(PATIENCE);
     long process = robot.process(stopped.module());
     List<FixLog.RecordingPeriod> stretches = new ArrayList<>();

@@ -45,7 +45,7 @@ final class ReconfigurationStep {
    * @param logs subscriptions that should not be affected
    */
   void play(String link, String model, List<FixLog> logs) throws Exception {
-    progress.chapter("adding a module", "The robot is reconfigured while it runs");
+    progress.section("adding a module", "The robot is reconfigured while it runs");
     List<FixLog.RecordingPeriod> stretches = logs.stream().map(FixLog::begin).toList();
     ModuleDescription first = like(model, link);
     ProgressReporter.Stopwatch watch = progress.stopwatch();

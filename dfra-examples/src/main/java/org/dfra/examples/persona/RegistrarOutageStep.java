@@ -43,7 +43,7 @@ final class RegistrarOutageStep {
    * @param log the subscription to a receiver of the robot
    */
   void play(FixLog log) throws Exception {
-    progress.chapter("killing the registrar", "A robot's registrar fails for a while");
+    progress.section("killing the registrar", "A robot's registrar fails for a while");
     Set<UUID> before = ids();
     long registrar = robot.process("lookup");
     robot.host().killPhoenix();

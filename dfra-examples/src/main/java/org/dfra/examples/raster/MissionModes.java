@@ -47,12 +47,12 @@ final class MissionModes {
       case LOCAL -> new LocalMission(scenario, setup.longest(), robot -> robot, false);
       case EMBEDDED ->
           new EmbeddedMission(
-              scenario, setup.pace().speed(), setup.longest(), robot -> robot, figures);
+              scenario, setup.simulationSpeed().speed(), setup.longest(), robot -> robot, figures);
       case PROCESSES ->
           new ProcessMission(
               scenario,
               setup.world(),
-              setup.pace().speed(),
+              setup.simulationSpeed().speed(),
               setup.longest(),
               robot -> robot,
               scenario.robots().size() > 1,

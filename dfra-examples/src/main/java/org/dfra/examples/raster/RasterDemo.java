@@ -30,14 +30,14 @@ public final class RasterDemo implements Demo {
 
   private final ProgressReporter progress;
   private final Scenario scenario;
-  private final SimulationSpeed pace;
+  private final SimulationSpeed simulationSpeed;
   private final Mission mission;
   private final Path report;
 
   private RasterDemo(ProgressReporter progress, RasterSetup setup, Path report) {
     this.progress = progress;
     this.scenario = setup.scenario();
-    this.pace = setup.pace();
+    this.simulationSpeed = setup.simulationSpeed();
     this.mission = MissionModes.of(setup, progress.figures());
     this.report = report;
   }
@@ -61,7 +61,7 @@ public final class RasterDemo implements Demo {
     plan();
     MissionResult flight = search();
     List<Scores> scores = judge(flight);
-    progress.chapter("writing the report", "The report");
+    progress.section("writing the report", "The report");
     Path file =
         new RasterReport(
                 scenario, MissionModes.meaning(mission), flight, scores, progress.figures())
@@ -70,7 +70,7 @@ public final class RasterDemo implements Demo {
   }
 
   private void plan() {
-    progress.chapter("planning", "Planning lanes in the region");
+    progress.section("planning", "Planning lanes in the region");
     RasterPlan plan = scenario.plan();
     progress.say(
         "The region around %s has %.0f m². With lanes %.2f m apart, the plan has %s, %d waypoints"
@@ -82,11 +82,11 @@ public final class RasterDemo implements Demo {
         plan.waypoints().size(),
         plan.length());
     progress.say("%s", MissionModes.meaning(mission));
-    pace.slowdownReason().ifPresent(why -> progress.say("%s", why));
+    simulationSpeed.slowdownReason().ifPresent(why -> progress.say("%s", why));
   }
 
   private MissionResult search() throws Exception {
-    progress.chapter(
+    progress.section(
         "searching", "The robots search it, each in the opposite direction to the previous one");
     ProgressReporter.Stopwatch watch = progress.stopwatch();
     MissionResult flight = mission.run(new LiveProgress(progress, System::nanoTime, scenario));
@@ -101,7 +101,7 @@ public final class RasterDemo implements Demo {
   }
 
   private List<Scores> judge(MissionResult flight) {
-    progress.chapter("judging", "Results of the search");
+    progress.section("judging", "Results of the search");
     List<Scores> scores = new ArrayList<>();
     for (int i = 0; i < flight.robots().size(); i++) {
       scores.add(Scores.of(flight.robots().get(i), scenario.plan(i)));

@@ -33,11 +33,11 @@ import org.dfra.sim.world.shape.PlanarShape.Vertex;
  * @param scenario the region and the robots
  * @param world the file of the world; its seed is the scenario's, not always the file's
  * @param mode the selected mode
- * @param pace speed of the robots' clock
+ * @param simulationSpeed speed of the robots' clock
  * @param longest timeout of the search, robots' clock
  */
 record RasterSetup(
-    Scenario scenario, Path world, Mode mode, SimulationSpeed pace, Duration longest) {
+    Scenario scenario, Path world, Mode mode, SimulationSpeed simulationSpeed, Duration longest) {
 
   /** Modes of running a search. */
   enum Mode {

@@ -81,7 +81,7 @@ public final class RecruitDemo implements Demo {
       InstantSource clock = RobotTime.clock();
       WorldDescription world = WorldXml.read(WORLD);
       List<String> names = world.vehicles().stream().map(each -> each.name()).toList();
-      progress.chapter("starting the robots", "The team");
+      progress.section("starting the robots", "The team");
       progress.say(
           "Five robots in a simulated world. Each robot's modules except its agent are embedded in"
               + " this virtual machine: registrar, drivers that read the bytes of emulated devices"
@@ -120,7 +120,7 @@ public final class RecruitDemo implements Demo {
                     clock);
             scenario.play();
           }
-          progress.chapter("writing the report", "The report");
+          progress.section("writing the report", "The report");
           DemoTimeline timeline = new DemoTimeline(began, frame, monitor, ways);
           RecruitCharts figures = new RecruitCharts(names, world, timeline);
           Path file = new RecruitReport(timeline, figures, speed, progress.figures()).write(report);

@@ -112,7 +112,7 @@ final class RecruitScenario {
   }
 
   private void refuse(HelpRequester calls) throws Exception {
-    progress.chapter("asking for what cannot be", "An impossible call is refused");
+    progress.section("asking for what cannot be", "An impossible call is refused");
     HelpCall gold = new HelpCall("gold", place(12, 11), SHORT_STAY, LOOKED_FOR);
     calls.awaitOthers(gold);
     calls.requireRefused(gold);
@@ -120,7 +120,7 @@ final class RecruitScenario {
   }
 
   private void oneComesAndIsReleased(HoverCaller scout, HelpRequester calls) throws Exception {
-    progress.chapter("recruiting one", "A helper comes, observes, and is released");
+    progress.section("recruiting one", "A helper comes, observes, and is released");
     HelpCall call = new HelpCall(PERCEPT, place(12, 11), LONG_STAY, LOOKED_FOR);
     scout.lookAt(call.position());
     ProgressReporter.Stopwatch watch = progress.stopwatch();
@@ -136,7 +136,7 @@ final class RecruitScenario {
 
   /** Returns the robot that died. */
   private String oneDiesOnItsWay(HoverCaller scout, HelpRequester calls) throws Exception {
-    progress.chapter("killing a helper on its way", "A helper dies on its way, and is replaced");
+    progress.section("killing a helper on its way", "A helper dies on its way, and is replaced");
     HelpCall call = new HelpCall(PERCEPT, place(27, 12), LONG_STAY, LOOKED_FOR);
     scout.lookAt(call.position());
     String dead = calls.call(call, Set.of());
@@ -163,7 +163,7 @@ final class RecruitScenario {
 
   private void theRequesterIsCutOff(HoverCaller scout, HelpRequester calls, String dead)
       throws Exception {
-    progress.chapter("cutting the requester off", "The requester becomes unreachable");
+    progress.section("cutting the requester off", "The requester becomes unreachable");
     HelpCall call = new HelpCall(PERCEPT, place(16, 18), SHORT_STAY, LOOKED_FOR);
     scout.lookAt(call.position());
     progress.say("%s comes.", calls.call(call, Set.of(dead)));
@@ -185,7 +185,7 @@ final class RecruitScenario {
   }
 
   private void judge(String dead) throws Exception {
-    progress.chapter("judging", "Results");
+    progress.section("judging", "Results");
     Map<String, List<RecruitmentStatus>> recruited = monitor.statuses();
     recruited.keySet().retainAll(monitor.helpers());
     recruited.remove(dead);

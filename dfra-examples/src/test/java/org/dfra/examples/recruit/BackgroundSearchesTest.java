@@ -41,13 +41,13 @@ class BackgroundSearchesTest {
   private static final List<RecruitmentStatus> HELPED =
       List.of(agent(10, ResponderPhase.TRAVELLING), agent(20, ResponderPhase.FREE));
 
-  private final StringWriter said = new StringWriter();
+  private final StringWriter output = new StringWriter();
   private final Map<String, ModuleListener> listeners = new HashMap<>();
   private final Map<String, UUID> goals = new HashMap<>();
   private final List<String> cancelled = new ArrayList<>();
   private final BackgroundSearches searches =
       new BackgroundSearches(
-          new ProgressReporter(new PrintWriter(said), () -> 0),
+          new ProgressReporter(new PrintWriter(output), () -> 0),
           fake(ModuleDirectory.class, this::directory),
           new LocalFrame(new GeoPosition(48, 11, 0)),
           Duration.ofMillis(20));
@@ -108,8 +108,8 @@ class BackgroundSearchesTest {
     report(robot, 1, Phase.RUNNING, 0.25);
   }
 
-  private String said() {
-    return said.toString().replaceAll("\\s+", " "); // lines may end anywhere
+  private String output() {
+    return output.toString().replaceAll("\\s+", " "); // lines may end anywhere
   }
 
   @Test
@@ -123,7 +123,7 @@ class BackgroundSearchesTest {
     Map<String, ResumptionFault> faults = searches.end(Map.of("ugv1", HELPED, "ugv2", HELPED));
     assertThat(faults).containsOnlyKeys("ugv2");
     assertThat(faults.get("ugv2").hadSearched()).isTrue();
-    assertThat(said())
+    assertThat(output())
         .contains("ugv2 has not continued the search that it interrupted, which is PAUSED")
         .contains(
             "ugv1, which interrupted its search to help and then continued it, has searched 50 %")
@@ -138,7 +138,7 @@ class BackgroundSearchesTest {
     Map<String, ResumptionFault> faults = searches.end(Map.of("ugv1", HELPED, "ugv3", HELPED));
     assertThat(faults).containsOnlyKeys("ugv1", "ugv3");
     assertThat(faults.values()).noneMatch(ResumptionFault::hadSearched);
-    assertThat(said())
+    assertThat(output())
         .contains("ugv1 was not searching when it was recruited: its search was SUCCEEDED")
         .contains("ugv3 was not searching when it was recruited: it had no search.");
   }
@@ -149,7 +149,7 @@ class BackgroundSearchesTest {
     begun("ugv2");
     report("ugv2", 12, Phase.FAILED, 0.25);
     assertThat(searches.end(Map.of())).isEmpty();
-    assertThat(said()).contains("ugv1 has searched 25 %", "ugv2 has searched 25 %");
+    assertThat(output()).contains("ugv1 has searched 25 %", "ugv2 has searched 25 %");
   }
 
   @Test
@@ -159,7 +159,7 @@ class BackgroundSearchesTest {
     assertThat(listeners).as("whom it still report").isEmpty();
     assertThat(searches.end(Map.of())).isEmpty();
     assertThat(cancelled).isEmpty();
-    assertThat(said()).doesNotContain("ugv1 has searched");
+    assertThat(output()).doesNotContain("ugv1 has searched");
   }
 
   @Test

@@ -59,7 +59,7 @@ final class EmbeddedExperiment {
     levels.set("com.sun.jini", LogLevel.ERROR);
     levels.set("org.dfra.river", LogLevel.ERROR); // delays show that the machine was slow
     List<ExperimentCell> cells = EmbeddedRuns.cells();
-    this.progress.chapter("running", "Recruitment strategies compared over remote events");
+    this.progress.section("running", "Recruitment strategies compared over remote events");
     this.progress.say(
         "%d cells with %d seeds each are %d runs of %d calls over JERI; %d run at once, %.0f"
             + " times as fast as real time.",

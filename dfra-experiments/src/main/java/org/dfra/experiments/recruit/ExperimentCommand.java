@@ -142,7 +142,7 @@ final class ExperimentCommand implements Callable<Integer> {
     writable(folder);
     Page.setHeadless();
     ProgressReporter progress = progress();
-    progress.chapter("running", "Recruitment strategies compared by simulation");
+    progress.section("running", "Recruitment strategies compared by simulation");
     progress.say(
         "%d cells with %d seeds each are %d runs, in each of which a robot calls %d times; %d run"
             + " at once.",

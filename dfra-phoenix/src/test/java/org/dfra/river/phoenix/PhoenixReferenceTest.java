@@ -143,13 +143,13 @@ class PhoenixReferenceTest {
     assertThat(documented.keySet()).as("entries in " + REFERENCE).isEqualTo(asked.keySet());
     asked.forEach(
         (name, entry) -> {
-          Entry said = documented.get(name);
-          assertThat(said.type()).as("type of " + name).isEqualTo(entry.type());
-          if (said.fallback().matches("`[^`]+`")) {
-            assertThat(said.fallback()).as("default of " + name).isEqualTo(quoted(entry));
-          } else if (said.fallback().equals("none")) {
+          Entry written = documented.get(name);
+          assertThat(written.type()).as("type of " + name).isEqualTo(entry.type());
+          if (written.fallback().matches("`[^`]+`")) {
+            assertThat(written.fallback()).as("default of " + name).isEqualTo(quoted(entry));
+          } else if (written.fallback().equals("none")) {
             assertThat(entry.fallback()).as("default of " + name).isIn("null", "");
-          } else if (said.fallback().equals("required")) {
+          } else if (written.fallback().equals("required")) {
             assertThat(entry.fallback()).as("default of " + name).isEqualTo("required");
           }
         });

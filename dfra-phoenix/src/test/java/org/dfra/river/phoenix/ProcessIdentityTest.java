@@ -142,38 +142,38 @@ class ProcessIdentityTest {
       boolean unused = living.isAlive() && dead.isAlive(); // loads what it needs
       ScaledTime time = new ScaledTime(4, Instant.EPOCH);
       new ProcessIdentity(living.pid(), "another").kill();
-      List<String> said = new ArrayList<>();
+      List<String> messages = new ArrayList<>();
       List<FileInputStream> open = new ArrayList<>();
       try {
         while (true) {
           open.add(new FileInputStream("/dev/null"));
         }
       } catch (FileNotFoundException e) { // too many open files
-        said.add("a time says its boot when starved: " + time.toHostText().contains("(boot "));
-        said.add("alive when starved: " + living.isAlive());
-        said.add("dead when starved: " + !dead.isAlive());
+        messages.add("a time says its boot when starved: " + time.toHostText().contains("(boot "));
+        messages.add("alive when starved: " + living.isAlive());
+        messages.add("dead when starved: " + !dead.isAlive());
         living.kill();
-        said.add("alive after it was to be ended: " + living.isAlive());
+        messages.add("alive after it was to be ended: " + living.isAlive());
         try {
           ProcessIdentity found = ProcessIdentity.of(ProcessHandle.current());
-          said.add("a new one: " + found);
+          messages.add("a new one: " + found);
         } catch (UncheckedIOException unknown) {
-          said.add("a new one: cannot be identified");
+          messages.add("a new one: cannot be identified");
         }
         try {
-          said.add("a search: " + ProcessIdentity.find(living.pid()));
+          messages.add("a search: " + ProcessIdentity.find(living.pid()));
         } catch (IOException unknown) {
-          said.add("a search: cannot be found out");
+          messages.add("a search: cannot be found out");
         }
-        said.add("a search for the dead: " + ProcessIdentity.find(dead.pid()).isPresent());
+        messages.add("a search for the dead: " + ProcessIdentity.find(dead.pid()).isPresent());
       }
       for (FileInputStream each : open) {
         each.close();
       }
-      said.add("a time says its boot when fed: " + time.toHostText().contains("(boot "));
+      messages.add("a time says its boot when fed: " + time.toHostText().contains("(boot "));
       living.kill();
-      said.add("ended when fed: " + living.awaitExit(Duration.ofSeconds(20)));
-      said.forEach(System.out::println);
+      messages.add("ended when fed: " + living.awaitExit(Duration.ofSeconds(20)));
+      messages.forEach(System.out::println);
     }
   }
 }

@@ -125,7 +125,7 @@ public final class RecruitmentAgentImpl extends ModuleImpl
     this.body = new ModuleRobotPort(context, traits, log);
     this.transport = new DirectoryTransport(context, log);
     this.memory = new AgentSnapshotStore(context, boot);
-    this.agreement = new TimeoutConsistencyMonitor(context, said(null), log);
+    this.agreement = new TimeoutConsistencyMonitor(context, attributes(null), log);
     parameterTable()
         .declareReadOnly(
             "disagreements",
@@ -278,10 +278,10 @@ public final class RecruitmentAgentImpl extends ModuleImpl
 
   @Override
   public List<Attributes> attributes() {
-    return List.of(said(body.holdReason().orElse(null)));
+    return List.of(attributes(body.holdReason().orElse(null)));
   }
 
-  private RecruitmentAttributes said(@Nullable String held) {
+  private RecruitmentAttributes attributes(@Nullable String held) {
     return new RecruitmentAttributes(
         traits.percepts(),
         traits.speed(),

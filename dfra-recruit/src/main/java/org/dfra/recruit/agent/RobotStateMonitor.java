@@ -206,10 +206,10 @@ final class RobotStateMonitor implements AutoCloseable {
     if (last != null) {
       return last.status().phase();
     }
-    String said =
+    String reported =
         behavior.attributes(BehaviorAttributes.class).map(BehaviorAttributes::phase).orElse("");
     return Arrays.stream(Phase.values())
-        .filter(each -> each.name().equals(said))
+        .filter(each -> each.name().equals(reported))
         .findFirst()
         .orElse(Phase.IDLE);
   }

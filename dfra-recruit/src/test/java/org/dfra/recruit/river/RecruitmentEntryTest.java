@@ -13,9 +13,9 @@ class RecruitmentEntryTest {
 
   @Test
   void mirrorsItsRecord() {
-    RecruitmentAttributes said =
+    RecruitmentAttributes attributes =
         new RecruitmentAttributes(List.of("mine", "heat"), 0.7, "affective", 20, 1);
-    Entry[] entries = Entries.toEntries(List.of(said));
+    Entry[] entries = Entries.toEntries(List.of(attributes));
     assertThat(entries).hasSize(1);
     assertThat(entries[0])
         .isInstanceOfSatisfying(
@@ -25,15 +25,16 @@ class RecruitmentEntryTest {
               assertThat(entry.speed).isEqualTo(0.7);
               assertThat(entry.strategy).isEqualTo("affective", 20, 1);
             });
-    assertThat(Entries.toAttributes(entries)).containsExactly(said);
+    assertThat(Entries.toAttributes(entries)).containsExactly(attributes);
   }
 
   @Test
   void whatOneThatIsHeldSaysComesBack() {
-    RecruitmentAttributes said =
+    RecruitmentAttributes attributes =
         new RecruitmentAttributes(
             List.of("mine"), 0.7, "affective", 20, 1, "an operator stopped it");
-    assertThat(Entries.toAttributes(Entries.toEntries(List.of(said)))).containsExactly(said);
+    assertThat(Entries.toAttributes(Entries.toEntries(List.of(attributes))))
+        .containsExactly(attributes);
   }
 
   @Test

@@ -77,7 +77,7 @@ final class RuleTable {
       List<Cell> line = new ArrayList<>();
       for (int[] column : MatrixPanel.combinationsOf(columns)) {
         int[] terms = IntStream.concat(IntStream.of(row), IntStream.of(column)).toArray();
-        line.add(cell(variable, said(terms, output)));
+        line.add(cell(variable, seen(terms, output)));
       }
       cells.add(line);
     }
@@ -85,8 +85,8 @@ final class RuleTable {
   }
 
   /** The consequents of the rules that apply to these terms, given by their indices from 0. */
-  private Set<Integer> said(int[] terms, int output) {
-    Set<Integer> said = new LinkedHashSet<>();
+  private Set<Integer> seen(int[] terms, int output) {
+    Set<Integer> seen = new LinkedHashSet<>();
     for (Rule rule : system.rules()) {
       int consequent = rule.consequents().get(output);
       boolean holds =
@@ -97,22 +97,22 @@ final class RuleTable {
                           rule.antecedents().get(i) == 0
                               || rule.antecedents().get(i) == terms[i] + 1);
       if (holds && consequent != 0) {
-        said.add(consequent);
+        seen.add(consequent);
       }
     }
-    return said;
+    return seen;
   }
 
-  private static Cell cell(Variable output, Set<Integer> said) {
-    if (said.isEmpty()) {
+  private static Cell cell(Variable output, Set<Integer> seen) {
+    if (seen.isEmpty()) {
       return Cell.EMPTY;
     }
     String text =
         String.join(
-            " | ", said.stream().map(term -> RuleFormatter.termLabel(output, term)).toList());
-    boolean isOne = said.size() == 1 && said.iterator().next() > 0;
+            " | ", seen.stream().map(term -> RuleFormatter.termLabel(output, term)).toList());
+    boolean isOne = seen.size() == 1 && seen.iterator().next() > 0;
     int last = Math.max(1, output.terms().size() - 1);
-    double part = isOne ? (said.iterator().next() - 1.0) / last : Double.NaN;
+    double part = isOne ? (seen.iterator().next() - 1.0) / last : Double.NaN;
     return new Cell(text, part, Surface.isAroundZero(output));
   }
 }

@@ -153,8 +153,8 @@ public final class MatrixPanel implements Panel {
   }
 
   private static void name(
-      Graphics2D g, String text, double x, double y, double room, PanelText.Side side) {
-    String fitting = PanelText.fitting(text, PanelText.STRONG, room - 2.0 * GAP);
+      Graphics2D g, String text, double x, double y, double available, PanelText.Side side) {
+    String fitting = PanelText.fitting(text, PanelText.STRONG, available - 2.0 * GAP);
     double baseline = y + (LINE_HEIGHT + PanelText.height(PanelText.STRONG)) / 2;
     PanelText.paint(g, fitting, PanelText.STRONG, Palette.INK, x, baseline, side);
   }

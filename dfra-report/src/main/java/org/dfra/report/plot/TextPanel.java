@@ -77,11 +77,12 @@ public final class TextPanel implements Panel {
     int perColumn = perColumn(pieces);
     for (int i = 0; i < pieces.size(); i++) {
       double x = MARGIN + i / perColumn * (columnWidth(width) + MARGIN);
-      double room = columnWidth(width);
+      double available = columnWidth(width);
       boolean goesOn = pieces.get(i).startsWith("\t");
       PanelText.paint(
           g,
-          PanelText.fitting(pieces.get(i).strip(), PanelText.PLAIN, room - (goesOn ? INDENT : 0)),
+          PanelText.fitting(
+              pieces.get(i).strip(), PanelText.PLAIN, available - (goesOn ? INDENT : 0)),
           PanelText.PLAIN,
           Palette.INK,
           x + (goesOn ? INDENT : 0),

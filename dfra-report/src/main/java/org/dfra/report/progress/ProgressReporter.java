@@ -97,7 +97,7 @@ public final class ProgressReporter {
   }
 
   /** Begins a step with a heading of its own. */
-  public void chapter(String doing, String title) {
+  public void section(String doing, String title) {
     step(doing);
     heading(title);
   }

@@ -72,10 +72,11 @@ public final class LiveBlock {
 
   /** At most as many lines as the terminal has: lines that have scrolled off cannot be redrawn. */
   private String shown() {
-    Terminal.Size room = size.get();
+    Terminal.Size available = size.get();
     List<String> fitting = new ArrayList<>();
-    for (String line : lines.subList(0, Math.min(lines.size(), Math.max(1, room.rows() - 1)))) {
-      fitting.add(cut(line, room.columns()));
+    for (String line :
+        lines.subList(0, Math.min(lines.size(), Math.max(1, available.rows() - 1)))) {
+      fitting.add(cut(line, available.columns()));
     }
     drawn = List.copyOf(fitting);
     if (fitting.isEmpty()) {

@@ -137,8 +137,8 @@ public final class Table {
     pieces = TextWrap.wrap(cell, Math.max(1, width - GAP.length()));
     List<String> lines = new ArrayList<>(pieces.subList(0, 1));
     for (String piece : pieces.subList(1, pieces.size())) {
-      int room = Math.max(0, Math.min(GAP.length(), width - TextWrap.width(piece)));
-      lines.add(" ".repeat(room) + piece);
+      int available = Math.max(0, Math.min(GAP.length(), width - TextWrap.width(piece)));
+      lines.add(" ".repeat(available) + piece);
     }
     return lines;
   }
@@ -146,12 +146,12 @@ public final class Table {
   /** Each cell in a line of its own, after its heading; the headings' line stays the first. */
   private List<String> paragraphs(int columns) {
     int name = headings.stream().mapToInt(TextWrap::width).max().orElse(0);
-    int room = Math.max(1, columns - name - GAP.length());
+    int available = Math.max(1, columns - name - GAP.length());
     List<String> lines = new ArrayList<>(TextWrap.wrap(String.join(GAP, headings), columns));
     for (List<String> row : rows) {
       for (int i = 0; i < row.size(); i++) {
         String heading = headings.get(i);
-        for (String piece : TextWrap.wrap(row.get(i), room)) {
+        for (String piece : TextWrap.wrap(row.get(i), available)) {
           lines.add((TextWrap.padded(heading, name) + GAP + piece).stripTrailing());
           heading = "";
         }

@@ -74,9 +74,9 @@ public final class TextWrap {
     for (String word : BREAK.split(text.strip().replaceAll("\\s+", " "), -1)) {
       for (String piece : pieces(word, columns)) {
         boolean isRest = !piece.equals(word) && !word.startsWith(piece);
-        int room = lines.isEmpty() ? first : columns;
+        int available = lines.isEmpty() ? first : columns;
         int needed = line.isEmpty() ? width(piece) : width(line) + 1 + width(piece);
-        if (isRest || (needed > room && !line.isEmpty())) {
+        if (isRest || (needed > available && !line.isEmpty())) {
           lines.add(line.toString());
           line.setLength(0);
         }

@@ -28,7 +28,7 @@ class ProgressReporterTest {
     progress.redraw(List.of("first", "second"));
     progress.say("A sentence.");
     progress.redraw(List.of("third", "fourth"));
-    progress.chapter("testing", "Another chapter");
+    progress.section("testing", "Another chapter");
     progress.show(List.of("a table"));
     progress.figure("seen", 1, 2, "m");
     progress.table();
@@ -59,7 +59,7 @@ class ProgressReporterTest {
             + "org.dfra.river.call.DeadlineInvocationHandler$ThisIsALongNameOfANestedClass]";
     String why = "Remote exception to " + endpoint + "; nested exception is: \n\tTimeoutException";
     plain.say("ugv3 appears, but cannot be listened to: %s", why);
-    plain.chapter("testing", "FAILED while " + why);
+    plain.section("testing", "FAILED while " + why);
     plain.remark(why);
     assertThat(piped.toString().lines())
         .filteredOn(line -> line.length() > 96)
@@ -130,11 +130,11 @@ class ProgressReporterTest {
   void aSentenceIsBrokenWhereTheTerminalEnds() {
     String words = "word ".repeat(30).strip();
     for (int columns : new int[] {50, 80, 200}) {
-      StringWriter said = new StringWriter();
+      StringWriter output = new StringWriter();
       new ProgressReporter(
-              new PrintWriter(said), () -> 0, true, () -> new Terminal.Size(columns, 24))
+              new PrintWriter(output), () -> 0, true, () -> new Terminal.Size(columns, 24))
           .say("%s", words);
-      int widest = said.toString().lines().mapToInt(String::length).max().orElseThrow();
+      int widest = output.toString().lines().mapToInt(String::length).max().orElseThrow();
       assertThat(widest)
           .as("on %d columns", columns)
           .isBetween(columns > 96 ? 92 : columns - 5, Math.min(96, columns));
@@ -143,9 +143,9 @@ class ProgressReporterTest {
 
   @Test
   void aSentenceIsAsWideAsEverWhereThereIsNoTerminal() {
-    StringWriter said = new StringWriter();
-    new ProgressReporter(new PrintWriter(said), () -> 0).say("%s", "word ".repeat(30).strip());
-    assertThat(said.toString().lines().mapToInt(String::length).max().orElseThrow())
+    StringWriter output = new StringWriter();
+    new ProgressReporter(new PrintWriter(output), () -> 0).say("%s", "word ".repeat(30).strip());
+    assertThat(output.toString().lines().mapToInt(String::length).max().orElseThrow())
         .isBetween(92, 96);
   }
 
@@ -153,19 +153,19 @@ class ProgressReporterTest {
   @Test
   void figuresHaveColoursOnlyWhereTheyAreWanted() {
     for (boolean isColoured : new boolean[] {true, false}) {
-      StringWriter said = new StringWriter();
+      StringWriter output = new StringWriter();
       ProgressReporter closing =
           new ProgressReporter(
-              new PrintWriter(said), () -> 0, false, () -> Terminal.Size.UNLIMITED, isColoured);
+              new PrintWriter(output), () -> 0, false, () -> Terminal.Size.UNLIMITED, isColoured);
       closing.figure("receiver back", 7.3, 5, "s");
       closing.figure("collisions", 0, 0, "");
       closing.table();
       closing.remark("FAILED: this must be true.");
       if (isColoured) {
-        assertThat(said.toString())
+        assertThat(output.toString())
             .contains("\u001b[31mMISSED\u001b[0m", "\u001b[31mFAILED\u001b[0m: this");
       } else {
-        assertThat(said.toString())
+        assertThat(output.toString())
             .contains(" MISSED", "FAILED: this must be true.")
             .doesNotContainPattern("[\\p{Cntrl}&&[^\n]]");
       }

@@ -49,7 +49,7 @@ class PrintedTextTest {
 
   private record Printed(String out, String err) {}
 
-  private static Printed said(Ansi ansi, String... options) {
+  private static Printed printed(Ansi ansi, String... options) {
     StringWriter out = new StringWriter();
     StringWriter err = new StringWriter();
     CommandLine line = new CommandLine(new Says());
@@ -68,22 +68,22 @@ class PrintedTextTest {
 
   @Test
   void anAnswerShowsItAndStaysInItsLine() {
-    Printed said = said(Ansi.OFF);
-    assertHarmless(said.out());
-    assertThat(said.out().split("x\\\\n2 stopped", -1)).as("times shown").hasSizeGreaterThan(5);
-    assertThat(said.err()).isEqualTo("dfra: " + SHOWN + System.lineSeparator());
+    Printed printed = printed(Ansi.OFF);
+    assertHarmless(printed.out());
+    assertThat(printed.out().split("x\\\\n2 stopped", -1)).as("times shown").hasSizeGreaterThan(5);
+    assertThat(printed.err()).isEqualTo("dfra: " + SHOWN + System.lineSeparator());
   }
 
   @Test
   void ourOwnColoursStay() {
-    String out = said(Ansi.ON).out();
+    String out = printed(Ansi.ON).out();
     assertThat(out).contains("\u001b[32mready\u001b[0m", "\u001b[1mMODULE");
     assertHarmless(out.replaceAll(OURS, ""));
   }
 
   @Test
   void programsReadTheTextItself() throws Exception {
-    String out = said(Ansi.OFF, "--json").out();
+    String out = printed(Ansi.OFF, "--json").out();
     assertHarmless(out);
     assertThat(new ObjectMapper().readTree(Json.line(Map.of("name", HOSTILE))).get("name").asText())
         .isEqualTo(HOSTILE);

@@ -329,11 +329,11 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
   }
 
   private String lastError() throws IOException {
-    String said = Files.readString(log());
-    int last = said.lastIndexOf(Phoenix.CANNOT_START);
+    String printed = Files.readString(log());
+    int last = printed.lastIndexOf(Phoenix.CANNOT_START);
     return last < 0
         ? "see " + log()
-        : said.substring(last + Phoenix.CANNOT_START.length()).lines().findFirst().orElse("");
+        : printed.substring(last + Phoenix.CANNOT_START.length()).lines().findFirst().orElse("");
   }
 
   private List<String> command() {

@@ -62,7 +62,7 @@ final class DiagnosticRunner {
     return sort == DiagnosticType.TEST ? subject.test(name) : subject.recover(name);
   }
 
-  private void start(UUID id, String name, Callable<Diagnosis> examination) {
+  private void start(UUID id, String name, Callable<Diagnosis> diagnostics) {
     if (!places.tryAcquire()) {
       throw new IllegalStateException(
           module
@@ -72,7 +72,7 @@ final class DiagnosticRunner {
               + name
               + "\" when one of them has ended");
     }
-    FutureTask<Diagnosis> run = new FutureTask<>(examination);
+    FutureTask<Diagnosis> run = new FutureTask<>(diagnostics);
     boolean isStarted = false;
     try {
       synchronized (runs) {

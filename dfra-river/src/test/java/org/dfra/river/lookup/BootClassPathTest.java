@@ -39,19 +39,19 @@ class BootClassPathTest {
         .collect(Collectors.joining(File.pathSeparator));
   }
 
-  private static String said(String classPath) throws Exception {
+  private static String output(String classPath) throws Exception {
     Process client =
         new ProcessBuilder(JvmCommand.java(), "-cp", classPath, Client.class.getName())
             .redirectErrorStream(true)
             .start();
-    String said = new String(client.getInputStream().readAllBytes());
-    assertThat(client.waitFor()).as(said).isZero();
-    return said;
+    String output = new String(client.getInputStream().readAllBytes());
+    assertThat(client.waitFor()).as(output).isZero();
+    return output;
   }
 
   @Test
   void saysInOneSentenceWhichOptionAClientLacks() throws Exception {
-    assertThat(said(withoutActivation()).strip().lines())
+    assertThat(output(withoutActivation()).strip().lines())
         .singleElement()
         .asString()
         .startsWith(
@@ -63,7 +63,7 @@ class BootClassPathTest {
   void saysSoWhereItIsOnTheClassPathOnly() throws Exception {
     String boot = System.getProperty("dfra.boot-class-path");
     String classPath = withoutActivation() + File.pathSeparator + boot;
-    assertThat(said(classPath).strip().lines())
+    assertThat(output(classPath).strip().lines())
         .singleElement()
         .asString()
         .startsWith("java.rmi.activation is on the class path, not on the boot class path; start");

@@ -145,9 +145,9 @@ class EmbeddedMissionIT {
             .run(reported);
 
     RobotMissionResult robot = flight.robots().get(0);
-    String story = flight.events() + "; " + robot.ending() + "; " + figures.all();
-    assertThat(robot.completed()).as(story).isTrue();
-    assertThat(flight.collisions()).as(story).isEmpty();
+    String steps = flight.events() + "; " + robot.ending() + "; " + figures.all();
+    assertThat(robot.completed()).as(steps).isTrue();
+    assertThat(flight.collisions()).as(steps).isEmpty();
     assertThat(flight.events()).as("as reported on the way").isEqualTo(reported.marks());
     String modules = onlooker.described.size() + " modules";
     assertThat(flight.events())
@@ -157,7 +157,7 @@ class EmbeddedMissionIT {
                 assertThat(what).startsWith("its registrar is ended, which listed its " + modules),
             what -> assertThat(what).startsWith("its registrar is back and lists its " + modules));
     assertThat(figure("registrar back: modules that are listed under another service ID"))
-        .as(story)
+        .as(steps)
         .isZero();
     assertThat(robot.samples()).hasSizeGreaterThan(300);
     assertThat(robot.readings().advice()).isNotEmpty();

@@ -70,8 +70,8 @@ class ProcessMissionIT {
         fly(List.of(navigation, new PhoenixOutage(0, 0.3, PhoenixOutage.NEVER, navigation)));
 
     RobotMissionResult robot = flight.robots().get(0);
-    String story = flight.events() + "; " + robot.ending() + "; " + figures.all();
-    assertThat(robot.completed()).as(story).isTrue();
+    String steps = flight.events() + "; " + robot.ending() + "; " + figures.all();
+    assertThat(robot.completed()).as(steps).isTrue();
     assertThat(flight.events()).as("as reported on the way").isEqualTo(reported.marks());
     assertThat(flight.events())
         .extracting(MissionEvent::what)
@@ -80,9 +80,9 @@ class ProcessMissionIT {
             what -> assertThat(what).startsWith("its wheels have stopped"),
             what -> assertThat(what).startsWith("it continues by itself"),
             what -> assertThat(what).startsWith("its phoenix and its registrar are killed"));
-    assertThat(figure(STOP).value()).as(story).isBetween(0.05, 0.5);
+    assertThat(figure(STOP).value()).as(steps).isBetween(0.05, 0.5);
     assertThat(figure("navigation killed: waypoints to be driven to again").value())
-        .as(story)
+        .as(steps)
         .isZero();
     assertThat(robot.samples()).hasSizeGreaterThan(300);
     assertThat(robot.readings().advice()).isNotEmpty();

@@ -42,7 +42,7 @@ final class KalmanTracker implements PoseTracker {
    * A new inflation within this multiple of the rejection timeout after the last counts as a
    * repeated one.
    */
-  private static final int DOUBT_LASTS = 4;
+  private static final int SUSPICION_LASTS = 4;
 
   private static final double DOUBTED_YAW = 0.2; // radians
   private static final double LOST_YAW = 1; // radians
@@ -191,7 +191,7 @@ final class KalmanTracker implements PoseTracker {
 
   /** All fixes were rejected for the timeout: the position is wrong, or more states are. */
   private void suspectPosition(LocalFix fix) {
-    long lasts = DOUBT_LASTS * settings.rejectionTimeout().toNanos();
+    long lasts = SUSPICION_LASTS * settings.rejectionTimeout().toNanos();
     if (hasDoubted && Math.abs(fix.time() - doubted) < lasts) {
       realign(positions.since());
       return;

@@ -242,7 +242,7 @@ class GhostFilterTest {
 
   private static float brute(List<RangeScan> scans, List<Odometry> places, int beam) {
     Odometry now = places.get(places.size() - 1);
-    List<Float> said = new ArrayList<>();
+    List<Float> ranges = new ArrayList<>();
     for (int i = 0; i < scans.size(); i++) {
       RangeScan scan = scans.get(i);
       Odometry then = places.get(i);
@@ -254,12 +254,12 @@ class GhostFilterTest {
       double come =
           (now.x() - then.x()) * Math.cos(bearing) + (now.y() - then.y()) * Math.sin(bearing);
       float range = scan.range((int) old);
-      said.add(Float.isFinite(range) ? (float) Math.max(0, range - come) : range);
+      ranges.add(Float.isFinite(range) ? (float) Math.max(0, range - come) : range);
     }
-    if (2 * said.size() <= scans.size()) {
+    if (2 * ranges.size() <= scans.size()) {
       return Float.NaN;
     }
-    Collections.sort(said);
-    return said.get((said.size() - 1) / 2);
+    Collections.sort(ranges);
+    return ranges.get((ranges.size() - 1) / 2);
   }
 }

@@ -48,7 +48,7 @@ class TeamTrackerTest {
     robots = List.of(first, second);
   }
 
-  private static Teammate mateOf(Searcher robot) {
+  private static Teammate teammateOf(Searcher robot) {
     List<Teammate> teammates = robot.team.team().teammates();
     assertThat(teammates).hasSize(1);
     return teammates.get(0);
@@ -62,7 +62,7 @@ class TeamTrackerTest {
     double naiveMost = 0;
     for (int i = 0; i < 400; i++) {
       truth.step(0.25);
-      Teammate second = mateOf(robots.get(0));
+      Teammate second = teammateOf(robots.get(0));
       ClockOffset clock = Objects.requireNonNull(second.clockOffset());
       double truly = ahead.ahead() - behind.ahead(); // 1.1 s and more
       assertThat(clock.uncertaintySeconds()).as("seed %d", seed).isLessThan(BOUND);
@@ -101,13 +101,13 @@ class TeamTrackerTest {
   void bothSayTheSameOfEachOther() {
     begin(7);
     truth.step(90);
-    ClockOffset second = Objects.requireNonNull(mateOf(robots.get(0)).clockOffset());
-    ClockOffset first = Objects.requireNonNull(mateOf(robots.get(1)).clockOffset());
+    ClockOffset second = Objects.requireNonNull(teammateOf(robots.get(0)).clockOffset());
+    ClockOffset first = Objects.requireNonNull(teammateOf(robots.get(1)).clockOffset());
     assertThat(second.seconds()).isCloseTo(-first.seconds(), within(1e-3));
     // One is of poses that are a cycle older than the other's, and clocks drift meanwhile.
     assertThat(second.uncertaintySeconds()).isCloseTo(first.uncertaintySeconds(), within(1e-3));
     Teammate.RelativePosition near =
-        Objects.requireNonNull(mateOf(robots.get(1)).relativePosition());
+        Objects.requireNonNull(teammateOf(robots.get(1)).relativePosition());
     assertThat(near.east()).as("150 m less what both have driven").isCloseTo(-24, within(0.3));
   }
 
@@ -115,15 +115,15 @@ class TeamTrackerTest {
   void saysForHowLongTheOtherWasOutOfReach() {
     begin(1);
     truth.step(30);
-    assertThat(mateOf(robots.get(0)).isOutOfReach()).isFalse();
+    assertThat(teammateOf(robots.get(0)).isOutOfReach()).isFalse();
     assertThat(gaps()).isEmpty();
     robots.get(1).end(robots.get(1).position);
     truth.step(4);
-    assertThat(mateOf(robots.get(0)).isOutOfReach()).isTrue();
+    assertThat(teammateOf(robots.get(0)).isOutOfReach()).isTrue();
     assertThat(gaps()).singleElement().asString().startsWith("atrv2 is out of reach");
     truth.step(20);
     assertThat(gaps()).as("it says so once").hasSize(1);
-    assertThat(mateOf(robots.get(0)).relativePosition())
+    assertThat(teammateOf(robots.get(0)).relativePosition())
         .as("what was known stays known")
         .isNotNull();
   }

@@ -80,7 +80,7 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
   private final LatestReading<PanTiltState> latest;
   private final DeviceLink deviceLink;
   private final PtuProtocol protocol;
-  private final PtuDiagnostics examination;
+  private final PtuDiagnostics diagnostics;
 
   private volatile double rate;
   private volatile @Nullable PtuGeometry geometry; // null: not reported yet
@@ -114,10 +114,10 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
     this.protocol = new PtuProtocol(new Unit(), ticker, () -> rate, this::send);
     this.deviceLink = new DeviceLink(context, protocol, ticker, source, log);
     this.deviceLink.declareIn(diagnostics(), parameterTable());
-    this.examination =
+    this.diagnostics =
         new PtuDiagnostics(
             deviceLink, protocol, this::commander, () -> emergencyStopState().latched());
-    this.examination.declareIn(diagnostics());
+    this.diagnostics.declareIn(diagnostics());
     parameterTable()
         .declareNumber(
             "rate",
@@ -291,7 +291,7 @@ public final class PtuImpl extends EffectorImpl<PanTiltCommand> implements PanTi
 
     @Override
     public void answered(String question, PtuReply reply) {
-      examination.answered(question, reply);
+      diagnostics.answered(question, reply);
     }
 
     @Override

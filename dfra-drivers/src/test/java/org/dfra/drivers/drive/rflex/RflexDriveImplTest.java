@@ -105,7 +105,7 @@ class RflexDriveImplTest {
   }
 
   /** The controller repeats these frames, and time advances, until this is true. */
-  private void saying(Callable<Boolean> enough, String... frames) {
+  private void reporting(Callable<Boolean> enough, String... frames) {
     await()
         .until(
             () -> {
@@ -116,15 +116,15 @@ class RflexDriveImplTest {
   }
 
   private void serve(boolean brake) {
-    saying(() -> drive.readiness().serves(), STANDING, NOT_TURNING, status(brake));
+    reporting(() -> drive.readiness().serves(), STANDING, NOT_TURNING, status(brake));
   }
 
   @Test
   void haltsTheWheelsFirstAndAsksForReportsAndStatus() {
-    saying(() -> sentVelocities().size() >= 3, STANDING, NOT_TURNING);
+    reporting(() -> sentVelocities().size() >= 3, STANDING, NOT_TURNING);
     assertThat(sentVelocities()).as("1 is sent instead of 0").containsOnly(1);
     List<String> requests = List.of("1B0202002208000186A0000000030C1B03", "1B0201000100001B03");
-    saying(
+    reporting(
         () -> link().written().stream().map(HEX::formatHex).toList().containsAll(requests),
         STANDING,
         NOT_TURNING);
@@ -151,11 +151,11 @@ class RflexDriveImplTest {
   void sendsAVelocityOnceAndAHaltUntilTheWheelsAreReportedStopped() throws Exception {
     serve(false);
     CommandKey key = drive.acquireCommandLease(Duration.ofSeconds(30)).key();
-    saying(() -> sentVelocities().size() >= 3, STANDING, NOT_TURNING);
+    reporting(() -> sentVelocities().size() >= 3, STANDING, NOT_TURNING);
     int before = sentVelocities().size();
     drive.execute(key, new Velocity(0.5, 0));
     // No command follows, so it is halted, which this controller does not execute.
-    saying(() -> sentVelocities().size() >= before + 1 + 3 * 3, MOVING, NOT_TURNING);
+    reporting(() -> sentVelocities().size() >= before + 1 + 3 * 3, MOVING, NOT_TURNING);
     assertThat(sentVelocities().subList(before, sentVelocities().size()))
         .as("one velocity, then halts")
         .startsWith(43_731, 1, 1, 1, 1)
@@ -169,8 +169,8 @@ class RflexDriveImplTest {
     CommandKey key = drive.acquireCommandLease(Duration.ofSeconds(30)).key();
     drive.execute(key, new Velocity(0.5, 0));
     link().unplug();
-    saying(() -> links.size() >= 2);
-    saying(() -> sentVelocities().size() >= 3, STANDING, NOT_TURNING);
+    reporting(() -> links.size() >= 2);
+    reporting(() -> sentVelocities().size() >= 3, STANDING, NOT_TURNING);
     assertThat(sentVelocities()).containsOnly(1);
     assertThat(drive.driveState().velocity()).isEqualTo(Velocity.ZERO);
   }

@@ -45,9 +45,9 @@ class MjpegDeviceTest {
     camera.connected();
     Instant asked = now;
     say(camera, GET);
-    String said = new String(run(camera, 1000), ISO_8859_1);
+    String output = new String(run(camera, 1000), ISO_8859_1);
     assertThat(looks).hasSize(11).startsWith(asked, asked.plusMillis(100));
-    assertThat(said)
+    assertThat(output)
         .startsWith("HTTP/1.0 200 OK\r\n")
         .contains("boundary=dfra-frame\r\n\r\n--dfra-frame\r\nContent-Type: image/jpeg\r\n")
         .contains("X-Timestamp: " + asked.getEpochSecond() + ".255000\r\n");
@@ -154,13 +154,13 @@ class MjpegDeviceTest {
   }
 
   private byte[] run(MjpegDevice camera, int millis) {
-    ByteArrayOutputStream said = new ByteArrayOutputStream();
+    ByteArrayOutputStream output = new ByteArrayOutputStream();
     for (int i = 0; i <= millis; i += 5) {
       ByteBuffer out = ByteBuffer.allocate(100_000);
       camera.transmit(out, now);
-      said.write(out.array(), 0, out.position());
+      output.write(out.array(), 0, out.position());
       now = now.plusMillis(5);
     }
-    return said.toByteArray();
+    return output.toByteArray();
   }
 }

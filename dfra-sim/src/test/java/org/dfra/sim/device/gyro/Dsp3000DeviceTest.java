@@ -90,12 +90,12 @@ class Dsp3000DeviceTest {
   }
 
   private String run(Dsp3000Device gyro, Duration length) {
-    StringBuilder said = new StringBuilder(exchange(gyro, ""));
+    StringBuilder output = new StringBuilder(exchange(gyro, ""));
     for (long millis = 0; millis < length.toMillis(); millis += 5) {
       now = now.plusMillis(5);
-      said.append(exchange(gyro, ""));
+      output.append(exchange(gyro, ""));
     }
-    return said.toString();
+    return output.toString();
   }
 
   private void say(Dsp3000Device gyro, String text) {

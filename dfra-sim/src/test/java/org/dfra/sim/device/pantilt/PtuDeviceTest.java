@@ -131,8 +131,8 @@ class PtuDeviceTest {
     run(Duration.ofSeconds(2), Duration.ofMillis(10));
     pointed.clear();
     assertThat(say("R PP ")).isEmpty();
-    String said = run(Duration.ofSeconds(30), Duration.ofMillis(10));
-    assertThat(said).isEqualTo("*\r\n* 0\r\n");
+    String output = run(Duration.ofSeconds(30), Duration.ofMillis(10));
+    assertThat(output).isEqualTo("*\r\n* 0\r\n");
     assertThat(pointed).anyMatch(p -> p.pan() <= -3090 * POSITION + 1e-9);
     assertThat(pointed).anyMatch(p -> p.pan() >= 3090 * POSITION - 1e-9);
     assertThat(pointed).anyMatch(p -> p.tilt() <= -907 * POSITION + 1e-9);
@@ -142,18 +142,18 @@ class PtuDeviceTest {
   @Test
   void takesItsTimeWhenItIsSwitchedOn() {
     PtuDevice cold = unit(9600, true);
-    String said = exchange(cold, "");
+    String output = exchange(cold, "");
     for (int i = 0; i < 30; i++) {
       now = now.plusMillis(100);
-      said += exchange(cold, "");
+      output += exchange(cold, "");
     }
-    assertThat(said).startsWith("\r\n### PAN-TILT CONTROLLER").endsWith("Initializing...\r\n");
-    said = exchange(cold, "ED ");
+    assertThat(output).startsWith("\r\n### PAN-TILT CONTROLLER").endsWith("Initializing...\r\n");
+    output = exchange(cold, "ED ");
     for (int i = 0; i < 300; i++) {
       now = now.plusMillis(100);
-      said += exchange(cold, "");
+      output += exchange(cold, "");
     }
-    assertThat(said).isEqualTo("*\r\nED *\r\n");
+    assertThat(output).isEqualTo("*\r\nED *\r\n");
   }
 
   @Test
@@ -198,17 +198,17 @@ class PtuDeviceTest {
 
   /** Sends something and receives the whole answer; time passes as the line needs. */
   private String say(String text) {
-    String said = exchange(unit, text);
-    return said + run(Duration.ofMillis(10), Duration.ofMillis(10));
+    String output = exchange(unit, text);
+    return output + run(Duration.ofMillis(10), Duration.ofMillis(10));
   }
 
   private String run(Duration length, Duration step) {
-    StringBuilder said = new StringBuilder();
+    StringBuilder output = new StringBuilder();
     for (Duration left = length; left.compareTo(Duration.ZERO) > 0; left = left.minus(step)) {
       now = now.plus(step);
-      said.append(exchange(unit, ""));
+      output.append(exchange(unit, ""));
     }
-    return said.toString();
+    return output.toString();
   }
 
   private void run(PtuDevice device, Duration length) {

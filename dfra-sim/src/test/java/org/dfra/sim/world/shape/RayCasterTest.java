@@ -88,7 +88,7 @@ class RayCasterTest {
   }
 
   private static void agreesOnce(Random random, String what) {
-    MutableTransform pose = randomStance(random);
+    MutableTransform pose = randomPose(random);
     List<StaticObstacle> solids = new ArrayList<>();
     for (int i = random.nextInt(40); i > 0; i--) {
       StaticObstacle solid = randomSolid(random);
@@ -120,7 +120,7 @@ class RayCasterTest {
     }
   }
 
-  private static MutableTransform randomStance(Random random) {
+  private static MutableTransform randomPose(Random random) {
     MutableTransform pose = new MutableTransform();
     double yaw = random.nextDouble() * 7;
     boolean isLevel = random.nextBoolean();
