@@ -30,7 +30,7 @@ class DemoRecruitIT extends DemoPlay {
         "processes of this demonstration have ended",
         "Measured",
         "death to another on its way",
-        "robots that are still bound to somebody",
+        "robots that are not free at the end",
         "seconds in which two helped at once",
         "recruited robots that had not been searching",
         "searches that were left and did not go on");

@@ -40,13 +40,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The arrows of the house point one way.
+ * Dependencies between modules and packages have one direction.
  *
  * <p>A rule about a package that has no source fails, so a package that is renamed takes its rules
  * along; one whose sources exist but whose classes are not found fails too, since ArchUnit refuses
  * a rule that checks nothing.
  *
- * <p>Also who shows text to people is checked here, since the same classes are read for it.
+ * <p>The rules for printed text are checked here too, since they read the same classes.
  */
 class ArchitectureTest extends PrintedTextRules {
 

@@ -52,7 +52,7 @@ class TwoSearchersIT {
 
   private static final long SINCE = 8000;
 
-  /** What a robot tells of a gap. */
+  /** What a robot reports of a gap. */
   private static final Pattern GAP =
       Pattern.compile("(atrv\\d) was out of reach for (\\d+) s, (\\d+) readings missed");
 

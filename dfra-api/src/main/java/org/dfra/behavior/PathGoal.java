@@ -18,7 +18,7 @@ public record PathGoal(@Nullable GeoPosition from, List<GeoPosition> waypoints, 
   public PathGoal {
     waypoints = List.copyOf(waypoints);
     if (waypoints.isEmpty()) {
-      throw new IllegalArgumentException("a path without a waypoint leads nowhere; give it one");
+      throw new IllegalArgumentException("a path needs one waypoint or more");
     }
     if (!(tolerance > 0 && Double.isFinite(tolerance))) {
       throw new IllegalArgumentException("tolerance " + tolerance + " m is not above 0");

@@ -44,7 +44,8 @@ public record DeliveryPolicy(Set<EventKind> kinds, int queueDepth, double maxRat
   public DeliveryPolicy {
     kinds = checked(kinds);
     if (kinds.isEmpty()) {
-      throw new IllegalArgumentException("a listener that wants no kind of event needs none");
+      throw new IllegalArgumentException(
+          "no kinds of events are given; give one or more, or add no listener");
     }
     if (queueDepth < 1 || queueDepth > MAX_QUEUE_DEPTH) {
       throw new IllegalArgumentException(
@@ -65,7 +66,7 @@ public record DeliveryPolicy(Set<EventKind> kinds, int queueDepth, double maxRat
     for (Object each : kinds) {
       if (!(each instanceof EventKind kind) || most-- == 0) {
         throw new IllegalArgumentException(
-            "a listener wants kinds of events, each once at the most; this one wants something else");
+            "a listener names kinds of events, each once at the most; this one names something else");
       }
       all.add(kind);
     }

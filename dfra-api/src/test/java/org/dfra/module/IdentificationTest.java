@@ -31,7 +31,7 @@ class IdentificationTest {
   }
 
   @Test
-  void whoIsNotReadySaysItsStateAndWhatItWaitsFor() {
+  void aModuleThatIsNotReadySaysItsStateAndWhatItWaitsFor() {
     NotReadyException complaint =
         new NotReadyException("atrv1/gps", Readiness.INITIALIZING, "no fix yet; waits for one");
 

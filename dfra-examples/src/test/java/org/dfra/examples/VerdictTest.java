@@ -35,12 +35,13 @@ class VerdictTest {
 
   @Test
   void whatMustBeTrueAndIsNotIsAFailure() {
-    figures.add(new MeasuredValue("troubles that did not come, or were not mended", 1, 0, ""));
+    figures.add(
+        new MeasuredValue("injected faults that did not occur, or were not repaired", 1, 0, ""));
     assertThat(isWell(false)).isFalse();
     assertThat(output(false))
         .isEqualTo(
-            "FAILED, although it does not depend on the computer's speed: troubles that did not come,"
-                + " or were not mended.");
+            "FAILED, although it does not depend on the computer's speed: injected faults that did"
+                + " not occur, or were not repaired.");
   }
 
   @Test

@@ -34,9 +34,9 @@ public record Teammate(
     }
     if (clockOffset == null && relativePosition != null) {
       throw new IllegalArgumentException(
-          "where "
+          "the relative position of "
               + robot
-              + " is at an instant of another robot's is not known without its clock's offset");
+              + " needs the offset of its clock; give both, or no position");
     }
   }
 
@@ -56,7 +56,13 @@ public record Teammate(
     public RelativePosition {
       if (!(Double.isFinite(east + north) && sigma >= 0)) {
         throw new IllegalArgumentException(
-            "a robot " + east + " m east, " + north + " m north, ± " + sigma + " m is nowhere");
+            "a robot "
+                + east
+                + " m east, "
+                + north
+                + " m north, ± "
+                + sigma
+                + " m is not finite, or its sigma is below 0");
       }
     }
 

@@ -18,7 +18,7 @@ class StuckDetectorTest {
   }
 
   @Test
-  void whoStaysInPlaceForSixSecondsIsStuck() {
+  void aRobotThatStaysInPlaceForSixSecondsIsStuck() {
     for (double t = 0; t <= 6; t += 0.1) {
       assertThat(look(t, 0.1, 0)).as("%s s", t).isFalse();
     }
@@ -28,7 +28,7 @@ class StuckDetectorTest {
   }
 
   @Test
-  void whoCreepsOnOrTurnsIsNot() {
+  void aRobotThatCreepsOnOrRotatesIsNotStuck() {
     for (double t = 0; t < 30; t += 0.1) {
       assertThat(look(t, t * 0.1, 0)).as("creeps, %s s", t).isFalse();
     }
@@ -41,7 +41,7 @@ class StuckDetectorTest {
   }
 
   @Test
-  void whoMovesAndComesNoNearerIsAfterFortySeconds() {
+  void aRobotThatMovesAndComesNoNearerIsStuckAfterFortySeconds() {
     boolean isStuck = false;
     double t = 0;
     while (!isStuck && t < 60) {

@@ -57,13 +57,13 @@ final class PortCheck implements Check {
     if (by.isDfra()) {
       return Finding.ok(subject(), what + "held by DFRA, process " + by.pid());
     }
-    String who =
+    String process =
         by.pid() < 0 ? "a process of another user" : "process " + by.pid() + ", " + by.command();
     return Finding.warn(
         subject(),
-        what + "held by " + who,
+        what + "held by " + process,
         by.pid() < 0
-            ? "As root, ss -ltnp tells which; end it if it is not needed, or give "
+            ? "As root, ss -ltnp shows it; end it if it is not needed, or give "
                 + use
                 + " another port."
             : "End it if it is not needed, or give " + use + " another port.");

@@ -128,7 +128,7 @@ public final class StopCommand implements Callable<Integer> {
   public Integer call() throws Exception {
     if (all != robots.isEmpty()) {
       throw new ParameterException(
-          spec.commandLine(), "name the robots, or say --all for every robot; one of the two");
+          spec.commandLine(), "give the names of robots or --all, not both");
     }
     by = requester(System.getProperty("user.name", "somebody"), options.hostSetting());
     patience = options.emergencyTimeout();

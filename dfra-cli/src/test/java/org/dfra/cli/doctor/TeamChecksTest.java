@@ -60,7 +60,7 @@ class TeamChecksTest {
   }
 
   @Test
-  void whoWaitsLongerWaitsLongerForEachPeer() {
+  void aLongerWaitIsLongerForEachPeer() {
     assertThat(TeamSurvey.deadline(Duration.ofSeconds(2))).isEqualTo(Duration.ofMillis(800));
     assertThat(TeamSurvey.deadline(Duration.ofSeconds(60))).isEqualTo(Duration.ofSeconds(6));
   }

@@ -88,7 +88,7 @@ class LogbackSetupTest {
   }
 
   @Test
-  void whoHasAConfigurationOfItsOwnGetsThat() throws Exception {
+  void aConfigurationOfTheUserIsUsed() throws Exception {
     String xml =
         "<configuration><appender name=\"a\" class=\"ch.qos.logback.core.ConsoleAppender\">"
             + "<encoder><pattern>mine: %msg%n</pattern></encoder></appender>"

@@ -65,7 +65,8 @@ final class HistoryCodec {
       Duration served = Duration.ofMillis(in.readLong());
       int count = in.readInt();
       if (count < 0 || count > IncidentLog.MAX_INCIDENTS) {
-        throw new IOException("it tells of " + count + " incidents");
+        throw new IOException(
+            "it contains " + count + " incidents, which is not 0 to " + IncidentLog.MAX_INCIDENTS);
       }
       List<Incident> recent = new ArrayList<>();
       for (int i = 0; i < count; i++) {

@@ -163,7 +163,7 @@ class HeldGoalTest {
   }
 
   @Test
-  void whoStopsAGoalWhoseProcessHasDiedIsRemembered() throws RemoteException {
+  void aStopOfAGoalWhoseProcessHasDiedIsRemembered() throws RemoteException {
     for (int way = 0; way < 3; way++) {
       UUID goal = walker.pursue(new Place("home"));
       restart();

@@ -270,7 +270,7 @@ class CommandArbiterTest {
   }
 
   @Test
-  void whoIsDeposedWhileItsLeaseIsGrantedHasNoneAfterwards() {
+  void aCommanderThatIsRevokedWhileItsLeaseIsGrantedHasNoneAfterwards() {
     assertThatThrownBy(
             () ->
                 arbiter.acquire(

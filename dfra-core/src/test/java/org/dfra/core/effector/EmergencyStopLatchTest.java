@@ -210,7 +210,7 @@ class EmergencyStopLatchTest {
   }
 
   @Test
-  void whoAsksIsOneShortLine() {
+  void theRequesterIsOneShortLine() {
     EmergencyStopLatch latch = latch();
     latch.engage(" ops\r\n\u0007root ");
     assertThat(latch.state().requester()).isEqualTo("ops root");

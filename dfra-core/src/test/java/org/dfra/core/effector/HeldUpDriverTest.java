@@ -104,7 +104,7 @@ class HeldUpDriverTest {
   }
 
   @Test
-  void whoFindsABrakeSetDoesNotWaitForAHaltThatBlocks() throws Exception {
+  void aSecondBrakeDoesNotWaitForAHaltThatBlocks() throws Exception {
     CommandKey key = key();
     wheels.execute(key, AHEAD);
     wheels.haltHeldUp = release;
@@ -174,7 +174,7 @@ class HeldUpDriverTest {
   }
 
   @Test
-  void whoGivesTheCommandUpDoesNotWaitForAWriteThatHangs() throws Exception {
+  void releasingTheCommandDoesNotWaitForAWriteThatHangs() throws Exception {
     CommandLease lease = wheels.acquireCommandLease(LEASE);
     CompletableFuture<Void> writing = holdUpAWrite(lease.key());
     beside(lease::close).get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
@@ -187,7 +187,7 @@ class HeldUpDriverTest {
   }
 
   @Test
-  void whoTakesTheCommandDoesNotWaitForAWriteThatHangsAndTheWheelsStandBeforeTheFirstCommand()
+  void takingTheCommandDoesNotWaitForAWriteThatHangsAndTheWheelsStandBeforeTheFirstCommand()
       throws Exception {
     CommandLease first = wheels.acquireCommandLease(LEASE);
     CompletableFuture<Void> writing = holdUpAWrite(first.key());

@@ -66,7 +66,7 @@ class LeaseRegistryTest {
   }
 
   @Test
-  void whoLivesWithTheModuleNeedNotRenew() throws Exception {
+  void aClientInTheSameProcessNeedNotRenew() throws Exception {
     UUID held = book.grantLocal(LeaseRole.CLIENT, () -> over.add("held"));
     time.step(Duration.ofDays(1));
     assertThat(book.contains(held)).isTrue();

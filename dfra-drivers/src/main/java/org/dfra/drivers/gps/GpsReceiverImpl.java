@@ -138,11 +138,11 @@ public abstract class GpsReceiverImpl<P extends GpsReceiverProtocol>
     parameterTable()
         .declareReadOnly(
             "satellites",
-            "what the receiver sees now",
+            "the satellites that the receiver receives now",
             () -> GpsReceiverDiagnostics.inWords(satellites));
     parameterTable()
         .declareReadOnly(
-            "accuracy", "what the receiver takes its error for, one sigma", this::accuracy);
+            "accuracy", "the receiver's estimate of its error, one sigma", this::accuracy);
     DeviceLink.showCounts(parameterTable(), () -> counts);
   }
 

@@ -198,7 +198,7 @@ final class RecruitScenario {
             .map(Map.Entry::getKey)
             .collect(Collectors.toSet());
     progress.say("%d messages were sent; a call to all counts once.", monitor.messages().size());
-    progress.figure("robots that are still bound to somebody", bound.size(), 0, "");
+    progress.figure("robots that are not free at the end", bound.size(), 0, "");
     progress.figure("seconds in which two helped at once", monitor.overlapSeconds(), 0, "s");
     progress.figure("recruited robots that had not been searching", idle, 0, "");
     progress.figure("searches that were left and did not go on", faults.size() - idle, 0, "");

@@ -21,7 +21,7 @@ import org.dfra.sim.world.description.VehicleDescription.VehicleType;
 import org.dfra.sim.world.description.WorldDescription;
 import org.junit.jupiter.api.Test;
 
-/** What the report tells of a search that was made by hand. */
+/** The report of a search that was made by hand. */
 class RasterChartsTest {
 
   private static final Scenario SCENARIO =

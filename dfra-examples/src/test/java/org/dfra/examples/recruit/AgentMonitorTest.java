@@ -66,7 +66,7 @@ class AgentMonitorTest {
   }
 
   @Test
-  void whoDiedHelpsNoLonger() {
+  void aHelperThatDiedHelpsNoLonger() {
     List<RecruitmentStatus> open = List.of(at(5, ResponderPhase.TRAVELLING));
     assertThat(
             AgentMonitor.overlapSeconds(

@@ -113,7 +113,7 @@ class BackgroundSearchesTest {
   }
 
   @Test
-  void whoGoesOnIsWellAndWhoDoesNotIsNamed() throws Exception {
+  void searchesThatGoOnPassAndOthersAreNamed() throws Exception {
     begun("ugv1");
     begun("ugv2");
     for (String robot : List.of("ugv1", "ugv2")) {
@@ -132,7 +132,7 @@ class BackgroundSearchesTest {
   }
 
   @Test
-  void whoWasRecruitedWithoutSearchingIsNamed() throws Exception {
+  void aRobotThatWasRecruitedWithoutSearchingIsNamed() throws Exception {
     begun("ugv1");
     report("ugv1", 9, Phase.SUCCEEDED, 1);
     Map<String, ResumptionFault> faults = searches.end(Map.of("ugv1", HELPED, "ugv3", HELPED));
@@ -153,7 +153,7 @@ class BackgroundSearchesTest {
   }
 
   @Test
-  void whoDiedIsNoMore() throws Exception {
+  void aRobotThatDiedIsNotAwaited() throws Exception {
     begun("ugv1");
     searches.forget("ugv1");
     assertThat(listeners).as("whom it still report").isEmpty();

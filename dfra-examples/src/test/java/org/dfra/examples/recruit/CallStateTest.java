@@ -45,7 +45,7 @@ class CallStateTest {
   }
 
   @Test
-  void whoHasNotCalledHasNoCall() {
+  void aRobotThatHasNotCalledHasNoCall() {
     sent(0, "ugv4", help(new Conversation("ugv4", 1), PLACE, 1));
     assertThat(CallState.last(Conversations.of(envelopes), "uav")).isEmpty();
     assertThat(CallState.last(List.of(), "uav")).isEmpty();
@@ -78,7 +78,7 @@ class CallStateTest {
   }
 
   @Test
-  void whoIsReplacedIsLost() {
+  void aReplacedHelperIsLost() {
     sent(0, "uav", help(FIRST, PLACE, 1));
     sent(7, "uav", new ResponderId(FIRST, "ugv2", 0));
     sent(30, "ugv2", new Arrival(FIRST, new UUID(0, 1), Duration.ofSeconds(60)));

@@ -51,14 +51,14 @@ class ResumptionCheckTest {
   }
 
   @Test
-  void whoDoesMoreOfTheSearchThatItLeftHasResumed() {
+  void aRobotThatDoesMoreOfTheSearchThatItLeftHasResumed() {
     BehaviorStatus again = search(51, SEARCH, Phase.RUNNING, 0.25);
     assertThat(why(RUNS, PAUSES, again, search(70, SEARCH, Phase.RUNNING, 0.3))).isEmpty();
     assertThat(why(RUNS, PAUSES, again, search(70, SEARCH, Phase.SUCCEEDED, 1))).isEmpty();
   }
 
   @Test
-  void whoNeverHelpedHasNothingToResume() {
+  void aRobotThatNeverHelpedHasNothingToResume() {
     List<RecruitmentStatus> offered =
         List.of(agent(10, ResponderPhase.OFFERED), agent(15, ResponderPhase.FREE));
     assertThat(ResumptionCheck.fault(offered, List.of())).isEmpty();
@@ -66,7 +66,7 @@ class ResumptionCheckTest {
   }
 
   @Test
-  void whoHadNoSearchWasNotSearching() {
+  void aRobotWithoutASearchWasNotSearching() {
     assertThat(why()).isEqualTo("was not searching when it was recruited: it had no search");
     assertThat(hadSearched()).isFalse();
     BehaviorStatus late = search(11, SEARCH, Phase.RUNNING, 0); // after it had offered
@@ -74,7 +74,7 @@ class ResumptionCheckTest {
   }
 
   @Test
-  void whoseSearchDidNotRunWasNotSearching() {
+  void aRobotWhoseSearchDidNotRunWasNotSearching() {
     for (Phase phase : List.of(Phase.IDLE, Phase.PAUSED, Phase.SUCCEEDED, Phase.FAILED)) {
       BehaviorStatus stood = search(9, SEARCH, phase, 0.5);
       BehaviorStatus later = search(51, SEARCH, Phase.RUNNING, 0.75);
@@ -114,13 +114,13 @@ class ResumptionCheckTest {
   }
 
   @Test
-  void whoSearchedWhileItHelpedNeverLeft() {
+  void aRobotThatSearchedWhileItHelpedNeverLeft() {
     assertThat(why(RUNS, search(60, SEARCH, Phase.RUNNING, 0.75)))
         .isEqualTo("never interrupted its search to help");
   }
 
   @Test
-  void whoIsStillAwayHasNotResumed() {
+  void aRobotThatIsStillAwayHasNotResumed() {
     assertThat(ResumptionCheck.fault(HELPED.subList(0, 4), List.of(RUNS, PAUSES)))
         .contains(new ResumptionFault(true, "was recruited and is not free again"));
   }
@@ -146,7 +146,7 @@ class ResumptionCheckTest {
   }
 
   @Test
-  void whoIsCalledAgainBeforeItIsBackIsAwayOnce() {
+  void aRobotThatIsCalledAgainBeforeItIsBackIsAwayOnce() {
     List<RecruitmentStatus> again = new ArrayList<>(HELPED);
     again.add(agent(51, ResponderPhase.OFFERED));
     again.add(agent(52, ResponderPhase.TRAVELLING));

@@ -76,7 +76,7 @@ final class GroupSupervisor {
     Optional<Duration> delay = crashes.restartDelay();
     if (delay.isEmpty()) {
       LOG.error(
-          "Group {} crashed {} times within {} s: it is left alone until {} and then started by"
+          "Group {} crashed {} times within {} s: it is not restarted before {}, and then only by"
               + " the next call. See {}.",
           name,
           crashes.recentCount(),

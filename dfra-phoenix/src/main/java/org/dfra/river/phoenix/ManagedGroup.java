@@ -259,7 +259,7 @@ final class ManagedGroup implements GroupLauncher.LaunchOwner {
     try {
       current.adopt(found, known, leaving);
       unregistered.forEach(current::addUnregistered);
-      LOG.info("Took back group {}: process {} is {}.", name, found.pid(), current.state());
+      LOG.info("Adopted group {}: its process {} is {}.", name, found.pid(), current.state());
     } finally {
       lock.unlock();
     }

@@ -141,7 +141,7 @@ class StrategyParserTest {
   }
 
   @Test
-  void whoCallsAwaitsOffersForTheWindowThatIsWritten() {
+  void aCallerAwaitsOffersForTheConfiguredWindow() {
     assertThat(awaited(Map.of())).as("greedy's own").isEqualTo(Duration.ofSeconds(2));
     assertThat(awaited(Map.of("offer_window", "3.5"))).isEqualTo(Duration.ofMillis(3500));
     assertThatThrownBy(

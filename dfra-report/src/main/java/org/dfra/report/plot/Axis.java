@@ -13,7 +13,7 @@ public record Axis(String label, String unit, double low, double high) {
   public Axis {
     if (low >= high || Double.isInfinite(low) || Double.isInfinite(high)) {
       throw new IllegalArgumentException(
-          "the axis " + label + " wants low < high, not " + low + " and " + high);
+          "the axis " + label + " from " + low + " to " + high + " is empty; give low < high");
     }
   }
 

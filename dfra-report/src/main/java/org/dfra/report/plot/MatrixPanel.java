@@ -72,7 +72,7 @@ public final class MatrixPanel implements Panel {
     int wide = combinations(columns);
     if (cells.size() != high || cells.stream().anyMatch(row -> row.size() != wide)) {
       throw new IllegalArgumentException(
-          "the matrix " + title + " wants " + high + " rows of " + wide + " cells");
+          "the matrix " + title + " needs " + high + " rows of " + wide + " cells");
     }
   }
 

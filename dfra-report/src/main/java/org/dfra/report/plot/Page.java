@@ -57,7 +57,10 @@ public final class Page {
   public Page row(int height, Panel... panels) {
     if (panels.length == 0 || height <= 0) {
       throw new IllegalArgumentException(
-          "a row wants a panel and a height above 0, not " + panels.length + " and " + height);
+          "a row needs a panel or more and a height above 0, not "
+              + panels.length
+              + " and "
+              + height);
     }
     rows.add(new Row(height, List.of(panels)));
     return this;

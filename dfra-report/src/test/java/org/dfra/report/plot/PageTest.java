@@ -142,6 +142,6 @@ class PageTest {
   @Test
   void refusesARowWithNothingInIt() {
     assertThatThrownBy(() -> new Page("").row(100))
-        .hasMessage("a row wants a panel and a height above 0, not 0 and 100");
+        .hasMessage("a row needs a panel or more and a height above 0, not 0 and 100");
   }
 }

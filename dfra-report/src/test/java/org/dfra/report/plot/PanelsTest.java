@@ -119,7 +119,7 @@ class PanelsTest {
   @Test
   void refusesAnAxisThatEndsBeforeItBegins() {
     assertThatThrownBy(() -> TIME.between(2, 1))
-        .hasMessage("the axis time wants low < high, not 2.0 and 1.0");
+        .hasMessage("the axis time from 2.0 to 1.0 is empty; give low < high");
   }
 
   @Test

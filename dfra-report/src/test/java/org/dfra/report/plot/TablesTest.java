@@ -98,6 +98,6 @@ class TablesTest {
   void refusesCellsThatDoNotFitTheFactors() {
     assertThatThrownBy(
             () -> new MatrixPanel("m", List.of(SIDE), List.of(AHEAD), List.of(List.of(Cell.EMPTY))))
-        .hasMessage("the matrix m wants 2 rows of 3 cells");
+        .hasMessage("the matrix m needs 2 rows of 3 cells");
   }
 }

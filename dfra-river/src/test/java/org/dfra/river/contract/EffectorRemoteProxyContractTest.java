@@ -136,7 +136,7 @@ class EffectorRemoteProxyContractTest extends EffectorContract {
   }
 
   @Test
-  void whoCommandsFromWhereIsListedAndCanBeRevokedByAdministrators() throws Exception {
+  void theCommanderAndItsHostAreListedAndCanBeRevokedByAdministrators() throws Exception {
     ModuleAdmin admin = (ModuleAdmin) proxy.getAdmin();
     CommandLease lease = proxy.acquireCommandLease(Duration.ofSeconds(10));
     LeaseStatus listed = admin.leases().get(0);

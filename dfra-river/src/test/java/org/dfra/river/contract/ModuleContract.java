@@ -166,7 +166,7 @@ abstract class ModuleContract {
   }
 
   @Test
-  void whoListensToReadingsIsAClientAndWhoListensToOthersOnlyWatches() throws Exception {
+  void aListenerToReadingsIsAClientAndOneToOtherEventsOnlyWatches() throws Exception {
     try (Subscription watching = module().subscribe(new RecordingListener(), OTHERS)) {
       assertThat(module().readiness()).isEqualTo(Readiness.READY);
       try (Subscription listening = module().subscribe(new RecordingListener(), READINGS)) {

@@ -71,7 +71,7 @@ class RegistrationRenewerTest {
   }
 
   @Test
-  void whoCannotBeReachedIsTriedAgainUntilTheLeaseIsOver() throws Exception {
+  void anUnreachableRegistrarIsTriedAgainUntilTheLeaseIsOver() throws Exception {
     begin();
     lease.failsBy(new RemoteException("no way there"));
     int tries = 0;

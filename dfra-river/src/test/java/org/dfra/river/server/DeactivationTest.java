@@ -179,7 +179,7 @@ class DeactivationTest {
   }
 
   @Test
-  void whoClosesTheServerDoesNotWaitForADriverThatAnotherCloses() throws Exception {
+  void closingTheServerDoesNotWaitForADriverThatAnotherThreadCloses() throws Exception {
     threads.execute(server::halt);
     closing.await();
     server.close(); // returns, or the module would stay in the lookup services

@@ -55,7 +55,7 @@ class M12DriverTest {
 
   @Test
   void findsItsFirstFix() {
-    Instant begin = clock.instant().minusSeconds(2); // it tells of the full second before
+    Instant begin = clock.instant().minusSeconds(2); // it reports the full second before
     try (M12PlusImpl gps = driver(emulator.url(), Map.of())) {
       gps.start();
       awaitReadiness(gps, Readiness.READY);

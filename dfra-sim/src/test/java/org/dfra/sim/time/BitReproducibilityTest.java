@@ -112,7 +112,7 @@ class BitReproducibilityTest {
   }
 
   @Test
-  void whoAsksTheDriversMeanwhileChangesNothing() throws Exception {
+  void queriesOfTheDriversMeanwhileChangeNothing() throws Exception {
     String alone = first();
     try (SeededRobot robot = new SeededRobot(SEED, LENGTH)) {
       AtomicBoolean asks = new AtomicBoolean(true);

@@ -92,7 +92,7 @@ class LockStepDriversTest {
   }
 
   @Test
-  void whoAwaitsAModuleMovesTheTimeOn() throws InterruptedException {
+  void awaitingAModuleAdvancesTheTime() throws InterruptedException {
     try (port;
         M12PlusImpl gps = new M12PlusImpl(context(port.url()));
         InMemoryModuleDirectory directory = new InMemoryModuleDirectory(time)) {

@@ -226,7 +226,7 @@ class LockStepTest {
   }
 
   @Test
-  void whoWaitsWhenTheStepperHasEndedMovesTheTimeOn() throws InterruptedException {
+  void waitingAfterTheStepperHasEndedAdvancesTheTime() throws InterruptedException {
     Thread stepper = new Thread(() -> time.advance(SECOND), "stepper");
     stepper.start();
     stepper.join();

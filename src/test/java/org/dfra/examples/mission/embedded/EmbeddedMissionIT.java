@@ -127,7 +127,7 @@ class EmbeddedMissionIT {
     assertThat(robot.completed()).isFalse();
     assertThat(robot.samples()).hasSizeGreaterThan(50);
     assertThat(flight.events()).isEmpty();
-    assertThat(figure("troubles that did not come, or were not mended")).isEqualTo(1);
+    assertThat(figure("injected faults that did not occur, or were not repaired")).isEqualTo(1);
   }
 
   @Test

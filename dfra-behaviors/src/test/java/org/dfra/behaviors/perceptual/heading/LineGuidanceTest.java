@@ -78,7 +78,7 @@ class LineGuidanceTest {
   }
 
   @Test
-  void whoTurnsByTheErrorLooksAtThePointAheadOnTheLine() {
+  void steeringByTheErrorAimsAtThePointAheadOnTheLine() {
     long seed = System.nanoTime();
     Random random = new Random(seed);
     for (int i = 0; i < 10_000; i++) {

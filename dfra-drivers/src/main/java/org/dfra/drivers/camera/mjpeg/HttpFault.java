@@ -38,11 +38,11 @@ final class HttpFault {
 
   private static String ofBody(HttpHeader head, String path) {
     if (head.header("transfer-encoding").toLowerCase(Locale.ROOT).contains("chunked")) {
-      return "the camera answers HTTP/1.0 in chunks, which that does not have; is a proxy between?";
+      return "the camera sends chunks in HTTP/1.0, which does not define them; look for a proxy between";
     }
     if (head.boundary().isEmpty()) {
       String type = head.header("content-type");
-      return "what is at "
+      return "the content of "
           + path
           + " is not a stream of images but "
           + (type.isEmpty() ? "of no type" : type)

@@ -29,7 +29,7 @@ final class PtuGeometryQuery {
   /** Accepts the answer to the {@link #nextQuestion}; returns what is wrong with it, or empty. */
   String accept(String question, PtuReply reply) {
     if (reply instanceof Refused refused) {
-      return "it refuses to tell " + question + ": " + refused.message();
+      return "it refuses the query " + question + ": " + refused.message();
     }
     if (!(reply instanceof Value value) || value.number().isEmpty()) {
       return "its answer to " + question + " is not a number: " + reply;

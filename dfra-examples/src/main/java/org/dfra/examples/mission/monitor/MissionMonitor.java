@@ -167,7 +167,8 @@ public final class MissionMonitor<R> {
     if (!troubles.isEmpty()) {
       long missed = troubles.stream().filter(each -> !each.isOver()).count();
       figures.add(
-          new MeasuredValue("troubles that did not come, or were not mended", missed, 0, ""));
+          new MeasuredValue(
+              "injected faults that did not occur, or were not repaired", missed, 0, ""));
     }
   }
 

@@ -98,7 +98,7 @@ public final class MavlinkGpsImpl extends MavlinkSensorImpl<MavlinkGpsImpl.Snaps
     diagnostics().addTest("satellites", this::satellites);
     parameterTable().declareReadOnly("satellites", "how many it uses", () -> satellites().text());
     parameterTable()
-        .declareReadOnly("accuracy", "what the receiver takes its error for", this::accuracy);
+        .declareReadOnly("accuracy", "the receiver's estimate of its error", this::accuracy);
   }
 
   @Override

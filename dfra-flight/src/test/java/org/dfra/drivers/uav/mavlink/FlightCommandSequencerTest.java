@@ -52,7 +52,7 @@ class FlightCommandSequencerTest {
   }
 
   @Test
-  void whoAsksForTheLastOrderDoesNotWaitForItsWrite() throws Exception {
+  void readingTheLastOrderDoesNotWaitForItsWrite() throws Exception {
     stuck.open();
     List<MavlinkCommand> steps = List.of(CommandLong.of(MavCmd.MAV_CMD_COMPONENT_ARM_DISARM, 1, 0));
     CompletableFuture<Boolean> begun =

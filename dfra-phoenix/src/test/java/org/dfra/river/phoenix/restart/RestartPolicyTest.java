@@ -110,7 +110,7 @@ class RestartPolicyTest {
   }
 
   @Test
-  void whoIsAskedToEndIsDelayedButNeverHeldOff() {
+  void aGroupThatIsAskedToEndIsDelayedButNeverHeldOff() {
     for (int end = 0; end < 20; end++) {
       history.recordRequestedExit(false);
       assertThat(history.remainingHoldOff()).isEmpty();
