@@ -1,7 +1,8 @@
-package org.dfra.sim.device;
+package org.dfra.sim.device.gps;
 
 import java.time.Duration;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.sim.device.UartLine;
 
 /**
  * Settings of an emulated receiver. Immutable.

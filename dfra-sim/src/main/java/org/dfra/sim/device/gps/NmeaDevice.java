@@ -1,4 +1,4 @@
-package org.dfra.sim.device;
+package org.dfra.sim.device.gps;
 
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
@@ -7,7 +7,7 @@ import java.time.LocalDateTime;
 import java.time.ZoneOffset;
 import java.util.List;
 import java.util.Locale;
-import org.dfra.sim.device.AntennaTrajectory.AntennaState;
+import org.dfra.sim.device.gps.AntennaTrajectory.AntennaState;
 
 /**
  * A multi-constellation receiver that sends NMEA 0183 once a second: {@code GNRMC}, {@code GNGGA},

@@ -1,4 +1,4 @@
-package org.dfra.sim.device;
+package org.dfra.sim.device.gps;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.dfra.sim.device.Modules.await;
@@ -24,6 +24,8 @@ import org.dfra.geometry.GeoPosition;
 import org.dfra.lease.ModuleLease;
 import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Diagnosis;
+import org.dfra.sim.device.FastClock;
+import org.dfra.sim.device.Modules;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

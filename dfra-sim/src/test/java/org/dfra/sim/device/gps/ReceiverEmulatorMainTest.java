@@ -1,4 +1,4 @@
-package org.dfra.sim.device;
+package org.dfra.sim.device.gps;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.dfra.drivers.gps.m12.M12Parser;
 import org.dfra.drivers.gps.m12.Position12Channels;
+import org.dfra.sim.device.Programs;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 

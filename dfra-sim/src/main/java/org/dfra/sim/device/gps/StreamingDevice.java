@@ -1,8 +1,10 @@
-package org.dfra.sim.device;
+package org.dfra.sim.device.gps;
 
 import java.time.Duration;
 import java.time.Instant;
-import org.dfra.sim.device.AntennaTrajectory.AntennaState;
+import org.dfra.sim.device.Schedule;
+import org.dfra.sim.device.UartDevice;
+import org.dfra.sim.device.gps.AntennaTrajectory.AntennaState;
 import org.jspecify.annotations.Nullable;
 
 /**

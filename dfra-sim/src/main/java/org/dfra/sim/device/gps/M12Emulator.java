@@ -1,6 +1,7 @@
-package org.dfra.sim.device;
+package org.dfra.sim.device.gps;
 
 import java.time.InstantSource;
+import org.dfra.sim.device.DeviceEmulator;
 
 /** Serves an emulated Motorola Oncore M12+ on a TCP port of the loopback interface. */
 public final class M12Emulator extends DeviceEmulator {

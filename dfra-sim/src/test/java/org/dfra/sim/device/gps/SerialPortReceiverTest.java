@@ -1,4 +1,4 @@
-package org.dfra.sim.device;
+package org.dfra.sim.device.gps;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.dfra.sim.device.Modules.await;
@@ -21,6 +21,10 @@ import org.dfra.geometry.GeoPosition;
 import org.dfra.lifecycle.Incident;
 import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
+import org.dfra.sim.device.DeviceEmulator;
+import org.dfra.sim.device.Programs;
+import org.dfra.sim.device.PseudoTerminal;
+import org.dfra.sim.device.SerialDevice;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;

@@ -1,4 +1,4 @@
-package org.dfra.sim.device;
+package org.dfra.sim.device.gps;
 
 import java.time.Duration;
 import java.time.Instant;
@@ -6,8 +6,10 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.sim.device.AntennaTrajectory.AntennaState;
-import org.dfra.sim.device.M12EmulatorSettings.M12EmulatorOptions;
+import org.dfra.sim.device.Schedule;
+import org.dfra.sim.device.UartDevice;
+import org.dfra.sim.device.gps.AntennaTrajectory.AntennaState;
+import org.dfra.sim.device.gps.M12EmulatorSettings.M12EmulatorOptions;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,11 +1,11 @@
-package org.dfra.sim.device;
+package org.dfra.sim.device.gps;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.time.Instant;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.sim.device.AntennaTrajectory.AntennaState;
+import org.dfra.sim.device.gps.AntennaTrajectory.AntennaState;
 import org.junit.jupiter.api.Test;
 
 class AntennaPathTest {

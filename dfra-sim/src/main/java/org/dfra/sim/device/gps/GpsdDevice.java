@@ -1,4 +1,4 @@
-package org.dfra.sim.device;
+package org.dfra.sim.device.gps;
 
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
@@ -7,7 +7,7 @@ import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import org.dfra.sim.device.AntennaTrajectory.AntennaState;
+import org.dfra.sim.device.gps.AntennaTrajectory.AntennaState;
 
 /**
  * Emulates gpsd with one receiver that reports once a second. It first sends its version; {@code

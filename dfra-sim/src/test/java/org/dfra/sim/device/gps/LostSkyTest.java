@@ -1,4 +1,4 @@
-package org.dfra.sim.device;
+package org.dfra.sim.device.gps;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -13,7 +13,8 @@ import org.dfra.drivers.gps.m12.M12Parser;
 import org.dfra.drivers.gps.m12.M12PositionMessage;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.sim.device.AntennaTrajectory.AntennaState;
+import org.dfra.sim.device.SerialDevice;
+import org.dfra.sim.device.gps.AntennaTrajectory.AntennaState;
 import org.junit.jupiter.api.Test;
 
 /** Receivers whose antenna receives no satellites from second 5 to second 10 report that. */

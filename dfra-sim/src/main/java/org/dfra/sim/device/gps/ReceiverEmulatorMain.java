@@ -1,4 +1,4 @@
-package org.dfra.sim.device;
+package org.dfra.sim.device.gps;
 
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -7,7 +7,10 @@ import java.time.Duration;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.sim.device.M12EmulatorSettings.M12EmulatorOptions;
+import org.dfra.sim.device.DeviceEmulator;
+import org.dfra.sim.device.PseudoTerminal;
+import org.dfra.sim.device.SerialDevice;
+import org.dfra.sim.device.gps.M12EmulatorSettings.M12EmulatorOptions;
 import org.dfra.text.PrintableText;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;

@@ -1,4 +1,4 @@
-package org.dfra.sim.device;
+package org.dfra.sim.device.gps;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -15,7 +15,7 @@ import org.dfra.drivers.gps.m12.Position8Channels;
 import org.dfra.drivers.gps.m12.ReceiverStatus;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.sim.device.AntennaTrajectory.AntennaState;
+import org.dfra.sim.device.gps.AntennaTrajectory.AntennaState;
 import org.junit.jupiter.api.Test;
 
 /** Bytes against the user's guide, and against the driver's decoder, which shares no code. */

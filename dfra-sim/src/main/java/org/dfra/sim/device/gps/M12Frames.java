@@ -1,4 +1,4 @@
-package org.dfra.sim.device;
+package org.dfra.sim.device.gps;
 
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -8,7 +8,7 @@ import java.time.LocalDateTime;
 import java.time.ZoneOffset;
 import java.util.List;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.sim.device.AntennaTrajectory.AntennaState;
+import org.dfra.sim.device.gps.AntennaTrajectory.AntennaState;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,4 +1,4 @@
-package org.dfra.sim.device;
+package org.dfra.sim.device.gps;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -22,7 +22,8 @@ import org.dfra.flow.sensor.TimeReading;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.lifecycle.Readiness;
 import org.dfra.module.NotReadyException;
-import org.dfra.sim.device.M12EmulatorSettings.M12EmulatorOptions;
+import org.dfra.sim.device.FastClock;
+import org.dfra.sim.device.gps.M12EmulatorSettings.M12EmulatorOptions;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

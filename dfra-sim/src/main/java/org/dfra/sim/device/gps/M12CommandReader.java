@@ -1,4 +1,4 @@
-package org.dfra.sim.device;
+package org.dfra.sim.device.gps;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;

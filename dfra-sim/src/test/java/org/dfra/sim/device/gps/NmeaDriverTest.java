@@ -1,10 +1,11 @@
-package org.dfra.sim.device;
+package org.dfra.sim.device.gps;
 
 import java.time.Duration;
 import java.util.List;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.drivers.gps.GpsReceiverImpl;
 import org.dfra.drivers.gps.nmea.NmeaImpl;
+import org.dfra.sim.device.SerialDevice;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 

@@ -1,4 +1,4 @@
-package org.dfra.sim.device;
+package org.dfra.sim.device.gps;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -31,6 +31,9 @@ import org.dfra.module.NotReadyException;
 import org.dfra.persona.GpsReceiverAttributes;
 import org.dfra.persona.LocationAttributes;
 import org.dfra.persona.SensorAttributes;
+import org.dfra.sim.device.DeviceEmulator;
+import org.dfra.sim.device.FastClock;
+import org.dfra.sim.device.SerialDevice;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

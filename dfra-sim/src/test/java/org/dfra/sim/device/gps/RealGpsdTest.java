@@ -1,4 +1,4 @@
-package org.dfra.sim.device;
+package org.dfra.sim.device.gps;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -18,6 +18,8 @@ import org.dfra.drivers.gps.gpsd.GpsdImpl;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.lifecycle.Readiness;
+import org.dfra.sim.device.DeviceEmulator;
+import org.dfra.sim.device.Programs;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
