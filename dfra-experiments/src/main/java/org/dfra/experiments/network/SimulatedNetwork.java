@@ -1,4 +1,4 @@
-package org.dfra.recruit.transport;
+package org.dfra.experiments.network;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -11,6 +11,8 @@ import java.util.function.Consumer;
 import java.util.random.RandomGenerator;
 import org.dfra.recruit.loss.LossModel;
 import org.dfra.recruit.message.MessageEnvelope;
+import org.dfra.recruit.transport.DelayModel;
+import org.dfra.recruit.transport.Transport;
 import org.dfra.time.Scheduler;
 
 /** A network of agents in one virtual machine. Confined to the thread that advances its time. */
