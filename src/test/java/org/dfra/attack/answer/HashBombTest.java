@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.answer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -10,6 +10,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.dfra.attack.kit.Victim;
 import org.dfra.benchmarks.attack.RawCall.Answer;
 import org.dfra.benchmarks.attack.RawCall.Status;
 import org.junit.jupiter.api.AfterEach;

@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.answer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.answer;
 
 import java.io.IOException;
 import java.lang.management.ManagementFactory;

@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.discovery;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -12,6 +12,7 @@ import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import net.jini.core.lookup.ServiceRegistrar;
+import org.dfra.attack.kit.AttackHosts;
 import org.dfra.benchmarks.attack.AttackTask.Target;
 import org.dfra.benchmarks.attack.LocalMulticast;
 import org.dfra.benchmarks.attack.RogueAnnouncements;

@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.discovery;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
@@ -20,6 +20,8 @@ import net.jini.core.lookup.ServiceTemplate;
 import net.jini.export.Exporter;
 import net.jini.jeri.BasicILFactory;
 import net.jini.jeri.BasicJeriExporter;
+import org.dfra.attack.kit.AttackHosts;
+import org.dfra.attack.kit.Fakes;
 import org.dfra.benchmarks.attack.SourceBoundProxies;
 import org.dfra.core.time.StallProbe;
 import org.dfra.river.bootstrap.EmbeddedRegistrar;

@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.event;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
@@ -26,6 +26,8 @@ import net.jini.core.lookup.ServiceTemplate;
 import net.jini.export.Exporter;
 import net.jini.jeri.BasicILFactory;
 import net.jini.jeri.BasicJeriExporter;
+import org.dfra.attack.kit.AttackHosts;
+import org.dfra.attack.kit.SilentPeer;
 import org.dfra.benchmarks.attack.SourceBoundProxies;
 import org.dfra.benchmarks.attack.SourceSockets;
 import org.dfra.core.time.StallProbe;

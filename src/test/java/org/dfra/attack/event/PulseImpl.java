@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.event;
 
 import java.util.concurrent.TimeUnit;
 import org.dfra.core.module.ModuleContext;

@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.event;
 
 import java.io.PrintStream;
 import java.time.Duration;

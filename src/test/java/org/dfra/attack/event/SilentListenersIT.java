@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.event;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
@@ -12,6 +12,9 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
+import org.dfra.attack.kit.AttackHosts;
+import org.dfra.attack.kit.SilentPeer;
+import org.dfra.attack.kit.Victim;
 import org.dfra.benchmarks.attack.SourceBoundProxies;
 import org.dfra.benchmarks.attack.SourceSockets;
 import org.dfra.benchmarks.task.TaskProcess;

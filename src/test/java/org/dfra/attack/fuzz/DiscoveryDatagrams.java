@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.fuzz;
 
 import com.sun.jini.discovery.Discovery;
 import com.sun.jini.discovery.EncodeIterator;

@@ -1,7 +1,8 @@
-package org.dfra.attack;
+package org.dfra.attack.fuzz;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import org.dfra.attack.kit.Victim;
 import org.dfra.benchmarks.attack.ProcessSample;
 import org.dfra.report.measurement.MeasuredValue;
 import org.dfra.report.measurement.RunMeasurements;

@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.fuzz;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

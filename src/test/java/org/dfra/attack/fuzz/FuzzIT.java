@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.fuzz;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
@@ -30,6 +30,8 @@ import net.jini.export.Exporter;
 import net.jini.jeri.BasicILFactory;
 import net.jini.jeri.BasicJeriExporter;
 import net.jini.lookup.entry.Name;
+import org.dfra.attack.kit.AttackHosts;
+import org.dfra.attack.kit.Fakes;
 import org.dfra.benchmarks.attack.RawCall.Status;
 import org.dfra.benchmarks.attack.SourceBoundProxies;
 import org.dfra.benchmarks.task.TaskProcess;

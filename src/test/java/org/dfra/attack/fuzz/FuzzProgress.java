@@ -1,8 +1,9 @@
-package org.dfra.attack;
+package org.dfra.attack.fuzz;
 
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
+import org.dfra.attack.kit.Victim;
 import org.dfra.benchmarks.attack.ProcessSample;
 
 /**

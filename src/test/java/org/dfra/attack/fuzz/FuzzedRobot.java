@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.fuzz;
 
 import java.io.BufferedReader;
 import java.io.InputStreamReader;

@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.fuzz;
 
 import static java.io.ObjectStreamConstants.SC_SERIALIZABLE;
 import static java.io.ObjectStreamConstants.TC_CLASSDESC;
@@ -15,6 +15,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import org.dfra.attack.kit.AttackHosts;
+import org.dfra.attack.kit.Victim;
 import org.dfra.benchmarks.attack.CallBytes;
 import org.dfra.benchmarks.attack.RawCall;
 import org.dfra.benchmarks.attack.RawCall.Answer;

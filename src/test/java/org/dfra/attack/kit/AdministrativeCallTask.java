@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.kit;
 
 import com.sun.jini.admin.DestroyAdmin;
 import com.sun.jini.landlord.Landlord;
@@ -36,7 +36,7 @@ import org.dfra.river.remote.effector.RemoteDriveEffector;
 public final class AdministrativeCallTask implements Task {
 
   /** What its answers end with. */
-  static final String END = "end";
+  public static final String END = "end";
 
   private PrintStream out = System.out;
 

@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.kit;
 
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 

@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.kit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -15,7 +15,7 @@ import java.util.concurrent.TimeUnit;
 import net.jini.id.UuidFactory;
 import net.jini.jeri.BasicObjectEndpoint;
 import net.jini.jeri.ObjectEndpoint;
-import org.dfra.attack.HonestService.Adder;
+import org.dfra.attack.kit.HonestService.Adder;
 import org.dfra.benchmarks.attack.CallBytes;
 import org.dfra.benchmarks.attack.RawCall;
 import org.dfra.benchmarks.attack.RawCall.Answer;

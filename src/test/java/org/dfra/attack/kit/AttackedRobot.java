@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.kit;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -16,7 +16,7 @@ import org.dfra.river.bootstrap.EmbeddedRobot;
  * Robot eta in the test's own virtual machine: a registrar, and a drive of emulated wheels. An
  * attacker beside it is a process of its own.
  */
-final class AttackedRobot {
+public final class AttackedRobot {
 
   private static final Duration PATIENCE = Duration.ofSeconds(90);
 
@@ -29,7 +29,7 @@ final class AttackedRobot {
    * @param host the address that it is exported at
    * @param administration its {@code <administration>} element; empty for none
    */
-  static EmbeddedRobot of(Path folder, String host, String administration, Wheels wheels)
+  public static EmbeddedRobot of(Path folder, String host, String administration, Wheels wheels)
       throws IOException {
     Path xml =
         Files.writeString(
@@ -54,7 +54,7 @@ final class AttackedRobot {
    *
    * @param task what it does; it takes the registrar's host and port, and prints {@code ready}
    */
-  static TaskProcess attacker(Class<? extends Task> task, String host, int port)
+  public static TaskProcess attacker(Class<? extends Task> task, String host, int port)
       throws IOException, InterruptedException {
     return attacker(List.of(), task, host, port);
   }
@@ -64,7 +64,7 @@ final class AttackedRobot {
    *
    * @param prefix what runs a command there; empty for this computer
    */
-  static TaskProcess attacker(
+  public static TaskProcess attacker(
       List<String> prefix, Class<? extends Task> task, String host, int port)
       throws IOException, InterruptedException {
     TaskProcess started = TaskProcess.start(prefix, List.of(), task, host, Integer.toString(port));
@@ -78,7 +78,7 @@ final class AttackedRobot {
   }
 
   /** What each call of a verb of {@link AdministrativeCallTask} came to, from an address. */
-  static List<String> tried(TaskProcess task, String source, String verb)
+  public static List<String> tried(TaskProcess task, String source, String verb)
       throws IOException, InterruptedException {
     task.write(source + " " + verb);
     List<String> outcomes = new ArrayList<>();

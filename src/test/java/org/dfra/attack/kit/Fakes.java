@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.kit;
 
 import java.io.Serializable;
 import java.rmi.MarshalledObject;
@@ -18,15 +18,15 @@ import org.dfra.river.entry.ModuleEntry;
 import org.jspecify.annotations.Nullable;
 
 /** Registrations of things that are not what they claim to be. */
-final class Fakes {
+public final class Fakes {
 
   /** Milliseconds; the registrar grants what it grants at most. */
-  static final long LEASE_MILLIS = 60_000;
+  public static final long LEASE_MILLIS = 60_000;
 
   private Fakes() {}
 
   /** What a module of a robot says of itself. */
-  static ModuleEntry module(String robot, String name) {
+  public static ModuleEntry module(String robot, String name) {
     ModuleEntry entry = new ModuleEntry();
     entry.robot = robot;
     entry.name = name;
@@ -46,19 +46,20 @@ final class Fakes {
    * @param id the service ID; null for one of the registrar's choice
    * @param proxy anything serializable
    */
-  static ServiceRegistration register(
+  public static ServiceRegistration register(
       ServiceRegistrar registrar, @Nullable ServiceID id, Object proxy, Entry... entries)
       throws RemoteException {
     return registrar.register(new ServiceItem(id, proxy, entries), LEASE_MILLIS);
   }
 
   /** What is registered under a service ID. */
-  static Optional<Object> proxy(ServiceRegistrar registrar, ServiceID id) throws RemoteException {
+  public static Optional<Object> proxy(ServiceRegistrar registrar, ServiceID id)
+      throws RemoteException {
     return Optional.ofNullable(registrar.lookup(new ServiceTemplate(id, null, null)));
   }
 
   /** The service ID of the only service of a type. */
-  static ServiceID id(ServiceRegistrar registrar, Class<?> type) throws RemoteException {
+  public static ServiceID id(ServiceRegistrar registrar, Class<?> type) throws RemoteException {
     return Arrays.stream(
             registrar.lookup(new ServiceTemplate(null, new Class<?>[] {type}, null), 2).items)
         .map(item -> item.serviceID)
@@ -70,7 +71,7 @@ final class Fakes {
   }
 
   /** Registers a listener to a service that is not there. */
-  static long listen(ServiceRegistrar registrar) throws RemoteException {
+  public static long listen(ServiceRegistrar registrar) throws RemoteException {
     return registrar
         .notify(
             new ServiceTemplate(new ServiceID(4711, 4711), null, null),
@@ -82,7 +83,7 @@ final class Fakes {
   }
 
   /** A listener that is copied, and to which nothing is to be reported. */
-  static RemoteEventListener deaf() {
+  public static RemoteEventListener deaf() {
     return new Deaf();
   }
 

@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.kit;
 
 import java.io.PrintStream;
 import java.util.ArrayList;

@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.kit;
 
 import java.rmi.Remote;
 import java.rmi.RemoteException;

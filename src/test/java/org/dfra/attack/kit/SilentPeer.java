@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.kit;
 
 import java.io.IOException;
 import java.lang.reflect.Proxy;
@@ -16,7 +16,7 @@ import net.jini.jeri.tcp.TcpEndpoint;
  * An attacker's sockets that take connections and never answer, and stock proxies that lead there:
  * without a deadline, a socket factory or garbage collection.
  */
-final class SilentPeer implements AutoCloseable {
+public final class SilentPeer implements AutoCloseable {
 
   /** Connections that the operating system takes for each, though nobody accepts them. */
   private static final int BACKLOG = 200;
@@ -29,7 +29,7 @@ final class SilentPeer implements AutoCloseable {
    * @param host the attacker's address
    * @param sockets how many sockets listen there, at least 1
    */
-  SilentPeer(String host, int sockets) throws IOException {
+  public SilentPeer(String host, int sockets) throws IOException {
     this.host = host;
     for (int i = 0; i < sockets; i++) {
       this.sockets.add(new ServerSocket(0, BACKLOG, InetAddress.getByName(host)));
@@ -37,7 +37,7 @@ final class SilentPeer implements AutoCloseable {
   }
 
   /** A proxy for an object of its own, at the next of the sockets. */
-  <T extends Remote> T proxy(Class<T> type) {
+  public <T extends Remote> T proxy(Class<T> type) {
     int port = sockets.get(next++ % sockets.size()).getLocalPort();
     return type.cast(
         Proxy.newProxyInstance(

@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.kit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;

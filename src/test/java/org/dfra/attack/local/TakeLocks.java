@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.local;
 
 import java.io.IOException;
 import java.io.PrintStream;

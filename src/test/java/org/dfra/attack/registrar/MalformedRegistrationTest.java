@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.registrar;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -21,6 +21,8 @@ import net.jini.core.lookup.ServiceRegistration;
 import net.jini.core.lookup.ServiceTemplate;
 import net.jini.id.Uuid;
 import net.jini.lookup.entry.Name;
+import org.dfra.attack.kit.AttackHosts;
+import org.dfra.attack.kit.Fakes;
 import org.dfra.benchmarks.attack.SourceBoundProxies;
 import org.dfra.benchmarks.attack.SourceSockets;
 import org.dfra.directory.RegistrationRefusedException;

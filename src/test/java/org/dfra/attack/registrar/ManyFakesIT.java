@@ -1,10 +1,14 @@
-package org.dfra.attack;
+package org.dfra.attack.registrar;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import org.dfra.attack.kit.AttackHosts;
+import org.dfra.attack.kit.AttackedRobot;
+import org.dfra.attack.kit.FakeServices;
+import org.dfra.attack.kit.Fakes;
 import org.dfra.benchmarks.task.TaskProcess;
 import org.dfra.core.time.StallProbe;
 import org.dfra.directory.ModuleQuery;

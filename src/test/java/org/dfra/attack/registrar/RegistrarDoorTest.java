@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.registrar;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -13,6 +13,8 @@ import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceRegistration;
 import net.jini.lookup.entry.Name;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
+import org.dfra.attack.kit.AttackHosts;
+import org.dfra.attack.kit.Fakes;
 import org.dfra.benchmarks.attack.SourceBoundProxies;
 import org.dfra.benchmarks.attack.SourceSockets;
 import org.dfra.directory.RegistrationRefusedException;

@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.registrar;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -20,6 +20,8 @@ import java.util.stream.Stream;
 import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.lookup.entry.Name;
+import org.dfra.attack.kit.AttackHosts;
+import org.dfra.attack.kit.Fakes;
 import org.dfra.benchmarks.attack.SourceBoundProxies;
 import org.dfra.benchmarks.attack.SourceSockets;
 import org.dfra.core.host.FreePorts;

@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.registrar;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
@@ -12,6 +12,10 @@ import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceMatches;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
+import org.dfra.attack.kit.AttackHosts;
+import org.dfra.attack.kit.AttackedRobot;
+import org.dfra.attack.kit.FakeServices;
+import org.dfra.attack.kit.Fakes;
 import org.dfra.benchmarks.task.TaskProcess;
 import org.dfra.drive.Commander;
 import org.dfra.drive.WheeledRobot;

@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.stop;
 
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Proxy;
@@ -18,6 +18,7 @@ import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
 import net.jini.export.Exporter;
 import net.jini.jeri.BasicJeriExporter;
+import org.dfra.attack.kit.SilentPeer;
 import org.dfra.flow.effector.DriveEffector;
 import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.module.Identification;

@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.stop;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.stop;
 
 import java.nio.file.Files;
 import java.nio.file.Path;

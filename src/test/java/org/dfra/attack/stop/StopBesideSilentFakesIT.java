@@ -1,4 +1,4 @@
-package org.dfra.attack;
+package org.dfra.attack.stop;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Objects;
+import org.dfra.attack.kit.SilentPeer;
 import org.dfra.core.time.StallProbe;
 import org.dfra.core.time.Timing;
 import org.dfra.drive.Commander;
