@@ -119,13 +119,12 @@ class RobotBootstrapIT {
     Path file = folder.resolve(name + ".xml");
     return Files.writeString(
         file,
-        "<robot xmlns=\"urn:dfra:robot:1\" name=\""
-            + name
-            + "\" host=\""
-            + host
-            + "\">\n"
-            + content
-            + "\n</robot>\n");
+        """
+        <robot xmlns="urn:dfra:robot:1" name="%s" host="%s">
+        %s
+        </robot>
+        """
+            .formatted(name, host, content));
   }
 
   private static String group(String name, String content) {
