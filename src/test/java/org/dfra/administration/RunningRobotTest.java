@@ -63,17 +63,22 @@ class RunningRobotTest {
     Path xml = folder.resolve("robot.xml");
     Files.writeString(
         xml,
-        "<robot xmlns=\"urn:dfra:robot:1\" name=\"atrv1\" host=\"127.0.0.1\">"
-            + "<lookup locators=\""
-            + reggie.locator()
-            + "\"/><group name=\"lab\"><jvm-option>-Xmx64m</jvm-option>"
-            + "<module name=\"first\" server=\""
-            + ThermometerServer.class.getName()
-            + "\" proxy=\""
-            + ThermometerProxy.class.getName()
-            + "\" implementation=\""
-            + SteadyThermometerImpl.class.getName()
-            + "\"><parameter name=\"celsius\" value=\"1\"/></module></group></robot>");
+        """
+        <robot xmlns="urn:dfra:robot:1" name="atrv1" host="127.0.0.1">
+          <lookup locators="%s"/>
+          <group name="lab">
+            <jvm-option>-Xmx64m</jvm-option>
+            <module name="first" server="%s" proxy="%s" implementation="%s">
+              <parameter name="celsius" value="1"/>
+            </module>
+          </group>
+        </robot>
+        """
+            .formatted(
+                reggie.locator(),
+                ThermometerServer.class.getName(),
+                ThermometerProxy.class.getName(),
+                SteadyThermometerImpl.class.getName()));
     RobotBootstrap robot = new RobotBootstrap(phoenix, RobotXml.read(xml));
     robot.up();
     return robot;
@@ -154,12 +159,13 @@ class RunningRobotTest {
         Path xml = folder.resolve("atrv2.xml");
         Files.writeString(
             xml,
-            "<robot xmlns=\"urn:dfra:robot:1\" name=\"atrv2\" host=\"127.0.0.1\"><persona role=\""
-                + role
-                + "\"><goal>Map the field.</goal></persona><group name=\"lookup\"><registrar"
-                + " port=\""
-                + port
-                + "\"/></group></robot>");
+            """
+            <robot xmlns="urn:dfra:robot:1" name="atrv2" host="127.0.0.1">
+              <persona role="%s"><goal>Map the field.</goal></persona>
+              <group name="lookup"><registrar port="%d"/></group>
+            </robot>
+            """
+                .formatted(role, port));
         new RobotBootstrap(phoenix, RobotXml.read(xml)).up();
         await()
             .atMost(PATIENCE)

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.dfra.attack.kit.AttackHosts;
 import org.dfra.benchmarks.attack.AttackTask;
 import org.dfra.benchmarks.attack.AttackTask.Target;
 import org.dfra.benchmarks.attack.DiscoveryBombs;

@@ -28,6 +28,8 @@ import net.jini.id.Uuid;
 import net.jini.jeri.BasicObjectEndpoint;
 import net.jini.jeri.ObjectEndpoint;
 import net.jini.lookup.DiscoveryAdmin;
+import org.dfra.attack.kit.AttackHosts;
+import org.dfra.attack.kit.Victim;
 import org.dfra.benchmarks.attack.CallBytes;
 import org.dfra.benchmarks.attack.ProcessSample;
 import org.dfra.benchmarks.attack.RawCall;

@@ -9,6 +9,10 @@
  *   threads, heap and CPU time of the robot, before, after  Victim
  * </pre>
  *
- * <p>Enter at {@link org.dfra.attack.AttackKitTest}, which shows how an attack is written.
+ * <p>The packages below are named by what is attacked: {@code answer} (a client's), {@code
+ * discovery}, {@code event}, {@code local} (the computer), {@code registrar} and {@code stop}.
+ * {@code fuzz} sends malformed bytes; {@code kit} is what the attacks share.
+ *
+ * <p>Enter at {@link org.dfra.attack.kit.AttackKitTest}, which shows how an attack is written.
  */
 package org.dfra.attack;

@@ -43,8 +43,8 @@ import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.phoenix.GroupStatus;
 import org.dfra.robot.RunningPhoenix;
-import org.dfra.sim.device.M12Emulator;
-import org.dfra.sim.device.M12EmulatorSettings;
+import org.dfra.sim.device.gps.M12Emulator;
+import org.dfra.sim.device.gps.M12EmulatorSettings;
 import org.dfra.testing.EmbeddedReggie;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -119,13 +119,12 @@ class RobotBootstrapIT {
     Path file = folder.resolve(name + ".xml");
     return Files.writeString(
         file,
-        "<robot xmlns=\"urn:dfra:robot:1\" name=\""
-            + name
-            + "\" host=\""
-            + host
-            + "\">\n"
-            + content
-            + "\n</robot>\n");
+        """
+        <robot xmlns="urn:dfra:robot:1" name="%s" host="%s">
+        %s
+        </robot>
+        """
+            .formatted(name, host, content));
   }
 
   private static String group(String name, String content) {

@@ -42,7 +42,7 @@ abstract class PrintedTextRules {
           "org.dfra.examples.sim.RunCommand",
           "org.dfra.report.terminal.CommandOutput",
           "org.dfra.river.phoenix.GroupVm",
-          "org.dfra.sim.device.ReceiverEmulatorMain");
+          "org.dfra.sim.device.gps.ReceiverEmulatorMain");
 
   /** They write no text but their own, or hand the writer on to one of those above. */
   private static final Set<String> OWN_TEXT =

@@ -51,6 +51,13 @@ final class Repository {
         .toList();
   }
 
+  /** The folders with sources of tests, each a package. */
+  static List<Path> testPackages(Path root) {
+    return Stream.concat(Stream.of(root), modulesWith(root, "src/test/java").stream())
+        .flatMap(module -> packagesBelow(module.resolve("src/test/java")))
+        .toList();
+  }
+
   private static Stream<Path> packagesBelow(Path sources) {
     try (Stream<Path> files = Files.walk(sources)) {
       return files

@@ -75,7 +75,11 @@ class RepositoryTest {
   /** A larger package is split. */
   @Test
   void noPackageHasMoreThanFortyFiles() throws IOException {
-    for (Path directory : Repository.mainPackages(Repository.root())) {
+    List<Path> tests = Repository.testPackages(Repository.root());
+    assertThat(tests).anyMatch(directory -> directory.endsWith("org/dfra/build"));
+    for (Path directory :
+        Stream.concat(Repository.mainPackages(Repository.root()).stream(), tests.stream())
+            .toList()) {
       try (Stream<Path> files = Files.list(directory)) {
         assertThat(files.filter(file -> file.toString().endsWith(".java")))
             .as("files of %s", directory)

@@ -6,8 +6,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -29,6 +31,26 @@ class LinksTest {
 
   private static final Pattern CLASS =
       Pattern.compile("(?<![\\w.])org\\.dfra\\.(?:[a-z]\\w*\\.)*[A-Z]\\w*");
+
+  /** A package in backticks, without a class. */
+  private static final Pattern PACKAGE = Pattern.compile("`(org\\.dfra(?:\\.[a-z]\\w*)+)`");
+
+  /** The version of the build, as its {@code pom.xml} says it. */
+  private static final Pattern VERSION =
+      Pattern.compile("<artifactId>dfra</artifactId>\\s*<version>([^<]+)</version>");
+
+  /** Documents that name what has another name now. */
+  private static final Set<String> OF_OLD_NAMES =
+      Set.of("docs/reference/renamed.md", "CHANGELOG.md");
+
+  /** Names that look like a package's: system properties and a component of the configuration. */
+  private static final Set<String> NO_PACKAGES =
+      Set.of(
+          "org.dfra.group",
+          "org.dfra.phoenix.group",
+          "org.dfra.phoenix.lock",
+          "org.dfra.phoenix.output",
+          "org.dfra.river.phoenix.group");
 
   /** Names that begin like a module: a command, a temporary folder, a module that was split. */
   private static final Set<String> NO_MODULES = Set.of("dfra-demo", "dfra-call", "dfra-app");
@@ -104,12 +126,50 @@ class LinksTest {
     assertThat(missing).as("classes that are named and do not exist").isEmpty();
   }
 
+  @Test
+  void everyPackageThatIsNamedExists() throws IOException {
+    Set<String> packages = new HashSet<>();
+    for (String name : classes()) {
+      for (int dot = name.lastIndexOf('.'); dot > 0; dot = name.lastIndexOf('.', dot - 1)) {
+        packages.add(name.substring(0, dot));
+      }
+    }
+    assertThat(packages).contains("org.dfra.module", "org.dfra.docs");
+    List<String> missing = new ArrayList<>();
+    for (Document document : Documents.all()) {
+      if (!OF_OLD_NAMES.contains(document.name().replace('\\', '/'))) {
+        PACKAGE
+            .matcher(document.text())
+            .results()
+            .map(found -> found.group(1))
+            .filter(name -> !packages.contains(name))
+            .filter(name -> !NO_PACKAGES.contains(name))
+            .forEach(name -> missing.add(document.name() + ": " + name));
+      }
+    }
+    assertThat(missing).as("packages that are named and do not exist").isEmpty();
+  }
+
+  /** A typed version is wrong after the next release. */
+  @Test
+  void onlyTheChangelogAndTheBenchmarksTypeTheVersion() {
+    Matcher version = VERSION.matcher(Documents.read(Documents.ROOT.resolve("pom.xml")));
+    assertThat(version.find()).as("pom.xml says the version").isTrue();
+    assertThat(Documents.all())
+        .filteredOn(document -> !document.name().equals("CHANGELOG.md"))
+        .filteredOn(document -> !document.name().startsWith("benchmarks"))
+        .as("documents that type version %s", version.group(1))
+        .filteredOn(document -> document.text().contains(version.group(1)))
+        .extracting(Document::name)
+        .isEmpty();
+  }
+
   private static Set<String> classes() throws IOException {
     Pattern source = Pattern.compile(".*/java/(org/dfra/.*)\\.java");
     try (Stream<Path> files = Files.walk(Documents.ROOT, 14)) {
       return files
           .map(file -> source.matcher(file.toString().replace('\\', '/')))
-          .filter(java.util.regex.Matcher::matches)
+          .filter(Matcher::matches)
           .map(found -> found.group(1).replace('/', '.'))
           .collect(Collectors.toSet());
     }

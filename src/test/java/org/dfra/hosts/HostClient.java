@@ -36,8 +36,8 @@ import org.dfra.river.bootstrap.HostAddress;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.lookup.JiniModuleDirectory;
-import org.dfra.sim.device.M12Emulator;
-import org.dfra.sim.device.M12EmulatorSettings;
+import org.dfra.sim.device.gps.M12Emulator;
+import org.dfra.sim.device.gps.M12EmulatorSettings;
 import org.dfra.testing.InteractiveProcess;
 
 /**

@@ -17,8 +17,8 @@ import org.dfra.drivers.laser.lms.LmsCommands;
 import org.dfra.drivers.laser.lms.LmsParser;
 import org.dfra.drivers.laser.lms.LmsScan;
 import org.dfra.drivers.laser.lms.MeasuringMode;
-import org.dfra.sim.device.GpsdDevice;
-import org.dfra.sim.device.UbxDevice;
+import org.dfra.sim.device.gps.GpsdDevice;
+import org.dfra.sim.device.gps.UbxDevice;
 import org.dfra.sim.device.laser.LmsDevice;
 import org.dfra.sim.device.laser.LmsEmulatorSettings;
 

@@ -7,10 +7,10 @@ import java.time.Instant;
 import java.util.List;
 import org.dfra.drivers.gps.m12.M12Commands;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.sim.device.AntennaTrajectory;
-import org.dfra.sim.device.M12Device;
-import org.dfra.sim.device.NmeaDevice;
 import org.dfra.sim.device.SerialDevice;
+import org.dfra.sim.device.gps.AntennaTrajectory;
+import org.dfra.sim.device.gps.M12Device;
+import org.dfra.sim.device.gps.NmeaDevice;
 
 /** The bytes that an emulated device sends in {@value #SECONDS} seconds. Always the same. */
 public final class DeviceRecording {

@@ -90,9 +90,14 @@ class LogbackSetupTest {
   @Test
   void aConfigurationOfTheUserIsUsed() throws Exception {
     String xml =
-        "<configuration><appender name=\"a\" class=\"ch.qos.logback.core.ConsoleAppender\">"
-            + "<encoder><pattern>mine: %msg%n</pattern></encoder></appender>"
-            + "<root level=\"INFO\"><appender-ref ref=\"a\"/></root></configuration>";
+        """
+        <configuration>
+          <appender name="a" class="ch.qos.logback.core.ConsoleAppender">
+            <encoder><pattern>mine: %msg%n</pattern></encoder>
+          </appender>
+          <root level="INFO"><appender-ref ref="a"/></root>
+        </configuration>
+        """;
     Path named = Files.writeString(folder.resolve("named.xml"), xml);
     Path path = Files.createDirectory(folder.resolve("classes"));
     assertThat(output(Map.of(), List.of("-Dlogback.configurationFile=" + named)))

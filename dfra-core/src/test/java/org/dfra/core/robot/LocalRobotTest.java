@@ -48,9 +48,12 @@ class LocalRobotTest {
     Path xml = folder.resolve("robot.xml");
     Files.writeString(
         xml,
-        "<robot xmlns=\"urn:dfra:robot:1\" name=\"atrv1\" host=\"127.0.0.1\">\n<group name=\"g\">\n"
-            + modules
-            + "</group></robot>\n");
+        """
+        <robot xmlns="urn:dfra:robot:1" name="atrv1" host="127.0.0.1">
+        <group name="g">
+        %s</group></robot>
+        """
+            .formatted(modules));
     return RobotXml.read(xml);
   }
 

@@ -16,7 +16,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.stream.Stream;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.river.bootstrap.JvmCommand;
-import org.dfra.sim.device.ReceiverEmulatorMain;
+import org.dfra.sim.device.gps.ReceiverEmulatorMain;
 
 /**
  * The environment of a demonstration: a temporary folder, emulated receivers and hosts. All of them

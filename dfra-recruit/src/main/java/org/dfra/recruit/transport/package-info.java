@@ -1,7 +1,6 @@
 /**
  * Message transport: {@link org.dfra.recruit.transport.Transport} is an agent's interface to it.
- * {@link org.dfra.recruit.transport.SimulatedNetwork} loses, delays and counts messages, and uses
- * {@link org.dfra.recruit.transport.VirtualTime}.
+ * {@link org.dfra.recruit.transport.VirtualTime} replaces the clock in tests and simulations.
  */
 @NullMarked
 package org.dfra.recruit.transport;

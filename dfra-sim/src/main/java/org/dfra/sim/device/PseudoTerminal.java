@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
  * <p>{@link #start} starts one thread, {@code name terminal}, which owns the current socat process;
  * {@link #close} ends both and removes the port's folder. Both are idempotent.
  */
-final class PseudoTerminal implements AutoCloseable {
+public final class PseudoTerminal implements AutoCloseable {
 
   private static final long PATIENCE_SECONDS = 20;
   private static final long RETRY_MILLIS = 100; // real time
@@ -48,7 +48,7 @@ final class PseudoTerminal implements AutoCloseable {
    * @param name name of the port's file
    * @param emulator of the device; started, and not closed before this
    */
-  PseudoTerminal(String name, DeviceEmulator emulator) {
+  public PseudoTerminal(String name, DeviceEmulator emulator) {
     this(name, emulator, System.getenv().getOrDefault("PATH", ""));
   }
 
@@ -67,7 +67,7 @@ final class PseudoTerminal implements AutoCloseable {
    * @throws IOException if socat is not installed or fails
    * @throws IllegalStateException if the emulator does not listen
    */
-  void start() throws IOException {
+  public void start() throws IOException {
     lock.lock();
     try {
       if (closed) {
@@ -120,7 +120,7 @@ final class PseudoTerminal implements AutoCloseable {
   }
 
   /** The link for a driver: {@code serial:file}. */
-  String url() {
+  public String url() {
     lock.lock();
     try {
       if (port == null) {

@@ -11,7 +11,7 @@ import java.util.ArrayDeque;
  */
 public final class UartLine {
 
-  static final int FASTEST = 4_000_000;
+  public static final int FASTEST = 4_000_000;
 
   private static final long BIT_NANOS_PER_BYTE = 10_000_000_000L;
 

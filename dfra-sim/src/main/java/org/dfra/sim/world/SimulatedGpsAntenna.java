@@ -2,8 +2,8 @@ package org.dfra.sim.world;
 
 import java.time.Instant;
 import org.dfra.geometry.LocalPosition;
-import org.dfra.sim.device.AntennaTrajectory;
-import org.dfra.sim.device.AntennaTrajectory.AntennaState;
+import org.dfra.sim.device.gps.AntennaTrajectory;
+import org.dfra.sim.device.gps.AntennaTrajectory.AntennaState;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.VehicleDescription.VehicleType;
 import org.dfra.sim.world.noise.CorrelatedNoise;

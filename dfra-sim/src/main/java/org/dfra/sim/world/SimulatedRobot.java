@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import org.dfra.core.config.NearestName;
-import org.dfra.sim.device.AntennaTrajectory;
+import org.dfra.sim.device.gps.AntennaTrajectory;
 import org.dfra.sim.physics.BatteryPhysics;
 import org.dfra.sim.physics.CameraInput;
 import org.dfra.sim.physics.DrivetrainPhysics;

@@ -21,6 +21,7 @@ import org.dfra.flow.effector.FlightCommand.ReturnToLaunch;
 import org.dfra.flow.effector.FlightCommand.TakeOff;
 import org.dfra.flow.effector.FlightState.Phase;
 import org.dfra.geometry.GeoPosition;
+import org.dfra.sim.device.gps.AntennaTrajectory;
 import org.dfra.sim.device.uav.AutopilotDevice;
 import org.dfra.sim.device.uav.AutopilotSettings;
 import org.dfra.sim.device.uav.AutopilotSettings.AutopilotSoftware;

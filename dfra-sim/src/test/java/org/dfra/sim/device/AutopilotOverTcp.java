@@ -24,6 +24,7 @@ import org.dfra.flow.effector.FlightState.Phase;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
+import org.dfra.sim.device.gps.AntennaTrajectory;
 import org.dfra.sim.device.uav.AutopilotDevice;
 import org.dfra.sim.device.uav.AutopilotSettings;
 import org.dfra.sim.device.uav.AutopilotSettings.AutopilotSoftware;

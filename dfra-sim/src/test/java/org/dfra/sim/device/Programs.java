@@ -10,17 +10,17 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Programs that a test needs and a computer may lack. */
-final class Programs {
+public final class Programs {
 
   private Programs() {}
 
   /** Skips the test where the program is not installed. */
-  static void require(String program) {
+  public static void require(String program) {
     assertThat(find(program)).isNotEmpty();
   }
 
   /** Where the program is; skips the test where it is not installed. */
-  static String find(String program) {
+  public static String find(String program) {
     List<String> folders = new ArrayList<>();
     folders.addAll(List.of(System.getenv().getOrDefault("PATH", "").split(File.pathSeparator, -1)));
     folders.add("/usr/sbin"); // where daemons are, and not on every user's path
@@ -35,7 +35,7 @@ final class Programs {
   }
 
   /** Ends a process and waits until it has. */
-  static void end(Process process) throws InterruptedException {
+  public static void end(Process process) throws InterruptedException {
     process.destroyForcibly().waitFor();
   }
 }

@@ -20,9 +20,9 @@ import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.lifecycle.Readiness;
 import org.dfra.module.Diagnosis;
-import org.dfra.sim.device.AntennaTrajectory;
-import org.dfra.sim.device.M12Device;
 import org.dfra.sim.device.SimPort;
+import org.dfra.sim.device.gps.AntennaTrajectory;
+import org.dfra.sim.device.gps.M12Device;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 

@@ -9,8 +9,8 @@ import static org.dfra.sim.world.Worlds.perfectDrive;
 import static org.dfra.sim.world.Worlds.ugv;
 
 import org.dfra.geometry.LocalPosition;
-import org.dfra.sim.device.AntennaTrajectory;
-import org.dfra.sim.device.AntennaTrajectory.AntennaState;
+import org.dfra.sim.device.gps.AntennaTrajectory;
+import org.dfra.sim.device.gps.AntennaTrajectory.AntennaState;
 import org.dfra.sim.world.description.DeviceDescription;
 import org.dfra.sim.world.description.DeviceDescription.MountPose;
 import org.dfra.sim.world.description.DeviceKind;

@@ -10,6 +10,8 @@ import java.util.SplittableRandom;
 import org.dfra.agent.HelpCall;
 import org.dfra.core.lease.LeaseRegistry;
 import org.dfra.core.lease.LeaseTerms;
+import org.dfra.experiments.network.SimulatedNetwork;
+import org.dfra.experiments.network.SimulatedNetwork.DeliveryModel;
 import org.dfra.experiments.recruit.simulation.ExperimentField.FieldPoint;
 import org.dfra.recruit.RecruitmentSettings;
 import org.dfra.recruit.agent.Recruiter;
@@ -17,8 +19,6 @@ import org.dfra.recruit.agent.RecruiterListener;
 import org.dfra.recruit.agent.RecruiterPorts;
 import org.dfra.recruit.loss.LossModel;
 import org.dfra.recruit.strategy.Greedy;
-import org.dfra.recruit.transport.SimulatedNetwork;
-import org.dfra.recruit.transport.SimulatedNetwork.DeliveryModel;
 import org.dfra.recruit.transport.Transport.MessageMode;
 import org.dfra.recruit.transport.VirtualTime;
 

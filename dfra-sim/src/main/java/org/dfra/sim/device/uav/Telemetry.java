@@ -8,7 +8,7 @@ import java.util.Arrays;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
-import org.dfra.sim.device.AntennaTrajectory.AntennaState;
+import org.dfra.sim.device.gps.AntennaTrajectory.AntennaState;
 import org.dfra.sim.device.uav.AutopilotSettings.AutopilotSoftware;
 import org.dfra.sim.device.uav.AutopilotSettings.AutopilotSoftware.Mode;
 import org.dfra.sim.device.uav.MavlinkCommandReader.ReceivedCommand;

@@ -10,7 +10,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Random;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.sim.device.AntennaTrajectory;
+import org.dfra.sim.device.gps.AntennaTrajectory;
 import org.dfra.sim.device.uav.AutopilotSettings.AutopilotSoftware;
 import org.dfra.sim.physics.BatteryPhysics.Charge;
 import org.dfra.sim.physics.MulticopterPhysics;

@@ -1,0 +1,2 @@
+/** Hostile answers to a client: large, recursive or forged ones. */
+package org.dfra.attack.answer;

@@ -1,0 +1,2 @@
+/** Attacks on the discovery of lookup services. */
+package org.dfra.attack.discovery;

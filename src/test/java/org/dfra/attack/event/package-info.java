@@ -1,0 +1,2 @@
+/** Attacks by listeners of remote events. */
+package org.dfra.attack.event;

@@ -1,0 +1,2 @@
+/** Attacks on the lookup service and by false registrations. */
+package org.dfra.attack.registrar;
