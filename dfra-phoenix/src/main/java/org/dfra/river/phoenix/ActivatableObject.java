@@ -132,7 +132,7 @@ final class ActivatableObject {
 
   private void requireRegistered() throws UnknownObjectException {
     if (retired) {
-      throw new UnknownObjectException("the object was unregistered");
+      throw new UnknownObjectException("object " + uid + " was unregistered");
     }
   }
 

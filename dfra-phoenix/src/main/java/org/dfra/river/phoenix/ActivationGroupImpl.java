@@ -251,13 +251,13 @@ public final class ActivationGroupImpl extends ActivationGroup
       throws ActivationException, RemoteException {
     Slot slot = slots.get(object);
     if (slot == null) {
-      throw new UnknownObjectException("the object is not active in this group");
+      throw new UnknownObjectException("object " + object + " is not active in this group");
     }
     @Nullable Exception failed = null;
     synchronized (slot) {
       @Nullable Remote active = slot.object;
       if (slots.get(object) != slot || active == null) {
-        throw new UnknownObjectException("the object is not active in this group");
+        throw new UnknownObjectException("object " + object + " is not active in this group");
       }
       boolean unexported =
           itsExporter != null

@@ -155,7 +155,7 @@ final class GroupRegistry {
         }
       }
     }
-    throw new UnknownObjectException("phoenix has no such object registered");
+    throw new UnknownObjectException("phoenix has no object " + uid + " registered");
   }
 
   /**

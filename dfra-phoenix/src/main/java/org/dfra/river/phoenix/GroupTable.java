@@ -92,7 +92,8 @@ final class GroupTable {
    */
   ActivatableObject object(UID uid) throws UnknownObjectException {
     return find(uid)
-        .orElseThrow(() -> new UnknownObjectException("phoenix has no such object registered"));
+        .orElseThrow(
+            () -> new UnknownObjectException("phoenix has no object " + uid + " registered"));
   }
 
   /**
