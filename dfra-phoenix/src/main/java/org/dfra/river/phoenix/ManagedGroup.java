@@ -408,7 +408,11 @@ final class ManagedGroup implements GroupLauncher.LaunchOwner {
     boolean worked = restarts.wasStable(this, current.number());
     current.ended();
     changed.signalAll();
-    supervision.ended(how, announced, worked).ifPresent(delay -> restarts.schedule(this, delay));
+    if (announced) {
+      supervision.recordExpectedExit(how);
+    } else {
+      supervision.recordExit(how, worked).ifPresent(delay -> restarts.schedule(this, delay));
+    }
   }
 
   /** Whether this incarnation is active now. */

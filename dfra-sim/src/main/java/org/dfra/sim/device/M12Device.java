@@ -8,6 +8,8 @@ import java.util.Set;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.sim.device.AntennaTrajectory.AntennaState;
 import org.dfra.sim.device.M12EmulatorSettings.M12EmulatorOptions;
+import org.dfra.sim.device.M12Frames.Moment.Solution;
+import org.dfra.sim.device.M12Frames.Moment.TimeScale;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -216,7 +218,11 @@ public final class M12Device extends UartDevice {
     }
     M12Frames.Moment moment =
         new M12Frames.Moment(
-            reportedTime(time), utcOffset(), reportsUtc, hasFix(time), holds(), antenna(time));
+            reportedTime(time),
+            utcOffset(),
+            reportsUtc ? TimeScale.UTC : TimeScale.GPS,
+            solution(time),
+            antenna(time));
     channel()
         .send(
             switch (id) {
@@ -228,6 +234,13 @@ public final class M12Device extends UartDevice {
               default -> M12Frames.visible(moment);
             },
             time);
+  }
+
+  private Solution solution(Instant time) {
+    if (!hasFix(time)) {
+      return Solution.ACQUIRING;
+    }
+    return holds() ? Solution.POSITION_HOLD : Solution.FIX_3D;
   }
 
   private boolean holds() {
