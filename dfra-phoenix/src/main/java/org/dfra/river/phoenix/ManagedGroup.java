@@ -1,5 +1,6 @@
 package org.dfra.river.phoenix;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.rmi.MarshalledObject;
 import java.rmi.activation.ActivationException;
@@ -44,7 +45,10 @@ final class ManagedGroup implements GroupLauncher.LaunchOwner {
   private final Restarts restarts;
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
-  private final GroupSupervisor supervision; // this and below guarded by lock
+
+  @GuardedBy("lock")
+  private final GroupSupervisor supervision;
+
   private volatile Incarnation current; // changed under the lock
 
   /**
@@ -402,6 +406,7 @@ final class ManagedGroup implements GroupLauncher.LaunchOwner {
     }
   }
 
+  @GuardedBy("lock")
   private void ended(ProcessExit how) {
     boolean announced = current.state() == State.LEAVING;
     releaseLaunchPermit();
@@ -479,7 +484,12 @@ final class ManagedGroup implements GroupLauncher.LaunchOwner {
 
   /** The state for the administrator. */
   GroupStatus status(int objects) {
-    return locked(() -> supervision.status(current, objects));
+    lock.lock();
+    try {
+      return supervision.status(current, objects);
+    } finally {
+      lock.unlock();
+    }
   }
 
   /** Wakes the waiting threads when the daemon shuts down. */

@@ -177,14 +177,13 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     }
   }
 
-  /** The caller holds the lock of {@code watches}. */
+  @GuardedBy("watches")
   private boolean isAnyBeingRead() {
     return watches.values().stream().anyMatch(watch -> !watch.isRead());
   }
 
-  /**
-   * The locators at which no lookup service was read. The caller holds the lock of {@code watches}.
-   */
+  /** The locators at which no lookup service was read. */
+  @GuardedBy("watches")
   private List<String> unread() {
     List<String> missing = new ArrayList<>();
     discovery

@@ -143,11 +143,9 @@ class MissedAnswersTest {
     List<ServiceReference> unused = bringUp(phoenix);
     phoenix.miss(MISSES);
     assertThat(PhoenixInventory.groups(phoenix.calls(folder).admin(), patience()))
-        .extracting(
-            ServiceGroup::name,
-            ServiceGroup::registrar,
-            ServiceGroup::runningModules)
-        .containsExactly(tuple("lookup", RegistrarState.RUNNING, Set.of()),
+        .extracting(ServiceGroup::name, ServiceGroup::registrar, ServiceGroup::runningModules)
+        .containsExactly(
+            tuple("lookup", RegistrarState.RUNNING, Set.of()),
             tuple("one", RegistrarState.NONE, Set.of("gps")));
     assertThat(phoenix.calls("groupStatus")).isGreaterThan(MISSES);
   }
