@@ -41,6 +41,15 @@ public record ModuleListing<M extends Module>(
     attributes = List.copyOf(attributes);
   }
 
+  /**
+   * This listing once no reachable lookup service lists the module any more.
+   *
+   * @param lastListed when a lookup service last listed it; the caller's clock, UTC
+   */
+  public ModuleListing<M> asStale(Instant lastListed) {
+    return new ModuleListing<>(id, module, robot, name, attributes, locality, true, lastListed);
+  }
+
   /** The attributes of one kind, if the module has published any. */
   public <A extends Attributes> Optional<A> attributes(Class<A> kind) {
     for (int i = 0; i < attributes.size(); i++) { // called very often: no iterators

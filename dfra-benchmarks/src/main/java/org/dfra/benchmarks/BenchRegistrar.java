@@ -16,13 +16,13 @@ import java.util.UUID;
 import java.util.concurrent.atomic.AtomicLong;
 import javax.net.ServerSocketFactory;
 import net.jini.core.lookup.ServiceRegistrar;
-import net.jini.jeri.BasicJeriExporter;
 import net.jini.jeri.tcp.TcpServerEndpoint;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.config.SourceLocation;
 import org.dfra.river.bootstrap.EmbeddedRegistrar;
 import org.dfra.river.call.DeadlineILFactory;
+import org.dfra.river.call.JeriExporters;
 import org.dfra.river.server.ModuleActivation;
 
 /** River's Reggie in this JVM; it counts the bytes of all calls. */
@@ -46,11 +46,9 @@ final class BenchRegistrar implements AutoCloseable {
                 Map.of(
                     "serverExporter",
                     () ->
-                        new BasicJeriExporter(
+                        JeriExporters.keepingAlive(
                             TcpServerEndpoint.getInstance(HOST, 0, null, new Counting()),
-                            new DeadlineILFactory(30_000),
-                            false,
-                            true),
+                            new DeadlineILFactory(30_000)),
                     "minRenewalInterval",
                     () -> 1L)) // the default adds 100 ms for each service
             .start();

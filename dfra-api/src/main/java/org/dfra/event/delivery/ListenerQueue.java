@@ -1,5 +1,6 @@
 package org.dfra.event.delivery;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.lang.System.Logger.Level;
 import java.rmi.NoSuchObjectException;
 import java.rmi.RemoteException;
@@ -34,15 +35,31 @@ public final class ListenerQueue implements AutoCloseable {
   /** The context class loader of the registration; also used for notifications. */
   private final @Nullable ClassLoader loader = Thread.currentThread().getContextClassLoader();
 
-  // all guarded by this
+  @GuardedBy("this")
   private final @Nullable Delivery[] ring;
+
+  @GuardedBy("this")
   private int head;
+
+  @GuardedBy("this")
   private int size;
+
+  @GuardedBy("this")
   private long dropped;
+
+  @GuardedBy("this")
   private boolean underWay;
+
+  @GuardedBy("this")
   private boolean closed;
+
+  @GuardedBy("this")
   private long earliest;
+
+  @GuardedBy("this")
   private int failures;
+
+  @GuardedBy("this")
   private @Nullable String lastFailure;
 
   /**
@@ -100,6 +117,7 @@ public final class ListenerQueue implements AutoCloseable {
     }
   }
 
+  @GuardedBy("this")
   private @Nullable Delivery take() {
     @Nullable Delivery first = ring[head];
     ring[head] = null;
@@ -108,6 +126,7 @@ public final class ListenerQueue implements AutoCloseable {
     return first;
   }
 
+  @GuardedBy("this")
   private void schedule() {
     long wait = earliest - scheduler.nanos();
     if (period > 0 && wait > 0) {

@@ -45,6 +45,16 @@ public record EmergencyStopState(
   public static final EmergencyStopState NEVER =
       new EmergencyStopState(false, null, null, true, null);
 
+  /** This state with another fault and another age. */
+  public EmergencyStopState withFault(@Nullable String other, @Nullable Duration otherAge) {
+    return new EmergencyStopState(latched, requester, since, haltCommanded, other, otherAge);
+  }
+
+  /** This state of a driver that has not been commanded to stop, with the fault. */
+  public EmergencyStopState withoutHalt(@Nullable String why) {
+    return new EmergencyStopState(latched, requester, since, false, why, age);
+  }
+
   /** Characters of a requester's name that are kept. */
   private static final int LONGEST_NAME = 120;
 

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Supplier;
@@ -105,7 +106,18 @@ final class FisReader {
     sections.requireKnown(inputs.size(), outputs.size());
     FisLine rules = system.line("NumRules");
     FisRuleParser rulesReader = new FisRuleParser(inputs.size(), outputs.size());
-    List<Rule> read = sections.section("Rules").lines().stream().map(rulesReader::rule).toList();
+    List<Rule> read = new ArrayList<>();
+    for (FisLine line : sections.section("Rules").lines()) {
+      Rule rule = rulesReader.rule(line);
+      int number = read.size() + 1;
+      fitting(
+          line.place(),
+          () -> {
+            FuzzySystem.requireRule(rule, number, type, inputs, outputs);
+            return rule;
+          });
+      read.add(rule);
+    }
     if (read.size() != count(rules)) {
       throw rules.fault(
           "NumRules is " + rules.value() + ", but there are " + read.size() + " rules");

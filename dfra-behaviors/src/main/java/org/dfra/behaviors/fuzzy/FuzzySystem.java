@@ -59,7 +59,7 @@ public record FuzzySystem(
       }
     }
     for (int i = 0; i < rules.size(); i++) {
-      require(rules.get(i), i + 1, type, inputs, outputs);
+      requireRule(rules.get(i), i + 1, type, inputs, outputs);
     }
   }
 
@@ -106,7 +106,12 @@ public record FuzzySystem(
     }
   }
 
-  private static void require(
+  /**
+   * Refuses a rule that names terms which its variables do not have.
+   *
+   * @param number its number in the rule base, from 1
+   */
+  static void requireRule(
       Rule rule, int number, Type type, List<Variable> inputs, List<Variable> outputs) {
     String where = "rule " + number;
     if (rule.antecedents().size() != inputs.size() || rule.consequents().size() != outputs.size()) {

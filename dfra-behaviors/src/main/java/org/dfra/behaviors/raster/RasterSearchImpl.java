@@ -165,7 +165,6 @@ public final class RasterSearchImpl extends BehaviorImpl<RasterGoal> implements 
     }
   }
 
-  /** The caller holds the lock. */
   @GuardedBy("remembering")
   private void keep() {
     @Nullable RasterGoal wanted = goal;

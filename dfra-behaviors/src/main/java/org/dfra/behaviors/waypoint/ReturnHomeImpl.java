@@ -110,7 +110,6 @@ public final class ReturnHomeImpl extends BehaviorImpl<HomeGoal> implements Retu
     }
   }
 
-  /** The caller holds the lock. */
   @GuardedBy("place")
   private void storeHome(GeoPosition wanted) {
     home = wanted;

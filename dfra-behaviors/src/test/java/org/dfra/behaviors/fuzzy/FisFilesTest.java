@@ -170,7 +170,7 @@ class FisFilesTest {
             + " | small.fis:19: MF3 is in the place of MF2; number them from 1 on",
         "NumMFs=2 | NumMFs=4"
             + " | small.fis:17: NumMFs of x is 4, but there are 2 membership functions",
-        "1, 1 (1) : 1 | 3, 1 (1) : 1 | small.fis: rule 1 uses term 3 of x, which has 2 terms",
+        "1, 1 (1) : 1 | 3, 1 (1) : 1 | small.fis:29: rule 1 uses term 3 of x, which has 2 terms",
         "1, 1 (1) : 1 | 1 1, 1 (1) : 1 | small.fis:29: the rule \"1 1, 1 (1) : 1\" has terms of 2 inputs; the system has 1",
         "1, 1 (1) : 1 | 1, 1 (1) : 3 | small.fis:29: the connective \"3\" is neither 1 (and) nor 2 (or)",
         "1, 1 (1) : 1 | 1, 1 (2) : 1 | small.fis:29: the weight 2.0 is not from 0 to 1",
@@ -185,6 +185,17 @@ class FisFilesTest {
     assertThatThrownBy(() -> FisReader.parse(text, "small.fis"))
         .isInstanceOf(ConfigurationException.class)
         .hasMessage(sentence);
+  }
+
+  @Test
+  void reportsTheLineOfABadRuleInTheMiddle() {
+    String text =
+        SMALL
+            .replace("NumRules=2", "NumRules=3")
+            .replace("-2.000 , 1 (0.5) : 2", "\n7, 1 (1) : 1\n2, 1 (1) : 1");
+    assertThatThrownBy(() -> FisReader.parse(text, "small.fis"))
+        .isInstanceOf(ConfigurationException.class)
+        .hasMessage("small.fis:31: rule 2 uses term 7 of x, which has 2 terms");
   }
 
   @Test

@@ -8,15 +8,10 @@ import java.util.List;
  * @param name its name
  * @param task the task of the attacker's process
  * @param attacker the kind of attacker
- * @param isByMulticast whether it reaches only robots that discover by multicast
- * @param isOnPhoenix whether it attacks the robot's phoenix
+ * @param target the part of the robot that it attacks
  */
 public record AttackCase(
-    String name,
-    Class<? extends AttackTask> task,
-    Attacker attacker,
-    boolean isByMulticast,
-    boolean isOnPhoenix) {
+    String name, Class<? extends AttackTask> task, Attacker attacker, Target target) {
 
   /** Kinds of attackers. */
   public enum Attacker {
@@ -26,6 +21,16 @@ public record AttackCase(
     LOCAL_USER,
     /** The same, or {@link #STRANGER} if this process cannot start programs of other users. */
     LOCAL_USER_OR_STRANGER
+  }
+
+  /** What an attack is directed at. */
+  public enum Target {
+    /** The robot's modules and lookup service, at their addresses. */
+    SERVICES,
+    /** The discovery of robots that discover by multicast. */
+    MULTICAST_DISCOVERY,
+    /** The robot's phoenix. */
+    PHOENIX
   }
 
   /** The neutral load with which the attacks are compared. */
@@ -50,15 +55,25 @@ public record AttackCase(
           byMulticast("rogue announcements", RogueAnnouncements.class)); // 14
 
   private static AttackCase stranger(String name, Class<? extends AttackTask> task) {
-    return new AttackCase(name, task, Attacker.STRANGER, false, false);
+    return new AttackCase(name, task, Attacker.STRANGER, Target.SERVICES);
   }
 
   private static AttackCase byMulticast(String name, Class<? extends AttackTask> task) {
-    return new AttackCase(name, task, Attacker.STRANGER, true, false);
+    return new AttackCase(name, task, Attacker.STRANGER, Target.MULTICAST_DISCOVERY);
   }
 
   private static AttackCase onPhoenix(
       String name, Class<? extends AttackTask> task, Attacker attacker) {
-    return new AttackCase(name, task, attacker, false, true);
+    return new AttackCase(name, task, attacker, Target.PHOENIX);
+  }
+
+  /** Whether it reaches only robots that discover by multicast. */
+  public boolean isByMulticast() {
+    return target == Target.MULTICAST_DISCOVERY;
+  }
+
+  /** Whether it attacks the robot's phoenix. */
+  public boolean isOnPhoenix() {
+    return target == Target.PHOENIX;
   }
 }

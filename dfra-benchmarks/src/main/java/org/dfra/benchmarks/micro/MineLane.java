@@ -72,7 +72,7 @@ final class MineLane {
     String name = band == Band.THERMAL ? "thermal" : "camera";
     World world = World.of(description(), BEGIN);
     CameraInput camera = world.robot(ROBOT).camera(name);
-    FrameEncoder encoder = new FrameEncoder(band == Band.THERMAL);
+    FrameEncoder encoder = new FrameEncoder(band);
     List<LabelledImage> images = new ArrayList<>();
     Instant time = BEGIN;
     for (int i = 0; i < LOOKS; i++) {

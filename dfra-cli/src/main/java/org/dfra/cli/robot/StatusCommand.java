@@ -113,8 +113,10 @@ public final class StatusCommand implements Callable<Integer> {
     GroupStatus status = group.status();
     List<String> services = new ArrayList<>();
     List<String> idle = new ArrayList<>();
-    if (group.hasRegistrar()) {
-      (group.isRegistrarRunning() ? services : idle).add("registrar");
+    switch (group.registrar()) {
+      case NONE -> {}
+      case NOT_RUNNING -> idle.add("registrar");
+      case RUNNING -> services.add("registrar");
     }
     for (String module : group.modules()) {
       (group.runningModules().contains(module) ? services : idle).add(module);

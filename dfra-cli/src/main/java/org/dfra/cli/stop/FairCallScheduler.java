@@ -203,7 +203,7 @@ final class FairCallScheduler implements AutoCloseable {
     return lane.take(lane.unansweredPlaces < Math.max(1, limits.slotsPerRegistrar() / 2));
   }
 
-  /** Whether a thread was started for it. Holds the lock. */
+  /** Whether a thread was started for it. */
   @GuardedBy("this")
   private boolean start(Call call) {
     CallQueue lane = lane(call);
@@ -253,7 +253,6 @@ final class FairCallScheduler implements AutoCloseable {
     begin();
   }
 
-  /** Holds the lock. */
   @GuardedBy("this")
   private void ended(Call call) {
     underWay--;
@@ -261,7 +260,6 @@ final class FairCallScheduler implements AutoCloseable {
     freePlace(call);
   }
 
-  /** Holds the lock. */
   @GuardedBy("this")
   private void freePlace(Call call) {
     if (call.hasPlace) {

@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.UUID;
 import org.dfra.cli.stop.PhoenixAddresses.Address;
+import org.dfra.cli.stop.PhoenixAddresses.Origin;
 import org.dfra.river.phoenix.stop.EffectorStopResult;
 import org.dfra.river.phoenix.stop.StopReport;
 import org.dfra.river.phoenix.stop.UnconfirmedGroup;
@@ -16,8 +17,7 @@ import org.jspecify.annotations.Nullable;
  * The report of one phoenix that received a stop request.
  *
  * @param address of the request
- * @param isConfigured whether the operator named it, or its computer; otherwise a discovered lookup
- *     service did
+ * @param origin the source of the address
  * @param isUnresponsive whether a phoenix may run there, and none answered
  * @param stops result of each effector, by its ID: of several results the last one, unless an
  *     earlier one confirms the stop
@@ -26,7 +26,7 @@ import org.jspecify.annotations.Nullable;
  */
 record PhoenixAnswer(
     Address address,
-    boolean isConfigured,
+    Origin origin,
     boolean isUnresponsive,
     Map<UUID, EffectorStopResult> stops,
     Set<String> robots,
@@ -37,8 +37,7 @@ record PhoenixAnswer(
    *
    * @param reports its reports, the last one last
    */
-  static PhoenixAnswer of(
-      Address address, boolean isConfigured, boolean isSilent, List<StopReport> reports) {
+  static PhoenixAnswer of(Address address, Origin origin, List<StopReport> reports) {
     Map<UUID, EffectorStopResult> stops = new LinkedHashMap<>();
     Set<String> robots = new TreeSet<>();
     for (StopReport report : reports) {
@@ -50,12 +49,22 @@ record PhoenixAnswer(
     }
     List<UnconfirmedGroup> unconfirmed =
         reports.isEmpty() ? List.of() : reports.get(reports.size() - 1).unconfirmed();
-    return new PhoenixAnswer(address, isConfigured, isSilent, stops, robots, unconfirmed);
+    return new PhoenixAnswer(address, origin, false, stops, robots, unconfirmed);
+  }
+
+  /** No answer from an address where a phoenix may run. */
+  static PhoenixAnswer unresponsive(Address address, Origin origin) {
+    return new PhoenixAnswer(address, origin, true, Map.of(), Set.of(), List.of());
   }
 
   /** Nothing from a phoenix that was discovered and has not been asked. */
   static PhoenixAnswer notAsked(Address address) {
-    return of(address, false, true, List.of());
+    return unresponsive(address, Origin.DISCOVERY);
+  }
+
+  /** Whether the operator named it, or its computer; otherwise a discovered lookup service did. */
+  boolean isConfigured() {
+    return origin.isConfigured();
   }
 
   /** Whether it confirms the stop of an effector, under any path. */

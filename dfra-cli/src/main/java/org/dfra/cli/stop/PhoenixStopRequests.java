@@ -12,6 +12,7 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.dfra.cli.stop.PhoenixAddresses.Address;
+import org.dfra.cli.stop.PhoenixAddresses.Origin;
 import org.dfra.river.call.ConnectionRefusal;
 import org.dfra.river.phoenix.stop.StopReport;
 import org.jspecify.annotations.Nullable;
@@ -52,14 +53,14 @@ final class PhoenixStopRequests {
   /** One phoenix, and its answers so far. */
   private static final class PhoenixRequest {
     final Address address;
-    final boolean isConfigured;
+    final Origin origin;
     final StopRequest order;
     final List<StopReport> reports = new ArrayList<>(); // guarded by the outer object
     CompletableFuture<ResponseKind> last = new CompletableFuture<>(); // guarded by the outer object
 
-    PhoenixRequest(Address address, boolean isConfigured, StopRequest order) {
+    PhoenixRequest(Address address, Origin origin, StopRequest order) {
       this.address = address;
-      this.isConfigured = isConfigured;
+      this.origin = origin;
       this.order = order;
     }
   }
@@ -92,27 +93,27 @@ final class PhoenixStopRequests {
   /**
    * Sends a stop request to a phoenix, once. Pass all configured phoenixes before discovered ones.
    *
-   * @param isConfigured whether the operator named it, or its computer
+   * @param origin the source of the address
    */
-  synchronized void request(Address address, boolean isConfigured, StopRequest order) {
+  synchronized void request(Address address, Origin origin, StopRequest order) {
     if (asked.containsKey(address)) {
       return;
     }
-    long discovered = asked.values().stream().filter(each -> !each.isConfigured).count();
-    if (!isConfigured && discovered >= LIMIT) {
+    long discovered = asked.values().stream().filter(each -> !each.origin.isConfigured()).count();
+    if (!origin.isConfigured() && discovered >= LIMIT) {
       if (unasked == null) {
         unasked = address;
         LOG.warn("No phoenix is asked at {} and further addresses: {} were asked.", address, LIMIT);
       }
       return;
     }
-    PhoenixRequest one = new PhoenixRequest(address, isConfigured, order);
+    PhoenixRequest one = new PhoenixRequest(address, origin, order);
     one.last = repeatedly(one);
     asked.put(address, one);
   }
 
   private CompletableFuture<ResponseKind> repeatedly(PhoenixRequest one) {
-    return (one.isConfigured ? configured : discovered)
+    return (one.origin.isConfigured() ? configured : discovered)
         .run(() -> once(one), PhoenixStopRequests::isAbsent)
         .exceptionally(
             failure -> {
@@ -136,7 +137,7 @@ final class PhoenixStopRequests {
                 synchronized (this) { // also one that arrives after the wait
                   one.reports.add(report);
                 }
-                if (one.isConfigured) {
+                if (one.origin.isConfigured()) {
                   reported.accept(report);
                 }
                 return ResponseKind.REPORTED;
@@ -169,7 +170,10 @@ final class PhoenixStopRequests {
     for (PhoenixRequest one : asked.values()) {
       boolean isSilent =
           one.reports.isEmpty() && one.last.getNow(ResponseKind.SILENT) == ResponseKind.SILENT;
-      answers.add(PhoenixAnswer.of(one.address, one.isConfigured, isSilent, one.reports));
+      answers.add(
+          isSilent
+              ? PhoenixAnswer.unresponsive(one.address, one.origin)
+              : PhoenixAnswer.of(one.address, one.origin, one.reports));
     }
     @Nullable Address further = unasked;
     if (further != null) { // it may run effectors that no other phoenix confirms

@@ -253,7 +253,7 @@ public final class StopCommand implements Callable<Integer> {
 
     /** An invalid address fails on that thread, and does not affect the others. */
     void send(Address address, Origin origin) {
-      round.requestPhoenix(address, origin.isConfigured(), () -> stop(address, origin));
+      round.requestPhoenix(address, origin, () -> stop(address, origin));
     }
 
     private @Nullable StopReport stop(Address address, Origin origin) throws RemoteException {

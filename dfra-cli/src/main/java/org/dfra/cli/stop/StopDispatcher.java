@@ -23,6 +23,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.dfra.cli.stop.Outcome.Result;
 import org.dfra.cli.stop.PhoenixAddresses.Address;
+import org.dfra.cli.stop.PhoenixAddresses.Origin;
 import org.dfra.river.call.PeerAddress;
 import org.dfra.river.phoenix.stop.StopReport;
 import org.jspecify.annotations.Nullable;
@@ -111,11 +112,10 @@ final class StopDispatcher implements AutoCloseable {
    * Sends a stop request to a phoenix, unless it has received one. Pass all configured phoenixes
    * before discovered ones.
    *
-   * @param isConfigured whether the operator named it, or its computer: its report counts
+   * @param origin the source of the address; the report of a configured phoenix counts
    */
-  void requestPhoenix(
-      Address address, boolean isConfigured, PhoenixStopRequests.StopRequest order) {
-    phoenixes.request(address, isConfigured, order);
+  void requestPhoenix(Address address, Origin origin, PhoenixStopRequests.StopRequest order) {
+    phoenixes.request(address, origin, order);
   }
 
   /**

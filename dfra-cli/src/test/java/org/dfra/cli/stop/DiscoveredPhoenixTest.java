@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.UUID;
 import org.dfra.cli.stop.Outcome.Result;
 import org.dfra.cli.stop.PhoenixAddresses.Address;
+import org.dfra.cli.stop.PhoenixAddresses.Origin;
 import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.river.phoenix.stop.EffectorStopResult;
 import org.dfra.river.phoenix.stop.StopReport;
@@ -32,24 +33,23 @@ class DiscoveredPhoenixTest {
       new EffectorStopResult(ID, PATH, false, STATE, null);
   private static final EffectorStopResult HANGS =
       new EffectorStopResult(ID, PATH, false, null, "it hangs");
-  private static final boolean CONFIGURED = true;
-  private static final boolean FOUND = false;
+  private static final Origin CONFIGURED = Origin.NAMED;
+  private static final Origin FOUND = Origin.DISCOVERY;
 
   private final StopMerge merge = new StopMerge("ops", () -> Duration.ofSeconds(2));
 
-  private static PhoenixAnswer reported(
-      String host, boolean configured, EffectorStopResult... stops) {
-    return reported(host, configured, List.of("atrv1"), stops);
+  private static PhoenixAnswer reported(String host, Origin origin, EffectorStopResult... stops) {
+    return reported(host, origin, List.of("atrv1"), stops);
   }
 
   private static PhoenixAnswer reported(
-      String host, boolean configured, List<String> robots, EffectorStopResult... stops) {
+      String host, Origin origin, List<String> robots, EffectorStopResult... stops) {
     StopReport report = new StopReport(robots, List.of(stops), List.of());
-    return PhoenixAnswer.of(new Address(host, 1198), configured, false, List.of(report));
+    return PhoenixAnswer.of(new Address(host, 1198), origin, List.of(report));
   }
 
-  private static PhoenixAnswer silent(String host, boolean configured) {
-    return PhoenixAnswer.of(new Address(host, 1198), configured, true, List.of());
+  private static PhoenixAnswer silent(String host, Origin origin) {
+    return PhoenixAnswer.unresponsive(new Address(host, 1198), origin);
   }
 
   private static StopMerge.ProxyClaim listed(String host, Result result) {

@@ -11,6 +11,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.dfra.cli.stop.Outcome.Result;
 import org.dfra.cli.stop.PhoenixAddresses.Address;
+import org.dfra.cli.stop.PhoenixAddresses.Origin;
 import org.dfra.river.phoenix.stop.EffectorStopResult;
 import org.dfra.river.phoenix.stop.StopReport;
 import org.dfra.river.phoenix.stop.UnconfirmedGroup;
@@ -37,7 +38,7 @@ class StopDispatcherPhoenixTest extends StopDispatcherFixture {
     assertThat(well.poll(20, TimeUnit.SECONDS)).isEqualTo(stopped("atrv1/drive"));
     round.requestPhoenix(
         new Address("192.0.2.9", 1198),
-        false,
+        Origin.DISCOVERY,
         () -> new StopReport(List.of("theta"), List.of(), List.of()));
     round.registrarFound(elsewhere, "192.0.2.9");
     assertThat(round.awaitOutcomes())
@@ -53,7 +54,7 @@ class StopDispatcherPhoenixTest extends StopDispatcherFixture {
     UUID another = UUID.randomUUID();
     round.requestPhoenix(
         ROBOT,
-        false,
+        Origin.DISCOVERY,
         () -> report(List.of("atrv1"), confirmed(own, "atrv1/drive"), confirmed(another, "x/y")));
     round.callListed(own, REGISTRAR, null, "atrv1/drive", () -> stopped("atrv1/drive"));
     assertThat(round.awaitOutcomes())
@@ -65,7 +66,7 @@ class StopDispatcherPhoenixTest extends StopDispatcherFixture {
 
   @Test
   void aNameThatIsOfThisComputerIsNotSilent() {
-    round.requestPhoenix(new Address("this-computer", 1198), false, () -> null);
+    round.requestPhoenix(new Address("this-computer", 1198), Origin.DISCOVERY, () -> null);
     round.callListed(
         UUID.randomUUID(), REGISTRAR, null, "atrv1/drive", () -> stopped("atrv1/drive"));
     assertThat(round.awaitOutcomes()).containsExactly(stopped("atrv1/drive"));
@@ -74,7 +75,8 @@ class StopDispatcherPhoenixTest extends StopDispatcherFixture {
   @Test
   void aPhoenixConfirmsWithoutAnyLookupService() throws Exception {
     UUID id = UUID.randomUUID();
-    round.requestPhoenix(ROBOT, true, () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
+    round.requestPhoenix(
+        ROBOT, Origin.NAMED, () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
     assertThat(well.poll(20, TimeUnit.SECONDS)).isEqualTo(stopped("atrv1/drive"));
     round.callListed(
         id,
@@ -91,7 +93,7 @@ class StopDispatcherPhoenixTest extends StopDispatcherFixture {
   void aProxyThatSaysStoppedIsDoubtedWhereThePhoenixOfItsRobotDoesNotKnowIt() {
     UUID real = UUID.randomUUID();
     round.requestPhoenix(
-        ROBOT, true, () -> report(List.of("atrv1"), confirmed(real, "atrv1/drive")));
+        ROBOT, Origin.NAMED, () -> report(List.of("atrv1"), confirmed(real, "atrv1/drive")));
     round.callListed(real, REGISTRAR, null, "atrv1/drive", () -> stopped("atrv1/drive"));
     round.callListed(UUID.randomUUID(), REGISTRAR, null, "atrv1/fake", () -> stopped("atrv1/fake"));
     assertThat(round.awaitOutcomes())
@@ -105,7 +107,7 @@ class StopDispatcherPhoenixTest extends StopDispatcherFixture {
   void aProxyIsDoubtedWhereThePhoenixThatMayRunItIsSilent() {
     round.requestPhoenix(
         ROBOT,
-        true,
+        Origin.NAMED,
         () -> {
           throw new RemoteException("it does not answer");
         });
@@ -122,7 +124,7 @@ class StopDispatcherPhoenixTest extends StopDispatcherFixture {
     for (int i = 0; i <= 64; i++) {
       round.requestPhoenix(
           new Address("192.0.2." + i, 1198),
-          false,
+          Origin.DISCOVERY,
           () -> {
             throw new ConnectException(
                 "refused", new java.net.ConnectException("Connection refused"));
@@ -141,11 +143,12 @@ class StopDispatcherPhoenixTest extends StopDispatcherFixture {
     UUID id = UUID.randomUUID();
     round.requestPhoenix(
         new Address("robot", 70000),
-        true,
+        Origin.NAMED,
         () -> {
           throw new IllegalArgumentException("port out of range");
         });
-    round.requestPhoenix(ROBOT, true, () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
+    round.requestPhoenix(
+        ROBOT, Origin.NAMED, () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
     assertThat(round.awaitOutcomes()).containsExactly(stopped("atrv1/drive"));
     assertThat(round.confirmations().unresponsive()).containsExactly("robot:70000");
   }
@@ -154,7 +157,7 @@ class StopDispatcherPhoenixTest extends StopDispatcherFixture {
   void anEmbeddedRobotIsStoppedByItsOwnWordWhereNoPhoenixRuns() throws Exception {
     round.requestPhoenix(
         ROBOT,
-        true,
+        Origin.NAMED,
         () -> {
           throw new ConnectException(
               "refused", new java.net.ConnectException("Connection refused"));
@@ -171,7 +174,7 @@ class StopDispatcherPhoenixTest extends StopDispatcherFixture {
     AtomicInteger orders = new AtomicInteger();
     round.requestPhoenix(
         ROBOT,
-        true,
+        Origin.NAMED,
         () ->
             orders.incrementAndGet() == 1
                 ? new StopReport(
@@ -187,7 +190,7 @@ class StopDispatcherPhoenixTest extends StopDispatcherFixture {
   void aGroupThatDoesNotAnswerItsPhoenixIsADoubtAlsoWhereNothingElseIsKnownOfIt() {
     round.requestPhoenix(
         ROBOT,
-        true,
+        Origin.NAMED,
         () ->
             new StopReport(
                 List.of("atrv1"),
@@ -204,7 +207,8 @@ class StopDispatcherPhoenixTest extends StopDispatcherFixture {
       round.callListed(UUID.randomUUID(), REGISTRAR, null, "fake" + i + "/drive", this::beSilent);
     }
     UUID id = UUID.randomUUID();
-    round.requestPhoenix(ROBOT, true, () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
+    round.requestPhoenix(
+        ROBOT, Origin.NAMED, () -> report(List.of("atrv1"), confirmed(id, "atrv1/drive")));
     assertThat(well.poll(20, TimeUnit.SECONDS)).isEqualTo(stopped("atrv1/drive"));
   }
 }

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.UUID;
 import org.dfra.cli.stop.Outcome.Result;
 import org.dfra.cli.stop.PhoenixAddresses.Address;
+import org.dfra.cli.stop.PhoenixAddresses.Origin;
 import org.dfra.flow.effector.EmergencyStopState;
 import org.dfra.river.phoenix.stop.EffectorStopResult;
 import org.dfra.river.phoenix.stop.StopReport;
@@ -38,7 +39,7 @@ class StopMergeTest {
 
   private static PhoenixAnswer answer(int computer, StopReport... reports) {
     Address address = new Address("192.0.2." + computer, 1198);
-    return PhoenixAnswer.of(address, true, false, List.of(reports));
+    return PhoenixAnswer.of(address, Origin.NAMED, List.of(reports));
   }
 
   private static StopMerge.ProxyClaim claim() {

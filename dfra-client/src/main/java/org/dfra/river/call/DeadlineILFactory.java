@@ -24,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  * <p>In a Jini configuration file:
  *
  * <pre>
- *   exporter = new BasicJeriExporter(endpoint, new DeadlineILFactory(2000L), false, true);
+ *   exporter = JeriExporters.keepingAlive(endpoint, new DeadlineILFactory(2000L));
  * </pre>
  */
 public class DeadlineILFactory extends BasicILFactory {

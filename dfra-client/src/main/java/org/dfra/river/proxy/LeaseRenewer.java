@@ -1,5 +1,6 @@
 package org.dfra.river.proxy;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.lang.System.Logger.Level;
 import java.rmi.RemoteException;
 import java.time.Duration;
@@ -66,13 +67,29 @@ final class LeaseRenewer implements AutoCloseable {
   private final Executor callers;
   private final @Nullable ClassLoader loader = Thread.currentThread().getContextClassLoader();
 
-  // guarded by this
+  @GuardedBy("this")
   private Lease lease;
-  private long end; // of the lease unless it is renewed; the scheduler's time
+
+  // of the lease unless it is renewed; the scheduler's time
+  @GuardedBy("this")
+  private long end;
+
+  @GuardedBy("this")
   private boolean closed;
-  private @Nullable Instant interruptedSince; // for people
-  private long interruptedNanos; // the same, by the scheduler's time
-  private boolean justMissed; // the last call failed, and none before it
+
+  // for people
+  @GuardedBy("this")
+  private @Nullable Instant interruptedSince;
+
+  // the same, by the scheduler's time
+  @GuardedBy("this")
+  private long interruptedNanos;
+
+  // the last call failed, and none before it
+  @GuardedBy("this")
+  private boolean justMissed;
+
+  @GuardedBy("this")
   private @Nullable ScheduledTask next;
 
   /**
@@ -176,7 +193,8 @@ final class LeaseRenewer implements AutoCloseable {
     return closed;
   }
 
-  private boolean isOver() { // called with the lock held
+  @GuardedBy("this")
+  private boolean isOver() {
     return scheduler.nanos() - end >= 0;
   }
 

@@ -10,7 +10,6 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import net.jini.core.lease.Lease;
 import net.jini.export.Exporter;
-import net.jini.jeri.BasicJeriExporter;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
@@ -22,6 +21,7 @@ import org.dfra.river.call.CallbackHost;
 import org.dfra.river.call.DeadlineExceededException;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
+import org.dfra.river.call.JeriExporters;
 import org.dfra.river.remote.GrantedSubscription;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.remote.RemoteModuleListener;
@@ -63,8 +63,7 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
             DeliveryPool.shared(),
             Scheduler.system());
     this.exporter =
-        new BasicJeriExporter(
-            Endpoints.tcp(host(server), 0), new DeadlineILFactory(), false, false);
+        JeriExporters.notKeepingAlive(Endpoints.tcp(host(server), 0), new DeadlineILFactory());
     ModuleListener stub = (ModuleListener) exporter.export(this);
     OPEN.add(this);
     try {

@@ -78,7 +78,8 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
   @GuardedBy("this")
   private GoalLoss loss = GoalLoss.NONE;
 
-  /** Cancelled here while the worker did not answer; guarded by this. */
+  /** Cancelled here while the worker did not answer. */
+  @GuardedBy("this")
   private @Nullable UUID unresolved;
 
   // for an unresolved goal
@@ -311,7 +312,6 @@ public final class GoalDelegation<G extends Goal, B extends Behavior<G>> {
     cut();
   }
 
-  /** Holds the lock. */
   @GuardedBy("this")
   private void cut() {
     @Nullable UnresolvedGoal<B> left = unresolvedGoal;

@@ -207,7 +207,8 @@ public final class ChainInputs implements AutoCloseable {
     @GuardedBy("this")
     private final Map<UUID, Tie> ties = new HashMap<>();
 
-    /** The further candidates, in order of discovery; guarded by this. */
+    /** The further candidates, in order of discovery. */
+    @GuardedBy("this")
     private final Map<UUID, ModuleListing<M>> inLine = new LinkedHashMap<>();
 
     @GuardedBy("this")

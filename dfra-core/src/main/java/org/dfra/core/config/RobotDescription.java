@@ -111,6 +111,12 @@ public record RobotDescription(
         name, host, lookupGroups, registrars, administration, persona, groups, source);
   }
 
+  /** A copy whose modules join only lookup services that serve these groups by multicast. */
+  public RobotDescription withLookupGroups(List<String> others) {
+    return new RobotDescription(
+        name, host, others, locators, administration, persona, groups, source);
+  }
+
   /** A copy with other groups. */
   public RobotDescription withGroups(List<GroupDescription> others) {
     return new RobotDescription(

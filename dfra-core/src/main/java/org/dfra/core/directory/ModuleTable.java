@@ -172,17 +172,7 @@ public final class ModuleTable {
         return;
       }
       if (old != null) {
-        modules.put(
-            id,
-            new ModuleListing<>(
-                id,
-                old.module(),
-                old.robot(),
-                old.name(),
-                old.attributes(),
-                old.locality(),
-                true,
-                vouched));
+        modules.put(id, old.asStale(vouched));
       }
       if (sign != null) {
         robots.put(id, new RobotEntry(sign.attributes(), sign.host(), true, vouched));

@@ -174,14 +174,6 @@ final class EmergencyStop {
       halt = last;
     }
     @Nullable String fault = stop.latched() && halt != null ? halt.fault() : null;
-    return fault == null
-        ? stop
-        : new EmergencyStopState(
-            stop.latched(),
-            stop.requester(),
-            stop.since(),
-            false,
-            EmergencyStopLatch.join(fault, stop.fault()),
-            stop.age());
+    return fault == null ? stop : stop.withoutHalt(EmergencyStopLatch.join(fault, stop.fault()));
   }
 }

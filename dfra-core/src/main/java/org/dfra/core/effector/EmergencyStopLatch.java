@@ -125,8 +125,7 @@ public final class EmergencyStopLatch {
         stop.since() == null ? null : Duration.ofNanos(Math.max(0, time.nanos() - latched.nanos()));
     @Nullable String why = persistFault;
     @Nullable String fault = why == null ? stop.fault() : join(stop.fault(), why);
-    return new EmergencyStopState(
-        stop.latched(), stop.requester(), stop.since(), stop.haltCommanded(), fault, age);
+    return stop.withFault(fault, age);
   }
 
   boolean isLatched() {

@@ -1,5 +1,6 @@
 package org.dfra.core.history;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.time.Duration;
 import java.time.Instant;
@@ -41,16 +42,34 @@ public final class IncidentLog {
    */
   private final Object file = new Object();
 
-  // all guarded by this
+  @GuardedBy("this")
   private final ArrayDeque<Incident> recent = new ArrayDeque<>();
+
+  @GuardedBy("this")
   private Instant since;
+
+  @GuardedBy("this")
   private long activations;
+
+  @GuardedBy("this")
   private long failures;
+
+  @GuardedBy("this")
   private long exceptions;
+
+  @GuardedBy("this")
   private Duration served = Duration.ZERO;
+
+  @GuardedBy("this")
   private boolean serving;
+
+  @GuardedBy("this")
   private long servingSince;
+
+  @GuardedBy("this")
   private boolean writing;
+
+  @GuardedBy("this")
   private boolean changed;
 
   /**
@@ -89,6 +108,7 @@ public final class IncidentLog {
     record(Kind.ACTIVATION, "it was activated, no. " + (activations + 1));
   }
 
+  @GuardedBy("this")
   private void restore() {
     try {
       Optional<byte[]> kept = state.read(NAME);

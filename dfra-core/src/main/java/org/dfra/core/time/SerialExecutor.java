@@ -40,10 +40,17 @@ public final class SerialExecutor implements Executor, AutoCloseable {
   /** The thread that runs the tasks, once it has run one. */
   private volatile @Nullable Thread running;
 
-  // guarded by this
-  private final Queue<Runnable> waiting = new ArrayDeque<>(); // until a thread can be started
+  // until a thread can be started
+  @GuardedBy("this")
+  private final Queue<Runnable> waiting = new ArrayDeque<>();
+
+  @GuardedBy("this")
   private @Nullable ThreadPoolExecutor thread;
+
+  @GuardedBy("this")
   private boolean retrying;
+
+  @GuardedBy("this")
   private boolean closed;
 
   /**
@@ -122,7 +129,8 @@ public final class SerialExecutor implements Executor, AutoCloseable {
         && (thread == null || (thread.getActiveCount() == 0 && thread.getQueue().isEmpty()));
   }
 
-  private void handOver() { // called with the lock held
+  @GuardedBy("this")
+  private void handOver() {
     try {
       for (Runnable task = waiting.peek(); task != null; task = waiting.peek()) {
         thread().execute(guarded(task));
@@ -158,6 +166,7 @@ public final class SerialExecutor implements Executor, AutoCloseable {
     };
   }
 
+  @GuardedBy("this")
   private ThreadPoolExecutor thread() {
     ThreadPoolExecutor made = thread;
     if (made == null) {

@@ -1,5 +1,6 @@
 package org.dfra.core.time;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -60,17 +61,29 @@ public final class StallProbe implements AutoCloseable {
 
   private volatile boolean closed;
 
-  // Guarded by this.
+  @GuardedBy("this")
   private long due;
+
+  @GuardedBy("this")
   private long stalledNanos;
+
+  @GuardedBy("this")
   private double loadSum;
+
+  @GuardedBy("this")
   private long measurements;
 
-  /** A ring buffer of the last {@value #CAPACITY} measurements; guarded by this. */
+  /** A ring buffer of the last {@value #CAPACITY} measurements. */
+  @GuardedBy("this")
   private final long[] times = new long[CAPACITY];
 
+  @GuardedBy("this")
   private final long[] stalls = new long[CAPACITY];
+
+  @GuardedBy("this")
   private final double[] loads = new double[CAPACITY];
+
+  @GuardedBy("this")
   private final ProcessorTimes[] processorTimes = new ProcessorTimes[CAPACITY];
 
   /** For tests: with another clock, load and processor times. */
@@ -185,6 +198,7 @@ public final class StallProbe implements AutoCloseable {
     return Math.max(0, to - from);
   }
 
+  @GuardedBy("this")
   private long stallAt(long now) {
     long late = now - due;
     return late > USUAL_LATENESS_NANOS ? late : 0;

@@ -1,5 +1,6 @@
 package org.dfra.drivers.link;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.time.Duration;
@@ -21,11 +22,20 @@ final class ReplayLink implements SerialLink {
 
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition closed;
-  // all guarded by lock
+
+  @GuardedBy("lock")
   private final RandomAccessFile file;
+
+  @GuardedBy("lock")
   private boolean open = true;
+
+  @GuardedBy("lock")
   private boolean begun;
+
+  @GuardedBy("lock")
   private long beginNanos;
+
+  @GuardedBy("lock")
   private long played;
 
   ReplayLink(ReplayAddress address, Ticker ticker) throws IOException {
@@ -74,12 +84,14 @@ final class ReplayLink implements SerialLink {
     }
   }
 
+  @GuardedBy("lock")
   private long dueAt(long now) {
     return nanosPerByte == 0
         ? Long.MAX_VALUE
         : (long) Math.floor((now - beginNanos) / nanosPerByte) - played;
   }
 
+  @GuardedBy("lock")
   private int take(byte[] buffer, int offset, int due) throws IOException {
     int count = file.read(buffer, offset, due);
     if (count < 0 && address.loop()) {

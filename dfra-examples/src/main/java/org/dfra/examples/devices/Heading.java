@@ -1,5 +1,6 @@
 package org.dfra.examples.devices;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
@@ -23,11 +24,19 @@ final class Heading implements ModuleListener, AutoCloseable {
 
   private final Subscription subscription;
 
-  // all guarded by this
+  @GuardedBy("this")
   private double heading;
+
+  @GuardedBy("this")
   private double sum;
+
+  @GuardedBy("this")
   private int count;
+
+  @GuardedBy("this")
   private @Nullable Double bias;
+
+  @GuardedBy("this")
   private @Nullable Instant last;
 
   Heading(AngularRateSensor gyro) throws RemoteException {

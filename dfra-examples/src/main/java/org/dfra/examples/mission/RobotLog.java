@@ -1,5 +1,6 @@
 package org.dfra.examples.mission;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -55,17 +56,40 @@ public final class RobotLog {
   private final String robot;
   private final LocalFrame frame;
 
-  // all guarded by this
+  @GuardedBy("this")
   private final List<Sample> samples = new ArrayList<>();
+
+  @GuardedBy("this")
   private final List<Fix> fixes = new ArrayList<>();
+
+  @GuardedBy("this")
   private final List<Advice> advice = new ArrayList<>();
+
+  @GuardedBy("this")
   private final List<ClearanceReading> clearances = new ArrayList<>();
+
+  @GuardedBy("this")
   private final List<TeammateDistance> teammates = new ArrayList<>();
-  private final Map<String, Instant> lastSeen = new TreeMap<>(); // by robot; indices into teammates
-  private final Map<String, LocalPosition> estimated = new TreeMap<>(); // by module
-  private final Map<String, ErrorSum> errors = new TreeMap<>(); // by module
+
+  // by robot; indices into teammates
+  @GuardedBy("this")
+  private final Map<String, Instant> lastSeen = new TreeMap<>();
+
+  // by module
+  @GuardedBy("this")
+  private final Map<String, LocalPosition> estimated = new TreeMap<>();
+
+  // by module
+  @GuardedBy("this")
+  private final Map<String, ErrorSum> errors = new TreeMap<>();
+
+  @GuardedBy("this")
   private double estimatedYaw = Double.NaN;
+
+  @GuardedBy("this")
   private @Nullable LocalPosition fixed;
+
+  @GuardedBy("this")
   private @Nullable Instant begin;
 
   /** The error sum of one estimator. */
@@ -133,6 +157,7 @@ public final class RobotLog {
     }
   }
 
+  @GuardedBy("this")
   private void note(double time, String module, Reading reading) {
     if (reading instanceof GpsFix fix && fix.position() != null) {
       LocalPosition at = frame.toLocal(fix.position());
@@ -153,6 +178,7 @@ public final class RobotLog {
     }
   }
 
+  @GuardedBy("this")
   private void note(Teammate teammate) {
     Teammate.@Nullable RelativePosition near = teammate.relativePosition();
     @Nullable ClockOffset clock = teammate.clockOffset();
@@ -163,11 +189,13 @@ public final class RobotLog {
     }
   }
 
+  @GuardedBy("this")
   private double time(Instant moment) {
     return begin == null ? -1 : Duration.between(begin, moment).toNanos() / 1e9;
   }
 
   /** Seconds since the search began; negative before. */
+  @GuardedBy("this")
   private double time(Reading reading) {
     return time(reading.measured());
   }

@@ -68,15 +68,10 @@ final class DemoTeam implements AutoCloseable {
   }
 
   private RobotDescription part(RobotDescription robot, Predicate<GroupDescription> which) {
-    return new RobotDescription(
-        robot.name(),
-        robot.host(),
-        List.of(), // by locators only: excludes other teams on this machine
-        locators,
-        robot.administration(),
-        robot.persona(),
-        robot.groups().stream().filter(which).toList(),
-        robot.source());
+    return robot
+        .withLookupGroups(List.of()) // by locators only: excludes other teams on this machine
+        .withRegistrars(locators)
+        .withGroups(robot.groups().stream().filter(which).toList());
   }
 
   /** Starts the embedded modules, and then phoenix and the agents. */

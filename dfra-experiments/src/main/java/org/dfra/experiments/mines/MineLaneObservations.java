@@ -106,7 +106,7 @@ public record MineLaneObservations(
       this.name = name;
       this.band = band;
       this.view = robot.camera(name);
-      this.encoder = new FrameEncoder(band == Band.THERMAL);
+      this.encoder = new FrameEncoder(band);
     }
 
     MineObservation.LocatedDetections look(Instant time) {

@@ -34,12 +34,10 @@ public final class ScenarioVariations {
   /** The same robot with a random pose nearby: within these metres and radians. */
   public static VehicleDescription withRandomPose(
       VehicleDescription robot, double metres, double radians, Random random) {
-    return with(
-        robot,
+    return robot.withPose(
         robot.east() + metres * (2 * random.nextDouble() - 1),
         robot.north() + metres * (2 * random.nextDouble() - 1),
-        robot.yaw() + radians * (2 * random.nextDouble() - 1),
-        robot.devices());
+        robot.yaw() + radians * (2 * random.nextDouble() - 1));
   }
 
   /** The same robot with a changed number in all its devices of a kind. */
@@ -49,26 +47,7 @@ public final class ScenarioVariations {
     for (DeviceDescription each : robot.devices()) {
       devices.add(each.kind() == kind ? each.with(parameter, value) : each);
     }
-    return with(robot, robot.east(), robot.north(), robot.yaw(), devices);
-  }
-
-  private static VehicleDescription with(
-      VehicleDescription robot,
-      double east,
-      double north,
-      double yaw,
-      List<DeviceDescription> devices) {
-    return new VehicleDescription(
-        robot.name(),
-        robot.type(),
-        east,
-        north,
-        yaw,
-        robot.length(),
-        robot.width(),
-        robot.height(),
-        devices,
-        robot.place());
+    return robot.withDevices(devices);
   }
 
   /**

@@ -230,7 +230,6 @@ final class HttpListener implements AutoCloseable {
 
   /**
    * The oldest connection of the address with most connections, if these are more than {@code few}.
-   * The caller holds the lock.
    */
   @GuardedBy("open")
   private @Nullable HttpConnection oldestOfBusiest(int few) {

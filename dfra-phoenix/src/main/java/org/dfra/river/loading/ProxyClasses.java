@@ -29,7 +29,8 @@ final class ProxyClasses {
 
   static final int MAX_UNLOADABLE = 256;
 
-  /** By the loader that finds the interfaces, and their names; guarded by this. */
+  /** By the loader that finds the interfaces, and their names. */
+  @GuardedBy("this")
   private final Map<ClassLoader, Map<List<String>, DefinedClass>> defined = new WeakHashMap<>();
 
   private final ReferenceQueue<Class<?>> unloaded = new ReferenceQueue<>();
@@ -105,6 +106,7 @@ final class ProxyClasses {
     return proxyClass(new ProxyLoader(finder), interfaces);
   }
 
+  @GuardedBy("this")
   private void removeUnloaded() {
     for (Object each = unloaded.poll(); each != null; each = unloaded.poll()) {
       DefinedClass gone = (DefinedClass) each;

@@ -1,5 +1,6 @@
 package org.dfra.river.loading;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.lang.reflect.Proxy;
 import java.nio.file.Path;
@@ -37,7 +38,9 @@ public final class TrustedCode {
 
   private static volatile boolean inPlace;
   private static volatile Map<String, String> kinds = Map.of();
-  private static @Nullable VerifiedLoaderCache loaders; // guarded by the class
+
+  @GuardedBy("TrustedCode.class")
+  private static @Nullable VerifiedLoaderCache loaders;
 
   private TrustedCode() {}
 

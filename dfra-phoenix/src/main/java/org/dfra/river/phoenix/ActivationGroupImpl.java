@@ -26,9 +26,9 @@ import net.jini.config.ConfigurationException;
 import net.jini.config.ConfigurationProvider;
 import net.jini.export.Exporter;
 import net.jini.export.ProxyAccessor;
-import net.jini.jeri.BasicJeriExporter;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
+import org.dfra.river.call.JeriExporters;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.phoenix.stop.GroupStopResult;
 import org.dfra.river.phoenix.stop.StopTargetRegistry;
@@ -112,11 +112,8 @@ public final class ActivationGroupImpl extends ActivationGroup
   }
 
   private static Exporter localExporter() {
-    return new BasicJeriExporter(
-        Endpoints.tcp("127.0.0.1", 0),
-        new DeadlineILFactory(INSTANTIATION_DEADLINE_MILLIS),
-        false,
-        true);
+    return JeriExporters.keepingAlive(
+        Endpoints.tcp("127.0.0.1", 0), new DeadlineILFactory(INSTANTIATION_DEADLINE_MILLIS));
   }
 
   @Override

@@ -52,21 +52,30 @@ final class GroupSupervisor {
     forgotten = true;
   }
 
+  /** Records that the group's process exited as expected, for example as it had announced. */
+  void recordExpectedExit(ProcessExit end) {
+    lastFailure = failure(end);
+    LOG.info("Group {} {}.", name, end.description());
+  }
+
+  private String failure(ProcessExit end) {
+    return end.description() + "; see " + configuration.output(name) + " and the .vm.log beside it";
+  }
+
   /**
-   * Records that the group's process exited, or was never launched. This is a crash, unless the
-   * exit was announced, the group is unregistered or the daemon is shutting down.
+   * Records that the group's process exited without announcing it, or was never launched. This is a
+   * crash, unless the group is unregistered or the daemon is shutting down.
    *
-   * @param wasAnnounced whether the process had announced its exit
    * @param wasStable whether its modules were stable in it
    * @return the delay after which the group's objects are to be restarted; empty if they are not
    */
-  Optional<Duration> ended(ProcessExit end, boolean wasAnnounced, boolean wasStable) {
-    String how = end.description();
-    lastFailure = how + "; see " + configuration.output(name) + " and the .vm.log beside it";
-    if (wasAnnounced || forgotten || !state.isRunning()) {
-      LOG.info("Group {} {}.", name, how);
+  Optional<Duration> recordExit(ProcessExit end, boolean wasStable) {
+    if (forgotten || !state.isRunning()) {
+      recordExpectedExit(end);
       return Optional.empty();
     }
+    String how = end.description();
+    lastFailure = failure(end);
     if (end.isRequested()) {
       crashes.recordRequestedExit(wasStable);
     } else {

@@ -1,5 +1,6 @@
 package org.dfra.river.phoenix;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.rmi.MarshalledObject;
 import java.rmi.activation.ActivationException;
@@ -44,7 +45,10 @@ final class ManagedGroup implements GroupLauncher.LaunchOwner {
   private final Restarts restarts;
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
-  private final GroupSupervisor supervision; // this and below guarded by lock
+
+  @GuardedBy("lock")
+  private final GroupSupervisor supervision;
+
   private volatile Incarnation current; // changed under the lock
 
   /**
@@ -402,13 +406,18 @@ final class ManagedGroup implements GroupLauncher.LaunchOwner {
     }
   }
 
+  @GuardedBy("lock")
   private void ended(ProcessExit how) {
     boolean announced = current.state() == State.LEAVING;
     releaseLaunchPermit();
     boolean worked = restarts.wasStable(this, current.number());
     current.ended();
     changed.signalAll();
-    supervision.ended(how, announced, worked).ifPresent(delay -> restarts.schedule(this, delay));
+    if (announced) {
+      supervision.recordExpectedExit(how);
+    } else {
+      supervision.recordExit(how, worked).ifPresent(delay -> restarts.schedule(this, delay));
+    }
   }
 
   /** Whether this incarnation is active now. */
@@ -475,7 +484,12 @@ final class ManagedGroup implements GroupLauncher.LaunchOwner {
 
   /** The state for the administrator. */
   GroupStatus status(int objects) {
-    return locked(() -> supervision.status(current, objects));
+    lock.lock();
+    try {
+      return supervision.status(current, objects);
+    } finally {
+      lock.unlock();
+    }
   }
 
   /** Wakes the waiting threads when the daemon shuts down. */

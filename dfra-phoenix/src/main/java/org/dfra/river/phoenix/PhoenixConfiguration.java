@@ -11,12 +11,12 @@ import net.jini.config.ConfigurationException;
 import net.jini.config.NoSuchEntryException;
 import net.jini.export.Exporter;
 import net.jini.id.Uuid;
-import net.jini.jeri.BasicJeriExporter;
 import net.jini.security.BasicProxyPreparer;
 import net.jini.security.ProxyPreparer;
 import org.dfra.core.config.RenamedNames;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
+import org.dfra.river.call.JeriExporters;
 import org.dfra.river.phoenix.restart.RestartPolicy;
 import org.dfra.river.phoenix.stop.StopLocator;
 import org.jspecify.annotations.Nullable;
@@ -147,8 +147,8 @@ record PhoenixConfiguration(
   }
 
   private static Exporter exporter(String host, int port, Uuid identity, long deadlineMillis) {
-    return new BasicJeriExporter(
-        Endpoints.tcp(host, port), new DeadlineILFactory(deadlineMillis), false, true, identity);
+    return JeriExporters.keepingAlive(
+        Endpoints.tcp(host, port), new DeadlineILFactory(deadlineMillis), identity);
   }
 
   private static <T> T entry(Configuration c, String name, Class<T> type)

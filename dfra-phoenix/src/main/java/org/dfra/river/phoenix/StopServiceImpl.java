@@ -250,9 +250,9 @@ final class StopServiceImpl implements StopService {
   /** The stop requests to one group: one running, one waiting. */
   private final class GroupStopQueue {
 
+    @GuardedBy("this")
     private CompletableFuture<GroupOutcome> current =
-        CompletableFuture.completedFuture(
-            new GroupOutcome(GroupStopResult.NONE, 0)); // guarded by this
+        CompletableFuture.completedFuture(new GroupOutcome(GroupStopResult.NONE, 0));
 
     @GuardedBy("this")
     private @Nullable CompletableFuture<GroupOutcome> waiting;

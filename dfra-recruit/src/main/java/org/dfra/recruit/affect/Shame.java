@@ -92,6 +92,12 @@ public final class Shame implements Affect {
       return new ShameSettings(1.5, 2, 0.1, 1, 0.5, diagonal / speed, 0.2);
     }
 
+    /** The same with another gain and another exponent. */
+    public ShameSettings withGain(double otherGain, double otherExponent) {
+      return new ShameSettings(
+          otherGain, otherExponent, floor, idleFactor, busyFactor, etaReference, batteryReserve);
+    }
+
     public ShameSettings {
       above("gain", gain);
       above("exponent", exponent);

@@ -1,5 +1,6 @@
 package org.dfra.recruit.agent;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
@@ -51,15 +52,29 @@ final class OperatorHold {
   private final ModuleContext context;
   private final RobotStateMonitor robotState;
   private final Logger log;
-  private final OperatorHoldStore memory; // guarded by this, with its content
 
-  /** Guarded by this; work is to be resumed, and the robot's modules are unknown. */
+  // with its content
+  @GuardedBy("this")
+  private final OperatorHoldStore memory;
+
+  /** Work is to be resumed, and the robot's modules are unknown. */
+  @GuardedBy("this")
   private boolean isUnlisted;
 
-  private @Nullable String silent; // guarded by this; a behaviour that did not respond, by path
-  private boolean isSettled; // guarded by this
-  private boolean isLetGo; // guarded by this; before it was settled, see #end
-  private long startNanos; // guarded by this; when this process started to search for them
+  // a behaviour that did not respond, by path
+  @GuardedBy("this")
+  private @Nullable String silent;
+
+  @GuardedBy("this")
+  private boolean isSettled;
+
+  // before it was settled, see #end
+  @GuardedBy("this")
+  private boolean isLetGo;
+
+  // when this process started to search for them
+  @GuardedBy("this")
+  private long startNanos;
 
   OperatorHold(ModuleContext context, RobotStateMonitor robotState, Logger log) {
     this.context = context;
@@ -104,7 +119,8 @@ final class OperatorHold {
     }
   }
 
-  /** The caller holds the lock. In a new process nothing is found at first. */
+  /** In a new process nothing is found at first. */
+  @GuardedBy("this")
   private boolean isFound(String path) {
     return listed().contains(path);
   }
@@ -157,7 +173,8 @@ final class OperatorHold {
     }
   }
 
-  /** The caller holds the lock. After the timeout it reports what is missing. */
+  /** After the timeout it reports what is missing. */
+  @GuardedBy("this")
   private Optional<String> notSettled() {
     if (isSettled || isLetGo || !isOverdue()) {
       return Optional.empty();
@@ -185,38 +202,41 @@ final class OperatorHold {
                     + path);
   }
 
-  /** Holds the lock. */
+  @GuardedBy("this")
   private boolean isOverdue() {
     return context.robotTime().nanos() - startNanos >= SETTLING.toNanos();
   }
 
-  /** Holds the lock. */
+  @GuardedBy("this")
   private Set<String> missing() {
     Set<String> missing = new TreeSet<>(memory.modules());
     missing.removeAll(listed());
     return missing;
   }
 
-  /**
-   * The caller holds the lock. The module that held it is not found now, as at first in a new
-   * process.
-   */
+  /** The module that held it is not found now, as at first in a new process. */
+  @GuardedBy("this")
   private Optional<String> notFoundAgain() {
     @Nullable HoldReason before = memory.last();
     return before == null || isFound(before.path()) ? Optional.empty() : Optional.of(before.why());
   }
 
-  /** Holds the lock. */
+  @GuardedBy("this")
   private Optional<HoldReason> live() {
-    return byEffector()
-        .or(
-            () ->
-                robotState.behaviors().stream()
-                    .flatMap(each -> byBehavior(each, robotState.heldSince(each)).stream())
-                    .findFirst());
+    Optional<HoldReason> stopped = byEffector();
+    if (stopped.isPresent()) {
+      return stopped;
+    }
+    for (ModuleListing<?> each : robotState.behaviors()) {
+      Optional<HoldReason> held = byBehavior(each, robotState.heldSince(each));
+      if (held.isPresent()) {
+        return held;
+      }
+    }
+    return Optional.empty();
   }
 
-  /** Holds the lock. */
+  @GuardedBy("this")
   private Optional<HoldReason> byEffector() {
     for (ModuleListing<?> mover : robotState.effectors()) {
       EmergencyStopAttributes stop = stopReason(mover);
@@ -234,7 +254,7 @@ final class OperatorHold {
     return Optional.empty();
   }
 
-  /** Holds the lock. */
+  @GuardedBy("this")
   private Optional<HoldReason> byBehavior(ModuleListing<?> behavior, @Nullable Instant since) {
     String path = behavior.path();
     return since == null || since.toString().equals(memory.endedStop(path))
@@ -311,7 +331,8 @@ final class OperatorHold {
     }
   }
 
-  /** The caller holds the lock. The reason why it is not settled now, as a clause. */
+  /** The reason why it is not settled now, as a clause. */
+  @GuardedBy("this")
   private String unsettled() {
     Set<String> missing = missing();
     return missing.isEmpty()

@@ -71,7 +71,7 @@ public interface LossModel {
       }
       if (toGood == 0) {
         throw new IllegalArgumentException(
-            "a link that stays bad loses every message; choose a probability above 0 of becoming good");
+            "a bad link would never become good again; give a probability above 0 of becoming good");
       }
       this.toBad = toBad;
       this.toGood = toGood;

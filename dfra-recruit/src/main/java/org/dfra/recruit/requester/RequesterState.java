@@ -80,17 +80,7 @@ public record RequesterState(
   }
 
   RequesterState open(Conversation next, HelpCall wanted, Instant end, Instant again) {
-    return new RequesterState(
-        RequesterPhase.CALLING,
-        next,
-        wanted,
-        1,
-        List.of(),
-        null,
-        again,
-        Instant.MAX,
-        end,
-        farewell);
+    return idle(next).withPendingRelease(farewell).withCall(wanted, end).calling(1, again);
   }
 
   /** The same call, not sent yet: the previous helper may not be free. */
@@ -104,31 +94,11 @@ public record RequesterState(
   }
 
   RequesterState calling(int rounds, Instant again) {
-    return new RequesterState(
-        RequesterPhase.CALLING,
-        conversation,
-        call,
-        rounds,
-        List.of(),
-        null,
-        again,
-        Instant.MAX,
-        patience,
-        farewell);
+    return withRound(rounds).withPhase(RequesterPhase.CALLING, List.of(), null, again, Instant.MAX);
   }
 
   RequesterState collecting(List<Bid> known, Instant end) {
-    return new RequesterState(
-        RequesterPhase.COLLECTING,
-        conversation,
-        call,
-        round,
-        known,
-        null,
-        end,
-        Instant.MAX,
-        patience,
-        farewell);
+    return withPhase(RequesterPhase.COLLECTING, known, null, end, Instant.MAX);
   }
 
   /**
@@ -147,22 +117,29 @@ public record RequesterState(
   }
 
   private RequesterState helped(RequesterPhase at, Bid by, Instant next, Instant end) {
-    return new RequesterState(
-        at, conversation, call, round, List.of(), by, next, end, patience, farewell);
+    return withPhase(at, List.of(), by, next, end);
   }
 
   RequesterState ended() {
+    return withCall(call, Instant.MAX)
+        .withPhase(RequesterPhase.IDLE, List.of(), winner, Instant.MAX, Instant.MAX);
+  }
+
+  /** Another phase of the same call, with what belongs to a phase. */
+  private RequesterState withPhase(
+      RequesterPhase at, List<Bid> known, @Nullable Bid chosen, Instant next, Instant end) {
     return new RequesterState(
-        RequesterPhase.IDLE,
-        conversation,
-        call,
-        round,
-        List.of(),
-        winner,
-        Instant.MAX,
-        Instant.MAX,
-        Instant.MAX,
-        farewell);
+        at, conversation, call, round, known, chosen, next, end, patience, farewell);
+  }
+
+  private RequesterState withCall(@Nullable HelpCall wanted, Instant end) {
+    return new RequesterState(
+        phase, conversation, wanted, round, bids, winner, due, until, end, farewell);
+  }
+
+  private RequesterState withRound(int rounds) {
+    return new RequesterState(
+        phase, conversation, call, rounds, bids, winner, due, until, patience, farewell);
   }
 
   RequesterState withPendingRelease(@Nullable PendingRelease from) {

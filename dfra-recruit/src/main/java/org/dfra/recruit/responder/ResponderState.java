@@ -95,18 +95,13 @@ public record ResponderState(
     return ledgers.getOrDefault(of.requester(), ConversationRecord.EMPTY);
   }
 
-  private ResponderState with(Map<String, ConversationRecord> known) {
-    return new ResponderState(
-        phase, conversation, call, sends, offers, again, until, lease, leaseEnd, known);
-  }
-
   ResponderState remember(String requester, ConversationRecord ledger) {
     if (ledger.equals(ledgers.get(requester))) {
       return this;
     }
     Map<String, ConversationRecord> known = new HashMap<>(ledgers);
     known.put(requester, ledger);
-    return with(known);
+    return withLedgers(known);
   }
 
   ResponderState close(Conversation over) {
@@ -126,75 +121,56 @@ public record ResponderState(
       Conversation in, HelpCall wanted, int said, Instant offer, Instant repeat) {
     List<Instant> all = new ArrayList<>(in.equals(conversation) ? offers : List.of());
     all.add(offer);
-    return new ResponderState(
-        ResponderPhase.OFFERED,
-        in,
-        wanted,
-        said,
-        all,
-        repeat,
-        Instant.MAX,
-        null,
-        Instant.MAX,
-        ledgers);
+    return free(ledgers)
+        .withConversation(in, wanted, all)
+        .withPhase(ResponderPhase.OFFERED, said, repeat, Instant.MAX);
   }
 
   ResponderState travelling(Instant end) {
-    return new ResponderState(
-        ResponderPhase.TRAVELLING,
-        conversation,
-        call,
-        0,
-        offers,
-        Instant.MAX,
-        end,
-        null,
-        Instant.MAX,
-        ledgers);
+    return withLease(null, Instant.MAX).withPhase(ResponderPhase.TRAVELLING, 0, Instant.MAX, end);
   }
 
   /** The requester has extended its wait. */
   ResponderState extended(Instant end) {
-    return new ResponderState(
-        phase, conversation, call, sends, offers, again, end, lease, leaseEnd, ledgers);
+    return withPhase(phase, sends, again, end);
   }
 
   ResponderState arrived(UUID granted, Instant end, Instant repeat) {
-    return new ResponderState(
-        ResponderPhase.ARRIVED,
-        conversation,
-        call,
-        1,
-        offers,
-        repeat,
-        until.isBefore(end) ? until : end,
-        granted,
-        end,
-        ledgers);
+    return withLease(granted, end)
+        .withPhase(ResponderPhase.ARRIVED, 1, repeat, until.isBefore(end) ? until : end);
   }
 
   ResponderState repeated(Instant repeat) {
-    return new ResponderState(
-        phase, conversation, call, sends + 1, offers, repeat, until, lease, leaseEnd, ledgers);
+    return withPhase(phase, sends + 1, repeat, until);
   }
 
   ResponderState leased() {
-    return new ResponderState(
-        ResponderPhase.LEASED,
-        conversation,
-        call,
-        0,
-        offers,
-        Instant.MAX,
-        leaseEnd,
-        lease,
-        leaseEnd,
-        ledgers);
+    return withPhase(ResponderPhase.LEASED, 0, Instant.MAX, leaseEnd);
   }
 
   /** The same lease with a new ID, as granted again after a restart of its process. */
   public ResponderState withLease(UUID granted) {
+    return withLease(granted, leaseEnd);
+  }
+
+  /** A phase with the transmissions of its message, their repetition, and its own withdrawal. */
+  private ResponderState withPhase(ResponderPhase at, int sent, Instant repeat, Instant end) {
     return new ResponderState(
-        phase, conversation, call, sends, offers, again, until, granted, leaseEnd, ledgers);
+        at, conversation, call, sent, offers, repeat, end, lease, leaseEnd, ledgers);
+  }
+
+  private ResponderState withConversation(Conversation in, HelpCall wanted, List<Instant> ends) {
+    return new ResponderState(
+        phase, in, wanted, sends, ends, again, until, lease, leaseEnd, ledgers);
+  }
+
+  private ResponderState withLease(@Nullable UUID granted, Instant end) {
+    return new ResponderState(
+        phase, conversation, call, sends, offers, again, until, granted, end, ledgers);
+  }
+
+  private ResponderState withLedgers(Map<String, ConversationRecord> known) {
+    return new ResponderState(
+        phase, conversation, call, sends, offers, again, until, lease, leaseEnd, known);
   }
 }

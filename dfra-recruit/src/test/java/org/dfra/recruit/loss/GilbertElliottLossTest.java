@@ -91,7 +91,7 @@ class GilbertElliottLossTest {
     assertThatThrownBy(() -> new GilbertElliottLoss(1.2, 0.5, 0, 1, random()))
         .hasMessage("probability 1.2 is outside 0 to 1");
     assertThatThrownBy(() -> new GilbertElliottLoss(0.5, 0, 0, 1, random()))
-        .hasMessageContaining("stays bad loses every message");
+        .hasMessageContaining("never become good again");
     assertThatThrownBy(() -> GilbertElliottLoss.bursts(1, 5, random()))
         .hasMessage(
             "a loss of 1.0 in bursts of 5.0 messages is impossible; give a share of 0 to less than"

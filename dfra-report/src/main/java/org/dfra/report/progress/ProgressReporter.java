@@ -1,5 +1,6 @@
 package org.dfra.report.progress;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.PrintWriter;
 import java.time.Duration;
 import java.util.List;
@@ -44,12 +45,20 @@ public final class ProgressReporter {
   private final boolean isColoured;
   private final LongSupplier nanos;
   private final boolean isTerminal;
-  private final Supplier<Terminal.Size> size; // guarded by this
-  private final LiveBlock block; // guarded by this
+
+  @GuardedBy("this")
+  private final Supplier<Terminal.Size> size;
+
+  @GuardedBy("this")
+  private final LiveBlock block;
+
   private final long began;
   private final RunMeasurements figures = new RunMeasurements();
   private volatile String step = "setting the stage";
-  private boolean spaced; // the last line was empty; guarded by this
+
+  // the last line was empty
+  @GuardedBy("this")
+  private boolean spaced;
 
   /**
    * @param nanos a monotonic clock with any origin, in nanoseconds
@@ -163,6 +172,7 @@ public final class ProgressReporter {
     print(time + String.join(END + INDENT, lines) + END);
   }
 
+  @GuardedBy("this")
   private int width() {
     return Math.max(NARROWEST, Math.min(WIDTH, size.get().columns()));
   }
@@ -173,7 +183,7 @@ public final class ProgressReporter {
   }
 
   /** Maximum width of a table; a terminal without colours has a width, too. */
-  public int columns() {
+  public synchronized int columns() {
     int columns = size.get().columns();
     return isTerminal || columns < Terminal.Size.UNLIMITED.columns() ? columns : TABLE;
   }
@@ -215,6 +225,7 @@ public final class ProgressReporter {
   }
 
   /** Writes complete lines in one call. */
+  @GuardedBy("this")
   private void print(String text) {
     out.print(block.printAbove(text));
     out.flush();
@@ -259,7 +270,9 @@ public final class ProgressReporter {
   public synchronized void table() {
     heading("Measured");
     for (MeasuredValue each : figures.all()) {
-      each.lines(columns()).forEach(line -> print(coloured(line) + END));
+      for (String line : each.lines(columns())) {
+        print(coloured(line) + END);
+      }
     }
   }
 

@@ -21,10 +21,10 @@ import java.util.function.Supplier;
 import net.jini.config.Configuration;
 import net.jini.core.entry.Entry;
 import net.jini.core.lookup.ServiceRegistrar;
-import net.jini.jeri.BasicJeriExporter;
 import org.dfra.core.host.FreePorts;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
+import org.dfra.river.call.JeriExporters;
 import org.dfra.river.lookup.SuppliedConfiguration;
 import org.dfra.river.registrar.DiscoveryResponseSocketFactory;
 import org.dfra.river.registrar.DiscoveryServerSocketFactory;
@@ -155,11 +155,9 @@ public final class EmbeddedRegistrar implements AutoCloseable {
 
   private RegistrarExporter exporter(EventListenerPreparer listeners) {
     return new RegistrarExporter(
-        new BasicJeriExporter(
+        JeriExporters.keepingAlive(
             Endpoints.tcp(host, 0),
-            new RegistrarILFactory(DeadlineILFactory.DEFAULT_DEADLINE, policy),
-            false,
-            true),
+            new RegistrarILFactory(DeadlineILFactory.DEFAULT_DEADLINE, policy)),
         listeners);
   }
 

@@ -36,8 +36,7 @@ public final class PhoenixInventory {
    * @param id its ID in the activation system
    * @param status state of its virtual machine
    * @param modules names of its modules, in alphabetical order
-   * @param hasRegistrar whether it hosts the robot's registrar
-   * @param isRegistrarRunning whether the registrar runs
+   * @param registrar whether it hosts the robot's registrar, and whether this runs
    * @param runningModules names of those of its modules that run
    */
   public record ServiceGroup(
@@ -46,9 +45,16 @@ public final class PhoenixInventory {
       ActivationGroupID id,
       GroupStatus status,
       List<String> modules,
-      boolean hasRegistrar,
-      boolean isRegistrarRunning,
+      RegistrarState registrar,
       Set<String> runningModules) {
+
+    /** The state of the robot's registrar in a group. */
+    public enum RegistrarState {
+      /** The group hosts no registrar. */
+      NONE,
+      NOT_RUNNING,
+      RUNNING
+    }
 
     public ServiceGroup {
       modules = List.copyOf(modules);
@@ -153,8 +159,7 @@ public final class PhoenixInventory {
       throws RemoteException, ActivationException {
     List<String> modules = new ArrayList<>();
     Set<String> running = new HashSet<>();
-    boolean registrar = false;
-    boolean registrarRuns = false;
+    ServiceGroup.RegistrarState registrar = ServiceGroup.RegistrarState.NONE;
     Set<ActivationID> active = Set.copyOf(admin.activeObjects(id));
     @SuppressWarnings("unchecked") // as phoenix declares it
     Map<ActivationID, ActivationDesc> objects = admin.getActivatableObjects(id);
@@ -166,20 +171,13 @@ public final class PhoenixInventory {
           running.add(data.module().name());
         }
       } else if (object.getValue().getClassName().equals(BootstrapLoader.REGGIE)) {
-        registrar = true;
-        registrarRuns = runs;
+        registrar =
+            runs ? ServiceGroup.RegistrarState.RUNNING : ServiceGroup.RegistrarState.NOT_RUNNING;
       }
     }
     modules.sort(null);
     int dot = name.indexOf('.');
     return new ServiceGroup(
-        name.substring(0, dot),
-        name.substring(dot + 1),
-        id,
-        status,
-        modules,
-        registrar,
-        registrarRuns,
-        running);
+        name.substring(0, dot), name.substring(dot + 1), id, status, modules, registrar, running);
   }
 }

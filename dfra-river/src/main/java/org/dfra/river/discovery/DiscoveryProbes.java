@@ -1,5 +1,6 @@
 package org.dfra.river.discovery;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.net.Socket;
 import java.rmi.RemoteException;
@@ -50,11 +51,19 @@ final class DiscoveryProbes {
   private final MulticastRequestSender requests;
   private final DiscoveryThreads threads;
   private final ResponseConsumer taker;
-  private int probing; // guarded by the lock
-  // guarded by the lock: the part of probing that reads responses to requests
+
+  @GuardedBy("lock")
+  private int probing;
+
+  // the part of probing that reads responses to requests
+  @GuardedBy("lock")
   private int responding;
-  private @Nullable Future<?> wakeUp; // guarded by the lock
-  private boolean closed; // guarded by the lock
+
+  @GuardedBy("lock")
+  private @Nullable Future<?> wakeUp;
+
+  @GuardedBy("lock")
+  private boolean closed;
 
   /**
    * @param lock of the search
@@ -113,7 +122,7 @@ final class DiscoveryProbes {
     }
   }
 
-  /** The caller holds the lock. */
+  @GuardedBy("lock")
   private boolean begin(Runnable probe, int responses) {
     boolean isBegun = threads.probe(probe);
     probing += isBegun ? 1 : 0;

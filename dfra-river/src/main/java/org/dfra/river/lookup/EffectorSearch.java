@@ -1,5 +1,6 @@
 package org.dfra.river.lookup;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -65,7 +66,8 @@ public final class EffectorSearch implements AutoCloseable {
   /** Guarded by itself. */
   private final Map<ServiceRegistrar, RegistrarEffectorReader> readings = new HashMap<>();
 
-  private boolean closed; // guarded by readings
+  @GuardedBy("readings")
+  private boolean closed;
 
   /** Until then, unanswered queries are repeated; {@link System#nanoTime}. */
   private volatile @Nullable Long findEnd; // set by awaitRead
@@ -171,7 +173,7 @@ public final class EffectorSearch implements AutoCloseable {
     }
   }
 
-  /** The caller holds the lock of {@code readings}. */
+  @GuardedBy("readings")
   private List<String> missing() {
     List<String> missing = new ArrayList<>();
     discovery

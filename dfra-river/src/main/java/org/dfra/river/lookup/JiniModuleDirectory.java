@@ -21,7 +21,6 @@ import net.jini.config.EmptyConfiguration;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.discovery.DiscoveryEvent;
 import net.jini.discovery.DiscoveryListener;
-import net.jini.jeri.BasicJeriExporter;
 import org.dfra.core.directory.CachedModuleDirectory;
 import org.dfra.directory.Locality;
 import org.dfra.persona.Attributes;
@@ -29,6 +28,7 @@ import org.dfra.persona.ModuleAttributes;
 import org.dfra.river.access.OwnAddresses;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
+import org.dfra.river.call.JeriExporters;
 import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.loading.BootClassPath;
 import org.dfra.river.loading.TrustedCode;
@@ -177,14 +177,13 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
     }
   }
 
-  /** The caller holds the lock of {@code watches}. */
+  @GuardedBy("watches")
   private boolean isAnyBeingRead() {
     return watches.values().stream().anyMatch(watch -> !watch.isRead());
   }
 
-  /**
-   * The locators at which no lookup service was read. The caller holds the lock of {@code watches}.
-   */
+  /** The locators at which no lookup service was read. */
+  @GuardedBy("watches")
   private List<String> unread() {
     List<String> missing = new ArrayList<>();
     discovery
@@ -228,11 +227,8 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
                 serviceTable,
                 settings,
                 clock,
-                new BasicJeriExporter(
-                    Endpoints.tcp(settings.callbackHost(), 0),
-                    new DeadlineILFactory(),
-                    false,
-                    false),
+                JeriExporters.notKeepingAlive(
+                    Endpoints.tcp(settings.callbackHost(), 0), new DeadlineILFactory()),
                 this::read,
                 this::lost);
         watches.put(registrar, watch);

@@ -1,5 +1,6 @@
 package org.dfra.river.lookup;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import com.sun.jini.constants.ThrowableConstants;
 import java.rmi.RemoteException;
 import java.time.Duration;
@@ -53,8 +54,12 @@ final class RegistrationRenewer extends LeaseRenewalManager implements AutoClose
   private final Scheduler time;
   private final @Nullable ClassLoader loader = Thread.currentThread().getContextClassLoader();
   private final Object lock = new Object();
-  private final Map<Lease, RenewedLease> renewals = new HashMap<>(); // guarded by lock
-  private boolean closed; // guarded by lock
+
+  @GuardedBy("lock")
+  private final Map<Lease, RenewedLease> renewals = new HashMap<>();
+
+  @GuardedBy("lock")
+  private boolean closed;
 
   RegistrationRenewer(Scheduler time) {
     this.time = time;

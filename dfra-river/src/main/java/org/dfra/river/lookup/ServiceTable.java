@@ -1,5 +1,6 @@
 package org.dfra.river.lookup;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -55,11 +56,17 @@ final class ServiceTable {
 
   private final ModuleTable table;
   private final BiFunction<UUID, List<Attributes>, Locality> locality;
-  private final Map<UUID, ServiceListings> services = new HashMap<>(); // guarded by this
-  private final Map<LocatedRegistrar, String> hosts = new HashMap<>(); // guarded by this
+
+  @GuardedBy("this")
+  private final Map<UUID, ServiceListings> services = new HashMap<>();
+
+  @GuardedBy("this")
+  private final Map<LocatedRegistrar, String> hosts = new HashMap<>();
+
   private final Set<LocatedRegistrar> withinReach = new HashSet<>(); // guarded by this
 
-  /** Unreachable ones that list something, and the time of their last answers; guarded by this. */
+  /** Unreachable ones that list something, and the time of their last answers. */
+  @GuardedBy("this")
   private final Map<LocatedRegistrar, Instant> outOfReach = new HashMap<>();
 
   /**
@@ -86,6 +93,7 @@ final class ServiceTable {
   }
 
   /** The host of the lookup service with this service ID, if known; its own claim first. */
+  @GuardedBy("this")
   private String host(UUID id, LocatedRegistrar listing) {
     if (uuid(listing.getServiceID()).equals(id)) {
       return hosts.getOrDefault(listing, "");
@@ -121,9 +129,11 @@ final class ServiceTable {
         remove(registrar, id);
       }
     }
-    List.copyOf(outOfReach.keySet()).stream()
-        .filter(each -> isFormer(each, registrar))
-        .forEach(this::forget);
+    for (LocatedRegistrar each : List.copyOf(outOfReach.keySet())) {
+      if (isFormer(each, registrar)) {
+        forget(each);
+      }
+    }
   }
 
   /** Whether one lookup service was restarted as the other, which then has a new proxy. */
@@ -132,6 +142,7 @@ final class ServiceTable {
         && former.address().equals(now.address());
   }
 
+  @GuardedBy("this")
   private void forget(LocatedRegistrar former) {
     outOfReach.remove(former);
     hosts.remove(former);
@@ -177,12 +188,16 @@ final class ServiceTable {
   }
 
   /** Shows the listing that takes precedence; false if no lookup service is reachable. */
+  @GuardedBy("this")
   private boolean show(UUID id, ServiceListings listings) {
     Optional<LocatedRegistrar> counted = counted(listings);
-    counted.ifPresent(each -> show(id, listings, each));
+    if (counted.isPresent()) {
+      show(id, listings, counted.get());
+    }
     return counted.isPresent();
   }
 
+  @GuardedBy("this")
   private void show(UUID id, ServiceListings listings, LocatedRegistrar counted) {
     @Nullable ListedService service = listings.all.get(counted);
     @Nullable LocatedRegistrar last = listings.counted;

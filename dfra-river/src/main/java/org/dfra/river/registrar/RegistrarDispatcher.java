@@ -1,5 +1,6 @@
 package org.dfra.river.registrar;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.io.ObjectOutputStream;
 import java.io.OutputStream;
@@ -51,9 +52,14 @@ final class RegistrarDispatcher extends GuardedDispatcher {
   private final ReggieState state;
   private final RobotClaimReader claims;
   private final ReggieArgumentValidator arguments;
+
   private final RegistrationRules rules; // guarded by this
-  private boolean restored; // guarded by this
-  private long logged = System.nanoTime() - LOG_AGAIN_NANOS; // guarded by this
+
+  @GuardedBy("this")
+  private boolean restored;
+
+  @GuardedBy("this")
+  private long logged = System.nanoTime() - LOG_AGAIN_NANOS;
 
   /**
    * See {@link GuardedDispatcher}.
@@ -231,6 +237,7 @@ final class RegistrarDispatcher extends GuardedDispatcher {
   }
 
   /** Reads reggie's contents before the first call. */
+  @GuardedBy("this")
   private void restore() {
     if (restored) {
       return;

@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  * <p>In a Jini configuration file:
  *
  * <pre>
- *   new BasicJeriExporter(endpoint, new RegistrarILFactory(2000L, robot, moduleHosts), false, true)
+ *   JeriExporters.keepingAlive(endpoint, new RegistrarILFactory(2000L, robot, moduleHosts))
  * </pre>
  */
 public final class RegistrarILFactory extends DeadlineILFactory {

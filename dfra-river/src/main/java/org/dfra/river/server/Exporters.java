@@ -2,10 +2,10 @@ package org.dfra.river.server;
 
 import java.rmi.activation.ActivationID;
 import net.jini.export.Exporter;
-import net.jini.jeri.BasicJeriExporter;
 import net.jini.jrmp.JrmpExporter;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
+import org.dfra.river.call.JeriExporters;
 import org.dfra.river.call.ResurrectingExporter;
 import org.jspecify.annotations.Nullable;
 
@@ -35,8 +35,8 @@ public final class Exporters {
 
   /** JERI over TCP, as above, for an object that is not activatable. */
   public static Exporter jeri(String host, long deadlineMillis) {
-    return new BasicJeriExporter(
-        Endpoints.tcp(host, 0), new DeadlineILFactory(deadlineMillis), false, true);
+    return JeriExporters.keepingAlive(
+        Endpoints.tcp(host, 0), new DeadlineILFactory(deadlineMillis));
   }
 
   /**

@@ -1,5 +1,6 @@
 package org.dfra.river.server;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.time.InstantSource;
 import java.util.HashMap;
@@ -36,8 +37,12 @@ final class ModuleDirectorySupplier implements Supplier<ModuleDirectory>, AutoCl
   private final String host;
   private final OwnRobotMatcher ownModules;
   private final DirectorySettings settings;
-  private @Nullable SharedDirectory used; // guarded by OPEN
-  private boolean closed; // guarded by OPEN
+
+  @GuardedBy("OPEN")
+  private @Nullable SharedDirectory used;
+
+  @GuardedBy("OPEN")
+  private boolean closed;
 
   ModuleDirectorySupplier(ModuleActivation activation) {
     this.module = activation.module().path();

@@ -1,5 +1,6 @@
 package org.dfra.river.server;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -27,8 +28,12 @@ final class ModuleShutdownHook implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(ModuleShutdownHook.class);
 
   private static final List<ModuleShutdownHook> OPEN = new ArrayList<>(); // guarded by itself
-  private static boolean hooked; // guarded by OPEN
-  private static boolean ending; // guarded by OPEN
+
+  @GuardedBy("OPEN")
+  private static boolean hooked;
+
+  @GuardedBy("OPEN")
+  private static boolean ending;
 
   private final ModuleServer<?> server;
 

@@ -26,6 +26,7 @@ import org.dfra.core.config.RobotDescription.GroupDescription;
 import org.dfra.core.config.SourceLocation;
 import org.dfra.river.bootstrap.BringUpStep.Kind;
 import org.dfra.river.bootstrap.PhoenixInventory.ServiceGroup;
+import org.dfra.river.bootstrap.PhoenixInventory.ServiceGroup.RegistrarState;
 import org.dfra.river.bootstrap.RobotBootstrap.ServiceReference;
 import org.dfra.river.phoenix.Phoenix;
 import org.dfra.river.server.ModuleActivation;
@@ -142,9 +143,10 @@ class MissedAnswersTest {
     List<ServiceReference> unused = bringUp(phoenix);
     phoenix.miss(MISSES);
     assertThat(PhoenixInventory.groups(phoenix.calls(folder).admin(), patience()))
-        .extracting(
-            ServiceGroup::name, ServiceGroup::isRegistrarRunning, ServiceGroup::runningModules)
-        .containsExactly(tuple("lookup", true, Set.of()), tuple("one", false, Set.of("gps")));
+        .extracting(ServiceGroup::name, ServiceGroup::registrar, ServiceGroup::runningModules)
+        .containsExactly(
+            tuple("lookup", RegistrarState.RUNNING, Set.of()),
+            tuple("one", RegistrarState.NONE, Set.of("gps")));
     assertThat(phoenix.calls("groupStatus")).isGreaterThan(MISSES);
   }
 

@@ -1,5 +1,6 @@
 package org.dfra.sim.device;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.time.Instant;
@@ -29,14 +30,29 @@ public final class Cable {
   private static final UnaryOperator<byte[]> SOUND = UnaryOperator.identity();
   private static final UnaryOperator<byte[]> NOTHING = bytes -> new byte[0];
 
-  // all guarded by this
+  @GuardedBy("this")
   private SerialDevice device;
+
+  @GuardedBy("this")
   private boolean pulled;
+
+  @GuardedBy("this")
   private UnaryOperator<byte[]> toDevice = SOUND;
+
+  @GuardedBy("this")
   private UnaryOperator<byte[]> fromDevice = SOUND;
-  private @Nullable UartLine channel; // to the device; null until it was connected
-  private int portBaud; // of the computer's port; 0: same as the device
-  private final ByteBuffer chunk = ByteBuffer.allocate(CHUNK); // polls are frequent
+
+  // to the device; null until it was connected
+  @GuardedBy("this")
+  private @Nullable UartLine channel;
+
+  // of the computer's port; 0: same as the device
+  @GuardedBy("this")
+  private int portBaud;
+
+  // polls are frequent
+  @GuardedBy("this")
+  private final ByteBuffer chunk = ByteBuffer.allocate(CHUNK);
 
   Cable(SerialDevice device) {
     this.device = device;
@@ -89,6 +105,7 @@ public final class Cable {
     channel = null;
   }
 
+  @GuardedBy("this")
   private void set(boolean isPulled, UnaryOperator<byte[]> there, UnaryOperator<byte[]> back) {
     pulled = isPulled;
     toDevice = there;
@@ -171,6 +188,7 @@ public final class Cable {
     return sentAt == 0 || readAt == 0 ? bytes : BaudMismatch.of(bytes, sentAt, readAt);
   }
 
+  @GuardedBy("this")
   private void receive(byte[] bytes, Instant now) {
     byte[] through = toDevice.apply(read(bytes, portBaud, device.baud()));
     if (through.length > 0) {

@@ -1,5 +1,6 @@
 package org.dfra.sim.device;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.BufferedReader;
 import java.io.File;
 import java.io.IOException;
@@ -36,12 +37,23 @@ public final class PseudoTerminal implements AutoCloseable {
 
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
-  // all guarded by lock
+
+  @GuardedBy("lock")
   private @Nullable Path port;
+
+  @GuardedBy("lock")
   private @Nullable Thread thread;
+
+  @GuardedBy("lock")
   private @Nullable Process socat;
+
+  @GuardedBy("lock")
   private boolean closed;
+
+  @GuardedBy("lock")
   private boolean ready;
+
+  @GuardedBy("lock")
   private String fault = "socat has printed nothing";
 
   /**
@@ -104,6 +116,7 @@ public final class PseudoTerminal implements AutoCloseable {
             + emulator.url());
   }
 
+  @GuardedBy("lock")
   private void awaitReady() throws IOException {
     long left = TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
     try {

@@ -1,5 +1,6 @@
 package org.dfra.sim.device;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.time.Duration;
 import java.time.InstantSource;
@@ -25,11 +26,21 @@ final class SimLink implements SerialLink {
 
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed;
-  // all guarded by lock
+
+  @GuardedBy("lock")
   private final byte[] unread = new byte[ROOM];
+
+  @GuardedBy("lock")
   private int filled;
-  private int polls; // since the first of them arrived, or the reader was woken
+
+  // since the first of them arrived, or the reader was woken
+  @GuardedBy("lock")
+  private int polls;
+
+  @GuardedBy("lock")
   private boolean open = true;
+
+  @GuardedBy("lock")
   private boolean lost;
 
   /**
@@ -99,6 +110,7 @@ final class SimLink implements SerialLink {
     }
   }
 
+  @GuardedBy("lock")
   private int take(byte[] buffer, int offset, int length) {
     if (!open || (lost && filled == 0)) {
       open = false;

@@ -1,5 +1,6 @@
 package org.dfra.sim.device;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.time.Duration;
 import org.dfra.drivers.link.SerialLink;
@@ -28,9 +29,13 @@ public final class SimPort implements AutoCloseable {
   private final LockStep time;
   private final SimLinkRegistry.LinkFactory port = this::open;
 
-  // all guarded by this
+  @GuardedBy("this")
   private @Nullable ScheduledTask pollTask;
+
+  @GuardedBy("this")
   private boolean closed;
+
+  @GuardedBy("this")
   private @Nullable SimLink client;
 
   /**
@@ -90,6 +95,7 @@ public final class SimPort implements AutoCloseable {
     return link;
   }
 
+  @GuardedBy("this")
   private void replaceClient(@Nullable SimLink next) {
     if (client != null) {
       client.disconnect();

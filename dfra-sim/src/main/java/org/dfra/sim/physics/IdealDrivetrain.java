@@ -1,5 +1,6 @@
 package org.dfra.sim.physics;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Duration;
 import java.time.Instant;
 import org.jspecify.annotations.Nullable;
@@ -73,10 +74,16 @@ public final class IdealDrivetrain implements DrivetrainPhysics {
     }
   }
 
-  // all guarded by this
+  @GuardedBy("this")
   private final Ramp along;
+
+  @GuardedBy("this")
   private final Ramp about;
+
+  @GuardedBy("this")
   private Instant last;
+
+  @GuardedBy("this")
   private boolean braked;
 
   /** Wheels that are stopped at {@code begin}. */
@@ -138,6 +145,7 @@ public final class IdealDrivetrain implements DrivetrainPhysics {
   }
 
   /** Time never decreases. */
+  @GuardedBy("this")
   private Instant pass(Instant time) {
     last = time.isAfter(last) ? time : last;
     return last;

@@ -56,8 +56,7 @@ sealed interface FilterInput permits FilterInput.MotionIncrement, FilterInput.Lo
    * @param gyroYaw yaw from the gyro, radians, bias included; NaN without data
    * @param distanceSigma standard deviation of an unmeasured path, east and north each, metres
    * @param yawSigma standard deviation of a yaw that the wheels did not measure, radians
-   * @param areWheelsStationary whether the wheels have been stationary for a while
-   * @param isClockJump whether the clock was set: earlier data is useless
+   * @param kind what is special about the interval
    */
   record MotionIncrement(
       long from,
@@ -67,9 +66,26 @@ sealed interface FilterInput permits FilterInput.MotionIncrement, FilterInput.Lo
       double gyroYaw,
       double distanceSigma,
       double yawSigma,
-      boolean areWheelsStationary,
-      boolean isClockJump)
+      Kind kind)
       implements FilterInput {
+
+    /** Kinds of increments. */
+    enum Kind {
+      /** The wheels may move. */
+      MOTION,
+      /** The wheels have been stationary for a while. */
+      STATIONARY_WHEELS,
+      /** The clock was set: earlier data is useless. */
+      CLOCK_JUMP
+    }
+
+    boolean areWheelsStationary() {
+      return kind == Kind.STATIONARY_WHEELS;
+    }
+
+    boolean isClockJump() {
+      return kind == Kind.CLOCK_JUMP;
+    }
 
     /**
      * Gyro rate beyond its error that indicates rotation, though the wheels are stationary, rad/s.
@@ -94,7 +110,7 @@ sealed interface FilterInput permits FilterInput.MotionIncrement, FilterInput.Lo
      */
     boolean isRobotStationary(double gyroBias, double sigma, double noise) {
       double dt = seconds();
-      if (!areWheelsStationary || !(dt > 0)) {
+      if (!areWheelsStationary() || !(dt > 0)) {
         return false;
       }
       double spread = Math.sqrt(sigma * sigma + noise * noise / dt);
@@ -122,8 +138,7 @@ sealed interface FilterInput permits FilterInput.MotionIncrement, FilterInput.Lo
           gyroYaw * share,
           distanceSigma * root,
           yawSigma * root,
-          areWheelsStationary,
-          isClockJump);
+          kind);
     }
   }
 }

@@ -1,6 +1,7 @@
 package org.dfra.behaviors.perceptual.pose;
 
 import org.dfra.behaviors.perceptual.pose.FilterInput.MotionIncrement;
+import org.dfra.behaviors.perceptual.pose.FilterInput.MotionIncrement.Kind;
 import org.dfra.flow.sensor.AngularRate;
 import org.dfra.flow.sensor.Odometry;
 import org.jspecify.annotations.Nullable;
@@ -82,7 +83,8 @@ final class MotionIncrementBuilder {
     MotionIncrement step;
     if (hasBegun && at - time > TimestampMonitor.MAX_STEP_NANOS) {
       step =
-          new MotionIncrement(time, time, 0, 0, Double.NaN, UNSEEN_SPEED, UNSEEN_RATE, false, true);
+          new MotionIncrement(
+              time, time, 0, 0, Double.NaN, UNSEEN_SPEED, UNSEEN_RATE, Kind.CLOCK_JUMP);
       at = time;
       gyroAngle = gyro.angleAt(time);
       gyroStretch = gyro.segment();
@@ -109,7 +111,7 @@ final class MotionIncrementBuilder {
     still = 0;
     double dt = EpochNanos.seconds(at, time);
     double lost = Math.min(MOST_LOST, UNSEEN_SPEED * dt);
-    return step(time, 0, 0, lost, Math.min(Math.PI, UNSEEN_RATE * dt), false);
+    return step(time, 0, 0, lost, Math.min(Math.PI, UNSEEN_RATE * dt), Kind.MOTION);
   }
 
   private MotionIncrement measured(Odometry before, Odometry now, long time) {
@@ -142,11 +144,12 @@ final class MotionIncrementBuilder {
             && fastest < STILL_SPEED
             && quickest < STILL_SPEED;
     still = isStill ? still + dt : 0;
-    return step(time, way, turn, lostWay, lostTurn, still > REST);
+    return step(
+        time, way, turn, lostWay, lostTurn, still > REST ? Kind.STATIONARY_WHEELS : Kind.MOTION);
   }
 
   private MotionIncrement step(
-      long time, double way, double turn, double lostWay, double lostTurn, boolean isResting) {
+      long time, double way, double turn, double lostWay, double lostTurn, Kind kind) {
     // From the last increment's end angle: corrects what it extrapolated for a late rate.
     double begin = gyroStretch == gyro.segment() ? gyroAngle : Double.NaN;
     begin = Double.isNaN(begin) ? gyro.angleAt(at) : begin;
@@ -155,8 +158,7 @@ final class MotionIncrementBuilder {
     gyroStretch = gyro.segment();
     long from = at;
     at = time;
-    return new MotionIncrement(
-        from, time, way, turn, end - begin, lostWay, lostTurn, isResting, false);
+    return new MotionIncrement(from, time, way, turn, end - begin, lostWay, lostTurn, kind);
   }
 
   /** The extrapolated increment from now on, for half a second at most. */
@@ -174,8 +176,7 @@ final class MotionIncrementBuilder {
         turn,
         UNSEEN_SPEED * unknown,
         Math.min(Math.PI, UNSEEN_RATE * unknown),
-        false,
-        false);
+        Kind.MOTION);
   }
 
   boolean hasBegun() {

@@ -196,13 +196,14 @@ record TrackerSettings(
     static void requirePositive(String what, double value) {
       if (!(value > 0 && value < Double.POSITIVE_INFINITY)) {
         throw new IllegalArgumentException(
-            what + " " + value + " is not above 0; give a greater one");
+            what + " " + value + " is not finite and above 0; give such a number");
       }
     }
 
     static void requireNonNegative(String what, double value) {
       if (!(value >= 0 && value < Double.POSITIVE_INFINITY)) {
-        throw new IllegalArgumentException(what + " " + value + " is below 0; give 0 or more");
+        throw new IllegalArgumentException(
+            what + " " + value + " is not finite and at least 0; give such a number");
       }
     }
 

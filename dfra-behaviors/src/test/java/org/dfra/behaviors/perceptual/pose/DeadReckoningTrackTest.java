@@ -15,7 +15,8 @@ class DeadReckoningTrackTest {
   /** The wheels do not move for a second, and the gyro shows that rate, in radians per second. */
   private void addStationarySecond(double rate) {
     long then = now + EpochNanos.SECOND;
-    track.add(new MotionIncrement(now, then, 0, 0, rate, 0, 0, true, false));
+    track.add(
+        new MotionIncrement(now, then, 0, 0, rate, 0, 0, MotionIncrement.Kind.STATIONARY_WHEELS));
     now = then;
   }
 

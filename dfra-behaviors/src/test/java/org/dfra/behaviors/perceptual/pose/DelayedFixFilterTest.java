@@ -19,7 +19,7 @@ class DelayedFixFilterTest {
     long from = i * EpochNanos.SECOND / 10;
     double turn = 0.02 * Math.sin(i / 9.0);
     return new MotionIncrement(
-        from, from + EpochNanos.SECOND / 10, 0.06, turn, turn, 0, 0, false, false);
+        from, from + EpochNanos.SECOND / 10, 0.06, turn, turn, 0, 0, MotionIncrement.Kind.MOTION);
   }
 
   private static LocalFix fix(Random random) {

@@ -1,5 +1,6 @@
 package org.dfra.drivers.drive.rflex;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.EnumMap;
@@ -45,12 +46,25 @@ final class RflexOutbox implements AutoCloseable {
 
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed;
-  // guarded by lock
+
+  @GuardedBy("lock")
   private final Map<Axis, byte[]> velocities = new EnumMap<>(Axis.class);
+
+  @GuardedBy("lock")
   private final Queue<byte[]> others = new ArrayDeque<>();
-  private Axis next = Axis.TRANSLATION; // the axis that is sent next
-  private int halts; // frames of a halt that are still to be sent
+
+  // the axis that is sent next
+  @GuardedBy("lock")
+  private Axis next = Axis.TRANSLATION;
+
+  // frames of a halt that are still to be sent
+  @GuardedBy("lock")
+  private int halts;
+
+  @GuardedBy("lock")
   private boolean closed;
+
+  @GuardedBy("lock")
   private boolean started;
 
   /**
@@ -165,6 +179,7 @@ final class RflexOutbox implements AutoCloseable {
     }
   }
 
+  @GuardedBy("lock")
   private byte @Nullable [] poll() {
     boolean isUrgent = halts > 2 * (HALTS - 1); // a halt has not been sent yet
     if (velocities.isEmpty() || (!isUrgent && !others.isEmpty())) {

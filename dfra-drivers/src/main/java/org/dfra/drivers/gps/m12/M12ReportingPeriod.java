@@ -1,5 +1,6 @@
 package org.dfra.drivers.gps.m12;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Duration;
 import org.dfra.core.config.Parameters;
 import org.dfra.drivers.gps.ReportingPeriod;
@@ -16,9 +17,16 @@ final class M12ReportingPeriod implements ReportingPeriod {
   /** Maximum that the receiver accepts, seconds. */
   static final int LONGEST = 255;
 
-  private int working; // all guarded by this
+  @GuardedBy("this")
+  private int working;
+
+  @GuardedBy("this")
   private int idle;
+
+  @GuardedBy("this")
   private boolean isIdle;
+
+  @GuardedBy("this")
   private int judgedBy;
 
   /**

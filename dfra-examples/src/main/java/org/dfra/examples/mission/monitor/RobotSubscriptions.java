@@ -1,5 +1,6 @@
 package org.dfra.examples.mission.monitor;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.rmi.RemoteException;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -51,13 +52,21 @@ public final class RobotSubscriptions implements AutoCloseable {
   private final RobotLog log;
   private final Map<String, Subscription> subscriptions = new HashMap<>(); // by module
 
-  // guarded by this
+  @GuardedBy("this")
   private final PriorityQueue<PendingReading> waiting =
       new PriorityQueue<>(
           Comparator.comparing((PendingReading received) -> received.reading().measured()));
+
+  @GuardedBy("this")
   private final List<DriveState> wheels = new ArrayList<>();
+
+  @GuardedBy("this")
   private final List<ReceivedPosition> positions = new ArrayList<>();
+
+  @GuardedBy("this")
   private BehaviorStatus newest;
+
+  @GuardedBy("this")
   private BehaviorStatus status;
 
   /**

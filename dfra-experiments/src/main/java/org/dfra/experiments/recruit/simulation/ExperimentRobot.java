@@ -1,5 +1,6 @@
 package org.dfra.experiments.recruit.simulation;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.Set;
@@ -33,19 +34,49 @@ final class ExperimentRobot implements RobotPort {
   private final RandomGenerator random;
   private final @Nullable RasterRoute route;
 
-  // All following fields are guarded by this.
-  private double way; // metres along the route, where it was last on it
+  // metres along the route, where it was last on it
+  @GuardedBy("this")
+  private double way;
+
+  @GuardedBy("this")
   private boolean isScanning;
-  private FieldPoint from; // start of the drive, or its stationary position
+
+  // start of the drive, or its stationary position
+  @GuardedBy("this")
+  private FieldPoint from;
+
+  @GuardedBy("this")
   private FieldPoint to;
-  private double since; // seconds: start of the drive, or of the route
-  private double lasts; // duration of the drive, seconds
+
+  // seconds: start of the drive, or of the route
+  @GuardedBy("this")
+  private double since;
+
+  // duration of the drive, seconds
+  @GuardedBy("this")
+  private double lasts;
+
+  @GuardedBy("this")
   private Scheduler.@Nullable ScheduledTask journey;
-  private long leaseEnd; // of the task of the drive, nanoseconds
-  private int drives; // so far; number of the current one
+
+  // of the task of the drive, nanoseconds
+  @GuardedBy("this")
+  private long leaseEnd;
+
+  // so far; number of the current one
+  @GuardedBy("this")
+  private int drives;
+
+  @GuardedBy("this")
   private boolean isAlive = true;
+
+  @GuardedBy("this")
   private double travelled;
+
+  @GuardedBy("this")
   private double lost;
+
+  @GuardedBy("this")
   private double leftRouteAt;
 
   /**
@@ -144,6 +175,7 @@ final class ExperimentRobot implements RobotPort {
     awaitLeaseEnd(drives, listener);
   }
 
+  @GuardedBy("this")
   private void awaitLeaseEnd(int number, TravelListener reported) {
     Scheduler.ScheduledTask unused =
         time.after(leaseEnd - time.nanos(), () -> overdue(number, reported));
@@ -169,6 +201,7 @@ final class ExperimentRobot implements RobotPort {
     reported.failed("its lease of the task has ended");
   }
 
+  @GuardedBy("this")
   private void leaveRoute() {
     if (isScanning) {
       double now = seconds();
@@ -178,6 +211,7 @@ final class ExperimentRobot implements RobotPort {
     }
   }
 
+  @GuardedBy("this")
   private void drive(FieldPoint target, IntConsumer there) {
     FieldPoint here = position();
     stand();
@@ -203,6 +237,7 @@ final class ExperimentRobot implements RobotPort {
     return isAlive && number == drives;
   }
 
+  @GuardedBy("this")
   private void stand() {
     if (journey != null) {
       journey.cancel();

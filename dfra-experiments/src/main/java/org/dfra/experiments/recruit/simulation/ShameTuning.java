@@ -47,16 +47,7 @@ final class ShameTuning {
     ExperimentCell cell = new ExperimentCell("affective", MessageMode.BROADCAST, 6, 0.10);
     for (double gain : GAINS) {
       for (double exponent : EXPONENTS) {
-        ShameSettings usual = plan.shame();
-        ShameSettings tried =
-            new ShameSettings(
-                gain,
-                exponent,
-                usual.floor(),
-                usual.idleFactor(),
-                usual.busyFactor(),
-                usual.etaReference(),
-                usual.batteryReserve());
+        ShameSettings tried = plan.shame().withGain(gain, exponent);
         CellResult result =
             new Experiment(plan.with(tried), threads)
                 .run(List.of(cell), Seeds.tuning(seeds), (done, all) -> {})

@@ -1,5 +1,6 @@
 package org.dfra.drivers.uav.mavlink;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import io.dronefleet.mavlink.common.MavCmd;
 import java.time.Instant;
 import org.dfra.drivers.uav.mavlink.MavlinkMessage.ExtendedState;
@@ -31,15 +32,35 @@ final class VehicleState {
 
   private static final int MAV_STATE_STANDBY = 3;
 
-  private @Nullable Heartbeat heartbeat; // this and all following fields: guarded by this
+  @GuardedBy("this")
+  private @Nullable Heartbeat heartbeat;
+
+  @GuardedBy("this")
   private @Nullable GlobalPosition position;
+
+  @GuardedBy("this")
   private long positionNanos;
+
+  @GuardedBy("this")
   private @Nullable VfrHud motion;
+
+  @GuardedBy("this")
   private long motionNanos;
+
+  @GuardedBy("this")
   private int landed;
-  private int vehicle; // ID of the last vehicle found
+
+  // ID of the last vehicle found
+  @GuardedBy("this")
+  private int vehicle;
+
+  @GuardedBy("this")
   private @Nullable Double reportedSeparation;
+
+  @GuardedBy("this")
   private @Nullable Double fixed;
+
+  @GuardedBy("this")
   private Instant lastUpdate = Instant.EPOCH;
 
   /**

@@ -1,5 +1,6 @@
 package org.dfra.river.phoenix.host;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
@@ -17,7 +18,11 @@ public final class RotatingFileOutputStream extends OutputStream {
   private final Path file;
   private final long limit;
   private final int kept;
-  private OutputStream out; // this and below guarded by this
+
+  @GuardedBy("this")
+  private OutputStream out;
+
+  @GuardedBy("this")
   private long size;
 
   /**
@@ -47,6 +52,7 @@ public final class RotatingFileOutputStream extends OutputStream {
     size += length;
   }
 
+  @GuardedBy("this")
   private void rotate() throws IOException {
     out.close();
     try {

@@ -11,6 +11,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageWriteParam;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
+import org.dfra.flow.sensor.CameraImage.Band;
 import org.dfra.sim.physics.CameraInput.Frame;
 
 /**
@@ -27,10 +28,10 @@ public final class FrameEncoder {
   private final ImageWriteParam settings;
 
   /**
-   * @param isThermal true for 16-bit grey frames, encoded as PNG; false for colour, as JPEG
+   * @param band thermal for 16-bit grey frames, encoded as PNG; visible for colour, as JPEG
    */
-  public FrameEncoder(boolean isThermal) {
-    this.isThermal = isThermal;
+  public FrameEncoder(Band band) {
+    this.isThermal = band == Band.THERMAL;
     this.writer = ImageIO.getImageWritersByFormatName(isThermal ? "png" : "jpeg").next();
     this.settings = writer.getDefaultWriteParam();
     if (!isThermal) {

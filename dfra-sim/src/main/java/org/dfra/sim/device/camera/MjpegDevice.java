@@ -7,6 +7,7 @@ import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.Base64;
 import java.util.Locale;
+import org.dfra.flow.sensor.CameraImage.Band;
 import org.dfra.sim.device.SerialDevice;
 import org.dfra.sim.physics.CameraInput;
 import org.jspecify.annotations.Nullable;
@@ -45,7 +46,7 @@ public final class MjpegDevice implements SerialDevice {
   public MjpegDevice(CameraInput view, MjpegOptions options) {
     this.view = view;
     this.options = options;
-    this.encoder = new FrameEncoder(options.isThermal());
+    this.encoder = new FrameEncoder(options.band());
     this.period = Duration.ofNanos(Math.round(1e9 / options.frameRate()));
   }
 
@@ -164,11 +165,18 @@ public final class MjpegDevice implements SerialDevice {
             + "\r\nContent-Type: "
             + encoder.mediaType()
             + "\r\n"
-            + (options.sendsLength() ? "Content-Length: " + image.length + "\r\n" : "")
-            + (options.sendsTimestamp() ? "X-Timestamp: " + seconds(due) + "\r\n" : "")
+            + partHeaders(image, due)
             + "\r\n");
     waiting.add(ByteBuffer.wrap(image));
     enqueue("\r\n");
+  }
+
+  private String partHeaders(byte[] image, Instant taken) {
+    return switch (options.partHeaders()) {
+      case LENGTH_AND_TIMESTAMP ->
+          "Content-Length: " + image.length + "\r\nX-Timestamp: " + seconds(taken) + "\r\n";
+      case NONE -> "";
+    };
   }
 
   private static String seconds(Instant time) {
@@ -183,19 +191,25 @@ public final class MjpegDevice implements SerialDevice {
    * Settings of an emulated camera.
    *
    * @param path of its stream; other paths are not found
-   * @param isThermal true for a thermal camera, 16-bit PNG; false for visible light, JPEG
+   * @param band thermal, 16-bit PNG, or visible light, JPEG
    * @param frameRate images per second, above 0
    * @param credentials {@code user:password} that it requires; null for no authentication
-   * @param sendsLength whether its parts have a {@code Content-Length}
-   * @param sendsTimestamp whether its parts have an {@code X-Timestamp}
+   * @param partHeaders optional headers of its parts
    */
   public record MjpegOptions(
       String path,
-      boolean isThermal,
+      Band band,
       double frameRate,
       @Nullable String credentials,
-      boolean sendsLength,
-      boolean sendsTimestamp) {
+      PartHeaders partHeaders) {
+
+    /** Optional headers of each part. */
+    public enum PartHeaders {
+      /** {@code Content-Length} and {@code X-Timestamp}. */
+      LENGTH_AND_TIMESTAMP,
+      /** Neither. */
+      NONE
+    }
 
     public MjpegOptions {
       if (!(frameRate > 0 && frameRate <= 1000)) {
@@ -206,23 +220,24 @@ public final class MjpegDevice implements SerialDevice {
 
     /** A visible-light camera at {@code /video} that sends lengths and timestamps. */
     public static MjpegOptions visible(double frameRate) {
-      return new MjpegOptions("/video", false, frameRate, null, true, true);
+      return new MjpegOptions(
+          "/video", Band.VISIBLE, frameRate, null, PartHeaders.LENGTH_AND_TIMESTAMP);
     }
 
     /** A thermal camera at {@code /video} that sends lengths and timestamps. */
     public static MjpegOptions thermal(double frameRate) {
-      return new MjpegOptions("/video", true, frameRate, null, true, true);
+      return new MjpegOptions(
+          "/video", Band.THERMAL, frameRate, null, PartHeaders.LENGTH_AND_TIMESTAMP);
     }
 
     /** The same, with authentication as {@code user:password}. */
     public MjpegOptions withCredentials(String userAndPassword) {
-      return new MjpegOptions(
-          path, isThermal, frameRate, userAndPassword, sendsLength, sendsTimestamp);
+      return new MjpegOptions(path, band, frameRate, userAndPassword, partHeaders);
     }
 
     /** The same, without lengths and timestamps of its parts. */
     public MjpegOptions withoutPartHeaders() {
-      return new MjpegOptions(path, isThermal, frameRate, credentials, false, false);
+      return new MjpegOptions(path, band, frameRate, credentials, PartHeaders.NONE);
     }
   }
 }

@@ -10,6 +10,8 @@ import org.dfra.sim.device.Schedule;
 import org.dfra.sim.device.UartDevice;
 import org.dfra.sim.device.gps.AntennaTrajectory.AntennaState;
 import org.dfra.sim.device.gps.M12EmulatorSettings.M12EmulatorOptions;
+import org.dfra.sim.device.gps.M12Frames.Moment.Solution;
+import org.dfra.sim.device.gps.M12Frames.Moment.TimeScale;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -218,7 +220,11 @@ public final class M12Device extends UartDevice {
     }
     M12Frames.Moment moment =
         new M12Frames.Moment(
-            reportedTime(time), utcOffset(), reportsUtc, hasFix(time), holds(), antenna(time));
+            reportedTime(time),
+            utcOffset(),
+            reportsUtc ? TimeScale.UTC : TimeScale.GPS,
+            solution(time),
+            antenna(time));
     channel()
         .send(
             switch (id) {
@@ -230,6 +236,13 @@ public final class M12Device extends UartDevice {
               default -> M12Frames.visible(moment);
             },
             time);
+  }
+
+  private Solution solution(Instant time) {
+    if (!hasFix(time)) {
+      return Solution.ACQUIRING;
+    }
+    return holds() ? Solution.POSITION_HOLD : Solution.FIX_3D;
   }
 
   private boolean holds() {

@@ -90,7 +90,13 @@ final class M12Frames {
       out.put((byte) channel.carrierToNoise());
       out.put((byte) (channel.mode() == SatelliteConstellation.AVAILABLE ? CHANNEL_USED_8 : 0));
     }
-    out.put((byte) (!moment.hasFix() ? 0x08 | 0x02 : moment.holds() ? 0x08 : 0x20));
+    out.put(
+        (byte)
+            (switch (moment.solution()) {
+              case ACQUIRING -> 0x08 | 0x02;
+              case POSITION_HOLD -> 0x08;
+              case FIX_3D -> 0x20;
+            }));
     return frame("Ea", out.array());
   }
 
@@ -223,33 +229,52 @@ final class M12Frames {
    *
    * @param utc the time by the receiver's clock
    * @param utcOffset GPS time minus UTC, seconds; 0 while unknown
-   * @param isUtc whether time is reported as UTC; otherwise as GPS time
-   * @param hasFix whether it has a fix
-   * @param holds whether position hold is on
+   * @param scale the time scale in which the time is reported
+   * @param solution the state of its solution
    * @param antenna reported antenna state
    */
   record Moment(
-      Instant utc,
-      int utcOffset,
-      boolean isUtc,
-      boolean hasFix,
-      boolean holds,
-      AntennaState antenna) {
+      Instant utc, int utcOffset, TimeScale scale, Solution solution, AntennaState antenna) {
+
+    /** A time scale. */
+    enum TimeScale {
+      UTC,
+      GPS
+    }
+
+    /** The state of a receiver's solution. */
+    enum Solution {
+      /** It has no fix. */
+      ACQUIRING,
+      /** It has a fix. */
+      FIX_3D,
+      /** It solves for time only, at a held position. */
+      POSITION_HOLD
+    }
+
+    boolean isUtc() {
+      return scale == TimeScale.UTC;
+    }
+
+    boolean hasFix() {
+      return solution != Solution.ACQUIRING;
+    }
 
     SatelliteConstellation sky() {
-      return hasFix ? SatelliteConstellation.withFix(utc) : SatelliteConstellation.searching(utc);
+      return hasFix() ? SatelliteConstellation.withFix(utc) : SatelliteConstellation.searching(utc);
     }
 
     /** Tenths; none while the position is held. */
     int dilution() {
-      return hasFix && !holds ? 18 : 0;
+      return solution == Solution.FIX_3D ? 18 : 0;
     }
 
     int status() {
-      if (!hasFix) {
-        return ACQUIRING | TOO_FEW_SATELLITES;
-      }
-      return NARROW_BAND | (holds ? POSITION_HOLD : FIX_3D);
+      return switch (solution) {
+        case ACQUIRING -> ACQUIRING | TOO_FEW_SATELLITES;
+        case FIX_3D -> NARROW_BAND | FIX_3D;
+        case POSITION_HOLD -> NARROW_BAND | POSITION_HOLD;
+      };
     }
   }
 

@@ -55,7 +55,19 @@ public record VehicleDescription(
   public VehicleDescription with(DeviceDescription device) {
     List<DeviceDescription> more = new ArrayList<>(devices);
     more.add(device);
-    return new VehicleDescription(name, type, east, north, yaw, length, width, height, more, place);
+    return withDevices(more);
+  }
+
+  /** The same robot with other devices. */
+  public VehicleDescription withDevices(List<DeviceDescription> others) {
+    return new VehicleDescription(
+        name, type, east, north, yaw, length, width, height, others, place);
+  }
+
+  /** The same robot at another place, in metres and radians. */
+  public VehicleDescription withPose(double otherEast, double otherNorth, double otherYaw) {
+    return new VehicleDescription(
+        name, type, otherEast, otherNorth, otherYaw, length, width, height, devices, place);
   }
 
   /** The device of that name, if it has one. */

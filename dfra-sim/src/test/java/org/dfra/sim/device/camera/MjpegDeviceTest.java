@@ -16,6 +16,7 @@ import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
+import org.dfra.flow.sensor.CameraImage.Band;
 import org.dfra.sim.device.DeviceEmulator;
 import org.dfra.sim.device.camera.MjpegDevice.MjpegOptions;
 import org.dfra.sim.physics.CameraInput;
@@ -79,7 +80,8 @@ class MjpegDeviceTest {
   void isTheSameEveryTime() {
     for (MjpegOptions options :
         new MjpegOptions[] {MjpegOptions.visible(10), MjpegOptions.thermal(10)}) {
-      CameraInput view = options.isThermal() ? TestPattern.heat(40, 30) : TestPattern.light(40, 30);
+      CameraInput view =
+          options.band() == Band.THERMAL ? TestPattern.heat(40, 30) : TestPattern.light(40, 30);
       now = BEGIN;
       MjpegDevice one = new MjpegDevice(view, options);
       one.connected();

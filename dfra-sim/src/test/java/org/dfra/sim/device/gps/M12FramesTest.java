@@ -16,6 +16,8 @@ import org.dfra.drivers.gps.m12.ReceiverStatus;
 import org.dfra.flow.sensor.GpsFix;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.sim.device.gps.AntennaTrajectory.AntennaState;
+import org.dfra.sim.device.gps.M12Frames.Moment.Solution;
+import org.dfra.sim.device.gps.M12Frames.Moment.TimeScale;
 import org.junit.jupiter.api.Test;
 
 /** Bytes against the user's guide, and against the driver's decoder, which shares no code. */
@@ -33,7 +35,8 @@ class M12FramesTest {
     GeoPosition place = new GeoPosition(190_477_129 / 3.6e6, 24_720_144 / 3.6e6, 55.91);
     byte[] frame =
         M12Frames.position12(
-            new M12Frames.Moment(TIME, 18, true, true, false, new AntennaState(place, 0, 0)));
+            new M12Frames.Moment(
+                TIME, 18, TimeScale.UTC, Solution.FIX_3D, new AntennaState(place, 0, 0)));
     assertThat(frame).hasSize(154);
     // head, date, time and four coordinates: the bytes a real receiver sent at this place and time
     assertThat(HexFormat.of().formatHex(frame, 0, 31))
@@ -53,7 +56,8 @@ class M12FramesTest {
     Position12Channels message =
         (Position12Channels)
             decoded(
-                M12Frames.position12(new M12Frames.Moment(TIME, 18, true, true, false, ANTENNA)));
+                M12Frames.position12(
+                    new M12Frames.Moment(TIME, 18, TimeScale.UTC, Solution.FIX_3D, ANTENNA)));
     assertThat(message.utc()).isEqualTo(TIME);
     assertThat(message.mode()).isEqualTo(GpsFix.Mode.FIX_3D);
     assertThat(message.position().latitude()).isCloseTo(PLACE.latitude(), within(HALF_MAS));
@@ -74,7 +78,9 @@ class M12FramesTest {
 
   @Test
   void theDriverReadsTheEightChannelMessage() {
-    byte[] frame = M12Frames.position8(new M12Frames.Moment(TIME, 18, true, true, false, ANTENNA));
+    byte[] frame =
+        M12Frames.position8(
+            new M12Frames.Moment(TIME, 18, TimeScale.UTC, Solution.FIX_3D, ANTENNA));
     assertThat(frame).hasSize(76);
     Position8Channels message = (Position8Channels) decoded(frame);
     assertThat(message.utc()).isEqualTo(TIME);
@@ -90,7 +96,8 @@ class M12FramesTest {
     Position12Channels message =
         (Position12Channels)
             decoded(
-                M12Frames.position12(new M12Frames.Moment(TIME, 18, true, false, false, ANTENNA)));
+                M12Frames.position12(
+                    new M12Frames.Moment(TIME, 18, TimeScale.UTC, Solution.ACQUIRING, ANTENNA)));
     assertThat(message.mode()).isEqualTo(GpsFix.Mode.NONE);
     assertThat(message.status().state()).isEqualTo(ReceiverStatus.State.ACQUIRING);
     assertThat(message.status().tooFewSatellites()).isTrue();
@@ -98,7 +105,8 @@ class M12FramesTest {
     Position8Channels old =
         (Position8Channels)
             decoded(
-                M12Frames.position8(new M12Frames.Moment(TIME, 18, true, false, false, ANTENNA)));
+                M12Frames.position8(
+                    new M12Frames.Moment(TIME, 18, TimeScale.UTC, Solution.ACQUIRING, ANTENNA)));
     assertThat(old.mode()).isEqualTo(GpsFix.Mode.NONE);
   }
 
@@ -107,7 +115,8 @@ class M12FramesTest {
     Position12Channels message =
         (Position12Channels)
             decoded(
-                M12Frames.position12(new M12Frames.Moment(TIME, 18, false, true, false, ANTENNA)));
+                M12Frames.position12(
+                    new M12Frames.Moment(TIME, 18, TimeScale.GPS, Solution.FIX_3D, ANTENNA)));
     assertThat(message.time().second()).isEqualTo((29 + 18) % 60);
     assertThat(message.utc()).isEqualTo(TIME);
   }
@@ -134,7 +143,7 @@ class M12FramesTest {
             (Position12Channels)
                 decoded(
                     M12Frames.position12(
-                        new M12Frames.Moment(TIME, 18, true, true, false, corner)));
+                        new M12Frames.Moment(TIME, 18, TimeScale.UTC, Solution.FIX_3D, corner)));
         assertThat(message.position().toGeoPosition()).isEqualTo(corner.position());
       }
     }
