@@ -55,7 +55,7 @@ abstract class PrintedTextRules {
           "org.dfra.benchmarks.attack.NeutralLoad",
           "org.dfra.benchmarks.attack.Operator",
           "org.dfra.benchmarks.task.TaskMain",
-          "org.dfra.benchmarks.micro.MicroTask", // likewise
+          "org.dfra.benchmarks.MicroTask", // likewise
           "org.dfra.cli.archive.ArchivedClasses", // the help of commands, to nobody
           "org.dfra.cli.completion.CompletionCommand",
           "org.dfra.examples.DemoCommand",

@@ -122,7 +122,7 @@ class ModuleConfigurationReferenceTest {
           @Override
           public void lost(LocatedRegistrar registrar) {}
         };
-    new MulticastSearch(new String[0], recorder, nobody).close(); // as with groups
+    MulticastSearch.start(new String[0], recorder, nobody).close(); // as with groups
     return recorder.asked;
   }
 

@@ -9,8 +9,8 @@ import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import java.util.regex.PatternSyntaxException;
 import java.util.stream.Collectors;
+import org.dfra.benchmarks.MicroTask.MicroSettings;
 import org.dfra.benchmarks.micro.MicroBenchmark;
-import org.dfra.benchmarks.micro.MicroTask.MicroSettings;
 import org.dfra.report.measurement.RecordOption;
 import org.dfra.report.terminal.ExitCode;
 import org.jspecify.annotations.Nullable;
@@ -42,7 +42,7 @@ import picocli.CommandLine.Spec;
       "  recruit       messages between agents, latency of messages and events (three minutes)",
       "  world         simulated robots with laser scans and images (half a minute)"
     })
-public final class BenchCommand implements Callable<Integer> {
+final class BenchCommand implements Callable<Integer> {
 
   private final Map<String, Supplier<Bench>> benches = new LinkedHashMap<>();
 

@@ -4,10 +4,9 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import org.dfra.benchmarks.MicroTask.MicroSettings;
 import org.dfra.benchmarks.micro.MicroBenchmark;
 import org.dfra.benchmarks.micro.MicroResults;
-import org.dfra.benchmarks.micro.MicroTask;
-import org.dfra.benchmarks.micro.MicroTask.MicroSettings;
 import org.dfra.benchmarks.task.TaskProcess;
 
 /**

@@ -26,7 +26,6 @@ import org.dfra.examples.mission.Scenario;
 import org.dfra.examples.mission.Scores;
 import org.dfra.experiments.navigation.BlindRangeFilterImpl;
 import org.dfra.experiments.navigation.ConfidenceInterval;
-import org.dfra.experiments.navigation.ScenarioVariations;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;

@@ -47,7 +47,7 @@ import picocli.CommandLine.Spec;
       "  persona      two robots: modules found by what they can do, also after failures",
       "  foundation   a GPS receiver found by what it can do, and restarted after kill -9"
     })
-public final class DemoCommand implements Callable<Integer> {
+final class DemoCommand implements Callable<Integer> {
 
   /** By name; the first is the default. */
   private final Map<String, BiFunction<ProgressReporter, Path, Demo>> demos = new LinkedHashMap<>();

@@ -35,7 +35,7 @@ class DiscoveryBombIT {
     assertThat(groups.length).as("bytes of the bomb").isLessThan(300);
     assertThat(elements.length).as("bytes of the lists").isLessThan(600);
     try (BombServer server =
-            new BombServer(
+            BombServer.start(
                 EmbeddedReggie.HOST, REGGIE.port(), List.of(groups, numbers, elements), BOMBS);
         TaskProcess client =
             TaskProcess.start(

@@ -31,7 +31,7 @@ public final class DatagramSearch implements AutoCloseable {
     this.hosts = Set.copyOf(hosts);
     NetworkInterface[] none = {};
     this.search =
-        new MulticastSearch(
+        MulticastSearch.start(
             null,
             new SuppliedConfiguration(
                 Map.of(MulticastSettings.COMPONENT + ".multicastInterfaces", () -> none)),

@@ -32,6 +32,15 @@ public final class BombServer implements AutoCloseable {
   private final int count;
   private volatile int thrown; // written by the thread
 
+  private BombServer(
+      ServerSocket server, String host, int honestPort, List<byte[]> bombs, int count) {
+    this.server = server;
+    this.host = host;
+    this.honestPort = honestPort;
+    this.bombs = List.copyOf(bombs);
+    this.count = count;
+  }
+
   /**
    * Starts it.
    *
@@ -40,15 +49,15 @@ public final class BombServer implements AutoCloseable {
    * @param count number of malicious responses before it relays
    * @throws IOException if it cannot listen there
    */
-  public BombServer(String host, int honestPort, List<byte[]> bombs, int count) throws IOException {
-    this.host = host;
-    this.honestPort = honestPort;
-    this.bombs = List.copyOf(bombs);
-    this.count = count;
-    this.server = new ServerSocket(0, 50, InetAddress.getByName(host));
-    Thread thread = new Thread(this::serve, "bombs of discovery");
+  public static BombServer start(String host, int honestPort, List<byte[]> bombs, int count)
+      throws IOException {
+    BombServer bomber =
+        new BombServer(
+            new ServerSocket(0, 50, InetAddress.getByName(host)), host, honestPort, bombs, count);
+    Thread thread = new Thread(bomber::serve, "bombs of discovery");
     thread.setDaemon(true);
     thread.start();
+    return bomber;
   }
 
   /** A small response that claims the maximum number of groups. */

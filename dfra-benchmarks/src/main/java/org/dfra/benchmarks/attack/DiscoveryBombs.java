@@ -32,7 +32,7 @@ public final class DiscoveryBombs extends AttackTask {
     List<byte[]> bombs = List.of(BombServer.claimOfGroups(), BombServer.claimOfNumbers());
     for (int i = 0; i < SERVERS; i++) {
       servers.add(
-          new BombServer(target.source(), target.registrarPort(), bombs, Integer.MAX_VALUE));
+          BombServer.start(target.source(), target.registrarPort(), bombs, Integer.MAX_VALUE));
     }
   }
 

@@ -56,7 +56,7 @@ public final class LocalMulticast {
   public static MulticastSearch search(List<String> groups, MulticastSearch.Listener listener)
       throws IOException {
     try {
-      return new MulticastSearch(
+      return MulticastSearch.start(
           groups.toArray(String[]::new),
           new SuppliedConfiguration(
               Map.of("net.jini.discovery.LookupDiscovery.discoveryConstraints", () -> CONSTRAINTS)),

@@ -5,6 +5,7 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.rmi.NoSuchObjectException;
+import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.rmi.server.RMIClientSocketFactory;
 import java.rmi.server.UnicastRemoteObject;
@@ -135,5 +136,23 @@ public class CallBenchmark {
   @Benchmark
   public double[] scanPlain() throws RemoteException {
     return plain.scan();
+  }
+
+  /** The remote object of {@link CallBenchmark}: a small and a large result. */
+  public interface RangeSource extends Remote {
+
+    /**
+     * One distance, metres.
+     *
+     * @throws RemoteException if the call fails
+     */
+    double range() throws RemoteException;
+
+    /**
+     * The distances of a scan of 180° in steps of 0.5°, metres: 361 of them, as a SICK LMS 200 has.
+     *
+     * @throws RemoteException if the call fails
+     */
+    double[] scan() throws RemoteException;
   }
 }

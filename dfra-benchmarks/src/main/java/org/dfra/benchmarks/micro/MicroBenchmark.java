@@ -108,7 +108,7 @@ public record MicroBenchmark(
   }
 
   /** The name by which JMH knows it. */
-  String name() {
+  public String name() {
     return type.getName() + "." + method;
   }
 

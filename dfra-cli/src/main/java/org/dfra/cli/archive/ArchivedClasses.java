@@ -24,7 +24,7 @@ import picocli.CommandLine;
  * <p>The Java virtual machine writes the archive when this ends, and uses it later if the jars are
  * still the same; so an archive is never wrong, at worst useless.
  */
-public final class ArchivedClasses {
+final class ArchivedClasses {
 
   /** Jars of which every command uses classes. */
   private static final List<String> JARS =

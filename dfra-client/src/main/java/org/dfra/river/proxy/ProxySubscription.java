@@ -5,6 +5,7 @@ import java.rmi.ConnectIOException;
 import java.rmi.RemoteException;
 import java.time.Instant;
 import java.util.EnumSet;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -26,6 +27,7 @@ import org.dfra.river.remote.GrantedSubscription;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.remote.RemoteModuleListener;
 import org.dfra.time.Scheduler;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A local listener's subscription to a remote module.
@@ -44,11 +46,10 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
   private final DeliveryCounter counter;
   private final ListenerQueue queue;
   private final Exporter exporter;
-  private final LeaseRenewer renewer;
+  private volatile @Nullable LeaseRenewer renewer; // set before open returns
 
-  private ProxySubscription(
-      String path, RemoteModule server, ModuleListener listener, DeliveryPolicy policy)
-      throws RemoteException {
+  private ProxySubscription(Exporter exporter, ModuleListener listener, DeliveryPolicy policy) {
+    this.exporter = exporter;
     this.counter = new DeliveryCounter(listener);
     // The server has applied the kinds and the rate; here the queue only limits waiting events.
     this.queue =
@@ -62,13 +63,34 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
             () -> {},
             DeliveryPool.shared(),
             Scheduler.system());
-    this.exporter =
-        JeriExporters.notKeepingAlive(Endpoints.tcp(host(server), 0), new DeadlineILFactory());
+  }
+
+  /**
+   * Subscribes.
+   *
+   * @param path the module's path, for the log
+   * @throws RemoteException if the server cannot be reached, or cannot reach this client
+   */
+  static ProxySubscription open(
+      String path, RemoteModule server, ModuleListener listener, DeliveryPolicy policy)
+      throws RemoteException {
+    ProxySubscription subscription =
+        new ProxySubscription(
+            JeriExporters.notKeepingAlive(Endpoints.tcp(host(server), 0), new DeadlineILFactory()),
+            listener,
+            policy);
+    subscription.register(path, server, policy);
+    subscription.renewer().start();
+    return subscription;
+  }
+
+  private void register(String path, RemoteModule server, DeliveryPolicy policy)
+      throws RemoteException {
     ModuleListener stub = (ModuleListener) exporter.export(this);
     OPEN.add(this);
     try {
       GrantedSubscription first = registerFirst(server, stub, policy);
-      this.renewer =
+      renewer =
           new LeaseRenewer(
               "subscription to " + path,
               () -> register(server, stub, policy).lease(),
@@ -81,18 +103,8 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
     }
   }
 
-  /**
-   * Subscribes.
-   *
-   * @param path the module's path, for the log
-   * @throws RemoteException if the server cannot be reached, or cannot reach this client
-   */
-  static ProxySubscription open(
-      String path, RemoteModule server, ModuleListener listener, DeliveryPolicy policy)
-      throws RemoteException {
-    ProxySubscription subscription = new ProxySubscription(path, server, listener, policy);
-    subscription.renewer.start();
-    return subscription;
+  private LeaseRenewer renewer() {
+    return Objects.requireNonNull(renewer);
   }
 
   private static String host(RemoteModule server) throws RemoteException {
@@ -146,17 +158,17 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
 
   @Override
   public Optional<Instant> interruptedSince() {
-    return renewer.interruptedSince();
+    return renewer().interruptedSince();
   }
 
   @Override
   public boolean isOpen() {
-    return !renewer.isClosed();
+    return !renewer().isClosed();
   }
 
   @Override
   public void close() {
-    renewer.close();
+    renewer().close();
     queue.close();
     unexport();
   }

@@ -173,7 +173,9 @@ class DeadlineTest {
     assertThatExceptionOfType(DeadlineExceededException.class)
         .isThrownBy(
             () -> {
-              for (int i = 0; i <= UnresponsivePeers.MAX_BLOCKED_THREADS; i++) {
+              for (int i = 0;
+                  i <= DeadlineInvocationHandler.UnresponsivePeers.MAX_BLOCKED_THREADS;
+                  i++) {
                 service.echo("x");
               }
             })
@@ -308,7 +310,8 @@ class DeadlineTest {
 
   @Test
   void silentPeersCountUpAndDown() {
-    UnresponsivePeers peers = new UnresponsivePeers();
+    DeadlineInvocationHandler.UnresponsivePeers peers =
+        new DeadlineInvocationHandler.UnresponsivePeers();
     assertThat(peers.blockedThreads("a")).isZero();
     peers.addBlockedThread("a");
     peers.addBlockedThread("a");
@@ -324,7 +327,7 @@ class DeadlineTest {
   @Test
   void threadsThatAPeerHeldAreLetGoWhenItAnswers() throws Exception {
     Service service = export(100);
-    for (int i = 0; i < UnresponsivePeers.MAX_BLOCKED_THREADS / 2; i++) {
+    for (int i = 0; i < DeadlineInvocationHandler.UnresponsivePeers.MAX_BLOCKED_THREADS / 2; i++) {
       assertThatExceptionOfType(DeadlineExceededException.class).isThrownBy(service::block);
     }
     release.countDown();

@@ -171,7 +171,8 @@ class MethodTypesTest {
     }
     try (ObjectInputStream in =
         new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
-      CallFilter filter = new CallFilter(SerialLimits.CALL);
+      FilteredInvocationDispatcher.CallFilter filter =
+          new FilteredInvocationDispatcher.CallFilter(SerialLimits.CALL);
       in.setObjectInputFilter(filter);
       assertThat(in.readInt()).isEqualTo(1);
       assertThatThrownBy(in::readObject)
@@ -338,7 +339,8 @@ class MethodTypesTest {
         out.writeObject(argument);
       }
     }
-    CallFilter filter = new CallFilter(SerialLimits.CALL);
+    FilteredInvocationDispatcher.CallFilter filter =
+        new FilteredInvocationDispatcher.CallFilter(SerialLimits.CALL);
     filter.narrow(MethodTypes.of(method, CONFIGURED));
     List<Object> read = new ArrayList<>();
     try (ObjectInputStream in =

@@ -40,39 +40,49 @@ public final class AttributeMonitor implements DirectoryRegistration {
 
   private final Supplier<List<Attributes>> attributes;
   private final Consumer<List<Attributes>> publisher;
-  private volatile ScheduledTask looking;
+  private volatile ScheduledTask looking = () -> {}; // set when it starts
   private volatile boolean closed;
   private List<Attributes> published; // used by the polling thread only
 
+  private AttributeMonitor(
+      List<Attributes> published,
+      Supplier<List<Attributes>> attributes,
+      Consumer<List<Attributes>> publisher) {
+    this.published = List.copyOf(published);
+    this.attributes = attributes;
+    this.publisher = publisher;
+  }
+
   /**
+   * Starts to poll, in real time.
+   *
    * @param published the attributes published already
    * @param attributes returns its current attributes
    * @param publisher receives the changed attributes; it must not block
    */
-  public AttributeMonitor(
+  public static AttributeMonitor start(
       List<Attributes> published,
       Supplier<List<Attributes>> attributes,
       Consumer<List<Attributes>> publisher) {
-    this(published, attributes, publisher, Scheduler.system());
+    return start(published, attributes, publisher, Scheduler.system());
   }
 
   /** The same, on {@code scheduler} if that is in lock-step, in real time otherwise. */
-  public AttributeMonitor(
+  public static AttributeMonitor start(
       List<Attributes> published,
       Supplier<List<Attributes>> attributes,
       Consumer<List<Attributes>> publisher,
       Scheduler scheduler) {
-    this.published = List.copyOf(published);
-    this.attributes = attributes;
-    this.publisher = publisher;
+    AttributeMonitor monitor = new AttributeMonitor(published, attributes, publisher);
     if (scheduler.isLockStep()) {
-      this.looking = later(scheduler);
+      monitor.looking = monitor.later(scheduler);
     } else {
       Future<?> future =
           LOOKER.scheduleWithFixedDelay(
-              this::look, POLL_MILLIS, POLL_MILLIS, TimeUnit.MILLISECONDS);
-      this.looking = () -> future.cancel(false);
+              monitor::look, POLL_MILLIS, POLL_MILLIS, TimeUnit.MILLISECONDS);
+      monitor.looking = () -> future.cancel(false);
     }
+    return monitor;
   }
 
   private ScheduledTask later(Scheduler scheduler) {

@@ -50,7 +50,7 @@ public final class InMemoryModuleDirectory extends CachedModuleDirectory {
     List<Attributes> now = self.attributes();
     put(id, module, now, Locality.SAME_VM);
     AttributeMonitor follower =
-        new AttributeMonitor(
+        AttributeMonitor.start(
             now, self::attributes, news -> put(id, module, news, Locality.SAME_VM), scheduler);
     return () -> {
       follower.close();

@@ -8,7 +8,7 @@ import org.dfra.persona.Attributes;
 import org.dfra.persona.ChainAttributes;
 
 /** Base of every module in a processing chain: devices and schemas. */
-public abstract class ChainableImpl extends ModuleImpl implements Chainable, AttributeProvider {
+abstract class ChainableImpl extends ModuleImpl implements Chainable, AttributeProvider {
 
   private final ChainWiring chain;
 

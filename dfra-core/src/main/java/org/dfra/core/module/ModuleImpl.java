@@ -1,15 +1,16 @@
 package org.dfra.core.module;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.Optional;
+import java.util.UUID;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.ReentrantLock;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.config.RenamedNames;
 import org.dfra.core.event.EventHub;
-import org.dfra.core.history.HistoryExecutor;
 import org.dfra.core.history.IncidentLog;
 import org.dfra.core.lease.LeaseRegistry;
 import org.dfra.core.log.LogLevelControl;
@@ -357,5 +358,39 @@ public abstract class ModuleImpl implements Module, AutoCloseable {
   @Override
   public final String toString() {
     return path() + " (" + getClass().getSimpleName() + ")";
+  }
+
+  /**
+   * The lease of a client in the module's own virtual machine. Both end together, so no renewal is
+   * needed: it is valid until it is closed or the module ends.
+   */
+  private static final class LocalLease implements ModuleLease {
+
+    private final LeaseRegistry book;
+    private final UUID id;
+    private final Duration duration;
+    private final InstantSource clock;
+
+    LocalLease(LeaseRegistry book, UUID id, Duration duration, InstantSource clock) {
+      this.book = book;
+      this.id = id;
+      this.duration = duration;
+      this.clock = clock;
+    }
+
+    @Override
+    public Instant expiration() {
+      return clock.instant().plus(duration);
+    }
+
+    @Override
+    public boolean isLive() {
+      return book.contains(id);
+    }
+
+    @Override
+    public void close() {
+      boolean unused = book.cancel(id);
+    }
   }
 }

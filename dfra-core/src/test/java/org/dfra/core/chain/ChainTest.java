@@ -58,12 +58,12 @@ class ChainTest {
 
   @AfterEach
   void end() {
-    List.of(schema, indoors, outdoors, elsewhere).forEach(ModuleImpl::close);
+    List.<ModuleImpl>of(schema, indoors, outdoors, elsewhere).forEach(ModuleImpl::close);
     directory.close();
   }
 
   private void start() {
-    List.of(indoors, outdoors, elsewhere, schema).forEach(ModuleImpl::start);
+    List.<ModuleImpl>of(indoors, outdoors, elsewhere, schema).forEach(ModuleImpl::start);
     Subscription unused =
         schema.subscribe(
             delivery -> {
@@ -110,7 +110,7 @@ class ChainTest {
     ToKelvin single =
         new ToKelvin(false, ChainTest.context("atrv1", "single").withDirectory(directory));
     DirectoryRegistration first = directory.add(indoors);
-    List.of(indoors, outdoors, elsewhere, single).forEach(ModuleImpl::start);
+    List.<ModuleImpl>of(indoors, outdoors, elsewhere, single).forEach(ModuleImpl::start);
     awaitClient(indoors);
     directory.add(outdoors);
     directory.add(elsewhere);
@@ -135,7 +135,7 @@ class ChainTest {
             InstantSource.system());
     directory.add(indoors);
     try (ToKelvin single = new ToKelvin(false, context.withDirectory(directory))) {
-      List.of(indoors, outdoors, single).forEach(ModuleImpl::start);
+      List.<ModuleImpl>of(indoors, outdoors, single).forEach(ModuleImpl::start);
       directory.add(outdoors);
       awaitClient(outdoors);
       assertThat(indoors.readiness()).isEqualTo(Readiness.READY);

@@ -89,7 +89,7 @@ public final class DevicesDemo implements Demo {
       meet(devices, coldStart);
       GeoPosition datum = datum(field);
       try (DeviceRecorders streams = new DeviceRecorders(devices, datum, begin);
-          Heading heading = new Heading(devices.one(devices.gyro).module())) {
+          Heading heading = Heading.start(devices.one(devices.gyro).module())) {
         streams.map.mounted(devices.one(devices.laser).module().localTransform());
         drive(environment, robot, devices, streams, heading);
         List<CapturedImage> photos = lookAround(devices, streams);

@@ -22,7 +22,7 @@ final class Heading implements ModuleListener, AutoCloseable {
 
   private static final int DEPTH = 500;
 
-  private final Subscription subscription;
+  private volatile @Nullable Subscription subscription; // set when it starts
 
   @GuardedBy("this")
   private double heading;
@@ -39,9 +39,14 @@ final class Heading implements ModuleListener, AutoCloseable {
   @GuardedBy("this")
   private @Nullable Instant last;
 
-  Heading(AngularRateSensor gyro) throws RemoteException {
-    this.subscription =
-        gyro.subscribe(this, DeliveryPolicy.keepLast(DEPTH).withKinds(EventKind.READING));
+  private Heading() {}
+
+  /** Subscribes to a gyro's rates. */
+  static Heading start(AngularRateSensor gyro) throws RemoteException {
+    Heading heading = new Heading();
+    heading.subscription =
+        gyro.subscribe(heading, DeliveryPolicy.keepLast(DEPTH).withKinds(EventKind.READING));
+    return heading;
   }
 
   @Override
@@ -87,6 +92,9 @@ final class Heading implements ModuleListener, AutoCloseable {
 
   @Override
   public void close() {
-    subscription.close();
+    Subscription subscribed = subscription;
+    if (subscribed != null) {
+      subscribed.close();
+    }
   }
 }

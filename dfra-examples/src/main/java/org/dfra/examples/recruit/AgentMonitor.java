@@ -46,7 +46,7 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
 
   private final ProgressReporter progress;
   private final Instant began;
-  private final DirectoryRegistration watch;
+  private volatile @Nullable DirectoryRegistration watch; // set when it starts
 
   @GuardedBy("this")
   private final Map<String, Subscription> subscriptions = new TreeMap<>();
@@ -74,14 +74,20 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
   /** An event of a robot that its agent does not publish. */
   record OperatorEvent(Instant time, String robot, String what) {}
 
-  /**
-   * @param began the robots' time to which reported seconds are relative
-   */
-  @SuppressWarnings("this-escape") // no events before the registration
-  AgentMonitor(ModuleDirectory directory, ProgressReporter progress, Instant began) {
+  private AgentMonitor(ProgressReporter progress, Instant began) {
     this.progress = progress;
     this.began = began;
-    this.watch = directory.listen(ModuleQuery.of(RecruitmentAgent.class), this);
+  }
+
+  /**
+   * Subscribes to agents as they appear.
+   *
+   * @param began the robots' time to which reported seconds are relative
+   */
+  static AgentMonitor start(ModuleDirectory directory, ProgressReporter progress, Instant began) {
+    AgentMonitor monitor = new AgentMonitor(progress, began);
+    monitor.watch = directory.listen(ModuleQuery.of(RecruitmentAgent.class), monitor);
+    return monitor;
   }
 
   /** Subscribes without the lock, since the deliveries of other agents need it meanwhile. */
@@ -330,7 +336,10 @@ final class AgentMonitor implements AutoCloseable, DirectoryListener<Recruitment
 
   @Override
   public void close() {
-    watch.close();
+    DirectoryRegistration watching = watch;
+    if (watching != null) {
+      watching.close();
+    }
     List<Subscription> ending;
     synchronized (this) {
       isOver = true;

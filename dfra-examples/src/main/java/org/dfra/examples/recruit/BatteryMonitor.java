@@ -23,7 +23,7 @@ final class BatteryMonitor implements AutoCloseable, DirectoryListener<BatterySe
 
   private static final double HERTZ = 1;
 
-  private final DirectoryRegistration watch;
+  private volatile @Nullable DirectoryRegistration watch; // set when it starts
 
   @GuardedBy("this")
   private final Map<String, Subscription> subscriptions = new TreeMap<>();
@@ -35,10 +35,13 @@ final class BatteryMonitor implements AutoCloseable, DirectoryListener<BatterySe
   @GuardedBy("this")
   private boolean isOver;
 
+  private BatteryMonitor() {}
+
   /** Subscribes to batteries as they appear. */
-  @SuppressWarnings("this-escape") // no events before the registration
-  BatteryMonitor(ModuleDirectory directory) {
-    this.watch = directory.listen(ModuleQuery.of(BatterySensor.class), this);
+  static BatteryMonitor start(ModuleDirectory directory) {
+    BatteryMonitor monitor = new BatteryMonitor();
+    monitor.watch = directory.listen(ModuleQuery.of(BatterySensor.class), monitor);
+    return monitor;
   }
 
   @Override
@@ -79,7 +82,10 @@ final class BatteryMonitor implements AutoCloseable, DirectoryListener<BatterySe
 
   @Override
   public void close() {
-    watch.close();
+    DirectoryRegistration watching = watch;
+    if (watching != null) {
+      watching.close();
+    }
     List<Subscription> ending;
     synchronized (this) {
       isOver = true;

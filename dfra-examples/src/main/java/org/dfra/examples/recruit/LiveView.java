@@ -73,7 +73,7 @@ final class LiveView implements AutoCloseable {
     this.monitor = monitor;
     this.searches = searches;
     this.ways = ways;
-    this.batteries = progress.isTerminal() ? new BatteryMonitor(directory) : null;
+    this.batteries = progress.isTerminal() ? BatteryMonitor.start(directory) : null;
     this.thread =
         progress.isTerminal()
             ? Executors.newSingleThreadScheduledExecutor(

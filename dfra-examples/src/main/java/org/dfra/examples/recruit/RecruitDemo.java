@@ -98,7 +98,7 @@ public final class RecruitDemo implements Demo {
                 new JiniModuleDirectory(DemoEnvironment.ADDRESS, List.of(), team.locators());
             TrueTrajectories ways =
                 new TrueTrajectories(names, simulation.world().groundTruth(), clock);
-            AgentMonitor monitor = new AgentMonitor(directory, progress, began);
+            AgentMonitor monitor = AgentMonitor.start(directory, progress, began);
             BackgroundSearches searches =
                 new BackgroundSearches(progress, directory, frame, BackgroundSearches.PATIENCE)) {
           ways.start();

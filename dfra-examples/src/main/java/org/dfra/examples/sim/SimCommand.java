@@ -9,4 +9,4 @@ import picocli.CommandLine.Command;
     synopsisSubcommandLabel = "COMMAND",
     commandListHeading = "%nCommands:%n",
     subcommands = {RunCommand.class})
-public final class SimCommand {}
+final class SimCommand {}

@@ -51,7 +51,7 @@ class RecruitReportTest {
     try (TrueTrajectories ways =
             new TrueTrajectories(names, World.of(world, BEGIN).groundTruth(), () -> BEGIN);
         AgentMonitor monitor =
-            new AgentMonitor(
+            AgentMonitor.start(
                 directory,
                 new ProgressReporter(new PrintWriter(new StringWriter()), () -> 0),
                 BEGIN)) {

@@ -94,7 +94,7 @@ public final class ClassServer implements AutoCloseable {
     InetSocketAddress address = new InetSocketAddress(host, port);
     jars = read;
     try {
-      server = new HttpListener(address, this::answer);
+      server = HttpListener.start(address, this::answer);
     } catch (IOException | RuntimeException e) {
       throw new IOException(
           "the class server cannot listen on "

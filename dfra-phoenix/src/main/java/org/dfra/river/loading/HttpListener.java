@@ -63,14 +63,23 @@ final class HttpListener implements AutoCloseable {
   @GuardedBy("open")
   private final Map<InetAddress, Integer> byAddress = new HashMap<>();
 
+  private HttpListener(ServerSocket listening, HttpResponder answers) {
+    this.listening = listening;
+    this.answers = answers;
+    ThreadFactory named = named();
+    deadlines = new ScheduledThreadPoolExecutor(1, named);
+    deadlines.setRemoveOnCancelPolicy(true);
+    threads =
+        new ThreadPoolExecutor(0, THREADS, 10, TimeUnit.SECONDS, new SynchronousQueue<>(), named);
+  }
+
   /**
    * Starts to listen.
    *
    * @throws IOException if the address cannot be listened on
    */
-  HttpListener(InetSocketAddress address, HttpResponder answers) throws IOException {
-    this.answers = answers;
-    listening = new ServerSocket();
+  static HttpListener start(InetSocketAddress address, HttpResponder answers) throws IOException {
+    ServerSocket listening = new ServerSocket();
     try {
       listening.setReuseAddress(true);
       listening.bind(address, CONNECTIONS);
@@ -78,12 +87,9 @@ final class HttpListener implements AutoCloseable {
       listening.close();
       throw e;
     }
-    ThreadFactory named = named();
-    deadlines = new ScheduledThreadPoolExecutor(1, named);
-    deadlines.setRemoveOnCancelPolicy(true);
-    threads =
-        new ThreadPoolExecutor(0, THREADS, 10, TimeUnit.SECONDS, new SynchronousQueue<>(), named);
-    threads.execute(this::accept);
+    HttpListener listener = new HttpListener(listening, answers);
+    listener.threads.execute(listener::accept);
+    return listener;
   }
 
   private static ThreadFactory named() {

@@ -10,7 +10,6 @@ import java.util.UUID;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantReadWriteLock;
-import org.dfra.river.phoenix.PhoenixDaemon.DaemonState;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

@@ -13,7 +13,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.dfra.river.phoenix.PhoenixDaemon.DaemonState;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

@@ -3,8 +3,6 @@ package org.dfra.river.phoenix;
 import java.rmi.activation.ActivationException;
 import java.time.Duration;
 import java.util.List;
-import org.dfra.river.phoenix.PhoenixDaemon.DaemonExecutors;
-import org.dfra.river.phoenix.PhoenixDaemon.DaemonState;
 import org.dfra.river.phoenix.restart.RestartPolicy;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;

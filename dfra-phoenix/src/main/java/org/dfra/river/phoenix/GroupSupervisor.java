@@ -6,7 +6,6 @@ import java.time.Instant;
 import java.time.InstantSource;
 import java.time.temporal.ChronoUnit;
 import java.util.Optional;
-import org.dfra.river.phoenix.PhoenixDaemon.DaemonState;
 import org.dfra.river.phoenix.restart.CrashHistory;
 import org.dfra.river.phoenix.restart.CrashHistory.ProcessExit;
 import org.slf4j.Logger;

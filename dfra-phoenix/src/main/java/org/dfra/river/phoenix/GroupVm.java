@@ -26,7 +26,7 @@ import org.slf4j.bridge.SLF4JBridgeHandler;
  * The virtual machine of one group. Phoenix starts it and sends it its group on standard input. It
  * receives no message if it dies: the daemon detects the exit of its process.
  */
-public final class GroupVm {
+final class GroupVm {
 
   /** Exit code if the daemon died before it sent the group. */
   static final int EXIT_NO_GROUP = 10;

@@ -15,7 +15,6 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Supplier;
 import org.dfra.river.phoenix.GroupStatus.State;
-import org.dfra.river.phoenix.PhoenixDaemon.DaemonState;
 import org.dfra.river.phoenix.restart.CrashHistory.ProcessExit;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;

@@ -3,10 +3,17 @@ package org.dfra.river.phoenix;
 import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.net.BindException;
+import java.rmi.MarshalledObject;
 import java.rmi.Remote;
+import java.rmi.RemoteException;
+import java.rmi.activation.ActivationException;
+import java.rmi.activation.ActivationGroupID;
+import java.rmi.activation.ActivationID;
 import java.rmi.activation.ActivationMonitor;
 import java.rmi.activation.ActivationSystem;
 import java.rmi.activation.Activator;
+import java.rmi.activation.UnknownGroupException;
+import java.rmi.activation.UnknownObjectException;
 import java.rmi.registry.LocateRegistry;
 import java.rmi.registry.Registry;
 import java.rmi.server.ExportException;
@@ -311,6 +318,56 @@ public final class Phoenix implements AutoCloseable {
       exporter.unexport(true);
     } catch (IllegalStateException e) {
       LOG.debug("Never exported.", e);
+    }
+  }
+
+  /** Serves proxies of inactive objects, from any computer. */
+  private static final class ActivatorService implements Activator {
+
+    private final GroupTable registered;
+
+    ActivatorService(GroupTable registered) {
+      this.registered = registered;
+    }
+
+    @Override
+    public MarshalledObject<? extends Remote> activate(ActivationID id, boolean force)
+        throws ActivationException, RemoteException {
+      return registered.object(id).activate(id, force);
+    }
+  }
+
+  /** Receives the groups' reports. Calls from other computers are refused. */
+  static final class MonitorService implements ActivationMonitor {
+
+    private final GroupTable registered;
+    private final GroupRegistry registry;
+    private final LocalCallerGuard access;
+
+    MonitorService(GroupTable registered, GroupRegistry registry, LocalCallerGuard access) {
+      this.registered = registered;
+      this.registry = registry;
+      this.access = access;
+    }
+
+    @Override
+    public void inactiveObject(ActivationID id) throws UnknownObjectException, RemoteException {
+      access.check("inactiveObject");
+      registry.inactive(GroupTable.uid(id));
+    }
+
+    @Override
+    public void activeObject(ActivationID id, MarshalledObject<? extends Remote> proxy)
+        throws UnknownObjectException, RemoteException {
+      access.check("activeObject");
+      registered.object(id).active(proxy);
+    }
+
+    @Override
+    public void inactiveGroup(ActivationGroupID id, long incarnation)
+        throws UnknownGroupException, RemoteException {
+      access.check("inactiveGroup");
+      registered.group(id).onLeaving(incarnation);
     }
   }
 }

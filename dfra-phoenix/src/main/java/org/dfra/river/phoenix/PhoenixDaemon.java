@@ -1,15 +1,10 @@
 package org.dfra.river.phoenix;
 
 import java.io.IOException;
-import java.rmi.activation.ActivationException;
 import java.rmi.activation.ActivationSystem;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.List;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.TimeUnit;
 import org.dfra.river.phoenix.restart.CrashHistory;
 import org.dfra.river.phoenix.restart.RestartPolicy;
 import org.dfra.time.Scheduler;
@@ -159,76 +154,6 @@ final class PhoenixDaemon {
       journal.close();
     } catch (IOException e) {
       LOG.warn("The journal did not close well; every acknowledged change is safe in it.", e);
-    }
-  }
-
-  /** Whether the daemon runs or is shutting down. It never runs again. */
-  static final class DaemonState {
-
-    private volatile boolean running = true;
-
-    /** Whether the daemon is not shutting down. */
-    boolean isRunning() {
-      return running;
-    }
-
-    /**
-     * Refuses new work while the daemon shuts down.
-     *
-     * @throws ActivationException if it does
-     */
-    void requireRunning() throws ActivationException {
-      if (!running) {
-        throw new ActivationException("phoenix is shutting down; call again when it has restarted");
-      }
-    }
-
-    /** Records that the daemon is shutting down. */
-    void setEnding() {
-      running = false;
-    }
-  }
-
-  /**
-   * The daemon's own threads. {@code phoenix-timer} (one) starts delayed tasks. {@code
-   * phoenix-work} restart objects and wait for the exit of processes. They run as long as the
-   * daemon.
-   */
-  static final class DaemonExecutors {
-
-    private final ScheduledExecutorService timer =
-        Executors.newSingleThreadScheduledExecutor(task -> thread(task, "phoenix-timer"));
-    private final ExecutorService work =
-        Executors.newCachedThreadPool(task -> thread(task, "phoenix-work"));
-    private volatile boolean ending;
-
-    /** Runs a task after a delay, on the timer's thread. Discards it if the daemon shuts down. */
-    void after(Duration delay, Runnable task) {
-      if (!ending) {
-        timer.schedule(task, delay.toNanos(), TimeUnit.NANOSECONDS);
-      }
-    }
-
-    /** Runs a task that may take long. */
-    void execute(Runnable task) {
-      work.execute(task);
-    }
-
-    /** Discards all later tasks: the daemon is shutting down. */
-    void stopScheduling() {
-      ending = true;
-    }
-
-    /** Stops the threads. */
-    void stop() {
-      timer.shutdownNow();
-      work.shutdownNow();
-    }
-
-    private static Thread thread(Runnable task, String name) {
-      Thread thread = new Thread(task, name);
-      thread.setDaemon(true);
-      return thread;
     }
   }
 }

@@ -1,7 +1,6 @@
 package org.dfra.river.phoenix;
 
 import java.time.Duration;
-import org.dfra.river.phoenix.PhoenixDaemon.DaemonExecutors;
 import org.dfra.river.phoenix.restart.CrashHistory.ProcessExit;
 import org.jspecify.annotations.Nullable;
 

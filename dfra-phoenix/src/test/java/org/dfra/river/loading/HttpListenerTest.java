@@ -43,7 +43,7 @@ class HttpListenerTest {
   @BeforeEach
   void listen() throws IOException {
     listener =
-        new HttpListener(
+        HttpListener.start(
             new InetSocketAddress(LOOPBACK, 0),
             path -> new HttpResponder.HttpReply(200, Map.of(), big));
   }

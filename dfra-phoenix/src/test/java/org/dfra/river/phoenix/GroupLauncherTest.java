@@ -13,8 +13,6 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import net.jini.config.ConfigurationFile;
-import org.dfra.river.phoenix.PhoenixDaemon.DaemonExecutors;
-import org.dfra.river.phoenix.PhoenixDaemon.DaemonState;
 import org.dfra.river.phoenix.restart.CrashHistory.ProcessExit;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;

@@ -51,7 +51,8 @@ class LocalCallerGuardTest {
     InetAddress elsewhere = InetAddress.getByName("203.0.113.7");
     for (Object service :
         List.of(
-            new SystemService(null, null, null, access), new MonitorService(null, null, access))) {
+            new SystemService(null, null, null, access),
+            new Phoenix.MonitorService(null, null, access))) {
       for (Class<?> type : service.getClass().getInterfaces()) {
         for (var method : type.getMethods()) {
           Object[] arguments =

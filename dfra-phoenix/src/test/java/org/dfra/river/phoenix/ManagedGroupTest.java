@@ -13,8 +13,6 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import net.jini.config.ConfigurationFile;
 import org.dfra.river.phoenix.ManagedGroup.ActiveInstantiator;
-import org.dfra.river.phoenix.PhoenixDaemon.DaemonExecutors;
-import org.dfra.river.phoenix.PhoenixDaemon.DaemonState;
 import org.dfra.river.phoenix.restart.CrashHistory;
 import org.dfra.river.phoenix.restart.CrashHistory.ProcessExit;
 import org.junit.jupiter.api.Test;

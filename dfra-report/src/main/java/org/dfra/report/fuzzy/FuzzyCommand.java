@@ -9,4 +9,4 @@ import picocli.CommandLine.Command;
     synopsisSubcommandLabel = "COMMAND",
     commandListHeading = "%nCommands:%n",
     subcommands = FuzzyShowCommand.class)
-public final class FuzzyCommand {}
+final class FuzzyCommand {}

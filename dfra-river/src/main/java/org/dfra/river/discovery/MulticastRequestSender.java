@@ -75,7 +75,7 @@ final class MulticastRequestSender implements AutoCloseable {
       return;
     }
     if (responses == null) {
-      responses = new ResponseListener(responded);
+      responses = ResponseListener.start(responded);
     }
     rounds++;
     long range = isDelayed ? 0 : settings.requestDelay().toMillis();

@@ -86,12 +86,24 @@ public final class MulticastSearch implements AutoCloseable {
    * @throws IOException if multicast cannot be used
    * @throws ConfigurationException if an entry is invalid
    */
-  public MulticastSearch(String @Nullable [] groups, Configuration configuration, Listener listener)
+  public static MulticastSearch start(
+      String @Nullable [] groups, Configuration configuration, Listener listener)
       throws IOException, ConfigurationException {
-    this(groups, MulticastSettings.of(configuration), listener, DiscoveryThreads.begin());
+    return start(groups, MulticastSettings.of(configuration), listener, DiscoveryThreads.begin());
   }
 
-  MulticastSearch(
+  static MulticastSearch start(
+      String @Nullable [] groups,
+      MulticastSettings settings,
+      Listener listener,
+      DiscoveryThreads threads)
+      throws IOException {
+    MulticastSearch search = new MulticastSearch(groups, settings, listener, threads);
+    search.begin(groups);
+    return search;
+  }
+
+  private MulticastSearch(
       String @Nullable [] groups,
       MulticastSettings settings,
       Listener listener,
@@ -111,13 +123,16 @@ public final class MulticastSearch implements AutoCloseable {
       threads.end();
       throw e;
     }
+  }
+
+  private void begin(String @Nullable [] wanted) throws IOException {
     if (announcements != null) {
       try {
         announcements.start();
         every(settings.announcementInterval(), this::checkSilent);
         every(settings.interfaceRetry(), announcements::join);
-        if (groups == null || groups.length > 0) {
-          requests.begin(groups == null ? List.of() : List.of(groups));
+        if (wanted == null || wanted.length > 0) {
+          requests.begin(wanted == null ? List.of() : List.of(wanted));
         }
       } catch (IOException e) {
         close();

@@ -19,7 +19,7 @@ import org.slf4j.LoggerFactory;
  * <p>If its socket fails, it opens another, with the delays of {@link ReopenBackoff}: at the same
  * port, since requests contain it, or at another if that is taken. It ends only when it is closed.
  *
- * <p>Threads: one daemon, {@code dfra-discovery-responses}, from construction to {@link #close}.
+ * <p>Threads: one daemon, {@code dfra-discovery-responses}, from its start to {@link #close}.
  */
 final class ResponseListener implements AutoCloseable {
 
@@ -45,14 +45,21 @@ final class ResponseListener implements AutoCloseable {
   @GuardedBy("this")
   private int port;
 
+  private ResponseListener(Runnable onResponse, ServerSocketOpener opening, ServerSocket first) {
+    this.responded = onResponse;
+    this.opening = opening;
+    this.server = first;
+    this.port = first.getLocalPort();
+  }
+
   /**
    * Starts to listen.
    *
    * @param onResponse runs when a connection waits, on the listener's thread
    * @throws IOException if there is no port
    */
-  ResponseListener(Runnable onResponse) throws IOException {
-    this(onResponse, ServerSocket::new);
+  static ResponseListener start(Runnable onResponse) throws IOException {
+    return start(onResponse, ServerSocket::new);
   }
 
   /**
@@ -60,14 +67,13 @@ final class ResponseListener implements AutoCloseable {
    *
    * @throws IOException if the first cannot be opened
    */
-  ResponseListener(Runnable onResponse, ServerSocketOpener opening) throws IOException {
-    this.responded = onResponse;
-    this.opening = opening;
-    this.server = opening.open(0);
-    this.port = server.getLocalPort();
-    Thread thread = new Thread(this::accept, "dfra-discovery-responses");
+  static ResponseListener start(Runnable onResponse, ServerSocketOpener opening)
+      throws IOException {
+    ResponseListener listener = new ResponseListener(onResponse, opening, opening.open(0));
+    Thread thread = new Thread(listener::accept, "dfra-discovery-responses");
     thread.setDaemon(true);
     thread.start();
+    return listener;
   }
 
   /** The TCP port. */

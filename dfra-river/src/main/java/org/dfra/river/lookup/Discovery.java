@@ -93,7 +93,7 @@ public final class Discovery
   private synchronized void multicast(String @Nullable [] groups)
       throws IOException, ConfigurationException {
     multicast =
-        new MulticastSearch(
+        MulticastSearch.start(
             groups,
             configuration,
             new MulticastSearch.Listener() {

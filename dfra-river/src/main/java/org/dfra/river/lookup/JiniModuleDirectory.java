@@ -117,6 +117,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
               thread.setDaemon(true);
               return thread;
             });
+    // The last statements of a final class: all fields are set before another thread sees this.
     long period = Math.max(1, settings.registrarTimeout().toMillis() / 4);
     watchdog.scheduleWithFixedDelay(this::check, period, period, TimeUnit.MILLISECONDS);
     discovery.addDiscoveryListener(new RegistrarDiscoveryListener());

@@ -7,7 +7,6 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.function.Supplier;
 import org.dfra.core.config.ConfigurationException;
-import org.dfra.core.directory.OwnRobotDirectory;
 import org.dfra.directory.ModuleDirectory;
 import org.dfra.river.lookup.DirectorySettings;
 import org.dfra.river.lookup.JiniModuleDirectory;

@@ -52,7 +52,7 @@ final class ModuleRegistration implements AutoCloseable {
             activation.lookupGroups(),
             activation.locators(),
             configuration);
-    this.follower = new AttributeMonitor(own, self::attributes, this::publish);
+    this.follower = AttributeMonitor.start(own, self::attributes, this::publish);
   }
 
   private synchronized void publish(List<Attributes> attributes) {

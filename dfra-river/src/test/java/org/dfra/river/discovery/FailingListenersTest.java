@@ -133,7 +133,7 @@ class FailingListenersTest {
           return socket;
         };
     ResponseListener listener =
-        new ResponseListener(
+        ResponseListener.start(
             () -> {
               int number = responded.incrementAndGet();
               responses.add(number);
@@ -171,7 +171,7 @@ class FailingListenersTest {
           working.add(socket);
           return socket;
         };
-    ResponseListener listener = new ResponseListener(() -> responses.add("one"), opening);
+    ResponseListener listener = ResponseListener.start(() -> responses.add("one"), opening);
     ending.add(listener);
     int port = next(working).getLocalPort();
     connect(port);

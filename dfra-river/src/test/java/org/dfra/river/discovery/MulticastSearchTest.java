@@ -76,7 +76,7 @@ class MulticastSearchTest {
               return usual.newThread(task);
             });
     search =
-        new MulticastSearch(
+        MulticastSearch.start(
             new String[] {GROUP},
             MulticastSettings.of(
                 new SuppliedConfiguration(

@@ -44,7 +44,7 @@ class ResponseListenerTest {
   void listen() throws IOException {
     assumeTrue(isAddressHere(STRANGER), STRANGER + " is no address of this computer");
     listener =
-        new ResponseListener(
+        ResponseListener.start(
             () -> responses.add("one waits"), port -> new ServerSocket(port, BACKLOG, LOOPBACK));
   }
 

@@ -34,7 +34,7 @@ import org.jspecify.annotations.Nullable;
  * stepper has advanced so far.
  *
  * <p>It reads no wall clock, except to detect a scheduled thread that never waits again: {@link
- * StuckThreadException}.
+ * LockStepScheduler.StuckThreadException}.
  */
 public final class LockStep implements InstantSource, Scheduler, Ticker {
 
@@ -81,7 +81,7 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
   /**
    * Advances the time and runs every event that is due by then.
    *
-   * @throws StuckThreadException if a reader does not wait again
+   * @throws LockStepScheduler.StuckThreadException if a reader does not wait again
    * @throws IllegalStateException if a task or a reader calls this, or if events at one instant
    *     never end
    * @throws RuntimeException what a task throws; the time stays at that task's instant

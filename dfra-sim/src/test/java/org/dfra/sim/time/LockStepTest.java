@@ -317,7 +317,7 @@ class LockStepTest {
     Thread stuck = impatient.newThread("laser reader", () -> blockElsewhere(release));
     stuck.start();
     assertThatThrownBy(() -> impatient.advance(SECOND))
-        .isInstanceOf(StuckThreadException.class)
+        .isInstanceOf(LockStepScheduler.StuckThreadException.class)
         .hasMessageStartingWith("laser reader did not wait again within 0.2 s of real time; ")
         .cause()
         .hasMessage("laser reader is here")
@@ -325,7 +325,8 @@ class LockStepTest {
             where ->
                 assertThat(where.getStackTrace())
                     .anyMatch(frame -> frame.getMethodName().equals("blockElsewhere")));
-    assertThatThrownBy(() -> impatient.advance(SECOND)).isInstanceOf(StuckThreadException.class);
+    assertThatThrownBy(() -> impatient.advance(SECOND))
+        .isInstanceOf(LockStepScheduler.StuckThreadException.class);
     release.countDown();
     assertThat(impatient.join(stuck, LONG)).isTrue();
     impatient.advance(SECOND); // all is well again

@@ -17,7 +17,7 @@ import org.dfra.geometry.Transform;
  * have GNSS UTC. The offset is estimated from the reception times of fixes, see {@link
  * UtcOffsetEstimator}.
  */
-public interface PoseTracker {
+interface PoseTracker {
 
   /** Adds odometry, with a timestamp of the robot's clock. */
   void addMeasurement(Odometry odometry);

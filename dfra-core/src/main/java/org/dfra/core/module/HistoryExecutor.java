@@ -1,4 +1,4 @@
-package org.dfra.core.history;
+package org.dfra.core.module;
 
 import java.util.concurrent.Executor;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -9,14 +9,14 @@ import java.util.concurrent.TimeUnit;
  * The thread that writes histories to the disk, so that no driver waits for the disk: one daemon
  * for all modules of this virtual machine, {@code dfra-history}, which ends when idle.
  */
-public final class HistoryExecutor {
+final class HistoryExecutor {
 
   private static final Executor SHARED = executor();
 
   private HistoryExecutor() {}
 
   /** The executor of this virtual machine. */
-  public static Executor shared() {
+  static Executor shared() {
     return SHARED;
   }
 

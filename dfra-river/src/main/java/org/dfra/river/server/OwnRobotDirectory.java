@@ -1,4 +1,4 @@
-package org.dfra.core.directory;
+package org.dfra.river.server;
 
 import java.time.Duration;
 import java.util.List;
@@ -19,7 +19,7 @@ import org.dfra.persona.ModuleAttributes;
  * its own host that belong to the robot. Another robot of the same name in the team, or on this
  * computer, is a different robot: its wheels must not be moved and its position must not be used.
  */
-public final class OwnRobotDirectory implements ModuleDirectory {
+final class OwnRobotDirectory implements ModuleDirectory {
 
   private final ModuleDirectory all;
   private final String robot;

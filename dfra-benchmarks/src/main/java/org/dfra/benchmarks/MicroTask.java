@@ -1,10 +1,11 @@
-package org.dfra.benchmarks.micro;
+package org.dfra.benchmarks;
 
 import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.regex.Pattern;
+import org.dfra.benchmarks.micro.MicroBenchmark;
 import org.dfra.benchmarks.task.Task;
 import org.openjdk.jmh.results.RunResult;
 import org.openjdk.jmh.runner.Runner;
@@ -23,7 +24,7 @@ import org.openjdk.jmh.util.Statistics;
  * benchmark, {@code result ID MEDIAN P99} after it, in microseconds, and at the end {@code done} or
  * {@code failed REASON}. What JMH prints is in the log.
  */
-public final class MicroTask implements Task {
+final class MicroTask implements Task {
 
   private static final double MEDIAN = 50;
   private static final double P99 = 99;

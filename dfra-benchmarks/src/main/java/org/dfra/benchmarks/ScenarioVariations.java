@@ -1,4 +1,4 @@
-package org.dfra.experiments.navigation;
+package org.dfra.benchmarks;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -15,7 +15,7 @@ import org.dfra.sim.world.description.WorldDescription.ObstacleDescription;
 import org.dfra.sim.world.shape.PlanarShape.Disc;
 
 /** Varies the worlds and robots of description files. */
-public final class ScenarioVariations {
+final class ScenarioVariations {
 
   private static final double POST_RADIUS = 0.08; // metres
   private static final double POST_DISTANCE = 3; // metres between two
