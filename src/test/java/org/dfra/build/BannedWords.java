@@ -61,6 +61,7 @@ final class BannedWords {
           "gallery",
           "heed",
           "hurry",
+          "ledger",
           "lineage",
           "lot",
           "mail",

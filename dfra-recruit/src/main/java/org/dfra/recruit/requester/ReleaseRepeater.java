@@ -34,27 +34,28 @@ final class ReleaseRepeater {
 
   /** Advances the time. */
   TransitionResult<RequesterState, RequesterAction> tick(RequesterState state, Instant now) {
-    PendingRelease farewell = state.farewell();
-    if (farewell == null || now.isBefore(farewell.again())) {
+    PendingRelease pendingRelease = state.farewell();
+    if (pendingRelease == null || now.isBefore(pendingRelease.again())) {
       return TransitionResult.none(state);
     }
-    return now.isBefore(farewell.until())
-        ? release(state, farewell, "no longer needed", now)
+    return now.isBefore(pendingRelease.until())
+        ? release(state, pendingRelease, "no longer needed", now)
         : TransitionResult.none(state.withPendingRelease(null)); // its commitment has expired
   }
 
   private TransitionResult<RequesterState, RequesterAction> release(
-      RequesterState state, PendingRelease farewell, String why, Instant now) {
+      RequesterState state, PendingRelease pendingRelease, String why, Instant now) {
     return new TransitionResult<>(
-        state.withPendingRelease(farewell.repeatedAt(now.plus(every))),
+        state.withPendingRelease(pendingRelease.repeatedAt(now.plus(every))),
         List.of(
-            new SendToRobot(farewell.robot(), new Release(farewell.conversation(), why, true))));
+            new SendToRobot(
+                pendingRelease.robot(), new Release(pendingRelease.conversation(), why, true))));
   }
 
   /** Handles a message, which may be the acknowledgement of the released helper. */
   static RequesterState receive(RequesterState state, String from, RecruitmentMessage message) {
-    PendingRelease farewell = state.farewell();
-    return farewell != null && farewell.isAcknowledgedBy(from, message)
+    PendingRelease pendingRelease = state.farewell();
+    return pendingRelease != null && pendingRelease.isAcknowledgedBy(from, message)
         ? state.withPendingRelease(null)
         : state;
   }

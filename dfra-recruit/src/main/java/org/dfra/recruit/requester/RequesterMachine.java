@@ -85,9 +85,9 @@ public final class RequesterMachine {
       Instant now,
       List<RequesterAction> actions) {
     Conversation next = state.conversation().next();
-    PendingRelease farewell = state.farewell();
-    if (farewell != null) {
-      Instant free = farewell.until().isBefore(patience) ? farewell.until() : patience;
+    PendingRelease pendingRelease = state.farewell();
+    if (pendingRelease != null) {
+      Instant free = pendingRelease.until().isBefore(patience) ? pendingRelease.until() : patience;
       return new TransitionResult<>(state.open(next, call, patience, free).waiting(free), actions);
     }
     actions.add(new SendToTeam(call.percept(), new Help(next, call, 1)));

@@ -102,18 +102,18 @@ public final class ResponderMachine {
   private TransitionResult<ResponderState, ResponderAction> help(
       ResponderState before, Help help, Instant now) {
     Conversation asked = help.conversation();
-    ConversationRecord ledger = before.ledger(asked);
-    if (ledger.hasReceived(asked.number(), help.round())) {
+    ConversationRecord record = before.record(asked);
+    if (record.hasReceived(asked.number(), help.round())) {
       return TransitionResult.none(before);
     }
     ResponderState state =
-        before.remember(asked.requester(), ledger.recordCall(asked.number(), help.round()));
+        before.remember(asked.requester(), record.recordCall(asked.number(), help.round()));
     if (state.isIn(asked)) { // the offer was lost, or is still in transit
       return state.phase() == ResponderPhase.OFFERED
           ? offerAgain(state, 1, now)
           : TransitionResult.none(state);
     }
-    boolean isOver = asked.number() <= ledger.closed();
+    boolean isOver = asked.number() <= record.closed();
     if (isOver || state.phase() != ResponderPhase.FREE) {
       String why = isOver ? "it has left this conversation" : "it helps another robot";
       return declined(state, new Refuse(asked, why, isOver));
@@ -178,7 +178,7 @@ public final class ResponderMachine {
       ResponderState state, ResponderId id, Instant now) {
     Conversation in = id.conversation();
     if (!state.isIn(in)) {
-      return state.ledger(in).completed() >= in.number()
+      return state.record(in).completed() >= in.number()
           ? TransitionResult.none(state)
           : refused(state.close(in), in, "it has left this conversation");
     }
@@ -215,7 +215,7 @@ public final class ResponderMachine {
           free(state, "it is no longer needed");
       return state.phase().isCommitted() ? freed : relieved(freed.state());
     }
-    boolean isNews = which.number() > state.ledger(which).closed();
+    boolean isNews = which.number() > state.record(which).closed();
     ResponderState closed = state.close(which);
     return isNews && state.phase() == ResponderPhase.FREE
         ? relieved(closed)
@@ -243,11 +243,11 @@ public final class ResponderMachine {
     SendToRobot ackAck = new SendToRobot(which.requester(), new AckAck(which));
     if (state.isIn(which) && state.phase() == ResponderPhase.ARRIVED) {
       ResponderState known =
-          state.remember(which.requester(), state.ledger(which).complete(which.number()));
+          state.remember(which.requester(), state.record(which).complete(which.number()));
       return new TransitionResult<>(
           known.leased(), List.of(ackAck, new Observe(state.requireCall())));
     }
-    boolean isKnown = state.ledger(which).completed() == which.number();
+    boolean isKnown = state.record(which).completed() == which.number();
     return isKnown
         ? new TransitionResult<>(state, List.of(ackAck))
         : refused(state.close(which), which, "it has ended its help");

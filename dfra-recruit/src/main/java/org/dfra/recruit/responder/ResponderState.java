@@ -91,21 +91,21 @@ public record ResponderState(
     return other.equals(conversation);
   }
 
-  ConversationRecord ledger(Conversation of) {
+  ConversationRecord record(Conversation of) {
     return ledgers.getOrDefault(of.requester(), ConversationRecord.EMPTY);
   }
 
-  ResponderState remember(String requester, ConversationRecord ledger) {
-    if (ledger.equals(ledgers.get(requester))) {
+  ResponderState remember(String requester, ConversationRecord record) {
+    if (record.equals(ledgers.get(requester))) {
       return this;
     }
     Map<String, ConversationRecord> known = new HashMap<>(ledgers);
-    known.put(requester, ledger);
+    known.put(requester, record);
     return withLedgers(known);
   }
 
   ResponderState close(Conversation over) {
-    return remember(over.requester(), ledger(over).close(over.number()));
+    return remember(over.requester(), record(over).close(over.number()));
   }
 
   /** The state without timed commitments; the records of requesters stay. */
@@ -118,12 +118,12 @@ public record ResponderState(
   }
 
   ResponderState offered(
-      Conversation in, HelpCall wanted, int said, Instant offer, Instant repeat) {
+      Conversation in, HelpCall wanted, int messagesSent, Instant offer, Instant repeat) {
     List<Instant> all = new ArrayList<>(in.equals(conversation) ? offers : List.of());
     all.add(offer);
     return free(ledgers)
         .withConversation(in, wanted, all)
-        .withPhase(ResponderPhase.OFFERED, said, repeat, Instant.MAX);
+        .withPhase(ResponderPhase.OFFERED, messagesSent, repeat, Instant.MAX);
   }
 
   ResponderState travelling(Instant end) {
