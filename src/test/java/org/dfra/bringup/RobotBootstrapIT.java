@@ -105,13 +105,14 @@ class RobotBootstrapIT {
             + group("lookup", "<registrar port=\"" + port + "\"/>")
             + group(
                 "sensors",
-                "<module name=\"gps_front\""
-                    + " server=\"org.dfra.river.server.sensor.GPSServer\""
-                    + " proxy=\"org.dfra.river.proxy.sensor.GPSProxy\""
-                    + " implementation=\"org.dfra.drivers.gps.m12.M12PlusImpl\">"
-                    + "<parameter name=\"link\" value=\""
-                    + receiver.url()
-                    + "\"/></module>\n"
+                """
+                <module name="gps_front" server="org.dfra.river.server.sensor.GPSServer"
+                    proxy="org.dfra.river.proxy.sensor.GPSProxy"
+                    implementation="org.dfra.drivers.gps.m12.M12PlusImpl">
+                  <parameter name="link" value="%s"/>
+                </module>
+                """
+                        .formatted(receiver.url())
                     + thermometer("cellar", celsius)));
   }
 

@@ -59,6 +59,6 @@ class DeliveryPolicyTest {
   private static void assertRefused(List<?> kinds) {
     assertThatThrownBy(() -> new DeliveryPolicy(set(kinds), 1, 1))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageStartingWith("a listener wants kinds of events, each once at the most");
+        .hasMessageStartingWith("a listener names kinds of events, each once at the most");
   }
 }

@@ -49,13 +49,12 @@ final class RasterSearchStore {
     StoredSearch {
       if (missed < 0 || reached < missed || !phase.isUnderWay()) {
         throw new IllegalArgumentException(
-            "a search that is "
+            "a stored search has a phase under way and 0 <= skipped <= done waypoints, not "
                 + phase
-                + " with "
-                + reached
-                + " waypoints done and "
+                + ", "
                 + missed
-                + " of them skipped is invalid");
+                + " skipped of "
+                + reached);
       }
     }
   }
@@ -72,7 +71,7 @@ final class RasterSearchStore {
     DelegatedPath {
       if (missed < 0 || reached < missed) {
         throw new IllegalArgumentException(
-            "a path after " + reached + " waypoints, " + missed + " of them skipped, is invalid");
+            "a stored path has 0 <= skipped <= done waypoints, not " + missed + " of " + reached);
       }
     }
   }

@@ -50,9 +50,10 @@ class RobotStructureFaultsTest {
     assertThat(
             folder()
                 .document(
-                    "<?xml version=\"1.0\"?>\n"
-                        + "<!DOCTYPE robot [<!ENTITY x SYSTEM \"file:///etc/hostname\">]>\n"
-                        + "<robot xmlns=\"urn:dfra:robot:1\" name=\"&x;\"/>")
+                    """
+                    <?xml version="1.0"?>
+                    <!DOCTYPE robot [<!ENTITY x SYSTEM "file:///etc/hostname">]>
+                    <robot xmlns="urn:dfra:robot:1" name="&x;"/>""")
                 .complaints())
         .containsExactly(
             "robot.xml:2: a document type is not allowed, since it could name files elsewhere;"

@@ -95,8 +95,8 @@ class RobotValueFaultsTest {
     assertThat(
             folder()
                 .xml(
-                    "<group name=\"a\">"
-                        + "<registrar module-hosts=\"10.0.0.256, 10.0.0.0/24, base\"/></group>")
+                    """
+                    <group name="a"><registrar module-hosts="10.0.0.256, 10.0.0.0/24, base"/></group>""")
                 .complaints())
         .containsExactly(
             "robot.xml:2: the registrar's module host \"10.0.0.256\" is not understood; write an"

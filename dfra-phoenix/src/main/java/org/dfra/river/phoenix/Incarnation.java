@@ -54,7 +54,7 @@ final class Incarnation {
               + itsNumber
               + " of group "
               + group
-              + " is not awaited any more: the daemon knows incarnation "
+              + " is not awaited any more: phoenix knows incarnation "
               + number
               + " as "
               + state);
@@ -95,7 +95,7 @@ final class Incarnation {
               + itsNumber
               + " of group "
               + group
-              + " is refused: the daemon knows incarnation "
+              + " is refused: phoenix knows incarnation "
               + number
               + " as "
               + state);

@@ -66,7 +66,7 @@ class GroupLifeTest extends GroupFixture {
   void groupThatWasNotStartedCannotReport() {
     assertThatExceptionOfType(ActivationException.class)
         .isThrownBy(() -> system.activeGroup(group, fake().proxy, 0))
-        .withMessageContaining("the daemon knows incarnation 0 as IDLE");
+        .withMessageContaining("phoenix knows incarnation 0 as IDLE");
   }
 
   @Test

@@ -52,7 +52,7 @@ final class SteppedCondition implements Condition {
   @Override
   public void awaitUninterruptibly() {
     throw new UnsupportedOperationException(
-        "a wait without a timeout could outlast its module; use Ticker.await");
+        "simulated time needs a timeout for each wait; use Ticker.await");
   }
 
   @Override

@@ -46,7 +46,7 @@ class ProcessMissionIT {
   private final RecordingMissionListener reported = new RecordingMissionListener();
   private final RunMeasurements figures = new RunMeasurements();
 
-  private MissionResult fly(List<InjectedFault<DemoRobot>> troubles) throws Exception {
+  private MissionResult fly(List<InjectedFault<DemoRobot>> faults) throws Exception {
     Path world = FewLanes.WORLD;
     Scenario scenario = FewLanes.scenario();
     if (!FULL) {
@@ -54,7 +54,7 @@ class ProcessMissionIT {
       Path robot = SparseField.robot(folder, "atrv1", "drive", Set.of("navigation", "lookup"));
       scenario = FewLanes.twoLanes(world, robot);
     }
-    return new ProcessMission(scenario, world, 1, LONGEST, robot -> robot, troubles, figures)
+    return new ProcessMission(scenario, world, 1, LONGEST, robot -> robot, faults, figures)
         .run(reported);
   }
 

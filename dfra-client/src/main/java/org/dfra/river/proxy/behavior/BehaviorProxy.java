@@ -16,7 +16,7 @@ import org.dfra.river.remote.RemoteModule;
  * @param <G> the behaviour's goal type
  * @param <B> the behaviour's interface
  */
-abstract class BehaviorProxy<G extends Goal, B extends Behavior<G>> extends SchemaProxy<B>
+public abstract class BehaviorProxy<G extends Goal, B extends Behavior<G>> extends SchemaProxy<B>
     implements Behavior<G> {
 
   private static final long serialVersionUID = 1L;

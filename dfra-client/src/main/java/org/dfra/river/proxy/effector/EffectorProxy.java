@@ -23,7 +23,7 @@ import org.jspecify.annotations.Nullable;
  * @param <C> the effector's command type
  * @param <E> the effector's interface
  */
-abstract class EffectorProxy<C extends Command, E extends Effector<C>> extends DeviceProxy<E>
+public abstract class EffectorProxy<C extends Command, E extends Effector<C>> extends DeviceProxy<E>
     implements Effector<C> {
 
   private static final long serialVersionUID = 1L;

@@ -114,7 +114,7 @@ class MjpegCameraImplTest {
     assertTrouble("HTTP/1.1 503 Busy\r\n\r\n", "the camera answers 503 Busy; look at the camera");
     assertTrouble(
         "HTTP/1.1 200 OK\r\nContent-Type: text/html; charset=utf-8\r\n\r\n<html>",
-        "what is at / is not a stream of images but text/html; charset=utf-8; set path to the"
+        "the content of / is not a stream of images but text/html; charset=utf-8; set path to the"
             + " camera's multipart stream");
     assertTrouble("SSH-2.0-x\r\n", "the answer is not HTTP");
     assertTrouble(STREAM + "--b--\r\n", "the camera has ended its stream");

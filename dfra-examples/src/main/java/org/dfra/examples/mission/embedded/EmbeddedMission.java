@@ -54,7 +54,7 @@ public final class EmbeddedMission implements Mission {
   private final double speed;
   private final Duration longest;
   private final UnaryOperator<RobotDescription> adapt;
-  private final List<InjectedFault<EmbeddedRobot>> troubles;
+  private final List<InjectedFault<EmbeddedRobot>> faults;
   private final RunMeasurements figures;
 
   /**
@@ -82,23 +82,23 @@ public final class EmbeddedMission implements Mission {
       double speed,
       Duration longest,
       UnaryOperator<RobotDescription> adapt,
-      List<InjectedFault<EmbeddedRobot>> troubles,
+      List<InjectedFault<EmbeddedRobot>> faults,
       RunMeasurements figures) {
     this.scenario = scenario;
     this.speed = speed;
     this.longest = longest;
     this.adapt = adapt;
-    this.troubles = List.copyOf(troubles);
+    this.faults = List.copyOf(faults);
     this.figures = figures;
   }
 
   private static List<InjectedFault<EmbeddedRobot>> defaultFaults(int robots) {
-    List<InjectedFault<EmbeddedRobot>> troubles = new ArrayList<>();
+    List<InjectedFault<EmbeddedRobot>> faults = new ArrayList<>();
     for (int i = 0; i < robots - 1; i++) {
-      troubles.add(new RegistrarOutage(i, 0.5, RegistrarOutage.NEVER));
+      faults.add(new RegistrarOutage(i, 0.5, RegistrarOutage.NEVER));
     }
-    troubles.add(new RegistrarOutage(robots - 1, 0.2, 0.7));
-    return troubles;
+    faults.add(new RegistrarOutage(robots - 1, 0.2, 0.7));
+    return faults;
   }
 
   @Override
@@ -174,7 +174,7 @@ public final class EmbeddedMission implements Mission {
       }
       SimulatedTruth truth = new SimulatedTruth(simulation.world(), clock);
       return new MissionMonitor<>(scenario, truth, clock, speed, searching, figures, listener)
-          .run(troubles, longest);
+          .run(faults, longest);
     }
   }
 

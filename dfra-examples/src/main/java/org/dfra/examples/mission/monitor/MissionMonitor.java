@@ -93,11 +93,11 @@ public final class MissionMonitor<R> {
   /**
    * Monitors them to the end.
    *
-   * @param troubles faults to inject
+   * @param faults faults to inject
    * @param longest timeout of the search, robots' time
    * @throws Exception if it cannot be monitored to its end; the message names the cause
    */
-  public MissionResult run(List<InjectedFault<R>> troubles, Duration longest) throws Exception {
+  public MissionResult run(List<InjectedFault<R>> faults, Duration longest) throws Exception {
     source.readNew(truth);
     Instant begin = clock.instant();
     for (int i = 0; i < robots.size(); i++) {
@@ -110,9 +110,9 @@ public final class MissionMonitor<R> {
     MissionContext<R> scene =
         new MissionContext<>(robots, truth, clock, speed, begin, field, figures, this::note);
     try {
-      return follow(scene, troubles, begin.plus(longest));
+      return follow(scene, faults, begin.plus(longest));
     } finally {
-      troubles.forEach(InjectedFault::close);
+      faults.forEach(InjectedFault::close);
       robots.forEach(each -> each.subscriptions().close());
     }
   }
@@ -123,15 +123,15 @@ public final class MissionMonitor<R> {
   }
 
   private MissionResult follow(
-      MissionContext<R> scene, List<InjectedFault<R>> troubles, Instant latest) throws Exception {
+      MissionContext<R> scene, List<InjectedFault<R>> faults, Instant latest) throws Exception {
     Instant now = scene.begin();
     do {
       now = now.plus(SAMPLE);
       awaitTruth(now.plus(Duration.ofNanos((long) (DELAY * speed * 1e9))));
-      look(scene, troubles);
+      look(scene, faults);
       sample(scene, now);
     } while (anyUnderWay() && now.isBefore(latest));
-    awaitFaultsDone(scene, troubles);
+    awaitFaultsDone(scene, faults);
     for (SearchingRobot<R> each : robots) {
       figures.add(
           new MeasuredValue(
@@ -143,8 +143,8 @@ public final class MissionMonitor<R> {
     return flight(scene, now);
   }
 
-  private void look(MissionContext<R> scene, List<InjectedFault<R>> troubles) throws Exception {
-    for (InjectedFault<R> each : troubles) {
+  private void look(MissionContext<R> scene, List<InjectedFault<R>> faults) throws Exception {
+    for (InjectedFault<R> each : faults) {
       if (!each.isOver()) {
         each.update(scene);
       }
@@ -155,25 +155,25 @@ public final class MissionMonitor<R> {
    * Faults that have started run to their end, after all searches have ended. A fault that does not
    * end in time is reported with the search's measurements, which are kept.
    */
-  private void awaitFaultsDone(MissionContext<R> scene, List<InjectedFault<R>> troubles)
+  private void awaitFaultsDone(MissionContext<R> scene, List<InjectedFault<R>> faults)
       throws Exception {
-    look(scene, troubles);
+    look(scene, faults);
     long end = System.nanoTime() + FAULT_TIMEOUT.toNanos();
-    while (isAnyFaultOpen(troubles) && System.nanoTime() - end < 0) {
+    while (isAnyFaultOpen(faults) && System.nanoTime() - end < 0) {
       LockSupport.parkNanos(this, LOOK_AGAIN_NANOS);
       source.readNew(truth);
-      look(scene, troubles);
+      look(scene, faults);
     }
-    if (!troubles.isEmpty()) {
-      long missed = troubles.stream().filter(each -> !each.isOver()).count();
+    if (!faults.isEmpty()) {
+      long missed = faults.stream().filter(each -> !each.isOver()).count();
       figures.add(
           new MeasuredValue(
               "injected faults that did not occur, or were not repaired", missed, 0, ""));
     }
   }
 
-  private boolean isAnyFaultOpen(List<InjectedFault<R>> troubles) {
-    return troubles.stream().anyMatch(each -> each.hasStarted() && !each.isOver());
+  private boolean isAnyFaultOpen(List<InjectedFault<R>> faults) {
+    return faults.stream().anyMatch(each -> each.hasStarted() && !each.isOver());
   }
 
   private void awaitTruth(Instant time) throws IOException, InterruptedException {

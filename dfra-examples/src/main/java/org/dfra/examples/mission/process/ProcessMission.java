@@ -49,7 +49,7 @@ public final class ProcessMission implements Mission {
   private final double speed;
   private final Duration longest;
   private final UnaryOperator<RobotDescription> adapt;
-  private final List<InjectedFault<DemoRobot>> troubles;
+  private final List<InjectedFault<DemoRobot>> faults;
   private final RunMeasurements figures;
 
   /**
@@ -84,14 +84,14 @@ public final class ProcessMission implements Mission {
       double speed,
       Duration longest,
       UnaryOperator<RobotDescription> adapt,
-      List<InjectedFault<DemoRobot>> troubles,
+      List<InjectedFault<DemoRobot>> faults,
       RunMeasurements figures) {
     this.scenario = scenario;
     this.world = world;
     this.speed = speed;
     this.longest = longest;
     this.adapt = adapt;
-    this.troubles = List.copyOf(troubles);
+    this.faults = List.copyOf(faults);
     this.figures = figures;
   }
 
@@ -157,7 +157,7 @@ public final class ProcessMission implements Mission {
       MissionResult flight =
           new MissionMonitor<>(
                   scenario, truth, RobotTime.clock(), speed, searching, figures, listener)
-              .run(troubles, longest);
+              .run(faults, longest);
       environment.shutDown();
       return flight;
     }

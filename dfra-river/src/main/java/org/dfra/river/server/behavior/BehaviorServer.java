@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
  * @param <G> the behaviour's goal type
  * @param <B> the behaviour's interface
  */
-abstract class BehaviorServer<G extends Goal, B extends Behavior<G>> extends SchemaServer<B>
+public abstract class BehaviorServer<G extends Goal, B extends Behavior<G>> extends SchemaServer<B>
     implements RemoteBehavior<G> {
 
   /** See {@link ModuleServer#ModuleServer}. */

@@ -175,9 +175,11 @@ class WorldFaultsTest {
     assertThat(
             new WorldFolder(temp)
                 .document(
-                    "<world xmlns=\"urn:dfra:world:1\" name=\"Field\" seed=\"x\">\n"
-                        + "<ground size_east=\"-1\" size_north=\"nan\"/>\n"
-                        + "<post east=\"1\" north=\"1\" height=\"0\"/>\n</world>")
+                    """
+                    <world xmlns="urn:dfra:world:1" name="Field" seed="x">
+                    <ground size_east="-1" size_north="nan"/>
+                    <post east="1" north="1" height="0"/>
+                    </world>""")
                 .complaints())
         .containsExactly(
             "world.xml:1: seed is \"x\"; write a whole number, such as 1",
