@@ -23,7 +23,7 @@ import org.dfra.river.server.ModuleServer;
 /**
  * An agent that records when messages arrive and does nothing else; served like any other agent.
  */
-final class BenchAgent extends ModuleImpl implements RecruitmentAgent, AttributeProvider {
+public final class BenchAgent extends ModuleImpl implements RecruitmentAgent, AttributeProvider {
 
   private static final BlockingQueue<BenchAgent> MADE = new LinkedBlockingQueue<>();
 

@@ -17,7 +17,7 @@ import org.dfra.river.server.ModuleServer;
 import org.dfra.river.server.sensor.GPSServer;
 
 /** A receiver that publishes a fix on request of the benchmark; served like any other receiver. */
-final class BenchSensor extends SensorImpl implements GPSSensor {
+public final class BenchSensor extends SensorImpl implements GPSSensor {
 
   private static final GeoPosition PLACE = new GeoPosition(52, 7, 50);
 

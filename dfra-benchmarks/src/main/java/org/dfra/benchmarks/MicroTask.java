@@ -24,7 +24,7 @@ import org.openjdk.jmh.util.Statistics;
  * benchmark, {@code result ID MEDIAN P99} after it, in microseconds, and at the end {@code done} or
  * {@code failed REASON}. What JMH prints is in the log.
  */
-final class MicroTask implements Task {
+public final class MicroTask implements Task {
 
   private static final double MEDIAN = 50;
   private static final double P99 = 99;

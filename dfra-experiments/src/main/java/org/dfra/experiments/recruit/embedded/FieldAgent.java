@@ -39,7 +39,7 @@ import org.jspecify.annotations.Nullable;
  * Recruiter} with its own transport to the others, on the body that the experiment supplies in
  * place of a robot's modules. It takes part in one run after the other, without memory.
  */
-final class FieldAgent extends ModuleImpl
+public final class FieldAgent extends ModuleImpl
     implements RecruitmentAgent, AttributeProvider, ExperimentEnvironment.AgentHandle {
 
   /** Name of the parameter with the agent's slot. */
