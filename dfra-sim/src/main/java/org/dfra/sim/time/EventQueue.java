@@ -107,7 +107,8 @@ final class EventQueue {
     try {
       if (due.isEmpty() || due.first().at() > until) {
         if (until == NEVER) {
-          throw new IllegalStateException("this wait would never end: it has no timeout, and no event is scheduled");
+          throw new IllegalStateException(
+              "this wait would never end: it has no timeout, and no event is scheduled");
         }
         now = Math.max(now, until);
         atThisInstant = 0;

@@ -40,8 +40,8 @@ final class PhoenixOutage extends Outage<DemoRobot, ProcessHandle> {
   }
 
   @Override
-  protected Callable<?> prepareStop(
-      MissionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim) throws Exception {
+  protected Callable<?> prepareStop(MissionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim)
+      throws Exception {
     groups = processes(victim);
     long registrar = victim.robot().process(LOOKUP);
     now.recordEvent(
