@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.core.query.QueryParser;
-import org.dfra.core.query.QueryVocabulary;
+import org.dfra.core.query.QueryTypeNames;
 import org.dfra.directory.ModuleListing;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleEvent;
@@ -90,7 +90,7 @@ final class ServedRobots implements AutoCloseable {
 
   ModuleListing<?> find(String query) throws Exception {
     return directory
-        .findFirst(new QueryParser(QueryVocabulary.standard()).parse(query), patience)
+        .findFirst(new QueryParser(QueryTypeNames.standard()).parse(query), patience)
         .orElseThrow(() -> new AssertionError("nothing is a " + query));
   }
 

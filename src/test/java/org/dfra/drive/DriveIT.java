@@ -13,7 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
 import org.dfra.core.query.QueryParser;
-import org.dfra.core.query.QueryVocabulary;
+import org.dfra.core.query.QueryTypeNames;
 import org.dfra.core.time.StallProbe;
 import org.dfra.core.time.Timing;
 import org.dfra.directory.ModuleListing;
@@ -104,7 +104,7 @@ class DriveIT {
   private static ModuleListing<?> find(String query) throws Exception {
     return robot
         .directory()
-        .findFirst(new QueryParser(QueryVocabulary.standard()).parse(query), PATIENCE)
+        .findFirst(new QueryParser(QueryTypeNames.standard()).parse(query), PATIENCE)
         .orElseThrow();
   }
 

@@ -13,7 +13,7 @@ import java.util.Objects;
 import java.util.stream.Stream;
 import org.dfra.core.config.RobotXml;
 import org.dfra.core.query.QueryParser;
-import org.dfra.core.query.QueryVocabulary;
+import org.dfra.core.query.QueryTypeNames;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.drive.WheeledRobot.CommandResult;
 import org.dfra.flow.effector.DriveCommand.Velocity;
@@ -129,7 +129,7 @@ class StopIT {
     assertThat(robot.dfraHere("up", robot.xml().toString()).text())
         .contains("But eta/drive is stopped for an emergency since " + kept.since());
     ModuleQuery<?> query =
-        new QueryParser(QueryVocabulary.standard())
+        new QueryParser(QueryTypeNames.standard())
             .parse("DriveEffector with emergency_stop.latched = true");
     assertThat(robot.directory().findFirst(query, PATIENCE)).isPresent();
 

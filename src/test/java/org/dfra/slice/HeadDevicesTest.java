@@ -18,7 +18,7 @@ import java.util.UUID;
 import javax.imageio.ImageIO;
 import org.dfra.core.geometry.FrameTree;
 import org.dfra.core.query.QueryParser;
-import org.dfra.core.query.QueryVocabulary;
+import org.dfra.core.query.QueryTypeNames;
 import org.dfra.directory.ModuleListing;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.PanTiltCommand.PointAt;
@@ -192,7 +192,7 @@ class HeadDevicesTest {
   private static ModuleListing<?> find(JiniModuleDirectory directory, String query)
       throws Exception {
     return directory
-        .findFirst(new QueryParser(QueryVocabulary.standard()).parse(query), PATIENCE)
+        .findFirst(new QueryParser(QueryTypeNames.standard()).parse(query), PATIENCE)
         .orElseThrow();
   }
 

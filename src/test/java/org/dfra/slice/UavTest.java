@@ -13,7 +13,7 @@ import java.util.Map;
 import java.util.UUID;
 import org.awaitility.core.ConditionFactory;
 import org.dfra.core.query.QueryParser;
-import org.dfra.core.query.QueryVocabulary;
+import org.dfra.core.query.QueryTypeNames;
 import org.dfra.directory.ModuleListing;
 import org.dfra.flow.effector.CommandLease;
 import org.dfra.flow.effector.CommandRefusedException;
@@ -134,7 +134,7 @@ class UavTest {
   private static ModuleListing<?> find(JiniModuleDirectory directory, String query)
       throws Exception {
     return directory
-        .findFirst(new QueryParser(QueryVocabulary.standard()).parse(query), PATIENCE)
+        .findFirst(new QueryParser(QueryTypeNames.standard()).parse(query), PATIENCE)
         .orElseThrow(() -> new AssertionError("nothing found for: " + query));
   }
 

@@ -9,9 +9,9 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import org.dfra.behaviors.perceptual.mines.Fusion;
-import org.dfra.behaviors.perceptual.mines.Fusion.BayesFusion;
-import org.dfra.behaviors.perceptual.mines.Fusion.DempsterShaferFusion;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.BayesFusion;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.DempsterShaferFusion;
 import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates;
 import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates.PreviousResult;
 import org.dfra.experiments.mines.DetectionCounter;
@@ -86,7 +86,7 @@ final class MinesBench implements Bench {
   private static void together(
       Report report,
       String name,
-      Fusion fusion,
+      EvidenceCombination fusion,
       Map<Band, RepeatedDetectionRates> rates,
       List<MineLaneObservations> lanes,
       double mostOverlooked,

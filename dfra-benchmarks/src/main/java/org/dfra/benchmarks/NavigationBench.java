@@ -19,7 +19,7 @@ import java.util.function.ToDoubleFunction;
 import java.util.function.UnaryOperator;
 import org.dfra.behaviors.raster.Region;
 import org.dfra.core.config.RobotDescription;
-import org.dfra.examples.mission.LocalMission;
+import org.dfra.examples.mission.LockStepMission;
 import org.dfra.examples.mission.MissionResult;
 import org.dfra.examples.mission.MissionResult.RobotMissionResult;
 import org.dfra.examples.mission.Scenario;
@@ -79,7 +79,7 @@ final class NavigationBench implements Bench {
           0,
           robot ->
               ScenarioVariations.withVariants(
-                  robot, LocalMission.STEERING, "method", List.of("fix_window", "raw")),
+                  robot, LockStepMission.STEERING, "method", List.of("fix_window", "raw")),
           false);
   private static final Condition MEETING =
       new Condition("meeting", 2, 0, LOW_BIAS, robot -> robot, false);
@@ -218,7 +218,7 @@ final class NavigationBench implements Bench {
             SWATH,
             SPACING);
     MissionResult flight =
-        new LocalMission(
+        new LockStepMission(
                 scenario,
                 LONGEST,
                 robot -> condition.adapt().apply(knowing(robot, condition.gpsBiasSigma())),
@@ -244,7 +244,7 @@ final class NavigationBench implements Bench {
   /** The robot's description with the known receiver error. */
   private static RobotDescription knowing(RobotDescription robot, double gpsBiasSigma) {
     return ScenarioVariations.withParameter(
-        robot, LocalMission.STEERING, "gps_bias_sigma", Double.toString(gpsBiasSigma));
+        robot, LockStepMission.STEERING, "gps_bias_sigma", Double.toString(gpsBiasSigma));
   }
 
   private static Region region(WorldDescription world) {

@@ -4,10 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.dfra.examples.mission.MissionListener.MissionEvent;
+import org.dfra.examples.mission.MissionProgressListener.MissionEvent;
 
 /** Records the events of a search by one robot. */
-public final class RecordingMissionListener implements MissionListener {
+public final class RecordingMissionListener implements MissionProgressListener {
 
   private final List<MissionEvent> marks = new ArrayList<>();
 

@@ -93,7 +93,7 @@ public final class HonestRobot implements Task {
   private volatile Instant moved = Instant.EPOCH;
   private volatile Instant cruised = Instant.EPOCH;
   private @Nullable RflexDevice controller; // before the first line of input
-  private @Nullable AttackedPhoenix phoenix;
+  private @Nullable PhoenixUnderTest phoenix;
 
   /** Called by {@code TaskMain} by reflection. */
   public HonestRobot() {}
@@ -106,7 +106,7 @@ public final class HonestRobot implements Task {
     List<String> wanted = List.of(args);
     for (String each : wanted) {
       if (each.startsWith(PHOENIX)) {
-        start(new AttackedPhoenix(Path.of(each.substring(PHOENIX.length()))), out);
+        start(new PhoenixUnderTest(Path.of(each.substring(PHOENIX.length()))), out);
       }
     }
     InstantSource clock = RobotTime.clock();
@@ -133,7 +133,7 @@ public final class HonestRobot implements Task {
     }
   }
 
-  private void start(AttackedPhoenix made, PrintStream out) throws Exception {
+  private void start(PhoenixUnderTest made, PrintStream out) throws Exception {
     long pid = made.start();
     out.println("phoenix " + made.port() + " " + pid);
     out.println("lock " + made.bringUp());
@@ -141,7 +141,7 @@ public final class HonestRobot implements Task {
   }
 
   private String answer(String line) throws IOException {
-    AttackedPhoenix started = phoenix;
+    PhoenixUnderTest started = phoenix;
     return line.equals(GROUPS) && started != null
         ? "groups " + started.groups()
         : "wheels " + micros(moved) + " " + micros(cruised) + " " + micros(halted());

@@ -33,7 +33,7 @@ final class KillCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws Exception {
-    ServiceGroup group = LocalGroup.of(phoenix.requireRunning(), module);
+    ServiceGroup group = ServiceGroupFinder.of(phoenix.requireRunning(), module);
     long pid = group.status().pid();
     Optional<ProcessHandle> process = pid < 0 ? Optional.empty() : ProcessHandle.of(pid);
     if (process.isEmpty()) {

@@ -40,7 +40,7 @@ final class LocalModule {
    */
   void change(ModuleAction action, String done) throws Exception {
     PhoenixProcess phoenix = options.requireRunning();
-    ServiceGroup group = LocalGroup.of(phoenix, module);
+    ServiceGroup group = ServiceGroupFinder.of(phoenix, module);
     RobotDescription robot =
         new RobotDescriptionStore(options.state())
             .find(group.robot())

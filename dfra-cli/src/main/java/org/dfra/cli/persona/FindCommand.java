@@ -11,7 +11,7 @@ import org.dfra.cli.team.TeamDirectory;
 import org.dfra.cli.team.TeamOptions;
 import org.dfra.core.query.QueryParser;
 import org.dfra.core.query.QuerySyntaxException;
-import org.dfra.core.query.QueryVocabulary;
+import org.dfra.core.query.QueryTypeNames;
 import org.dfra.directory.ModuleDirectory;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
@@ -68,7 +68,7 @@ final class FindCommand implements Callable<Integer> {
       each.attributes().forEach(attributes -> seen.add(attributes.getClass()));
     }
     try {
-      return new QueryParser(QueryVocabulary.standard().with(seen)).parse(String.join(" ", words));
+      return new QueryParser(QueryTypeNames.standard().with(seen)).parse(String.join(" ", words));
     } catch (QuerySyntaxException e) {
       throw new CommandFailure(ExitCode.USAGE_ERROR, "in the query, " + e.getMessage(), e);
     }

@@ -186,7 +186,7 @@ public abstract class CachedModuleDirectory implements ModuleDirectory {
 
   @Override
   public final List<Persona> personas() {
-    return PersonaBuilder.of(table.robots(), table.all());
+    return PersonaGrouper.of(table.robots(), table.all());
   }
 
   @Override

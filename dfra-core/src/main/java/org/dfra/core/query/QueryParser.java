@@ -34,12 +34,12 @@ public final class QueryParser {
   private static final List<String> CLAUSES = List.of("named", "on", "with", "within");
   private static final double METRES_PER_KILOMETRE = 1000;
 
-  private final QueryVocabulary vocabulary;
+  private final QueryTypeNames vocabulary;
 
   /**
    * @param vocabulary the names that a query may use
    */
-  public QueryParser(QueryVocabulary vocabulary) {
+  public QueryParser(QueryTypeNames vocabulary) {
     this.vocabulary = vocabulary;
   }
 
@@ -112,7 +112,7 @@ public final class QueryParser {
       Class<? extends Attributes> type =
           vocabulary.attributes(attribute, attribute.text().substring(0, dot));
       RecordComponent component =
-          QueryVocabulary.component(attribute, type, attribute.text().substring(dot + 1));
+          QueryTypeNames.component(attribute, type, attribute.text().substring(dot + 1));
       Token sign = tokens.peek();
       try {
         return query.where(type, component.getName(), comparison(component));

@@ -6,7 +6,7 @@
  * </pre>
  *
  * <p>Start at {@link org.dfra.core.query.QueryParser}; its {@link
- * org.dfra.core.query.QueryVocabulary} defines the valid names.
+ * org.dfra.core.query.QueryTypeNames} defines the valid names.
  */
 @NullMarked
 package org.dfra.core.query;

@@ -29,8 +29,8 @@ final class RandomQueries {
       List<String> texts)
       implements Attributes {}
 
-  static final QueryVocabulary VOCABULARY =
-      QueryVocabulary.standard().with(List.of(EverythingAttributes.class));
+  static final QueryTypeNames VOCABULARY =
+      QueryTypeNames.standard().with(List.of(EverythingAttributes.class));
 
   private static final String CHARACTERS =
       "abcXYZ019_-./ \"\\'=<>≥≤,[]°!\t\näßé−and within to of m 3D";

@@ -22,15 +22,15 @@ import org.dfra.module.Module;
 /** A subscription to the readings of each device. */
 final class DeviceRecorders implements AutoCloseable {
 
-  final StreamLog<DriveState> drive;
-  final StreamLog<Odometry> odometry;
-  final StreamLog<GpsFix> gps;
-  final StreamLog<RangeScan> laser;
-  final StreamLog<AngularRate> gyro;
-  final StreamLog<PanTiltState> panTilt;
-  final StreamLog<CameraImage> camera;
-  final StreamLog<CameraImage> thermal;
-  final StreamLog<BatteryState> battery;
+  final ReadingRecorder<DriveState> drive;
+  final ReadingRecorder<Odometry> odometry;
+  final ReadingRecorder<GpsFix> gps;
+  final ReadingRecorder<RangeScan> laser;
+  final ReadingRecorder<AngularRate> gyro;
+  final ReadingRecorder<PanTiltState> panTilt;
+  final ReadingRecorder<CameraImage> camera;
+  final ReadingRecorder<CameraImage> thermal;
+  final ReadingRecorder<BatteryState> battery;
 
   /** The robot's pose by odometry, across restarts of its driver. */
   final ContinuousOdometry track = new ContinuousOdometry();
@@ -113,13 +113,13 @@ final class DeviceRecorders implements AutoCloseable {
                 new double[] {b.voltage(), b.remaining() == null ? Double.NaN : b.remaining()});
   }
 
-  private <R extends Reading> StreamLog<R> log(
+  private <R extends Reading> ReadingRecorder<R> log(
       ModuleListing<? extends Module> listing,
       Class<R> type,
       List<String> columns,
-      StreamLog.ColumnExtractor<R> numbers)
+      ReadingRecorder.ColumnExtractor<R> numbers)
       throws Exception {
-    return new StreamLog<>(listing.path(), type, columns, numbers, begin)
+    return new ReadingRecorder<>(listing.path(), type, columns, numbers, begin)
         .subscribeTo(listing.module());
   }
 
@@ -149,19 +149,19 @@ final class DeviceRecorders implements AutoCloseable {
   }
 
   /** All recorders, in publication order. */
-  List<StreamLog<?>> all() {
+  List<ReadingRecorder<?>> all() {
     return List.of(drive, odometry, gps, laser, gyro, panTilt, camera, thermal, battery);
   }
 
   /** Writes a CSV file for each. */
   void write(Path folder) throws IOException {
-    for (StreamLog<?> each : all()) {
+    for (ReadingRecorder<?> each : all()) {
       each.write(folder.resolve(each.path().replace('/', '-') + ".csv"));
     }
   }
 
   @Override
   public void close() {
-    all().forEach(StreamLog::close);
+    all().forEach(ReadingRecorder::close);
   }
 }

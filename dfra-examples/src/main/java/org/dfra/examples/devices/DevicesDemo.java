@@ -203,12 +203,13 @@ public final class DevicesDemo implements Demo {
   }
 
   /** An image that was exposed after this call. */
-  private static CameraImage next(StreamLog<CameraImage> camera) throws Exception {
+  private static CameraImage next(ReadingRecorder<CameraImage> camera) throws Exception {
     CameraImage unused = await(camera, camera.count());
     return await(camera, camera.count());
   }
 
-  private static CameraImage await(StreamLog<CameraImage> camera, long before) throws Exception {
+  private static CameraImage await(ReadingRecorder<CameraImage> camera, long before)
+      throws Exception {
     @Nullable CameraImage image = camera.next(before, PATIENCE);
     if (image == null) {
       throw new IOException("no image of " + camera.path() + " was received");

@@ -169,7 +169,7 @@ final class DevicesReport {
 
   private void streamTable() {
     List<List<String>> rows = new ArrayList<>();
-    for (StreamLog<?> each : streams.all()) {
+    for (ReadingRecorder<?> each : streams.all()) {
       rows.add(
           List.of(
               each.path(),

@@ -48,7 +48,7 @@ final class SquareScript {
   }
 
   private final DriveEffector drive;
-  private final StreamLog<Odometry> odometry;
+  private final ReadingRecorder<Odometry> odometry;
   private final ContinuousOdometry track;
   private final Heading heading;
   private final Progress progress;
@@ -61,7 +61,7 @@ final class SquareScript {
 
   SquareScript(
       DriveEffector drive,
-      StreamLog<Odometry> odometry,
+      ReadingRecorder<Odometry> odometry,
       ContinuousOdometry track,
       Heading heading,
       Progress progress) {

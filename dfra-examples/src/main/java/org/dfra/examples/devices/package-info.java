@@ -2,7 +2,7 @@
  * {@code ./dfra demo devices}: one robot in a simulated world with all its devices.
  *
  * <pre>
- *   sim run --bytes--&gt; drivers --events--&gt; StreamLog --&gt; DevicesReport
+ *   sim run --bytes--&gt; drivers --events--&gt; ReadingRecorder --&gt; DevicesReport
  *           &lt;--bytes-- drive   &lt;--lease--- SquareScript
  * </pre>
  */

@@ -3,7 +3,7 @@ package org.dfra.examples.map;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import org.dfra.examples.mission.MissionListener.MissionEvent;
+import org.dfra.examples.mission.MissionProgressListener.MissionEvent;
 import org.dfra.report.plot.HtmlReport;
 
 /** Events during the run, numbered from 1: figures show the numbers, this list the texts. */

@@ -11,7 +11,7 @@ public interface Mission {
    * @throws Exception if it could not start, or could not be monitored to its end; the message
    *     names the cause
    */
-  MissionResult run(MissionListener listener) throws Exception;
+  MissionResult run(MissionProgressListener listener) throws Exception;
 
   /** Its mode, in one word for reports: {@code local}, {@code embedded}, {@code processes}. */
   String mode();

@@ -2,7 +2,7 @@ package org.dfra.examples.mission;
 
 import java.util.List;
 import java.util.Map;
-import org.dfra.examples.mission.MissionListener.MissionEvent;
+import org.dfra.examples.mission.MissionProgressListener.MissionEvent;
 import org.dfra.examples.mission.RobotLog.Sample;
 import org.dfra.sim.world.GroundTruth.Collision;
 

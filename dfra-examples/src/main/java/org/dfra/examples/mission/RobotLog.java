@@ -206,7 +206,7 @@ public final class RobotLog {
    * @param truth ground truth: only time, position, heading and clearance are used
    * @param status progress of its search
    */
-  public synchronized MissionListener.RobotProgress sample(
+  public synchronized MissionProgressListener.RobotProgress sample(
       GroundTruth truth, BehaviorStatus status) {
     estimated.forEach(
         (module, position) ->
@@ -230,7 +230,7 @@ public final class RobotLog {
             status.completion(),
             truth.clearance());
     samples.add(sample);
-    return new MissionListener.RobotProgress(robot, sample, status);
+    return new MissionProgressListener.RobotProgress(robot, sample, status);
   }
 
   /**

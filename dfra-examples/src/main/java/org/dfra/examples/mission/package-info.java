@@ -3,8 +3,8 @@
  *
  * <pre>
  *   world, robots' XML, region --Scenario--&gt; Mission --MissionResult--&gt; Scores
- *                                            | '--progress--&gt; MissionListener
- *                                     LocalMission (lock-step)
+ *                                            | '--progress--&gt; MissionProgressListener
+ *                                     LockStepMission (lock-step)
  * </pre>
  *
  * <p>Entry point: {@link org.dfra.examples.mission.Mission}.

@@ -8,8 +8,8 @@ import java.util.function.LongSupplier;
 import org.dfra.behaviors.raster.RasterPlan;
 import org.dfra.examples.mission.CrossTrackError;
 import org.dfra.examples.mission.GroundTruthClearance;
-import org.dfra.examples.mission.MissionListener;
-import org.dfra.examples.mission.MissionListener.MissionEvent;
+import org.dfra.examples.mission.MissionProgressListener;
+import org.dfra.examples.mission.MissionProgressListener.MissionEvent;
 import org.dfra.examples.mission.RobotLog.Sample;
 import org.dfra.examples.mission.Scenario;
 import org.dfra.geometry.LocalPosition;
@@ -20,7 +20,7 @@ import org.dfra.report.terminal.Table;
  * Reports the progress of a search: on a terminal as a block that is redrawn every second,
  * elsewhere as a sentence every ten seconds. Confined to the thread that runs the search.
  */
-final class LiveProgress implements MissionListener {
+final class LiveProgress implements MissionProgressListener {
 
   private static final long REDRAW = TimeUnit.SECONDS.toNanos(1);
   private static final long SENTENCE = TimeUnit.SECONDS.toNanos(10);

@@ -1,6 +1,6 @@
 package org.dfra.examples.raster;
 
-import org.dfra.examples.mission.LocalMission;
+import org.dfra.examples.mission.LockStepMission;
 import org.dfra.examples.mission.Mission;
 import org.dfra.examples.mission.Scenario;
 import org.dfra.examples.mission.embedded.EmbeddedMission;
@@ -44,7 +44,7 @@ final class MissionModes {
   static Mission of(RasterSetup setup, RunMeasurements figures) {
     Scenario scenario = setup.scenario();
     return switch (setup.mode()) {
-      case LOCAL -> new LocalMission(scenario, setup.longest(), robot -> robot, false);
+      case LOCAL -> new LockStepMission(scenario, setup.longest(), robot -> robot, false);
       case EMBEDDED ->
           new EmbeddedMission(
               scenario, setup.simulationSpeed().speed(), setup.longest(), robot -> robot, figures);

@@ -12,7 +12,7 @@ import org.dfra.behaviors.raster.RasterPlan.Lane;
 import org.dfra.examples.map.FieldMap;
 import org.dfra.examples.mission.CrossTrackError;
 import org.dfra.examples.mission.GroundTruthClearance;
-import org.dfra.examples.mission.MissionListener.MissionEvent;
+import org.dfra.examples.mission.MissionProgressListener.MissionEvent;
 import org.dfra.examples.mission.MissionResult;
 import org.dfra.examples.mission.MissionResult.RobotMissionResult;
 import org.dfra.examples.mission.ModuleReadings.Advice;

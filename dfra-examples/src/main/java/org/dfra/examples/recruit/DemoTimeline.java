@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Map;
 import org.dfra.agent.RecruitmentStatus;
 import org.dfra.agent.ResponderPhase;
-import org.dfra.examples.mission.MissionListener.MissionEvent;
+import org.dfra.examples.mission.MissionProgressListener.MissionEvent;
 import org.dfra.examples.recruit.Conversations.Attempt;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.geometry.LocalFrame;

@@ -11,7 +11,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.behavior.BehaviorStatus.Phase;
 import org.dfra.examples.mission.HandMade;
-import org.dfra.examples.mission.MissionListener.RobotProgress;
+import org.dfra.examples.mission.MissionProgressListener.RobotProgress;
 import org.dfra.examples.mission.RobotLog.Sample;
 import org.dfra.examples.mission.Scenario;
 import org.dfra.geometry.GeoPosition;

@@ -6,8 +6,8 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.dfra.behaviors.perceptual.mines.Fusion;
-import org.dfra.behaviors.perceptual.mines.Fusion.Opinion;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.Opinion;
 import org.dfra.behaviors.perceptual.mines.MineCandidateMap;
 import org.dfra.behaviors.perceptual.mines.MineCandidateMap.CandidateEstimate;
 import org.dfra.behaviors.perceptual.mines.MineObservation;
@@ -28,7 +28,7 @@ public final class FusedDetectionCounter {
   private static final double SURE = 0.8;
   private static final double SPACING = 0.5; // metres between images
 
-  private final Fusion fusion;
+  private final EvidenceCombination fusion;
   private final Map<Band, RepeatedDetectionRates> rates;
   private final DetectionRate mines = new DetectionRate();
   private final DetectionRate clear = new DetectionRate();
@@ -37,7 +37,8 @@ public final class FusedDetectionCounter {
   private final List<Double> errors = new ArrayList<>();
 
   /** With rates that were measured before. */
-  public FusedDetectionCounter(Fusion fusion, Map<Band, RepeatedDetectionRates> rates) {
+  public FusedDetectionCounter(
+      EvidenceCombination fusion, Map<Band, RepeatedDetectionRates> rates) {
     this.fusion = fusion;
     this.rates = rates;
   }

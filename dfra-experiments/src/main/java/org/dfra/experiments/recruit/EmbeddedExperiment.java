@@ -139,7 +139,7 @@ final class EmbeddedExperiment {
                 Locale.ROOT,
                 "%s,%s,%d,%.2f,%.4f%n",
                 cell.strategy(),
-                StrategyComparison.name(cell.mode()),
+                StrategyComparisonReport.name(cell.mode()),
                 cell.vehicles(),
                 cell.loss(),
                 1e3 * each));

@@ -28,9 +28,9 @@ final class ExperimentCharts {
   private static final double ROOM = 0.05; // margin of a vertical axis, at either end
   private static final double MARGIN = 4; // per cent of loss, at the ends of the axis
 
-  private final StrategyComparison comparison;
+  private final StrategyComparisonReport comparison;
 
-  ExperimentCharts(StrategyComparison comparison) {
+  ExperimentCharts(StrategyComparisonReport comparison) {
     this.comparison = comparison;
   }
 
@@ -121,7 +121,8 @@ final class ExperimentCharts {
       MessageMode mode, int vehicles, Axis up, List<String> names, Value value) {
     Axis across = Axis.of("loss", "%").between(-MARGIN, 50 + MARGIN);
     LinePanel panel =
-        new LinePanel(StrategyComparison.name(mode) + ", " + vehicles + " vehicles", across, up);
+        new LinePanel(
+            StrategyComparisonReport.name(mode) + ", " + vehicles + " vehicles", across, up);
     for (int i = 0; i < names.size(); i++) {
       List<double[]> points = new ArrayList<>();
       List<double[]> bars = new ArrayList<>();

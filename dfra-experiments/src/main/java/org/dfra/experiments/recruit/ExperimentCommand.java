@@ -153,7 +153,7 @@ final class ExperimentCommand implements Callable<Integer> {
             .run(cells, Seeds.evaluation(seeds), new RunProgress(progress, System::nanoTime));
     Duration took = watch.elapsed();
     progress.say("All runs have finished after %.1f s.", took.toNanos() / 1e9);
-    StrategyComparison comparison = new StrategyComparison(results);
+    StrategyComparisonReport comparison = new StrategyComparisonReport(results);
     comparison.sentences().forEach(sentence -> progress.say("%s", sentence));
     comparison
         .figures()

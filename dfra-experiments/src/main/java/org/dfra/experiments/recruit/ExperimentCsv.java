@@ -20,7 +20,7 @@ final class ExperimentCsv {
     this.folder = folder;
   }
 
-  void write(StrategyComparison comparison) throws IOException {
+  void write(StrategyComparisonReport comparison) throws IOException {
     Files.writeString(folder.resolve("runs.csv"), ResultsCsv.of(comparison.results()));
     StringBuilder cells = new StringBuilder(CELL + ",metric,unit,value,low,high\n");
     for (CellResult each : comparison.results()) {
@@ -52,7 +52,7 @@ final class ExperimentCsv {
         Locale.ROOT,
         "%s,%s,%d,%.2f",
         cell.strategy(),
-        StrategyComparison.name(cell.mode()),
+        StrategyComparisonReport.name(cell.mode()),
         cell.vehicles(),
         cell.loss());
   }

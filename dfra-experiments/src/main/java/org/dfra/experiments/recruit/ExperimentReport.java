@@ -23,7 +23,7 @@ final class ExperimentReport {
 
   private final ExperimentPlan plan;
   private final String messages;
-  private final StrategyComparison comparison;
+  private final StrategyComparisonReport comparison;
   private final Duration took;
   private final int jobs;
 
@@ -35,7 +35,7 @@ final class ExperimentReport {
   ExperimentReport(
       ExperimentPlan plan,
       String messages,
-      StrategyComparison comparison,
+      StrategyComparisonReport comparison,
       Duration took,
       int jobs) {
     this.plan = plan;
@@ -156,7 +156,7 @@ final class ExperimentReport {
         new ExperimentCharts(comparison).metric(metric),
         "Intervals are of 95 %. Strategies at the same loss are drawn side by side.");
     for (MessageMode mode : MessageMode.values()) {
-      html.paragraph("By " + StrategyComparison.name(mode) + ":");
+      html.paragraph("By " + StrategyComparisonReport.name(mode) + ":");
       tables.metric(metric, mode);
     }
     html.paragraph("Where affective recruitment differs:");

@@ -16,10 +16,10 @@ import org.dfra.report.plot.HtmlReport;
 /** The tables of an experiment's report. */
 final class ExperimentTables {
 
-  private final StrategyComparison comparison;
+  private final StrategyComparisonReport comparison;
   private final HtmlReport html;
 
-  ExperimentTables(StrategyComparison comparison, HtmlReport html) {
+  ExperimentTables(StrategyComparisonReport comparison, HtmlReport html) {
     this.comparison = comparison;
     this.html = html;
   }
@@ -32,7 +32,7 @@ final class ExperimentTables {
         for (Metric metric : Metric.values()) {
           rows.add(
               List.of(
-                  StrategyComparison.name(mode),
+                  StrategyComparisonReport.name(mode),
                   rival,
                   title(metric),
                   count(mode, rival, metric, Outcome.WINS),
@@ -91,7 +91,7 @@ final class ExperimentTables {
   private static List<String> row(MetricComparison claim) {
     ExperimentCell cell = claim.cell();
     return List.of(
-        StrategyComparison.name(cell.mode()),
+        StrategyComparisonReport.name(cell.mode()),
         Integer.toString(cell.vehicles()),
         percent(cell.loss()),
         claim.rival(),
@@ -165,7 +165,7 @@ final class ExperimentTables {
 
   private static List<String> row(Trend trend, String way, String at) {
     return List.of(
-        StrategyComparison.name(trend.from().mode()),
+        StrategyComparisonReport.name(trend.from().mode()),
         trend.from().strategy(),
         way,
         at,

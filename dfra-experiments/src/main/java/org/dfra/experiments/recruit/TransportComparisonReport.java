@@ -144,7 +144,7 @@ final class TransportComparisonReport {
     ExperimentCell cell = each.cell();
     return List.of(
         cell.strategy(),
-        StrategyComparison.name(cell.mode()),
+        StrategyComparisonReport.name(cell.mode()),
         Integer.toString(cell.vehicles()),
         String.format(Locale.ROOT, "%.0f %%", 100 * cell.loss()),
         String.format(Locale.ROOT, "%.2f", each.metric().of(each.real()).value()),
@@ -180,7 +180,7 @@ final class TransportComparisonReport {
             Locale.ROOT,
             "%s, %s, %d, %.0f %%",
             cell.strategy(),
-            StrategyComparison.name(cell.mode()),
+            StrategyComparisonReport.name(cell.mode()),
             cell.vehicles(),
             100 * cell.loss());
     return new LinePanel(
@@ -214,7 +214,7 @@ final class TransportComparisonReport {
               Locale.ROOT,
               "%s,%s,%d,%.2f,\"%s\",\"%s\",%.4f,%.4f,%.4f,%.6f,%.4f,%.4f,%.4f,%.4f,%s%n",
               cell.strategy(),
-              StrategyComparison.name(cell.mode()),
+              StrategyComparisonReport.name(cell.mode()),
               cell.vehicles(),
               cell.loss(),
               each.metric().title(),

@@ -4,7 +4,7 @@
  * <pre>
  *   ExperimentCommand --cells, seeds--&gt; org.dfra.experiments.recruit.simulation --CellResults--.
  *                                                                                  v
- *         figures.csv, report.html, SVGs, CSVs &lt;-- ExperimentReport &lt;-- StrategyComparison
+ *         figures.csv, report.html, SVGs, CSVs &lt;-- ExperimentReport &lt;-- StrategyComparisonReport
  * </pre>
  *
  * <p>Entry point: {@link org.dfra.experiments.recruit.ExperimentCommand}.

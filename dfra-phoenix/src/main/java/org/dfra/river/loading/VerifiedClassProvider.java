@@ -24,7 +24,7 @@ public final class VerifiedClassProvider extends RMIClassLoaderSpi {
   private static final Set<String> PRIMITIVES =
       Set.of("boolean", "byte", "char", "short", "int", "long", "float", "double", "void");
 
-  private static final ProxyClasses PROXIES = new ProxyClasses();
+  private static final DynamicProxyClassCache PROXIES = new DynamicProxyClassCache();
 
   private final @Nullable VerifiedLoaderCache given;
 
@@ -123,7 +123,7 @@ public final class VerifiedClassProvider extends RMIClassLoaderSpi {
       element = element.getComponentType();
     }
     ClassLoader loader = element.getClassLoader();
-    if (loader instanceof ProxyClasses.ProxyLoader) {
+    if (loader instanceof DynamicProxyClassCache.ProxyLoader) {
       loader = loader.getParent();
     }
     if (loader == null || loader == ClassLoader.getPlatformClassLoader()) {

@@ -145,7 +145,7 @@ final class GroupSupervisor {
    *
    * @param objects how many are registered in the group
    */
-  GroupStatus status(Incarnation current, int objects) {
+  GroupStatus status(GroupIncarnation current, int objects) {
     ProcessIdentity process = current.process();
     return new GroupStatus(
         name,

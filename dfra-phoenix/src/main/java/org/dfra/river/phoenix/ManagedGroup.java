@@ -22,7 +22,7 @@ import org.slf4j.LoggerFactory;
 
 /**
  * One group of the daemon: the start of its process, the threads that wait for it, and the reaction
- * to its exit. Its {@link Incarnation} has the state of that process.
+ * to its exit. Its {@link GroupIncarnation} has the state of that process.
  *
  * <p>The first thread that needs the process starts it; others wait for the result. The group
  * leaves a process's states only after that process has certainly exited.
@@ -48,7 +48,7 @@ final class ManagedGroup implements GroupLauncher.LaunchOwner {
   @GuardedBy("lock")
   private final GroupSupervisor supervision;
 
-  private volatile Incarnation current; // changed under the lock
+  private volatile GroupIncarnation current; // changed under the lock
 
   /**
    * @param timeout the longest wait for the start of its process, and for the exit of a process
@@ -57,7 +57,7 @@ final class ManagedGroup implements GroupLauncher.LaunchOwner {
   ManagedGroup(
       ActivationGroupID id,
       String name,
-      Incarnation last,
+      GroupIncarnation last,
       GroupSupervisor supervision,
       Duration timeout,
       Journal journal,
@@ -193,7 +193,7 @@ final class ManagedGroup implements GroupLauncher.LaunchOwner {
    * lock.
    */
   Optional<ActiveInstantiator> active() {
-    Incarnation last = current;
+    GroupIncarnation last = current;
     @Nullable ActivationInstantiator instantiator = last.instantiator();
     return instantiator == null
         ? Optional.empty()

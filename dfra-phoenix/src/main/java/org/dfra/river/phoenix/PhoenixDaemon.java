@@ -57,7 +57,7 @@ final class PhoenixDaemon {
             new ManagedGroup(
                 id,
                 name,
-                Incarnation.past(incarnation),
+                GroupIncarnation.past(incarnation),
                 new GroupSupervisor(
                     name, configuration, clock, state, new CrashHistory(policy, time::nanos)),
                 timeout,

@@ -13,8 +13,8 @@ class IncarnationTest {
 
   @Test
   void onlyTheProcessOfTheIncarnationThatAwaitsOneIsAccepted() throws Exception {
-    Incarnation past = Incarnation.past(6);
-    Incarnation next = past.next();
+    GroupIncarnation past = GroupIncarnation.past(6);
+    GroupIncarnation next = past.next();
     next.requireUnlaunched("1-group", 7);
     assertRefused(past, 6);
     assertRefused(next, 6);
@@ -26,7 +26,7 @@ class IncarnationTest {
     assertRefused(next, 7);
   }
 
-  private static void assertRefused(Incarnation incarnation, long number) {
+  private static void assertRefused(GroupIncarnation incarnation, long number) {
     assertThatExceptionOfType(ActivationException.class)
         .isThrownBy(() -> incarnation.requireUnlaunched("1-group", number))
         .withMessageContaining(

@@ -69,7 +69,7 @@ class ManagedGroupTest {
           new ManagedGroup(
               new ActivationGroupID(null),
               "1-eta.wheels",
-              Incarnation.past(7),
+              GroupIncarnation.past(7),
               new GroupSupervisor(
                   "1-eta.wheels",
                   configuration,

@@ -29,7 +29,7 @@ import org.dfra.river.lookup.SuppliedConfiguration;
 import org.dfra.river.registrar.DiscoveryResponseSocketFactory;
 import org.dfra.river.registrar.DiscoveryServerSocketFactory;
 import org.dfra.river.registrar.RegistrarILFactory;
-import org.dfra.river.registrar.RegistrarTasks;
+import org.dfra.river.registrar.RegistrarTaskManager;
 import org.dfra.river.registrar.RegistrationPolicy;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -170,7 +170,7 @@ public final class EmbeddedRegistrar implements AutoCloseable {
     all.put(COMPONENT + "serverExporter", () -> exporter(listeners));
     all.put(COMPONENT + "listenerPreparer", () -> listeners);
     all.put(COMPONENT + "socketFactory", DiscoveryResponseSocketFactory::new);
-    all.put(COMPONENT + "taskManager", RegistrarTasks::new);
+    all.put(COMPONENT + "taskManager", RegistrarTaskManager::new);
     all.putAll(entries);
     all.put(COMPONENT + "initialUnicastDiscoveryPort", () -> wanted);
     LifeCycle life =

@@ -17,7 +17,7 @@ public record ClientAddress(String host, boolean isLocal) {
 
   private static final String LOOPBACK = "127.0.0.1";
 
-  private static final ResolvedHosts HOSTS = ResolvedHosts.ofSystem();
+  private static final AsyncHostResolver HOSTS = AsyncHostResolver.ofSystem();
 
   /**
    * The client of the call that runs on this thread. A caller in this virtual machine is on this

@@ -14,7 +14,7 @@
  * <p>Enter at {@link org.dfra.river.registrar.RegistrarILFactory}, which the configuration of the
  * registrar's exporter names. {@link org.dfra.river.registrar.RegistrarLeaseLimiter} shortens
  * leases after a step of the clock. {@link org.dfra.river.registrar.DiscoveryServerSocketFactory}
- * and {@link org.dfra.river.registrar.RegistrarTasks} keep silent peers from holding reggie's
+ * and {@link org.dfra.river.registrar.RegistrarTaskManager} keep silent peers from holding reggie's
  * threads.
  */
 @NullMarked

@@ -17,7 +17,7 @@ import net.jini.core.lookup.ServiceRegistrar;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.core.time.RobotTime;
 import org.dfra.examples.mission.FewLanes;
-import org.dfra.examples.mission.MissionListener.MissionEvent;
+import org.dfra.examples.mission.MissionProgressListener.MissionEvent;
 import org.dfra.examples.mission.MissionResult;
 import org.dfra.examples.mission.MissionResult.RobotMissionResult;
 import org.dfra.examples.mission.RecordingMissionListener;
@@ -25,7 +25,7 @@ import org.dfra.examples.mission.Scenario;
 import org.dfra.examples.mission.SparseField;
 import org.dfra.examples.mission.SparseField.Start;
 import org.dfra.examples.mission.embedded.RegistrarOutage.RegistrarContents;
-import org.dfra.examples.mission.monitor.MissionContext;
+import org.dfra.examples.mission.monitor.FaultInjectionContext;
 import org.dfra.examples.mission.monitor.MissionMonitor.InjectedFault;
 import org.dfra.module.Module;
 import org.dfra.report.measurement.MeasuredValue;
@@ -71,7 +71,7 @@ class EmbeddedMissionIT {
     private boolean over;
 
     @Override
-    public void update(MissionContext<EmbeddedRobot> now) throws IOException {
+    public void update(FaultInjectionContext<EmbeddedRobot> now) throws IOException {
       var robot = now.robots().get(0);
       Optional<ServiceRegistrar> registrar =
           robot.robot().registrar().registrarIfRunning(); // it is ended meanwhile

@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import org.dfra.examples.harness.DemoRobot;
 import org.dfra.examples.mission.FewLanes;
-import org.dfra.examples.mission.MissionListener.MissionEvent;
+import org.dfra.examples.mission.MissionProgressListener.MissionEvent;
 import org.dfra.examples.mission.MissionResult;
 import org.dfra.examples.mission.MissionResult.RobotMissionResult;
 import org.dfra.examples.mission.RecordingMissionListener;

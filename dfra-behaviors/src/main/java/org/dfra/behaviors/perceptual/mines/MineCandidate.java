@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
-import org.dfra.behaviors.perceptual.mines.Fusion.Evidence;
-import org.dfra.behaviors.perceptual.mines.Fusion.Opinion;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.Evidence;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.Opinion;
 import org.dfra.behaviors.perceptual.mines.MineObservation.GroundPoint;
 import org.dfra.behaviors.perceptual.mines.MineObservation.Viewpoint;
 import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates.PreviousResult;
@@ -19,7 +19,7 @@ final class MineCandidate {
    */
   private static final Map<Band, Double> SIGMA = Map.of(Band.VISIBLE, 0.1, Band.THERMAL, 0.25);
 
-  private final Fusion fusion;
+  private final EvidenceCombination fusion;
   private final Map<Band, RepeatedDetectionRates> rates;
   private final Map<Band, PreviousResult> before = new EnumMap<>(Band.class);
   private final Map<Band, List<Viewpoint>> counted = new EnumMap<>(Band.class);
@@ -28,7 +28,8 @@ final class MineCandidate {
   private Opinion opinion;
   private int looks;
 
-  MineCandidate(GroundPoint first, Fusion fusion, Map<Band, RepeatedDetectionRates> rates) {
+  MineCandidate(
+      GroundPoint first, EvidenceCombination fusion, Map<Band, RepeatedDetectionRates> rates) {
     this.middle = first;
     this.fusion = fusion;
     this.rates = rates;

@@ -35,7 +35,7 @@ public final class MineCandidateMap {
   /** Tolerance of the viewpoint spacing: positions are not exact. */
   private static final double ALMOST = 0.9;
 
-  private final Fusion fusion;
+  private final EvidenceCombination fusion;
   private final Map<Band, RepeatedDetectionRates> rates;
   private final double gate;
   private final double spacing;
@@ -48,7 +48,10 @@ public final class MineCandidateMap {
    * @param spacing minimum distance between viewpoints, metres
    */
   public MineCandidateMap(
-      Fusion fusion, Map<Band, RepeatedDetectionRates> rates, double gate, double spacing) {
+      EvidenceCombination fusion,
+      Map<Band, RepeatedDetectionRates> rates,
+      double gate,
+      double spacing) {
     this.fusion = fusion;
     this.rates = Map.copyOf(rates);
     this.gate = gate;

@@ -5,8 +5,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
-import org.dfra.behaviors.perceptual.mines.Fusion.BayesFusion;
-import org.dfra.behaviors.perceptual.mines.Fusion.DempsterShaferFusion;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.BayesFusion;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.DempsterShaferFusion;
 import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates.DetectorRates;
 import org.dfra.core.config.Parameters;
 import org.dfra.flow.sensor.CameraImage.Band;
@@ -27,7 +27,7 @@ import org.jspecify.annotations.Nullable;
 record MineDetectorSettings(
     ImageMineDetectorSettings imageDetector,
     String fusionMethod,
-    Fusion fusion,
+    EvidenceCombination fusion,
     Map<Band, RepeatedDetectionRates> rates,
     @Nullable Double truePositive,
     @Nullable Double falsePositive,
@@ -60,7 +60,7 @@ record MineDetectorSettings(
     }
     double prior = parameters.number("prior", 0.01, RAREST, 1 - RAREST);
     String method = parameters.find("fusion").orElse(BAYES).strip();
-    Fusion fusion =
+    EvidenceCombination fusion =
         switch (method) {
           case BAYES -> new BayesFusion(prior);
           case DEMPSTER -> new DempsterShaferFusion(prior);

@@ -1,6 +1,6 @@
 package org.dfra.behaviors.perceptual.mines;
 
-import org.dfra.behaviors.perceptual.mines.Fusion.Evidence;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.Evidence;
 
 /**
  * Detection rates of a camera in repeated observations of one position. Errors repeat: a false

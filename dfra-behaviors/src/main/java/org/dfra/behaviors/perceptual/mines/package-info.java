@@ -7,12 +7,12 @@
  *                   WindowGrid --------^                                      |
  *   PoseEstimate --&gt; PoseBuffer --&gt; Viewpoint --------------&gt; MineObservation &lt;
  *                                                                     |
- *                          MineCandidateMap (Fusion of Evidence) &lt;----'  --&gt; MinePercept
+ *                          MineCandidateMap (EvidenceCombination of Evidence) &lt;----'  --&gt; MinePercept
  * </pre>
  *
  * <p>Enter at {@link org.dfra.behaviors.perceptual.mines.MineDetectorImpl}, at {@link
  * org.dfra.behaviors.perceptual.mines.ImageMineDetector} for one image, or at {@link
- * org.dfra.behaviors.perceptual.mines.Fusion} for evidence alone.
+ * org.dfra.behaviors.perceptual.mines.EvidenceCombination} for evidence alone.
  */
 @NullMarked
 package org.dfra.behaviors.perceptual.mines;

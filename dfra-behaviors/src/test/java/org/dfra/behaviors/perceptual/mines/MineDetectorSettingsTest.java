@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Map;
 import java.util.TreeMap;
-import org.dfra.behaviors.perceptual.mines.Fusion.DempsterShaferFusion;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.DempsterShaferFusion;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.Parameters;
 import org.dfra.flow.sensor.CameraImage.Band;

@@ -41,7 +41,7 @@ final class NmeaEpochAssembler {
   private final Consumer<GpsSolution> solutions;
   private final NmeaSatelliteTracker sky = new NmeaSatelliteTracker();
   private final NmeaMotion motion = new NmeaMotion();
-  private final NmeaCalendar calendar = new NmeaCalendar();
+  private final NmeaDateResolver calendar = new NmeaDateResolver();
   private List<SatelliteInView> satellites = List.of();
 
   private @Nullable LocalTime time;

@@ -20,7 +20,7 @@ import org.dfra.directory.ModuleDirectory;
 import org.dfra.examples.harness.DemoEnvironment;
 import org.dfra.examples.harness.DemoRobot;
 import org.dfra.examples.mission.Mission;
-import org.dfra.examples.mission.MissionListener;
+import org.dfra.examples.mission.MissionProgressListener;
 import org.dfra.examples.mission.MissionResult;
 import org.dfra.examples.mission.Scenario;
 import org.dfra.examples.mission.monitor.AnnouncedTime;
@@ -107,7 +107,7 @@ public final class EmbeddedMission implements Mission {
   }
 
   @Override
-  public MissionResult run(MissionListener listener) throws Exception {
+  public MissionResult run(MissionProgressListener listener) throws Exception {
     try (AnnouncedTime time = new AnnouncedTime()) {
       Instant now = Instant.now().truncatedTo(ChronoUnit.MILLIS);
       time.set(speed == 1 ? RobotTime.REAL : new ScaledTime(speed, now).toHostText());
@@ -143,7 +143,10 @@ public final class EmbeddedMission implements Mission {
   }
 
   private MissionResult run(
-      Simulation simulation, InstantSource clock, RunningRobots team, MissionListener listener)
+      Simulation simulation,
+      InstantSource clock,
+      RunningRobots team,
+      MissionProgressListener listener)
       throws Exception {
     List<RobotDescription> descriptions = new ArrayList<>();
     for (int i = 0; i < scenario.robots().size(); i++) {

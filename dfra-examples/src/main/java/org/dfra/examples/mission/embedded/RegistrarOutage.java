@@ -9,7 +9,7 @@ import java.util.concurrent.Callable;
 import net.jini.core.entry.Entry;
 import net.jini.core.lookup.ServiceItem;
 import net.jini.core.lookup.ServiceTemplate;
-import org.dfra.examples.mission.monitor.MissionContext;
+import org.dfra.examples.mission.monitor.FaultInjectionContext;
 import org.dfra.examples.mission.monitor.Outage;
 import org.dfra.examples.mission.monitor.SearchingRobot;
 import org.dfra.module.Module;
@@ -41,7 +41,8 @@ final class RegistrarOutage extends Outage<EmbeddedRobot, EmbeddedRegistrar> {
 
   @Override
   protected Callable<?> prepareStop(
-      MissionContext<EmbeddedRobot> now, SearchingRobot<EmbeddedRobot> victim) throws Exception {
+      FaultInjectionContext<EmbeddedRobot> now, SearchingRobot<EmbeddedRobot> victim)
+      throws Exception {
     listed = RegistrarContents.query(victim.robot()).keySet();
     now.recordEvent(
         stopped(),
@@ -61,18 +62,18 @@ final class RegistrarOutage extends Outage<EmbeddedRobot, EmbeddedRegistrar> {
 
   @Override
   protected void reportEnd(
-      MissionContext<EmbeddedRobot> now, SearchingRobot<EmbeddedRobot> victim) {
+      FaultInjectionContext<EmbeddedRobot> now, SearchingRobot<EmbeddedRobot> victim) {
     Instant end = now.clock().instant();
     now.recordEvent(
         end,
         victim,
         "its search has ended; the last %.0f s of it were without its registrar",
-        MissionContext.seconds(stopped(), end));
+        FaultInjectionContext.seconds(stopped(), end));
   }
 
   @Override
   protected boolean reportRecovery(
-      MissionContext<EmbeddedRobot> now,
+      FaultInjectionContext<EmbeddedRobot> now,
       SearchingRobot<EmbeddedRobot> victim,
       EmbeddedRegistrar registrar)
       throws Exception {
@@ -87,11 +88,11 @@ final class RegistrarOutage extends Outage<EmbeddedRobot, EmbeddedRegistrar> {
         "its registrar is back and lists its %d modules again; it was down for %.0f s, in which"
             + " the robot searched %.0f %% of its region",
         again.size(),
-        MissionContext.seconds(stopped(), restarted()),
+        FaultInjectionContext.seconds(stopped(), restarted()),
         percentSearchedSince(victim));
     now.figure(
         "registrar back to all modules listed again",
-        MissionContext.seconds(restarted(), back) / now.speed(),
+        FaultInjectionContext.seconds(restarted(), back) / now.speed(),
         MOST);
     now.measurements()
         .add(

@@ -13,8 +13,8 @@ import java.util.concurrent.locks.LockSupport;
 import org.dfra.behavior.RasterGoal;
 import org.dfra.examples.harness.GoalSubmission;
 import org.dfra.examples.mission.GroundTruthClearance;
-import org.dfra.examples.mission.MissionListener;
-import org.dfra.examples.mission.MissionListener.MissionEvent;
+import org.dfra.examples.mission.MissionProgressListener;
+import org.dfra.examples.mission.MissionProgressListener.MissionEvent;
 import org.dfra.examples.mission.MissionResult;
 import org.dfra.examples.mission.MissionResult.RobotMissionResult;
 import org.dfra.examples.mission.RobotLog;
@@ -56,7 +56,7 @@ public final class MissionMonitor<R> {
   private final double speed;
   private final List<SearchingRobot<R>> robots;
   private final RunMeasurements figures;
-  private final MissionListener listener;
+  private final MissionProgressListener listener;
   private final InstantSource clock;
   private final LocalFrame field;
   private final GroundTruthClearance bodies;
@@ -78,7 +78,7 @@ public final class MissionMonitor<R> {
       double speed,
       List<SearchingRobot<R>> robots,
       RunMeasurements figures,
-      MissionListener listener) {
+      MissionProgressListener listener) {
     this.scenario = scenario;
     this.source = source;
     this.clock = clock;
@@ -107,8 +107,8 @@ public final class MissionMonitor<R> {
           new RasterGoal(
               scenario.region().corners(), scenario.swath(), scenario.spacing(), i % 2 == 1));
     }
-    MissionContext<R> scene =
-        new MissionContext<>(robots, truth, clock, speed, begin, field, figures, this::note);
+    FaultInjectionContext<R> scene =
+        new FaultInjectionContext<>(robots, truth, clock, speed, begin, field, figures, this::note);
     try {
       return follow(scene, faults, begin.plus(longest));
     } finally {
@@ -123,7 +123,8 @@ public final class MissionMonitor<R> {
   }
 
   private MissionResult follow(
-      MissionContext<R> scene, List<InjectedFault<R>> faults, Instant latest) throws Exception {
+      FaultInjectionContext<R> scene, List<InjectedFault<R>> faults, Instant latest)
+      throws Exception {
     Instant now = scene.begin();
     do {
       now = now.plus(SAMPLE);
@@ -143,7 +144,8 @@ public final class MissionMonitor<R> {
     return flight(scene, now);
   }
 
-  private void look(MissionContext<R> scene, List<InjectedFault<R>> faults) throws Exception {
+  private void look(FaultInjectionContext<R> scene, List<InjectedFault<R>> faults)
+      throws Exception {
     for (InjectedFault<R> each : faults) {
       if (!each.isOver()) {
         each.update(scene);
@@ -155,7 +157,7 @@ public final class MissionMonitor<R> {
    * Faults that have started run to their end, after all searches have ended. A fault that does not
    * end in time is reported with the search's measurements, which are kept.
    */
-  private void awaitFaultsDone(MissionContext<R> scene, List<InjectedFault<R>> faults)
+  private void awaitFaultsDone(FaultInjectionContext<R> scene, List<InjectedFault<R>> faults)
       throws Exception {
     look(scene, faults);
     long end = System.nanoTime() + FAULT_TIMEOUT.toNanos();
@@ -192,9 +194,9 @@ public final class MissionMonitor<R> {
     }
   }
 
-  private void sample(MissionContext<R> scene, Instant now) throws IOException {
+  private void sample(FaultInjectionContext<R> scene, Instant now) throws IOException {
     Map<String, GroundTruthPose> poses = truth.at(now);
-    List<MissionListener.RobotProgress> all = new ArrayList<>();
+    List<MissionProgressListener.RobotProgress> all = new ArrayList<>();
     for (SearchingRobot<R> each : robots) {
       each.subscriptions().deliverUntil(now);
       GroundTruthPose pose = Objects.requireNonNull(poses.get(each.name()));
@@ -207,7 +209,7 @@ public final class MissionMonitor<R> {
           each.recorder()
               .sample(
                   new RobotLog.GroundTruth(
-                      MissionContext.seconds(scene.begin(), now),
+                      FaultInjectionContext.seconds(scene.begin(), now),
                       at.east(),
                       at.north(),
                       pose.yaw(),
@@ -222,7 +224,7 @@ public final class MissionMonitor<R> {
     return !robots.stream().allMatch(SearchingRobot::hasEnded);
   }
 
-  private MissionResult flight(MissionContext<R> scene, Instant now) {
+  private MissionResult flight(FaultInjectionContext<R> scene, Instant now) {
     List<RobotMissionResult> flights = new ArrayList<>();
     for (SearchingRobot<R> each : robots) {
       flights.add(each.recorder().result(each.subscriptions().latestStatus()));
@@ -231,13 +233,13 @@ public final class MissionMonitor<R> {
     for (Collision each : collisions) {
       marks.add(
           new MissionEvent(
-              MissionContext.seconds(scene.begin(), each.time()),
+              FaultInjectionContext.seconds(scene.begin(), each.time()),
               each.robot(),
               "collided with " + each.other()));
     }
     marks.sort(Comparator.comparingDouble(MissionEvent::time));
     return new MissionResult(
-        flights, collisions, marks, MissionContext.seconds(scene.begin(), now));
+        flights, collisions, marks, FaultInjectionContext.seconds(scene.begin(), now));
   }
 
   /** A source of the robots' true poses while they search. */
@@ -265,7 +267,7 @@ public final class MissionMonitor<R> {
     static <R> InjectedFault<R> none() {
       return new InjectedFault<>() {
         @Override
-        public void update(MissionContext<R> now) {}
+        public void update(FaultInjectionContext<R> now) {}
 
         @Override
         public boolean hasStarted() {
@@ -283,7 +285,7 @@ public final class MissionMonitor<R> {
      * Checks whether to inject the fault, or its consequences; called ten times a second until it
      * is over. Returns quickly.
      */
-    void update(MissionContext<R> now) throws Exception;
+    void update(FaultInjectionContext<R> now) throws Exception;
 
     /** Whether the fault has been injected. */
     boolean hasStarted();

@@ -77,7 +77,7 @@ public abstract class Outage<R, T> implements InjectedFault<R> {
    *
    * @return stops the service
    */
-  protected abstract Callable<?> prepareStop(MissionContext<R> now, SearchingRobot<R> victim)
+  protected abstract Callable<?> prepareStop(FaultInjectionContext<R> now, SearchingRobot<R> victim)
       throws Exception;
 
   /** Restarts the service. */
@@ -90,10 +90,10 @@ public abstract class Outage<R, T> implements InjectedFault<R> {
    * @return whether everything is there again
    */
   protected abstract boolean reportRecovery(
-      MissionContext<R> now, SearchingRobot<R> victim, T result) throws Exception;
+      FaultInjectionContext<R> now, SearchingRobot<R> victim, T result) throws Exception;
 
   /** Reports the end of the search during a permanent outage. */
-  protected void reportEnd(MissionContext<R> now, SearchingRobot<R> victim) {}
+  protected void reportEnd(FaultInjectionContext<R> now, SearchingRobot<R> victim) {}
 
   /** The time of the stop. */
   protected final Instant stopped() {
@@ -111,7 +111,7 @@ public abstract class Outage<R, T> implements InjectedFault<R> {
   }
 
   @Override
-  public final void update(MissionContext<R> now) throws Exception {
+  public final void update(FaultInjectionContext<R> now) throws Exception {
     SearchingRobot<R> victim = now.robots().get(robot);
     double share = victim.subscriptions().latestStatus().completion();
     boolean hasEnded = victim.hasEnded();

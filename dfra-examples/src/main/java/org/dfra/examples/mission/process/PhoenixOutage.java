@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import org.dfra.examples.harness.DemoRobot;
-import org.dfra.examples.mission.monitor.MissionContext;
+import org.dfra.examples.mission.monitor.FaultInjectionContext;
 import org.dfra.examples.mission.monitor.MissionMonitor.InjectedFault;
 import org.dfra.examples.mission.monitor.Outage;
 import org.dfra.examples.mission.monitor.SearchingRobot;
@@ -40,8 +40,8 @@ final class PhoenixOutage extends Outage<DemoRobot, ProcessHandle> {
   }
 
   @Override
-  protected Callable<?> prepareStop(MissionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim)
-      throws Exception {
+  protected Callable<?> prepareStop(
+      FaultInjectionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim) throws Exception {
     groups = processes(victim);
     long registrar = victim.robot().process(LOOKUP);
     now.recordEvent(
@@ -63,7 +63,7 @@ final class PhoenixOutage extends Outage<DemoRobot, ProcessHandle> {
 
   @Override
   protected boolean reportRecovery(
-      MissionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim, ProcessHandle process)
+      FaultInjectionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim, ProcessHandle process)
       throws Exception {
     if (victim.robot().process(LOOKUP) <= 0) {
       return false; // its registrar is restarting
@@ -81,7 +81,7 @@ final class PhoenixOutage extends Outage<DemoRobot, ProcessHandle> {
             + " %.0f s, in which the robot searched %.0f %% of its region",
         process.pid(),
         groups.size() - 1,
-        MissionContext.seconds(stopped(), now.clock().instant()),
+        FaultInjectionContext.seconds(stopped(), now.clock().instant()),
         percentSearchedSince(victim));
     now.measurements()
         .add(

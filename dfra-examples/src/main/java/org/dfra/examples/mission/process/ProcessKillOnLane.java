@@ -4,7 +4,7 @@ import java.time.Instant;
 import java.util.Objects;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.examples.harness.DemoRobot;
-import org.dfra.examples.mission.monitor.MissionContext;
+import org.dfra.examples.mission.monitor.FaultInjectionContext;
 import org.dfra.examples.mission.monitor.MissionMonitor.InjectedFault;
 import org.dfra.examples.mission.monitor.SearchingRobot;
 import org.dfra.report.measurement.MeasuredValue;
@@ -74,7 +74,7 @@ final class ProcessKillOnLane implements InjectedFault<DemoRobot> {
   }
 
   @Override
-  public void update(MissionContext<DemoRobot> now) throws Exception {
+  public void update(FaultInjectionContext<DemoRobot> now) throws Exception {
     SearchingRobot<DemoRobot> victim = now.robots().get(robot);
     switch (state) {
       case PENDING -> lookAhead(now, victim);
@@ -84,7 +84,7 @@ final class ProcessKillOnLane implements InjectedFault<DemoRobot> {
     }
   }
 
-  private void lookAhead(MissionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim)
+  private void lookAhead(FaultInjectionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim)
       throws Exception {
     BehaviorStatus status = victim.subscriptions().latestStatus();
     if (victim.hasEnded()) {
@@ -118,19 +118,20 @@ final class ProcessKillOnLane implements InjectedFault<DemoRobot> {
     state = State.KILLED;
   }
 
-  private void checkStopped(MissionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim) {
+  private void checkStopped(
+      FaultInjectionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim) {
     @Nullable Instant stood = now.truth().stoppedSince(victim.name(), killed);
     if (stood == null) {
       return;
     }
     Instant command = Objects.requireNonNullElse(victim.subscriptions().lastCommand(stood), killed);
-    double seconds = MissionContext.seconds(command, stood);
+    double seconds = FaultInjectionContext.seconds(command, stood);
     now.recordEvent(
         stood,
         victim,
         "its wheels have stopped, %.2f s after the last command and %.2f s after %s was killed",
         seconds,
-        MissionContext.seconds(killed, stood),
+        FaultInjectionContext.seconds(killed, stood),
         group);
     if (isCommander) {
       now.requirement(
@@ -139,7 +140,7 @@ final class ProcessKillOnLane implements InjectedFault<DemoRobot> {
     state = State.STOPPED;
   }
 
-  private void checkDriving(MissionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim)
+  private void checkDriving(FaultInjectionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim)
       throws Exception {
     GroundTruthPose pose = now.truth().last(victim.name());
     BehaviorStatus status = victim.subscriptions().latestStatus();
@@ -154,12 +155,12 @@ final class ProcessKillOnLane implements InjectedFault<DemoRobot> {
             + " %d)",
         victim.waypoints(),
         victim.plan().waypoints().size(),
-        MissionContext.seconds(killed, pose.time()),
+        FaultInjectionContext.seconds(killed, pose.time()),
         group,
         victim.robot().process(group));
     now.figure(
         group + " killed: to driving again",
-        MissionContext.seconds(killed, pose.time()) / now.speed(),
+        FaultInjectionContext.seconds(killed, pose.time()) / now.speed(),
         Double.POSITIVE_INFINITY);
     now.measurements()
         .add(

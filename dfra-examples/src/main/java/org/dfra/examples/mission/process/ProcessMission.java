@@ -19,7 +19,7 @@ import org.dfra.examples.harness.DemoEnvironment;
 import org.dfra.examples.harness.DemoRobot;
 import org.dfra.examples.harness.SimulationProcess;
 import org.dfra.examples.mission.Mission;
-import org.dfra.examples.mission.MissionListener;
+import org.dfra.examples.mission.MissionProgressListener;
 import org.dfra.examples.mission.MissionResult;
 import org.dfra.examples.mission.Scenario;
 import org.dfra.examples.mission.monitor.AnnouncedTime;
@@ -110,7 +110,7 @@ public final class ProcessMission implements Mission {
   }
 
   @Override
-  public MissionResult run(MissionListener listener) throws Exception {
+  public MissionResult run(MissionProgressListener listener) throws Exception {
     try (AnnouncedTime time = new AnnouncedTime();
         DemoEnvironment environment = new DemoEnvironment()) {
       Thread end = new Thread(() -> closeAtTheEnd(environment), "mission-end");
@@ -138,7 +138,8 @@ public final class ProcessMission implements Mission {
   }
 
   private MissionResult run(
-      DemoEnvironment environment, AnnouncedTime time, MissionListener listener) throws Exception {
+      DemoEnvironment environment, AnnouncedTime time, MissionProgressListener listener)
+      throws Exception {
     SimulationProcess field =
         SimulationProcess.start(
             environment, world, List.of("--seed=" + scenario.world().seed(), "--speed=" + speed));

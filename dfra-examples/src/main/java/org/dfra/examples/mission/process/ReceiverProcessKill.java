@@ -4,7 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
 import org.dfra.examples.harness.DemoRobot;
-import org.dfra.examples.mission.monitor.MissionContext;
+import org.dfra.examples.mission.monitor.FaultInjectionContext;
 import org.dfra.examples.mission.monitor.MissionMonitor.InjectedFault;
 import org.dfra.examples.mission.monitor.RobotSubscriptions.ReceivedPosition;
 import org.dfra.examples.mission.monitor.SearchingRobot;
@@ -42,7 +42,7 @@ final class ReceiverProcessKill implements InjectedFault<DemoRobot> {
   }
 
   @Override
-  public void update(MissionContext<DemoRobot> now) throws Exception {
+  public void update(FaultInjectionContext<DemoRobot> now) throws Exception {
     SearchingRobot<DemoRobot> victim = now.robots().get(robot);
     @Nullable Instant since = killed;
     if (since != null) {
@@ -54,7 +54,7 @@ final class ReceiverProcessKill implements InjectedFault<DemoRobot> {
     }
   }
 
-  private void kill(MissionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim)
+  private void kill(FaultInjectionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim)
       throws Exception {
     last = last(victim.subscriptions().positions());
     if (last == null) {
@@ -72,7 +72,7 @@ final class ReceiverProcessKill implements InjectedFault<DemoRobot> {
   }
 
   private void checkRecovered(
-      MissionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim, Instant since)
+      FaultInjectionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim, Instant since)
       throws Exception {
     List<ReceivedPosition> all = victim.subscriptions().positions();
     ReceivedPosition before = Objects.requireNonNull(last);
@@ -98,12 +98,12 @@ final class ReceiverProcessKill implements InjectedFault<DemoRobot> {
             + " received; %d of its events are missing",
         receiver,
         victim.robot().process(receiver),
-        MissionContext.seconds(before.measured(), back.measured()),
+        FaultInjectionContext.seconds(before.measured(), back.measured()),
         others,
         victim.subscriptions().lost(receiver) - lost);
     RecoverySteps recovery = Objects.requireNonNull(steps);
     recovery.close();
-    double took = MissionContext.seconds(since, back.measured()) / now.speed();
+    double took = FaultInjectionContext.seconds(since, back.measured()) / now.speed();
     if (took > MOST) { // so that a user sees which part took long
       now.recordEvent(
           now.clock().instant(), victim, "%s took %.1f s: %s", receiver, took, recovery);

@@ -32,7 +32,7 @@ public final class Experiment {
    * @param threads number of parallel runs; at least 1. They end with {@link #run}.
    */
   public Experiment(ExperimentPlan plan, int threads) {
-    this(plan, threads, SimulatedEnvironment::new);
+    this(plan, threads, VirtualTimeEnvironment::new);
   }
 
   /**

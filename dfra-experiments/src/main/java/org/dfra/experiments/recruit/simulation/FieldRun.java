@@ -66,7 +66,7 @@ final class FieldRun {
 
   /** A run with the simulated network. */
   static RunResult simulated(ExperimentCell cell, ExperimentPlan plan, long seed) throws Exception {
-    return new FieldRun(cell, plan, seed, new SimulatedEnvironment(cell, plan, seed)).run();
+    return new FieldRun(cell, plan, seed, new VirtualTimeEnvironment(cell, plan, seed)).run();
   }
 
   private RandomGenerator stream(int purpose) {

@@ -22,7 +22,7 @@ import org.dfra.core.state.StateStore;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.Subscription;
-import org.dfra.examples.mission.MissionListener.MissionEvent;
+import org.dfra.examples.mission.MissionProgressListener.MissionEvent;
 import org.dfra.examples.mission.MissionResult.RobotMissionResult;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
@@ -37,7 +37,7 @@ import org.dfra.sim.world.GroundTruth.GroundTruthPose;
  * A search in one JVM, in lock-step: real drivers with emulated devices, the modules in one
  * process, no network. It is deterministic: the same scenario gives the same search, bit by bit.
  */
-public final class LocalMission implements Mission {
+public final class LockStepMission implements Mission {
 
   /** The estimator that robots steer by; others only estimate. */
   public static final String STEERING = RobotLog.STEERING;
@@ -56,7 +56,7 @@ public final class LocalMission implements Mission {
    * @param adapt changes each robot's description before use
    * @param endsAtCollision whether it ends with the first collision
    */
-  public LocalMission(
+  public LockStepMission(
       Scenario scenario,
       Duration longest,
       UnaryOperator<RobotDescription> adapt,
@@ -92,7 +92,7 @@ public final class LocalMission implements Mission {
           ((ModuleImpl) source).subscribe(log.listener(module), DeliveryPolicy.latestReading());
     }
 
-    MissionListener.RobotProgress sample(
+    MissionProgressListener.RobotProgress sample(
         double time,
         Map<String, GroundTruthPose> poses,
         GroundTruthClearance bodies,
@@ -119,7 +119,7 @@ public final class LocalMission implements Mission {
    * @throws IOException if it could not start; the message names the cause
    */
   @Override
-  public MissionResult run(MissionListener listener) throws IOException {
+  public MissionResult run(MissionProgressListener listener) throws IOException {
     LockStep time = new LockStep(BEGIN);
     List<LocalRobot> robots = new ArrayList<>();
     try (Simulation simulation = Simulation.inLockStep(scenario.world(), time);
@@ -155,7 +155,7 @@ public final class LocalMission implements Mission {
       InMemoryModuleDirectory directory,
       LockStep time,
       List<LocalRobot> robots,
-      MissionListener listener)
+      MissionProgressListener listener)
       throws IOException {
     time.advance(SAMPLE);
     List<MonitoredRobot> watched = new ArrayList<>();
@@ -186,7 +186,7 @@ public final class LocalMission implements Mission {
       time.advance(SAMPLE);
       seconds = Duration.between(begin, time.instant()).toNanos() / 1e9;
       Map<String, GroundTruthPose> poses = simulation.world().groundTruth().poses(time.instant());
-      List<MissionListener.RobotProgress> now = new ArrayList<>();
+      List<MissionProgressListener.RobotProgress> now = new ArrayList<>();
       for (MonitoredRobot each : watched) {
         now.add(each.sample(seconds, poses, bodies, field));
       }

@@ -19,7 +19,7 @@ import java.util.concurrent.atomic.AtomicInteger;
  *
  * <p>Threads: daemons, {@code dfra-discovery-request-n}, which end after 10 s without a request.
  */
-public final class RegistrarTasks extends TaskManager {
+public final class RegistrarTaskManager extends TaskManager {
 
   static final int THREADS = 4;
   static final int MAX_QUEUED_REQUESTS = 64;
@@ -33,7 +33,7 @@ public final class RegistrarTasks extends TaskManager {
   private final ThreadPoolExecutor requests;
 
   /** Called by a Jini configuration; a thread starts with the first task. */
-  public RegistrarTasks() {
+  public RegistrarTaskManager() {
     super(MOST, IDLE_MILLIS, 1.0f);
     AtomicInteger number = new AtomicInteger();
     ClassLoader loader = Thread.currentThread().getContextClassLoader();

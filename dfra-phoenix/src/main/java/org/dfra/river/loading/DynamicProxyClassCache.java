@@ -25,7 +25,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Thread-safe.
  */
-final class ProxyClasses {
+final class DynamicProxyClassCache {
 
   static final int MAX_UNLOADABLE = 256;
 

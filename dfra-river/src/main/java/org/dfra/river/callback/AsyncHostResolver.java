@@ -30,7 +30,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Thread-safe. Threads: one daemon, {@code dfra-own-hosts}, while there is a look-up.
  */
-final class ResolvedHosts {
+final class AsyncHostResolver {
 
   /** Looks a host up; may wait for the network. */
   @FunctionalInterface
@@ -41,7 +41,7 @@ final class ResolvedHosts {
   static final Duration REFRESH_INTERVAL = Duration.ofMinutes(1);
   static final Duration RETRY_INTERVAL = Duration.ofSeconds(5);
 
-  private static final System.Logger LOG = System.getLogger(ResolvedHosts.class.getName());
+  private static final System.Logger LOG = System.getLogger(AsyncHostResolver.class.getName());
 
   private static final long IDLE_SECONDS = 10;
 
@@ -66,14 +66,14 @@ final class ResolvedHosts {
    * @param nanos monotonic time
    * @param executor runs the look-ups
    */
-  ResolvedHosts(Resolver resolver, LongSupplier nanos, Executor executor) {
+  AsyncHostResolver(Resolver resolver, LongSupplier nanos, Executor executor) {
     this.resolver = resolver;
     this.nanos = nanos;
     this.executor = executor;
   }
 
   /** Uses this computer's resolver. */
-  static ResolvedHosts ofSystem() {
+  static AsyncHostResolver ofSystem() {
     ThreadPoolExecutor thread =
         new ThreadPoolExecutor(
             1,
@@ -84,11 +84,12 @@ final class ResolvedHosts {
             task -> {
               Thread made = new Thread(task, "dfra-own-hosts");
               made.setDaemon(true);
-              made.setContextClassLoader(ResolvedHosts.class.getClassLoader()); // not a client's
+              made.setContextClassLoader(
+                  AsyncHostResolver.class.getClassLoader()); // not a client's
               return made;
             });
     thread.allowCoreThreadTimeOut(true);
-    return new ResolvedHosts(OwnAddresses::exportedAt, System::nanoTime, thread);
+    return new AsyncHostResolver(OwnAddresses::exportedAt, System::nanoTime, thread);
   }
 
   /**

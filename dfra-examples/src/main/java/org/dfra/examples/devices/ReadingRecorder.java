@@ -29,7 +29,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param <R> type of the readings
  */
-final class StreamLog<R extends Reading> implements ModuleListener, AutoCloseable {
+final class ReadingRecorder<R extends Reading> implements ModuleListener, AutoCloseable {
 
   private static final int DEPTH = 200;
 
@@ -72,7 +72,7 @@ final class StreamLog<R extends Reading> implements ModuleListener, AutoCloseabl
    * @param numbers extracts a reading's numbers, one for each column
    * @param begin when the demonstration started; times are seconds since then
    */
-  StreamLog(
+  ReadingRecorder(
       String path, Class<R> type, List<String> columns, ColumnExtractor<R> numbers, Instant begin) {
     this.path = path;
     this.type = type;
@@ -82,7 +82,7 @@ final class StreamLog<R extends Reading> implements ModuleListener, AutoCloseabl
   }
 
   /** Subscribes. */
-  StreamLog<R> subscribeTo(Module module) throws RemoteException {
+  ReadingRecorder<R> subscribeTo(Module module) throws RemoteException {
     subscription =
         module.subscribe(this, DeliveryPolicy.keepLast(DEPTH).withKinds(EventKind.READING));
     return this;

@@ -16,7 +16,7 @@ import org.dfra.river.phoenix.GroupStatus;
  * A phoenix in a separate process, with one group in another process, which has a registrar. Both
  * outlive this process; the caller must end them.
  */
-final class AttackedPhoenix {
+final class PhoenixUnderTest {
 
   private static final Duration PATIENCE = Duration.ofMinutes(1);
   private static final String ROBOT = "spare";
@@ -29,7 +29,7 @@ final class AttackedPhoenix {
    * @param state folder of its state; created here
    * @throws IOException if there is no free port
    */
-  AttackedPhoenix(Path state) throws IOException {
+  PhoenixUnderTest(Path state) throws IOException {
     this.phoenix = new PhoenixProcess(HonestRobot.HOST, FreePorts.allocate(), -1, state);
   }
 

@@ -21,14 +21,14 @@ import org.jspecify.annotations.Nullable;
  * entry without a host belongs to the robot of its name; if several robots have that name, it is
  * omitted until its host is known.
  */
-final class PersonaBuilder {
+final class PersonaGrouper {
 
   /** Entries without a host do not form a separate robot if a robot of the name is known. */
   private static final String UNKNOWN = "";
 
   private final SortedMap<String, SortedMap<String, Draft>> robots = new TreeMap<>();
 
-  private PersonaBuilder() {}
+  private PersonaGrouper() {}
 
   /**
    * The robots, by name and host.
@@ -37,7 +37,7 @@ final class PersonaBuilder {
    */
   static List<Persona> of(
       Collection<ModuleTable.RobotEntry> signs, Collection<ModuleListing<Module>> modules) {
-    PersonaBuilder personas = new PersonaBuilder();
+    PersonaGrouper personas = new PersonaGrouper();
     for (ModuleListing<Module> each : modules) {
       if (!each.robot().isEmpty()) {
         personas.at(each.robot(), each.host()).add(each);

@@ -17,7 +17,7 @@ import org.dfra.recruit.transport.VirtualTime.LateScheduler;
 import org.dfra.time.Scheduler;
 
 /** A simulated network in virtual time. Confined to the thread of its run. */
-final class SimulatedEnvironment implements ExperimentEnvironment {
+final class VirtualTimeEnvironment implements ExperimentEnvironment {
 
   private static final Instant BEGIN = Instant.parse("2026-11-21T00:00:00Z");
 
@@ -25,7 +25,7 @@ final class SimulatedEnvironment implements ExperimentEnvironment {
   private final Scheduler timers;
   private final SimulatedNetwork network;
 
-  SimulatedEnvironment(ExperimentCell cell, ExperimentPlan plan, long seed) {
+  VirtualTimeEnvironment(ExperimentCell cell, ExperimentPlan plan, long seed) {
     this.timers = new LateScheduler(time, plan.timerDelay(), Seeds.random(seed, Seeds.TIMERS));
     this.network =
         new SimulatedNetwork(

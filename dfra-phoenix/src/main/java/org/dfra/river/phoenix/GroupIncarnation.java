@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * of a process only after that process has certainly exited. It does not return to them: the next
  * launch is another incarnation. Confined to the group's lock, except its number and instantiator.
  */
-final class Incarnation {
+final class GroupIncarnation {
 
   private final long number;
   private State state;
@@ -26,19 +26,19 @@ final class Incarnation {
   private boolean hasLaunchPermit; // whether it holds a launch permit
   private final Set<UID> unregistered = new HashSet<>(); // while its process may have had them
 
-  private Incarnation(long number, State state) {
+  private GroupIncarnation(long number, State state) {
     this.number = number;
     this.state = state;
   }
 
   /** An incarnation that has ended, or 0 if there was none yet. */
-  static Incarnation past(long number) {
-    return new Incarnation(number, State.IDLE);
+  static GroupIncarnation past(long number) {
+    return new GroupIncarnation(number, State.IDLE);
   }
 
   /** The next incarnation: its process will be launched next. */
-  Incarnation next() {
-    return new Incarnation(number + 1, State.STARTING);
+  GroupIncarnation next() {
+    return new GroupIncarnation(number + 1, State.STARTING);
   }
 
   /**

@@ -16,7 +16,7 @@ import org.dfra.report.measurement.MeasuredValue;
 import org.dfra.report.measurement.RunMeasurements;
 
 /** Summarises the results of an experiment. */
-final class StrategyComparison {
+final class StrategyComparisonReport {
 
   private static final double MAX_MILD_LOSS = 0.25; // maximum loss of the cells with targets
   private static final int TEAM = 6; // minimum number of vehicles of these cells
@@ -25,7 +25,7 @@ final class StrategyComparison {
   private final List<CellResult> results;
   private final List<MetricComparison> claims;
 
-  StrategyComparison(List<CellResult> results) {
+  StrategyComparisonReport(List<CellResult> results) {
     this.results = List.copyOf(results);
     this.claims = List.copyOf(MetricComparison.all(results));
   }

@@ -11,7 +11,7 @@ import org.dfra.river.access.OwnAddresses;
 import org.junit.jupiter.api.Test;
 
 /** Nobody who asks waits for a name server. Look-ups wait until the test runs them. */
-class ResolvedHostsTest {
+class AsyncHostResolverTest {
 
   private static final String NAME = "field-robot";
 
@@ -20,7 +20,8 @@ class ResolvedHostsTest {
   private long now;
   private String stands = "127.1.2.3";
 
-  private final ResolvedHosts hosts = new ResolvedHosts(this::resolve, () -> now, lookUps::add);
+  private final AsyncHostResolver hosts =
+      new AsyncHostResolver(this::resolve, () -> now, lookUps::add);
 
   private OwnAddresses resolve(String host) throws UnknownHostException {
     asked.incrementAndGet();
@@ -56,13 +57,13 @@ class ResolvedHostsTest {
   void keepsWhatItKnowsUntilAnotherAnswerComes() throws Exception {
     assertThat(isOwn("127.1.2.3")).isFalse();
     runLookUp();
-    now += ResolvedHosts.REFRESH_INTERVAL.toNanos();
+    now += AsyncHostResolver.REFRESH_INTERVAL.toNanos();
     stands = "";
     assertThat(isOwn("127.1.2.3")).isTrue();
     runLookUp();
     assertThat(isOwn("127.1.2.3")).as("the name server is away").isTrue();
     assertThat(lookUps).as("looked up again later only").isEmpty();
-    now += ResolvedHosts.RETRY_INTERVAL.toNanos();
+    now += AsyncHostResolver.RETRY_INTERVAL.toNanos();
     stands = "127.1.2.4";
     assertThat(isOwn("127.1.2.3")).isTrue();
     runLookUp();
@@ -77,7 +78,7 @@ class ResolvedHostsTest {
     runLookUp();
     assertThat(isOwn("127.1.2.3")).isFalse();
     assertThat(lookUps).isEmpty();
-    now += ResolvedHosts.RETRY_INTERVAL.toNanos();
+    now += AsyncHostResolver.RETRY_INTERVAL.toNanos();
     stands = "127.1.2.3";
     assertThat(isOwn("127.1.2.3")).isFalse();
     runLookUp();

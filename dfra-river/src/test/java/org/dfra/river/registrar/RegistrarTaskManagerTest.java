@@ -13,14 +13,14 @@ import org.junit.jupiter.api.Timeout;
 
 /** Requests by multicast that never end hold up no other task of a lookup service. */
 @Timeout(30)
-class RegistrarTasksTest {
+class RegistrarTaskManagerTest {
 
   /** More than reggie has threads. */
   private static final int MANY = 200;
 
-  private final RegistrarTasks tasks = new RegistrarTasks();
+  private final RegistrarTaskManager tasks = new RegistrarTaskManager();
   private final AtomicInteger begun = new AtomicInteger();
-  private final CountDownLatch allThreads = new CountDownLatch(RegistrarTasks.THREADS);
+  private final CountDownLatch allThreads = new CountDownLatch(RegistrarTaskManager.THREADS);
   private final CountDownLatch release = new CountDownLatch(1);
 
   @AfterEach
@@ -75,6 +75,6 @@ class RegistrarTasksTest {
     CountDownLatch reported = new CountDownLatch(1);
     tasks.add(new EventTask(reported));
     assertThat(reported.await(10, TimeUnit.SECONDS)).as("the event was reported").isTrue();
-    assertThat(begun).hasValue(RegistrarTasks.THREADS);
+    assertThat(begun).hasValue(RegistrarTaskManager.THREADS);
   }
 }

@@ -6,7 +6,7 @@ import org.dfra.examples.mission.RobotLog.Sample;
 
 /** Receives the progress of a search. */
 @FunctionalInterface
-public interface MissionListener {
+public interface MissionProgressListener {
 
   /**
    * One robot at one time.

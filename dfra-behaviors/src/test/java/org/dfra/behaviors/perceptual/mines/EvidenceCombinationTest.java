@@ -7,27 +7,27 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.assertj.core.data.Offset;
-import org.dfra.behaviors.perceptual.mines.Fusion.BayesFusion;
-import org.dfra.behaviors.perceptual.mines.Fusion.DempsterShaferFusion;
-import org.dfra.behaviors.perceptual.mines.Fusion.Evidence;
-import org.dfra.behaviors.perceptual.mines.Fusion.Opinion;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.BayesFusion;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.DempsterShaferFusion;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.Evidence;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.Opinion;
 import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates.DetectorRates;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-class FusionTest {
+class EvidenceCombinationTest {
 
   private static final Offset<Double> EXACT = within(1e-12);
   private static final double PRIOR = 0.1;
   private static final DetectorRates HEAT = new DetectorRates(0.8, 0.1, 1);
   private static final DetectorRates LIGHT = new DetectorRates(0.6, 0.2, 1);
 
-  static Stream<Fusion> fusions() {
+  static Stream<EvidenceCombination> fusions() {
     return Stream.of(new BayesFusion(PRIOR), new DempsterShaferFusion(PRIOR));
   }
 
-  private static Opinion both(Fusion fusion, Opinion one, Opinion other) {
+  private static Opinion both(EvidenceCombination fusion, Opinion one, Opinion other) {
     return fusion.combine(one, other).opinion();
   }
 
@@ -39,7 +39,7 @@ class FusionTest {
 
   @Test
   void bayesByHand() {
-    Fusion bayes = new BayesFusion(PRIOR);
+    EvidenceCombination bayes = new BayesFusion(PRIOR);
     Opinion alarms = both(bayes, bayes.opinionOf(HEAT.alarm()), bayes.opinionOf(LIGHT.alarm()));
     // 0.1·0.8·0.6 = 0.048; 0.9·0.1·0.2 = 0.018; 48/66
     assertThat(bayes.probability(alarms)).isCloseTo(48.0 / 66, EXACT);
@@ -50,13 +50,13 @@ class FusionTest {
 
   @Test
   void dempsterByHand() {
-    Fusion dempster = new DempsterShaferFusion(PRIOR);
+    EvidenceCombination dempster = new DempsterShaferFusion(PRIOR);
     // Alarm of heat: 1 − 0.1/0.8 = 7/8 mine. Silence of light: 1 − 0.4/0.8 = 1/2 clear.
     Opinion heat = dempster.opinionOf(HEAT.alarm());
     Opinion light = dempster.opinionOf(LIGHT.noAlarm());
     assertClose(heat, new Opinion(7.0 / 8, 0, 1.0 / 8), "heat");
     assertClose(light, new Opinion(0, 1.0 / 2, 1.0 / 2), "light");
-    Fusion.Combined combined = dempster.combine(heat, light);
+    EvidenceCombination.Combined combined = dempster.combine(heat, light);
     // Conflict 7/8·1/2 = 7/16; left 9/16: mine 7/16, clear 1/16, unknown 1/16.
     assertThat(combined.conflict()).isCloseTo(7.0 / 16, EXACT);
     assertClose(combined.opinion(), new Opinion(7.0 / 9, 1.0 / 9, 1.0 / 9), "both");
@@ -66,8 +66,8 @@ class FusionTest {
   @Test
   void twoWhoAreNearlyCertainOfOppositesConflict() {
     // Zadeh's case cut down to two: 0.99 against 0.99.
-    Fusion dempster = new DempsterShaferFusion(PRIOR);
-    Fusion.Combined combined =
+    EvidenceCombination dempster = new DempsterShaferFusion(PRIOR);
+    EvidenceCombination.Combined combined =
         dempster.combine(new Opinion(0.99, 0, 0.01), new Opinion(0, 0.99, 0.01));
     assertThat(combined.conflict()).isCloseTo(0.9801, EXACT);
     assertThat(combined.opinion().mine()).isCloseTo(0.0099 / 0.0199, EXACT);
@@ -75,7 +75,7 @@ class FusionTest {
 
   @ParameterizedTest
   @MethodSource("fusions")
-  void orderAndGroupingChangeNothingNorDoesNothing(Fusion fusion) {
+  void orderAndGroupingChangeNothingNorDoesNothing(EvidenceCombination fusion) {
     long seed = Long.getLong("dfra.seed", new Random().nextLong());
     Random random = new Random(seed);
     for (int i = 0; i < 1000; i++) {
@@ -97,21 +97,22 @@ class FusionTest {
 
   @ParameterizedTest
   @MethodSource("fusions")
-  void noLookLeavesThePrior(Fusion fusion) {
+  void noLookLeavesThePrior(EvidenceCombination fusion) {
     assertThat(fusion.probability(fusion.uninformed())).isCloseTo(PRIOR, EXACT);
   }
 
   @ParameterizedTest
   @MethodSource("fusions")
-  void anAlarmMakesAMineLikelierAndSilenceLess(Fusion fusion) {
+  void anAlarmMakesAMineLikelierAndSilenceLess(EvidenceCombination fusion) {
     assertThat(fusion.probability(fusion.opinionOf(HEAT.alarm()))).isGreaterThan(PRIOR);
     assertThat(fusion.probability(fusion.opinionOf(HEAT.noAlarm()))).isLessThan(PRIOR);
   }
 
   @ParameterizedTest
   @MethodSource("fusions")
-  void whollyContradictoryOpinionsLeaveNothing(Fusion fusion) {
-    Fusion.Combined combined = fusion.combine(new Opinion(1, 0, 0), new Opinion(0, 1, 0));
+  void whollyContradictoryOpinionsLeaveNothing(EvidenceCombination fusion) {
+    EvidenceCombination.Combined combined =
+        fusion.combine(new Opinion(1, 0, 0), new Opinion(0, 1, 0));
     assertThat(combined.conflict()).isEqualTo(1);
     assertThat(combined.opinion()).isEqualTo(fusion.uninformed());
   }
@@ -120,8 +121,8 @@ class FusionTest {
   void dempsterWithThePriorForAnOpinionIsBayes() {
     long seed = Long.getLong("dfra.seed", new Random().nextLong());
     Random random = new Random(seed);
-    Fusion bayes = new BayesFusion(PRIOR);
-    Fusion dempster = new DempsterShaferFusion(PRIOR);
+    EvidenceCombination bayes = new BayesFusion(PRIOR);
+    EvidenceCombination dempster = new DempsterShaferFusion(PRIOR);
     for (int round = 0; round < 200; round++) {
       Opinion likelihoods = bayes.uninformed();
       Opinion masses = new Opinion(PRIOR, 1 - PRIOR, 0);
@@ -138,8 +139,8 @@ class FusionTest {
 
   @Test
   void bothBecomeCertainAlike() {
-    Fusion bayes = new BayesFusion(PRIOR);
-    Fusion dempster = new DempsterShaferFusion(PRIOR);
+    EvidenceCombination bayes = new BayesFusion(PRIOR);
+    EvidenceCombination dempster = new DempsterShaferFusion(PRIOR);
     Opinion likelihoods = bayes.uninformed();
     Opinion masses = dempster.uninformed();
     for (int look = 0; look < 20; look++) {

@@ -21,12 +21,12 @@ import org.dfra.persona.PersonaAttributes;
  * gps_receiver}. If nothing matches exactly, case and underscores are ignored. The full name of a
  * class is always valid.
  */
-public final class QueryVocabulary {
+public final class QueryTypeNames {
 
   private static final String SUFFIX = "Attributes";
 
-  private static final QueryVocabulary STANDARD =
-      new QueryVocabulary(Set.of(), Set.of())
+  private static final QueryTypeNames STANDARD =
+      new QueryTypeNames(Set.of(), Set.of())
           .with(
               TypeFinder.besides(Module.class).stream()
                   .filter(type -> type != PersonaAttributes.class) // of a robot, not of a module
@@ -35,14 +35,14 @@ public final class QueryVocabulary {
   private final Set<Class<? extends Module>> kinds;
   private final Set<Class<? extends Attributes>> attributes;
 
-  private QueryVocabulary(
+  private QueryTypeNames(
       Set<Class<? extends Module>> kinds, Set<Class<? extends Attributes>> attributes) {
     this.kinds = kinds;
     this.attributes = attributes;
   }
 
   /** The vocabulary of dfra-api: all its module interfaces and attribute records. */
-  public static QueryVocabulary standard() {
+  public static QueryTypeNames standard() {
     return STANDARD;
   }
 
@@ -50,7 +50,7 @@ public final class QueryVocabulary {
    * A copy with the module interfaces and attribute records among these types. Other types are
    * ignored.
    */
-  public QueryVocabulary with(Collection<? extends Class<?>> types) {
+  public QueryTypeNames with(Collection<? extends Class<?>> types) {
     Set<Class<? extends Module>> moreKinds = new LinkedHashSet<>(kinds);
     Set<Class<? extends Attributes>> moreAttributes = new LinkedHashSet<>(attributes);
     for (Class<?> type : types) {
@@ -60,7 +60,7 @@ public final class QueryVocabulary {
         moreAttributes.add(type.asSubclass(Attributes.class));
       }
     }
-    return new QueryVocabulary(moreKinds, moreAttributes);
+    return new QueryTypeNames(moreKinds, moreAttributes);
   }
 
   /** The kinds of modules. */
@@ -119,7 +119,7 @@ public final class QueryVocabulary {
                 .toList()
             : exact;
     if (found.isEmpty()) {
-      List<String> names = all.stream().map(QueryVocabulary::shortName).sorted().toList();
+      List<String> names = all.stream().map(QueryTypeNames::shortName).sorted().toList();
       throw new QuerySyntaxException(
           at,
           unknown

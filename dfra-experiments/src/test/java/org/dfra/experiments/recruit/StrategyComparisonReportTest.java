@@ -15,7 +15,7 @@ import org.dfra.report.measurement.MeasuredValue;
 import org.junit.jupiter.api.Test;
 
 /** What results come to, on results made by hand. */
-class StrategyComparisonTest {
+class StrategyComparisonReportTest {
 
   private static final int CALLS = 12;
 
@@ -32,22 +32,22 @@ class StrategyComparisonTest {
     return new CellResult(cell, runs);
   }
 
-  private static StrategyComparison of(int affective, int failed, int doubles) {
+  private static StrategyComparisonReport of(int affective, int failed, int doubles) {
     List<CellResult> results = new ArrayList<>();
     for (ExperimentCell cell : ExperimentGrid.cells()) {
       boolean isAffective = cell.strategy().equals("affective");
       results.add(runs(cell, isAffective ? affective : 20, isAffective ? failed : 0, doubles));
     }
-    return new StrategyComparison(results);
+    return new StrategyComparisonReport(results);
   }
 
-  private static List<String> missed(StrategyComparison comparison) {
+  private static List<String> missed(StrategyComparisonReport comparison) {
     return comparison.figures().missed().stream().map(MeasuredValue::name).toList();
   }
 
   @Test
   void findsNothingMissedWhereAllIsWell() {
-    StrategyComparison comparison = of(9, 0, 0);
+    StrategyComparisonReport comparison = of(9, 0, 0);
     assertThat(missed(comparison)).isEmpty();
     // 2 of doubles and orphans, 4 of calls without help, 6 of transmissions
     assertThat(comparison.figures().all()).hasSize(12);
@@ -60,7 +60,7 @@ class StrategyComparisonTest {
 
   @Test
   void saysWhereItLoses() {
-    StrategyComparison comparison = of(21, 0, 0);
+    StrategyComparisonReport comparison = of(21, 0, 0);
     assertThat(missed(comparison)).hasSize(6).allMatch(each -> each.startsWith("transmissions"));
     assertThat(comparison.sentences())
         .contains(

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * Finds the date of a time of day, also across midnight and where the sentence with the date is
  * sent less often than the others. Confined to one thread.
  */
-final class NmeaCalendar {
+final class NmeaDateResolver {
 
   private static final Duration HALF_A_DAY = Duration.ofHours(12);
   private static final Duration DAY = Duration.ofDays(1);

@@ -7,7 +7,7 @@ import java.time.InstantSource;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
-import org.dfra.examples.mission.MissionListener.MissionEvent;
+import org.dfra.examples.mission.MissionProgressListener.MissionEvent;
 import org.dfra.geometry.LocalFrame;
 import org.dfra.geometry.LocalPosition;
 import org.dfra.report.measurement.MeasuredValue;
@@ -27,7 +27,7 @@ import org.dfra.sim.world.GroundTruth.GroundTruthPose;
  * @param measurements receives the measurements
  * @param eventListener receives the events
  */
-public record MissionContext<R>(
+public record FaultInjectionContext<R>(
     List<SearchingRobot<R>> robots,
     TrueTrajectory truth,
     InstantSource clock,
@@ -37,7 +37,7 @@ public record MissionContext<R>(
     RunMeasurements measurements,
     Consumer<MissionEvent> eventListener) {
 
-  public MissionContext {
+  public FaultInjectionContext {
     robots = List.copyOf(robots);
   }
 

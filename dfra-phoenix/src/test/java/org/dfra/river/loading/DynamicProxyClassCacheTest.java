@@ -11,11 +11,11 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Classes of received proxies. */
-class ProxyClassesTest {
+class DynamicProxyClassCacheTest {
 
-  private static final ClassLoader LOADER = ProxyClassesTest.class.getClassLoader();
+  private static final ClassLoader LOADER = DynamicProxyClassCacheTest.class.getClassLoader();
 
-  private final ProxyClasses proxies = new ProxyClasses();
+  private final DynamicProxyClassCache proxies = new DynamicProxyClassCache();
 
   interface Hidden {}
 
@@ -64,7 +64,8 @@ class ProxyClassesTest {
             java.io.Serializable.class);
     assertThatThrownBy(
             () -> {
-              for (int combination = 0; combination <= 2 * ProxyClasses.MAX_UNLOADABLE; ) {
+              for (int combination = 0;
+                  combination <= 2 * DynamicProxyClassCache.MAX_UNLOADABLE; ) {
                 List<Class<?>> interfaces = new ArrayList<>(List.of(Hidden.class));
                 for (int i = 0; i < others.size(); i++) {
                   if ((combination >> i & 1) == 1) {

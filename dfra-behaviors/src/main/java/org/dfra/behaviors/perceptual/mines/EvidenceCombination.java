@@ -8,7 +8,7 @@ package org.dfra.behaviors.perceptual.mines;
  * <p>Combination is commutative and associative, and {@link #uninformed()} is its neutral element.
  * Do not mix opinions of two methods. Implementations are immutable.
  */
-public interface Fusion {
+public interface EvidenceCombination {
 
   /** The opinion without observations. */
   Opinion uninformed();
@@ -98,7 +98,7 @@ public interface Fusion {
    * Bayes' rule: likelihoods multiply. An opinion is a pair of likelihoods scaled to sum 1; it has
    * no unknown share, so no evidence and balanced evidence are the same.
    */
-  final class BayesFusion implements Fusion {
+  final class BayesFusion implements EvidenceCombination {
 
     private static final Opinion NOTHING = new Opinion(0.5, 0.5, 0);
 
@@ -153,7 +153,7 @@ public interface Fusion {
    * the unknown by the prior, and converges to Bayes' as the evidence grows and the unknown
    * vanishes.
    */
-  final class DempsterShaferFusion implements Fusion {
+  final class DempsterShaferFusion implements EvidenceCombination {
 
     private static final Opinion NOTHING = new Opinion(0, 0, 1);
 

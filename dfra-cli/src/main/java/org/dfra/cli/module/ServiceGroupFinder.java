@@ -13,9 +13,9 @@ import org.dfra.river.bootstrap.PhoenixInventory.ServiceGroup;
 import org.dfra.river.bootstrap.PhoenixProcess;
 
 /** Finds the service group of a module on this host. */
-final class LocalGroup {
+final class ServiceGroupFinder {
 
-  private LocalGroup() {}
+  private ServiceGroupFinder() {}
 
   /**
    * The group that the module runs in.

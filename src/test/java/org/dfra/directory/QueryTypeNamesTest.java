@@ -9,14 +9,14 @@ import com.tngtech.archunit.core.importer.ImportOption;
 import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
-import org.dfra.core.query.QueryVocabulary;
+import org.dfra.core.query.QueryTypeNames;
 import org.dfra.module.Module;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.PersonaAttributes;
 import org.junit.jupiter.api.Test;
 
 /** A query may name whatever dfra-api declares. */
-class QueryVocabularyTest {
+class QueryTypeNamesTest {
 
   private static final JavaClasses API =
       new ClassFileImporter()
@@ -30,7 +30,7 @@ class QueryVocabularyTest {
 
   @Test
   void knowsEveryKindOfModule() {
-    assertThat(QueryVocabulary.standard().kinds())
+    assertThat(QueryTypeNames.standard().kinds())
         .containsExactlyInAnyOrderElementsOf(
             declared(type -> type.isInterface() && type.isAssignableTo(Module.class)).stream()
                 .<Class<? extends Module>>map(type -> type.asSubclass(Module.class))
@@ -39,7 +39,7 @@ class QueryVocabularyTest {
 
   @Test
   void knowsEveryAttributeOfModules() {
-    assertThat(QueryVocabulary.standard().attributes())
+    assertThat(QueryTypeNames.standard().attributes())
         .containsExactlyInAnyOrderElementsOf(
             declared(
                     type ->
