@@ -3,7 +3,7 @@ package org.dfra.river.call;
 import java.rmi.RemoteException;
 
 /** The caller's thread was interrupted while it waited for the response to a remote call. */
-final class CallInterruptedException extends RemoteException {
+public final class CallInterruptedException extends RemoteException {
 
   private static final long serialVersionUID = 1L;
 

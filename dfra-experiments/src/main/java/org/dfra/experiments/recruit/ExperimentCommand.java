@@ -8,7 +8,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.Callable;
-import org.dfra.core.host.CommandName;
 import org.dfra.experiments.recruit.simulation.Experiment;
 import org.dfra.experiments.recruit.simulation.ExperimentGrid;
 import org.dfra.experiments.recruit.simulation.ExperimentGrid.CellResult;
@@ -253,9 +252,8 @@ final class ExperimentCommand implements Callable<Integer> {
             : "Messages are lost in bursts of " + burst + " on average.";
     String slow =
         delays == null
-            ? "Their delays are drawn from those of 2000 messages (message-delays-v1.csv), which "
-                + CommandName.current()
-                + " bench recruit measured between two processes of one computer."
+            ? "Their delays are drawn from those of 2000 messages (message-delays-v1.csv), which the"
+                + " benchmark recruit measured between two processes of one computer."
             : "Their delays are drawn from " + delays + ".";
     return lost + " " + slow;
   }

@@ -3,7 +3,7 @@ package org.dfra.river.loading;
 import org.jspecify.annotations.Nullable;
 
 /** Code was not loaded: the message names the codebase, the reason and the remedy. */
-final class CodeRefusedException extends SecurityException {
+public final class CodeRefusedException extends SecurityException {
 
   private static final long serialVersionUID = 1L;
 

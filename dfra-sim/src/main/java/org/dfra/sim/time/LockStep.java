@@ -34,7 +34,7 @@ import org.jspecify.annotations.Nullable;
  * stepper has advanced so far.
  *
  * <p>It reads no wall clock, except to detect a scheduled thread that never waits again: {@link
- * LockStepScheduler.StuckThreadException}.
+ * StuckThreadException}.
  */
 public final class LockStep implements InstantSource, Scheduler, Ticker {
 
@@ -81,7 +81,7 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
   /**
    * Advances the time and runs every event that is due by then.
    *
-   * @throws LockStepScheduler.StuckThreadException if a reader does not wait again
+   * @throws StuckThreadException if a reader does not wait again
    * @throws IllegalStateException if a task or a reader calls this, or if events at one instant
    *     never end
    * @throws RuntimeException what a task throws; the time stays at that task's instant
@@ -290,6 +290,31 @@ public final class LockStep implements InstantSource, Scheduler, Ticker {
       if (next != null) {
         queue.remove(next);
       }
+    }
+  }
+
+  /**
+   * A scheduled thread did not wait again: it loops, or waits for something outside the simulated
+   * time. The cause's stack trace is that thread's.
+   */
+  public static final class StuckThreadException extends IllegalStateException {
+
+    private static final long serialVersionUID = 1;
+
+    StuckThreadException(Thread thread, Duration patience) {
+      super(
+          thread.getName()
+              + " did not wait again within "
+              + patience.toMillis() / 1e3
+              + " s of real time; the cause's stack shows where it is; let it wait there with its"
+              + " Ticker and a condition of Ticker.newCondition",
+          at(thread));
+    }
+
+    private static Throwable at(Thread thread) {
+      Throwable there = new Throwable(thread.getName() + " is here");
+      there.setStackTrace(thread.getStackTrace());
+      return there;
     }
   }
 }

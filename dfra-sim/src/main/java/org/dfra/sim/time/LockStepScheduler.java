@@ -156,11 +156,11 @@ final class LockStepScheduler {
   /**
    * Passes the caller's execution right to a waiting thread; returns when it is regained.
    *
-   * @throws StuckThreadException if it is not regained within the patience
+   * @throws LockStep.StuckThreadException if it is not regained within the patience
    */
   void run(SteppedThread thread) {
     if (!tryRun(thread, stuckTimeout.toNanos())) {
-      throw new StuckThreadException(thread, stuckTimeout);
+      throw new LockStep.StuckThreadException(thread, stuckTimeout);
     }
   }
 
@@ -185,14 +185,14 @@ final class LockStepScheduler {
   /**
    * Regains the execution right from a thread that did not yield in time.
    *
-   * @throws StuckThreadException if it does not yield now either
+   * @throws LockStep.StuckThreadException if it does not yield now either
    */
   void reclaim() {
     queue.lock.lock();
     try {
       SteppedThread late = overdue;
       if (late != null && !awaitBack(late, stuckTimeout.toNanos())) {
-        throw new StuckThreadException(late, stuckTimeout);
+        throw new LockStep.StuckThreadException(late, stuckTimeout);
       }
     } finally {
       queue.lock.unlock();
@@ -215,30 +215,5 @@ final class LockStepScheduler {
     boolean isBack = thread.phase != Phase.RUNNING;
     overdue = isBack ? null : thread;
     return isBack;
-  }
-
-  /**
-   * A scheduled thread did not wait again: it loops, or waits for something outside the simulated
-   * time. The cause's stack trace is that thread's.
-   */
-  public static final class StuckThreadException extends IllegalStateException {
-
-    private static final long serialVersionUID = 1;
-
-    StuckThreadException(Thread thread, Duration patience) {
-      super(
-          thread.getName()
-              + " did not wait again within "
-              + patience.toMillis() / 1e3
-              + " s of real time; the cause's stack shows where it is; let it wait there with its"
-              + " Ticker and a condition of Ticker.newCondition",
-          at(thread));
-    }
-
-    private static Throwable at(Thread thread) {
-      Throwable there = new Throwable(thread.getName() + " is here");
-      there.setStackTrace(thread.getStackTrace());
-      return there;
-    }
   }
 }

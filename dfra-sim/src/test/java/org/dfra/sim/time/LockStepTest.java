@@ -317,7 +317,7 @@ class LockStepTest {
     Thread stuck = impatient.newThread("laser reader", () -> blockElsewhere(release));
     stuck.start();
     assertThatThrownBy(() -> impatient.advance(SECOND))
-        .isInstanceOf(LockStepScheduler.StuckThreadException.class)
+        .isInstanceOf(LockStep.StuckThreadException.class)
         .hasMessageStartingWith("laser reader did not wait again within 0.2 s of real time; ")
         .cause()
         .hasMessage("laser reader is here")
@@ -326,7 +326,7 @@ class LockStepTest {
                 assertThat(where.getStackTrace())
                     .anyMatch(frame -> frame.getMethodName().equals("blockElsewhere")));
     assertThatThrownBy(() -> impatient.advance(SECOND))
-        .isInstanceOf(LockStepScheduler.StuckThreadException.class);
+        .isInstanceOf(LockStep.StuckThreadException.class);
     release.countDown();
     assertThat(impatient.join(stuck, LONG)).isTrue();
     impatient.advance(SECOND); // all is well again

@@ -7,7 +7,7 @@
  *                   WindowGrid --------^                                      |
  *   PoseEstimate --&gt; PoseBuffer --&gt; Viewpoint --------------&gt; MineObservation &lt;
  *                                                                     |
- *                          MineCandidateMap (EvidenceCombination of Evidence) &lt;----'  --&gt; MinePercept
+ *   MinePercept &lt;-- MineCandidateMap (EvidenceCombination) &lt;------------'
  * </pre>
  *
  * <p>Enter at {@link org.dfra.behaviors.perceptual.mines.MineDetectorImpl}, at {@link

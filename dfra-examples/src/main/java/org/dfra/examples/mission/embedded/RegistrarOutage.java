@@ -40,19 +40,22 @@ final class RegistrarOutage extends Outage<EmbeddedRobot, EmbeddedRegistrar> {
   }
 
   @Override
-  protected Callable<?> prepareStop(
-      FaultInjectionContext<EmbeddedRobot> now, SearchingRobot<EmbeddedRobot> victim)
-      throws Exception {
+  protected Callable<?> prepareStop(SearchingRobot<EmbeddedRobot> victim) throws Exception {
     listed = RegistrarContents.query(victim.robot()).keySet();
+    return () -> {
+      victim.robot().registrar().close();
+      return victim;
+    };
+  }
+
+  @Override
+  protected void reportStop(
+      FaultInjectionContext<EmbeddedRobot> now, SearchingRobot<EmbeddedRobot> victim) {
     now.recordEvent(
         stopped(),
         victim,
         "its registrar is ended, which listed its %d modules; it continues to drive",
         listed.size());
-    return () -> {
-      victim.robot().registrar().close();
-      return victim;
-    };
   }
 
   @Override

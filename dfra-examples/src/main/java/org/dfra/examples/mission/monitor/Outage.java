@@ -73,12 +73,14 @@ public abstract class Outage<R, T> implements InjectedFault<R> {
   }
 
   /**
-   * Reads what is to be there again later, and reports the stop.
+   * Reads what is to be there again later.
    *
    * @return stops the service
    */
-  protected abstract Callable<?> prepareStop(FaultInjectionContext<R> now, SearchingRobot<R> victim)
-      throws Exception;
+  protected abstract Callable<?> prepareStop(SearchingRobot<R> victim) throws Exception;
+
+  /** Reports that the service has stopped. */
+  protected abstract void reportStop(FaultInjectionContext<R> now, SearchingRobot<R> victim);
 
   /** Restarts the service. */
   protected abstract T restart(SearchingRobot<R> victim) throws Exception;
@@ -120,14 +122,15 @@ public abstract class Outage<R, T> implements InjectedFault<R> {
         if (hasEnded) {
           state = State.DONE;
         } else if (share >= from && isStopAllowed()) {
+          stop = operator.submit(prepareStop(victim));
           stopped = now.clock().instant();
           done = share;
-          stop = operator.submit(prepareStop(now, victim));
           state = State.STOPPING;
         }
       }
       case STOPPING -> {
         if (result(stop).isPresent()) {
+          reportStop(now, victim);
           state = State.DOWN;
         }
       }

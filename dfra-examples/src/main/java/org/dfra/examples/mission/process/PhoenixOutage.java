@@ -21,7 +21,10 @@ final class PhoenixOutage extends Outage<DemoRobot, ProcessHandle> {
   private static final String LOOKUP = "lookup";
 
   private final InjectedFault<DemoRobot> before;
-  private Map<String, Long> groups = Map.of(); // known once it is down
+
+  // known once it is down
+  private Map<String, Long> groups = Map.of();
+  private volatile long registrar; // its process; the operator's thread reads it
 
   /**
    * @param robot its index, from 0
@@ -40,20 +43,24 @@ final class PhoenixOutage extends Outage<DemoRobot, ProcessHandle> {
   }
 
   @Override
-  protected Callable<?> prepareStop(
-      FaultInjectionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim) throws Exception {
+  protected Callable<?> prepareStop(SearchingRobot<DemoRobot> victim) throws Exception {
     groups = processes(victim);
-    long registrar = victim.robot().process(LOOKUP);
-    now.recordEvent(
-        stopped(),
-        victim,
-        "its phoenix and its registrar are killed (process %d); it continues to drive",
-        registrar);
+    registrar = victim.robot().process(LOOKUP);
     return () -> {
       victim.robot().host().killPhoenix();
       victim.robot().host().kill(registrar);
       return victim;
     };
+  }
+
+  @Override
+  protected void reportStop(
+      FaultInjectionContext<DemoRobot> now, SearchingRobot<DemoRobot> victim) {
+    now.recordEvent(
+        stopped(),
+        victim,
+        "its phoenix and its registrar are killed (process %d); it continues to drive",
+        registrar);
   }
 
   @Override
