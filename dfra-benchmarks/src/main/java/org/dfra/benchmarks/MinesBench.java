@@ -10,8 +10,8 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import org.dfra.behaviors.perceptual.mines.EvidenceCombination;
-import org.dfra.behaviors.perceptual.mines.EvidenceCombination.BayesFusion;
-import org.dfra.behaviors.perceptual.mines.EvidenceCombination.DempsterShaferFusion;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.BayesCombination;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.DempsterShaferCombination;
 import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates;
 import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates.PreviousResult;
 import org.dfra.experiments.mines.DetectionCounter;
@@ -55,11 +55,17 @@ final class MinesBench implements Bench {
       rates.put(band, counter.rates());
     }
     together(
-        report, "bayes", new BayesFusion(PRIOR), rates, second, MOST_OVERLOOKED, MOST_MISTAKEN);
+        report,
+        "bayes",
+        new BayesCombination(PRIOR),
+        rates,
+        second,
+        MOST_OVERLOOKED,
+        MOST_MISTAKEN);
     together(
         report,
         "dempster_shafer",
-        new DempsterShaferFusion(PRIOR),
+        new DempsterShaferCombination(PRIOR),
         rates,
         second,
         Double.POSITIVE_INFINITY, // included for comparison

@@ -98,7 +98,7 @@ public interface EvidenceCombination {
    * Bayes' rule: likelihoods multiply. An opinion is a pair of likelihoods scaled to sum 1; it has
    * no unknown share, so no evidence and balanced evidence are the same.
    */
-  final class BayesFusion implements EvidenceCombination {
+  final class BayesCombination implements EvidenceCombination {
 
     private static final Opinion NOTHING = new Opinion(0.5, 0.5, 0);
 
@@ -107,7 +107,7 @@ public interface EvidenceCombination {
     /**
      * @param prior probability of a mine without observations, above 0 and below 1
      */
-    public BayesFusion(double prior) {
+    public BayesCombination(double prior) {
       this.prior = PriorProbability.requireValid(prior);
     }
 
@@ -153,7 +153,7 @@ public interface EvidenceCombination {
    * the unknown by the prior, and converges to Bayes' as the evidence grows and the unknown
    * vanishes.
    */
-  final class DempsterShaferFusion implements EvidenceCombination {
+  final class DempsterShaferCombination implements EvidenceCombination {
 
     private static final Opinion NOTHING = new Opinion(0, 0, 1);
 
@@ -162,7 +162,7 @@ public interface EvidenceCombination {
     /**
      * @param prior probability of a mine without observations, above 0 and below 1
      */
-    public DempsterShaferFusion(double prior) {
+    public DempsterShaferCombination(double prior) {
       this.prior = PriorProbability.requireValid(prior);
     }
 

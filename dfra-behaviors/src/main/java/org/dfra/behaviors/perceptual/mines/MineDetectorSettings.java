@@ -5,8 +5,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
-import org.dfra.behaviors.perceptual.mines.EvidenceCombination.BayesFusion;
-import org.dfra.behaviors.perceptual.mines.EvidenceCombination.DempsterShaferFusion;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.BayesCombination;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.DempsterShaferCombination;
 import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates.DetectorRates;
 import org.dfra.core.config.Parameters;
 import org.dfra.flow.sensor.CameraImage.Band;
@@ -62,8 +62,8 @@ record MineDetectorSettings(
     String method = parameters.find("fusion").orElse(BAYES).strip();
     EvidenceCombination fusion =
         switch (method) {
-          case BAYES -> new BayesFusion(prior);
-          case DEMPSTER -> new DempsterShaferFusion(prior);
+          case BAYES -> new BayesCombination(prior);
+          case DEMPSTER -> new DempsterShaferCombination(prior);
           default -> throw parameters.fault("fusion", BAYES + " or " + DEMPSTER, null);
         };
     Map<String, MeasuredRates> measured =

@@ -7,8 +7,8 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.assertj.core.data.Offset;
-import org.dfra.behaviors.perceptual.mines.EvidenceCombination.BayesFusion;
-import org.dfra.behaviors.perceptual.mines.EvidenceCombination.DempsterShaferFusion;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.BayesCombination;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.DempsterShaferCombination;
 import org.dfra.behaviors.perceptual.mines.EvidenceCombination.Evidence;
 import org.dfra.behaviors.perceptual.mines.EvidenceCombination.Opinion;
 import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates.DetectorRates;
@@ -24,7 +24,7 @@ class EvidenceCombinationTest {
   private static final DetectorRates LIGHT = new DetectorRates(0.6, 0.2, 1);
 
   static Stream<EvidenceCombination> fusions() {
-    return Stream.of(new BayesFusion(PRIOR), new DempsterShaferFusion(PRIOR));
+    return Stream.of(new BayesCombination(PRIOR), new DempsterShaferCombination(PRIOR));
   }
 
   private static Opinion both(EvidenceCombination fusion, Opinion one, Opinion other) {
@@ -39,7 +39,7 @@ class EvidenceCombinationTest {
 
   @Test
   void bayesByHand() {
-    EvidenceCombination bayes = new BayesFusion(PRIOR);
+    EvidenceCombination bayes = new BayesCombination(PRIOR);
     Opinion alarms = both(bayes, bayes.opinionOf(HEAT.alarm()), bayes.opinionOf(LIGHT.alarm()));
     // 0.1·0.8·0.6 = 0.048; 0.9·0.1·0.2 = 0.018; 48/66
     assertThat(bayes.probability(alarms)).isCloseTo(48.0 / 66, EXACT);
@@ -50,7 +50,7 @@ class EvidenceCombinationTest {
 
   @Test
   void dempsterByHand() {
-    EvidenceCombination dempster = new DempsterShaferFusion(PRIOR);
+    EvidenceCombination dempster = new DempsterShaferCombination(PRIOR);
     // Alarm of heat: 1 − 0.1/0.8 = 7/8 mine. Silence of light: 1 − 0.4/0.8 = 1/2 clear.
     Opinion heat = dempster.opinionOf(HEAT.alarm());
     Opinion light = dempster.opinionOf(LIGHT.noAlarm());
@@ -66,7 +66,7 @@ class EvidenceCombinationTest {
   @Test
   void twoWhoAreNearlyCertainOfOppositesConflict() {
     // Zadeh's case cut down to two: 0.99 against 0.99.
-    EvidenceCombination dempster = new DempsterShaferFusion(PRIOR);
+    EvidenceCombination dempster = new DempsterShaferCombination(PRIOR);
     EvidenceCombination.Combined combined =
         dempster.combine(new Opinion(0.99, 0, 0.01), new Opinion(0, 0.99, 0.01));
     assertThat(combined.conflict()).isCloseTo(0.9801, EXACT);
@@ -121,8 +121,8 @@ class EvidenceCombinationTest {
   void dempsterWithThePriorForAnOpinionIsBayes() {
     long seed = Long.getLong("dfra.seed", new Random().nextLong());
     Random random = new Random(seed);
-    EvidenceCombination bayes = new BayesFusion(PRIOR);
-    EvidenceCombination dempster = new DempsterShaferFusion(PRIOR);
+    EvidenceCombination bayes = new BayesCombination(PRIOR);
+    EvidenceCombination dempster = new DempsterShaferCombination(PRIOR);
     for (int round = 0; round < 200; round++) {
       Opinion likelihoods = bayes.uninformed();
       Opinion masses = new Opinion(PRIOR, 1 - PRIOR, 0);
@@ -139,8 +139,8 @@ class EvidenceCombinationTest {
 
   @Test
   void bothBecomeCertainAlike() {
-    EvidenceCombination bayes = new BayesFusion(PRIOR);
-    EvidenceCombination dempster = new DempsterShaferFusion(PRIOR);
+    EvidenceCombination bayes = new BayesCombination(PRIOR);
+    EvidenceCombination dempster = new DempsterShaferCombination(PRIOR);
     Opinion likelihoods = bayes.uninformed();
     Opinion masses = dempster.uninformed();
     for (int look = 0; look < 20; look++) {
@@ -155,7 +155,7 @@ class EvidenceCombinationTest {
 
   @Test
   void refusesCertainty() {
-    assertThatThrownBy(() -> new BayesFusion(1)).hasMessageContaining("prior 1.0");
+    assertThatThrownBy(() -> new BayesCombination(1)).hasMessageContaining("prior 1.0");
     assertThatThrownBy(() -> new DetectorRates(1, 0.1, 1))
         .hasMessageContaining("not both above 0 and below 1");
   }

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Map;
 import java.util.TreeMap;
-import org.dfra.behaviors.perceptual.mines.EvidenceCombination.DempsterShaferFusion;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.DempsterShaferCombination;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.Parameters;
 import org.dfra.flow.sensor.CameraImage.Band;
@@ -53,7 +53,7 @@ class MineDetectorSettingsTest {
     assertThat(settings().falsePositive()).as("not configured").isNull();
     parameters.put("fusion", "dempster-shafer");
     assertThat(settings().truePositive()).isEqualTo(0.95);
-    assertThat(settings().fusion()).isInstanceOf(DempsterShaferFusion.class);
+    assertThat(settings().fusion()).isInstanceOf(DempsterShaferCombination.class);
   }
 
   @Test

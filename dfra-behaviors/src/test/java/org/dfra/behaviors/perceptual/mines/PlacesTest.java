@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.dfra.behaviors.perceptual.mines.DetectionWindow.WindowGrid;
-import org.dfra.behaviors.perceptual.mines.EvidenceCombination.BayesFusion;
+import org.dfra.behaviors.perceptual.mines.EvidenceCombination.BayesCombination;
 import org.dfra.behaviors.perceptual.mines.ImageMineDetector.ImageDetections;
 import org.dfra.behaviors.perceptual.mines.MineCandidateMap.CandidateEstimate;
 import org.dfra.behaviors.perceptual.mines.MineObservation.GroundPoint;
@@ -31,7 +31,7 @@ class PlacesTest {
           new DetectorRates(0.2, 0.1, 1));
   private static final GroundPoint AHEAD = new GroundPoint(2.6, 0);
 
-  private final EvidenceCombination fusion = new BayesFusion(PRIOR);
+  private final EvidenceCombination fusion = new BayesCombination(PRIOR);
   private final MineCandidateMap places =
       new MineCandidateMap(fusion, Map.of(Band.VISIBLE, LIGHT, Band.THERMAL, HEAT), 0.5, 0.5);
 
