@@ -16,7 +16,7 @@ import org.dfra.behaviors.perceptual.mines.RepeatedDetectionRates.DetectorRates;
 import org.dfra.flow.sensor.CameraImage.Band;
 import org.junit.jupiter.api.Test;
 
-class PlacesTest {
+class MineCandidateMapTest {
 
   private static final double PRIOR = 0.1;
   private static final RepeatedDetectionRates LIGHT =

@@ -9,7 +9,7 @@ import org.dfra.examples.mission.MissionResult.RobotMissionResult;
 import org.dfra.examples.mission.ModuleReadings.Fix;
 import org.junit.jupiter.api.Test;
 
-class SilenceTest {
+class ReceiverOutageTest {
 
   @Test
   void aReceiverThatWasKilledIsSilentUntilItIsBackAndTheOtherIsNot() {

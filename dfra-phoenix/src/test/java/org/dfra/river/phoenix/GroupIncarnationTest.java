@@ -7,7 +7,7 @@ import java.rmi.activation.ActivationException;
 import org.junit.jupiter.api.Test;
 
 /** Which process an incarnation accepts. */
-class IncarnationTest {
+class GroupIncarnationTest {
 
   private static final ProcessIdentity PROCESS = new ProcessIdentity(4711, "tick 1 of boot x");
 

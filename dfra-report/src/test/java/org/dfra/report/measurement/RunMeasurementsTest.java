@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** How measured values are printed and stored. */
-class FiguresTest {
+class RunMeasurementsTest {
 
   @TempDir Path folder;
 

@@ -9,7 +9,7 @@ import org.dfra.sim.world.shape.PlanarShape.Polygon;
 import org.dfra.sim.world.shape.PlanarShape.Vertex;
 import org.junit.jupiter.api.Test;
 
-class BoxTest {
+class OrientedRectangleTest {
 
   private static OrientedRectangle box(
       double length, double width, double east, double north, double yaw) {
