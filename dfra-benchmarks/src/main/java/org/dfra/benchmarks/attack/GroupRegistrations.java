@@ -6,8 +6,8 @@ import java.rmi.activation.ActivationGroupID;
 import java.util.List;
 import net.jini.id.Uuid;
 import net.jini.id.UuidFactory;
-import net.jini.jeri.tcp.TcpEndpoint;
 import org.dfra.report.measurement.MeasuredValue;
+import org.dfra.river.transport.TransportEndpoint;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -28,7 +28,7 @@ public final class GroupRegistrations extends AttackTask {
     marker = target.folder().resolve("ran");
     group =
         new StrangersGroup(
-            TcpEndpoint.getInstance(target.host(), target.phoenixPort(), target.sockets()),
+            target.sockets().bound(new TransportEndpoint(target.host(), target.phoenixPort())),
             target.folder(),
             marker);
   }

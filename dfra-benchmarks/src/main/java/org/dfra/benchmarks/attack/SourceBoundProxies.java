@@ -13,6 +13,7 @@ import java.util.Optional;
 import net.jini.core.discovery.LookupLocator;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.jeri.tcp.TcpEndpoint;
+import org.dfra.river.transport.TransportEndpoint;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -94,6 +95,9 @@ public final class SourceBoundProxies {
 
     @Override
     protected Object replaceObject(Object object) {
+      if (object instanceof TransportEndpoint endpoint) {
+        return sockets.bound(endpoint);
+      }
       return object instanceof TcpEndpoint tcp
           ? TcpEndpoint.getInstance(tcp.getHost(), tcp.getPort(), sockets)
           : object;

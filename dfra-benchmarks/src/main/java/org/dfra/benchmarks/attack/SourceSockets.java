@@ -9,9 +9,12 @@ import java.net.SocketAddress;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.net.ServerSocketFactory;
 import javax.net.SocketFactory;
+import net.jini.jeri.Endpoint;
 import net.jini.jeri.ServerEndpoint;
 import net.jini.jeri.tcp.TcpServerEndpoint;
 import org.dfra.river.call.Endpoints;
+import org.dfra.river.transport.SourceBoundEndpoint;
+import org.dfra.river.transport.TransportEndpoint;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -53,6 +56,11 @@ public final class SourceSockets extends SocketFactory implements Serializable {
   /** The address from which they connect. */
   public String source() {
     return source;
+  }
+
+  /** The same endpoint, called from the address. */
+  Endpoint bound(TransportEndpoint endpoint) {
+    return new SourceBoundEndpoint(endpoint, source, number);
   }
 
   /** Server sockets that listen on the address only. */

@@ -9,7 +9,6 @@ import java.util.Set;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.core.constraint.MethodConstraints;
 import net.jini.jeri.ServerCapabilities;
-import net.jini.jeri.tcp.TcpServerEndpoint;
 import org.dfra.river.filter.FilteredInvocationDispatcher;
 import org.jspecify.annotations.Nullable;
 
@@ -18,8 +17,8 @@ import org.jspecify.annotations.Nullable;
  * arguments; see {@link AdministrationPolicy}. It filters all other calls like every dispatcher
  * here.
  *
- * <p>It takes its robot's address from the endpoint that it is exported on. On an endpoint without
- * TCP, every address of this computer is the robot's own.
+ * <p>It takes its robot's address from the endpoint that it is exported on. On an endpoint whose
+ * host is unknown, every address of this computer is the robot's own.
  */
 public class GuardedDispatcher extends FilteredInvocationDispatcher {
 
@@ -49,7 +48,7 @@ public class GuardedDispatcher extends FilteredInvocationDispatcher {
 
   private static AdministrationPolicy policy(ServerCapabilities capabilities)
       throws ExportException {
-    @Nullable String host = capabilities instanceof TcpServerEndpoint tcp ? tcp.getHost() : null;
+    @Nullable String host = ListeningHost.of(capabilities);
     try {
       return AdministrationPolicy.exportedAt(host);
     } catch (UnknownHostException e) {

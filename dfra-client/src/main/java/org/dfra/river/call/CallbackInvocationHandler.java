@@ -8,9 +8,6 @@ import java.io.ObjectOutputStream;
 import java.lang.reflect.Method;
 import java.time.Duration;
 import java.util.Collection;
-import java.util.concurrent.Future;
-import java.util.concurrent.ScheduledThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import net.jini.core.constraint.MethodConstraints;
 import net.jini.jeri.BasicInvocationHandler;
 import net.jini.jeri.BasicObjectEndpoint;
@@ -18,15 +15,19 @@ import net.jini.jeri.ObjectEndpoint;
 import net.jini.jeri.OutboundRequest;
 import net.jini.jeri.tcp.TcpEndpoint;
 import org.dfra.river.filter.SerialFilters;
+import org.dfra.river.transport.AbortableEndpoint;
+import org.dfra.river.transport.CallInFlight;
+import org.dfra.river.transport.CallWatchdog;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Calls back an object of another process, on the thread of the caller and under a deadline of this
  * computer.
  *
- * <p>Unlike {@link DeadlineInvocationHandler} it needs no second thread: at the deadline a timer
- * aborts the request, or closes the connection that is still being established, and the caller's
- * thread is released. So at most one thread per caller waits, and a pool of callers bounds both.
+ * <p>Unlike {@link DeadlineInvocationHandler} it needs no second thread, whatever the transport: at
+ * the deadline the watchdog aborts the request, or closes the connection that is still being
+ * established, and the caller's thread is released. So at most one thread per caller waits, and a
+ * pool of callers bounds both.
  */
 final class CallbackInvocationHandler extends BasicInvocationHandler {
 
@@ -62,14 +63,13 @@ final class CallbackInvocationHandler extends BasicInvocationHandler {
       return super.invoke(proxy, method, args);
     }
     CallInFlight call = new CallInFlight(true);
-    Future<?> watch =
-        DeadlineTimer.DEADLINES.schedule(call::abandon, deadlineMillis, TimeUnit.MILLISECONDS);
+    CallWatchdog.watch(call, deadlineMillis, deadlineMillis);
     try {
       return call.<@Nullable Object>runAsCurrent(() -> super.invoke(proxy, method, args));
     } catch (Throwable e) { // as InvocationHandler declares it
       throw call.isAbandoned() ? exceeded(call, method, e) : e;
     } finally {
-      watch.cancel(false);
+      CallWatchdog.release(call);
       boolean unused = call.finish();
     }
   }
@@ -80,9 +80,12 @@ final class CallbackInvocationHandler extends BasicInvocationHandler {
     DeadlineExceededException exceeded =
         new DeadlineExceededException(called, Duration.ofMillis(deadlineMillis), call.mayHaveRun());
     exceeded.detail = cause; // a RemoteException does not accept a cause by initCause
-    if (getObjectEndpoint() instanceof BasicObjectEndpoint basic
-        && basic.getEndpoint() instanceof TcpEndpoint server) {
-      PeerSockets.probe(server);
+    if (getObjectEndpoint() instanceof BasicObjectEndpoint basic) {
+      if (basic.getEndpoint() instanceof AbortableEndpoint endpoint) {
+        endpoint.closeIdleConnections();
+      } else if (basic.getEndpoint() instanceof TcpEndpoint server) {
+        PeerSockets.probe(server);
+      }
     }
     return exceeded;
   }
@@ -121,27 +124,5 @@ final class CallbackInvocationHandler extends BasicInvocationHandler {
 
   private void readObject(ObjectInputStream in) throws IOException {
     throw new InvalidObjectException(CallbackInvocationHandler.class.getName() + " is never sent");
-  }
-
-  /** Thread: one daemon, {@code dfra-callback-timer}, from the first callback on. */
-  private static final class DeadlineTimer {
-
-    static final ScheduledThreadPoolExecutor DEADLINES = make();
-
-    private DeadlineTimer() {}
-
-    private static ScheduledThreadPoolExecutor make() {
-      ScheduledThreadPoolExecutor timer =
-          new ScheduledThreadPoolExecutor(
-              1,
-              task -> {
-                Thread thread = new Thread(task, "dfra-callback-timer");
-                thread.setDaemon(true);
-                thread.setContextClassLoader(null);
-                return thread;
-              });
-      timer.setRemoveOnCancelPolicy(true);
-      return timer;
-    }
   }
 }

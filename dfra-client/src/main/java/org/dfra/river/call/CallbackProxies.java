@@ -10,6 +10,7 @@ import net.jini.jeri.BasicInvocationHandler;
 import net.jini.jeri.BasicObjectEndpoint;
 import net.jini.jeri.ObjectEndpoint;
 import net.jini.jeri.tcp.TcpEndpoint;
+import org.dfra.river.transport.TransportEndpoint;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -63,7 +64,8 @@ public final class CallbackProxies {
     @Nullable BasicInvocationHandler handler = handler(callback);
     return handler != null
         && handler.getObjectEndpoint() instanceof BasicObjectEndpoint basic
-        && basic.getEndpoint() instanceof TcpEndpoint;
+        && (basic.getEndpoint() instanceof TransportEndpoint
+            || basic.getEndpoint() instanceof TcpEndpoint);
   }
 
   /**
@@ -75,10 +77,8 @@ public final class CallbackProxies {
     if (handler == null) {
       return callback.getClass();
     }
-    ObjectEndpoint endpoint = withOwnSockets(handler.getObjectEndpoint());
-    return endpoint instanceof BasicObjectEndpoint basic
-        ? basic.getEndpoint()
-        : endpoint.getClass();
+    @Nullable PeerAddress address = PeerAddress.of(callback);
+    return address == null ? handler.getObjectEndpoint().getClass() : address;
   }
 
   private static @Nullable BasicInvocationHandler handler(Remote callback) {
@@ -91,10 +91,15 @@ public final class CallbackProxies {
 
   /** Replaces its socket factory, which was sent with it and may block or fail. */
   private static ObjectEndpoint withOwnSockets(ObjectEndpoint endpoint) {
-    if (endpoint instanceof BasicObjectEndpoint basic
-        && basic.getEndpoint() instanceof TcpEndpoint tcp) {
-      return new BasicObjectEndpoint(
-          Endpoints.tcpClient(tcp.getHost(), tcp.getPort()), basic.getObjectIdentifier(), false);
+    if (endpoint instanceof BasicObjectEndpoint basic) {
+      if (basic.getEndpoint() instanceof TcpEndpoint tcp) {
+        return new BasicObjectEndpoint(
+            Endpoints.riverClient(tcp.getHost(), tcp.getPort()),
+            basic.getObjectIdentifier(),
+            false);
+      } else if (basic.getEnableDGC()) {
+        return new BasicObjectEndpoint(basic.getEndpoint(), basic.getObjectIdentifier(), false);
+      }
     }
     return endpoint;
   }

@@ -1,11 +1,14 @@
 package org.dfra.river.call;
 
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Method;
+import java.nio.channels.ClosedByInterruptException;
+import java.rmi.RemoteException;
 import java.rmi.activation.Activator;
 import java.time.Duration;
 import java.util.Collection;
@@ -24,6 +27,9 @@ import net.jini.jeri.tcp.TcpEndpoint;
 import net.jini.security.proxytrust.TrustEquivalence;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.filter.SerialLimits;
+import org.dfra.river.transport.AbortableEndpoint;
+import org.dfra.river.transport.CallInFlight;
+import org.dfra.river.transport.CallWatchdog;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -119,6 +125,9 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
       return super.invoke(proxy, method, args);
     }
     Object peer = peer();
+    if (peer instanceof AbortableEndpoint endpoint) {
+      return invokeHere(endpoint, proxy, method, args);
+    }
     int held = UNRESPONSIVE.blockedThreads(peer);
     if (held >= UnresponsivePeers.MAX_BLOCKED_THREADS) {
       throw new DeadlineExceededException(
@@ -129,6 +138,48 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
         new FutureTask<>(() -> carry(call, peer, proxy, method, args));
     CallThreads.run(answer);
     return await(answer, call, peer, method);
+  }
+
+  /** Calls on the caller's own thread: closing a connection of this transport always frees it. */
+  private @Nullable Object invokeHere(
+      AbortableEndpoint endpoint, Object proxy, Method method, Object @Nullable [] args)
+      throws Throwable {
+    long deadline = deadlineMillis(method);
+    CallInFlight call = new CallInFlight(true);
+    CallWatchdog.watch(call, CONNECTED_MILLIS, deadline);
+    try {
+      return call.<@Nullable Object>runAsCurrent(() -> super.invoke(proxy, method, args));
+    } catch (Throwable e) { // as InvocationHandler declares it
+      if (call.isAbandoned()) {
+        endpoint.closeIdleConnections(); // they may be as dead
+        long awaited = call.hasRequest() ? deadline : Math.min(deadline, CONNECTED_MILLIS);
+        DeadlineExceededException exceeded =
+            new DeadlineExceededException(
+                describe(method), Duration.ofMillis(awaited), call.mayHaveRun());
+        exceeded.detail = e; // a RemoteException does not accept a cause by initCause
+        throw exceeded;
+      }
+      if (isInterruption(e)) {
+        Thread.currentThread().interrupt();
+        throw new CallInterruptedException(describe(method), call.mayHaveRun());
+      }
+      throw e;
+    } finally {
+      CallWatchdog.release(call);
+      boolean unused = call.finish();
+    }
+  }
+
+  /** Whether the caller's interruption has ended the call: it closes the connection. */
+  private static boolean isInterruption(Throwable failure) {
+    @Nullable Throwable at = failure instanceof RemoteException ? failure : null;
+    while (at != null) {
+      if (at instanceof ClosedByInterruptException || at instanceof InterruptedIOException) {
+        return true;
+      }
+      at = at.getCause();
+    }
+    return false;
   }
 
   /** The timeout of a call of a method, in milliseconds. */
@@ -235,8 +286,11 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
 
   /** A peer's address, for messages. */
   static String name(Object peer) {
+    if (peer instanceof AbortableEndpoint server) {
+      return server.host() + ":" + server.port();
+    }
     return peer instanceof TcpEndpoint server
-        ? "TcpEndpoint[" + server.getHost() + ":" + server.getPort() + "]"
+        ? server.getHost() + ":" + server.getPort()
         : peer.toString();
   }
 

@@ -9,13 +9,16 @@ import net.jini.jeri.Endpoint;
 import net.jini.jeri.ServerEndpoint;
 import net.jini.jeri.tcp.TcpEndpoint;
 import net.jini.jeri.tcp.TcpServerEndpoint;
+import org.dfra.river.transport.TransportEndpoint;
+import org.dfra.river.transport.TransportServerEndpoint;
 import org.jspecify.annotations.Nullable;
 
 /**
- * TCP endpoints that listen on one address only: the one that their proxies carry.
+ * JERI endpoints that listen on one address only: the one that their proxies carry.
  *
- * <p>River's own endpoints listen on every interface, including those that a robot's operator did
- * not configure. The clients of these endpoints close broken connections.
+ * <p>{@link #tcp} is the default everywhere. Where clients without DFRA's transport call, a Jini
+ * configuration names {@link #river} instead: River's own transport, whose endpoints otherwise
+ * listen on every interface, including those that a robot's operator did not configure.
  */
 public final class Endpoints {
 
@@ -26,10 +29,9 @@ public final class Endpoints {
    *
    * @param host address or name of this machine; proxies carry it, and only it is listened on
    * @param port TCP port, or 0 for one that the system chooses
-   * @throws IllegalArgumentException if the host is unknown
    */
   public static ServerEndpoint tcp(String host, int port) {
-    return TcpServerEndpoint.getInstance(host, port, new PeerSockets(), serverSocketFactory(host));
+    return new TransportServerEndpoint(host, port);
   }
 
   /**
@@ -39,6 +41,22 @@ public final class Endpoints {
    * @param port its TCP port
    */
   public static Endpoint tcpClient(String host, int port) {
+    return new TransportEndpoint(host, port);
+  }
+
+  /**
+   * An endpoint of River's transport to export on. Its clients close broken connections.
+   *
+   * @param host address or name of this machine; proxies carry it, and only it is listened on
+   * @param port TCP port, or 0 for one that the system chooses
+   * @throws IllegalArgumentException if the host is unknown
+   */
+  public static ServerEndpoint river(String host, int port) {
+    return TcpServerEndpoint.getInstance(host, port, new PeerSockets(), serverSocketFactory(host));
+  }
+
+  /** The client's side of an endpoint of River's transport. */
+  static Endpoint riverClient(String host, int port) {
     return TcpEndpoint.getInstance(host, port, new PeerSockets());
   }
 

@@ -6,6 +6,7 @@ import java.rmi.Remote;
 import net.jini.jeri.BasicInvocationHandler;
 import net.jini.jeri.BasicObjectEndpoint;
 import net.jini.jeri.tcp.TcpEndpoint;
+import org.dfra.river.transport.TransportEndpoint;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -29,9 +30,14 @@ public record PeerAddress(String host, int port) {
     if (handler instanceof ResurrectingHandler resurrecting) {
       return of(resurrecting.live());
     }
-    return handler instanceof BasicInvocationHandler basic
-            && basic.getObjectEndpoint() instanceof BasicObjectEndpoint object
-            && object.getEndpoint() instanceof TcpEndpoint tcp
+    if (!(handler instanceof BasicInvocationHandler basic)
+        || !(basic.getObjectEndpoint() instanceof BasicObjectEndpoint object)) {
+      return null;
+    }
+    if (object.getEndpoint() instanceof TransportEndpoint endpoint) {
+      return new PeerAddress(endpoint.host(), endpoint.port());
+    }
+    return object.getEndpoint() instanceof TcpEndpoint tcp
         ? new PeerAddress(tcp.getHost(), tcp.getPort())
         : null;
   }

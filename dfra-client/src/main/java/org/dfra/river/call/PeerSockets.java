@@ -14,6 +14,7 @@ import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import javax.net.SocketFactory;
 import net.jini.jeri.tcp.TcpEndpoint;
+import org.dfra.river.transport.CallInFlight;
 import org.jspecify.annotations.Nullable;
 
 /**

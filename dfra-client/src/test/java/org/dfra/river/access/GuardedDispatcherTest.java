@@ -8,7 +8,6 @@ import java.io.IOException;
 import java.io.ObjectInputStream;
 import java.io.Serial;
 import java.io.Serializable;
-import java.lang.reflect.Proxy;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
@@ -21,20 +20,22 @@ import java.rmi.server.UnicastRemoteObject;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import javax.net.SocketFactory;
 import net.jini.admin.JoinAdmin;
 import net.jini.core.discovery.LookupLocator;
 import net.jini.core.entry.Entry;
 import net.jini.id.Uuid;
 import net.jini.id.UuidFactory;
-import net.jini.jeri.BasicInvocationHandler;
 import net.jini.jeri.BasicJeriExporter;
 import net.jini.jeri.BasicObjectEndpoint;
-import net.jini.jeri.tcp.TcpEndpoint;
 import org.dfra.module.AdministrationRefusedException;
 import org.dfra.module.Administrative;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
+import org.dfra.river.call.PeerAddress;
+import org.dfra.river.transport.SourceBoundEndpoint;
+import org.dfra.river.transport.TransportEndpoint;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -163,10 +164,7 @@ class GuardedDispatcherTest {
   void export() throws Exception {
     assumeTrue(isAddressHere(STRANGER), STRANGER + " is no address of this computer");
     Remote proxy = exporter.export(impl);
-    BasicInvocationHandler handler = (BasicInvocationHandler) Proxy.getInvocationHandler(proxy);
-    TcpEndpoint endpoint =
-        (TcpEndpoint) ((BasicObjectEndpoint) handler.getObjectEndpoint()).getEndpoint();
-    port = endpoint.getPort();
+    port = Objects.requireNonNull(PeerAddress.of(proxy)).port();
   }
 
   @AfterEach
@@ -192,7 +190,7 @@ class GuardedDispatcherTest {
     return (Knobs)
         DeadlineILFactory.proxy(
             new BasicObjectEndpoint(
-                TcpEndpoint.getInstance(ROBOT, port, new Bound(source)), id, false),
+                new SourceBoundEndpoint(new TransportEndpoint(ROBOT, port), source, 0), id, false),
             Duration.ofSeconds(20),
             Knobs.class.getClassLoader(),
             Knobs.class);

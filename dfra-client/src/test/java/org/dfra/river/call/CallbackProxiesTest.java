@@ -108,7 +108,7 @@ class CallbackProxiesTest {
     StallProbe.Stopwatch began = probe.stopwatch();
     assertThatExceptionOfType(DeadlineExceededException.class)
         .isThrownBy(callback::block)
-        .withMessageContaining("Service.block on TcpEndpoint[" + HOST)
+        .withMessageContaining("Service.block on " + HOST)
         .withMessageContaining("got no answer within 200 ms");
     return began.stop();
   }

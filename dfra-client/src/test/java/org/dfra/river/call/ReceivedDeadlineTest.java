@@ -9,7 +9,7 @@ import java.rmi.activation.Activator;
 import java.time.Duration;
 import java.util.List;
 import net.jini.core.constraint.RemoteMethodControl;
-import org.dfra.river.call.DeadlineTest.Service;
+import org.dfra.river.call.DeadlineContract.Service;
 import org.junit.jupiter.api.Test;
 
 class ReceivedDeadlineTest {
@@ -19,8 +19,10 @@ class ReceivedDeadlineTest {
   void aReceivedDeadlineIsAtMostTenSecondsOrThirtyForAnActivator() throws Exception {
     Method echo = Service.class.getMethod("echo", String.class);
     Method activate = Activator.class.getMethod("activate", ActivationID.class, boolean.class);
-    Service hours = DeadlineTest.proxy(4160, Duration.ofHours(2).toMillis());
-    RemoteMethodControl read = (RemoteMethodControl) DeadlineTest.received(hours);
+    Service hours =
+        DeadlineContract.proxy(
+            Endpoints.tcpClient("127.0.0.1", 4160), Duration.ofHours(2).toMillis());
+    RemoteMethodControl read = (RemoteMethodControl) DeadlineContract.received(hours);
     for (Object each : List.of(read, read.setConstraints(null))) {
       DeadlineInvocationHandler handler =
           (DeadlineInvocationHandler) Proxy.getInvocationHandler(each);

@@ -18,9 +18,9 @@ import net.jini.core.event.EventRegistration;
 import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceRegistration;
 import net.jini.jeri.ServerCapabilities;
-import net.jini.jeri.tcp.TcpServerEndpoint;
 import org.dfra.directory.RegistrationRefusedException;
 import org.dfra.river.access.GuardedDispatcher;
+import org.dfra.river.access.ListeningHost;
 import org.dfra.river.access.OwnAddresses;
 import org.dfra.river.access.RemoteCaller;
 import org.dfra.river.registrar.RegistrationRules.RegistrationOrigin;
@@ -78,7 +78,7 @@ final class RegistrarDispatcher extends GuardedDispatcher {
       throws ExportException {
     super(methods, reggie.getClass(), capabilities, server, loader);
     this.policy = policy;
-    @Nullable String host = capabilities instanceof TcpServerEndpoint tcp ? tcp.getHost() : null;
+    @Nullable String host = ListeningHost.of(capabilities);
     try {
       this.own = OwnAddresses.exportedAt(host);
       this.state = new ReggieState(reggie);

@@ -33,6 +33,14 @@ public final class Exporters {
     return settings.id() == null ? plain : new ResurrectingExporter(settings.id(), plain);
   }
 
+  /** As {@link #jeri(ServerSettings, long)}, over River's own transport. */
+  public static Exporter river(ServerSettings settings, long deadlineMillis) {
+    Exporter plain =
+        JeriExporters.keepingAlive(
+            Endpoints.river(settings.host(), 0), new DeadlineILFactory(deadlineMillis));
+    return settings.id() == null ? plain : new ResurrectingExporter(settings.id(), plain);
+  }
+
   /** JERI over TCP, as above, for an object that is not activatable. */
   public static Exporter jeri(String host, long deadlineMillis) {
     return JeriExporters.keepingAlive(

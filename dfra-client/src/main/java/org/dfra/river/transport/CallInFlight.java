@@ -1,4 +1,4 @@
-package org.dfra.river.call;
+package org.dfra.river.transport;
 
 import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.Closeable;
@@ -8,10 +8,10 @@ import net.jini.jeri.OutboundRequest;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One running call, shared between the caller that may abandon it and the thread that waits for its
- * response.
+ * One running call, shared between the thread that waits for its response and the one that may
+ * abandon it: {@link CallWatchdog}, or a caller that waits on another thread.
  */
-final class CallInFlight {
+public final class CallInFlight {
 
   private static final System.Logger LOG = System.getLogger(CallInFlight.class.getName());
   private static final ThreadLocal<@Nullable CallInFlight> CURRENT = new ThreadLocal<>();
@@ -32,7 +32,7 @@ final class CallInFlight {
   private boolean ended;
 
   /** A call that, when abandoned, does not close a connection that is still being established. */
-  CallInFlight() {
+  public CallInFlight() {
     this(false);
   }
 
@@ -43,17 +43,22 @@ final class CallInFlight {
    *     established for it, so that its thread does not wait for a peer that accepts connections
    *     and sends nothing
    */
-  CallInFlight(boolean closesConnection) {
+  public CallInFlight(boolean closesConnection) {
     this.closesConnection = closesConnection;
   }
 
   /** Makes this the call of the current thread while {@code body} runs. */
-  <T extends @Nullable Object> T runAsCurrent(Invocation<T> body) throws Throwable {
+  public <T extends @Nullable Object> T runAsCurrent(Invocation<T> body) throws Throwable {
+    @Nullable CallInFlight outer = CURRENT.get(); // whose arguments or result make this call
     CURRENT.set(this);
     try {
       return body.run();
     } finally {
-      CURRENT.remove();
+      if (outer == null) {
+        CURRENT.remove();
+      } else {
+        CURRENT.set(outer);
+      }
     }
   }
 
@@ -62,7 +67,7 @@ final class CallInFlight {
    *
    * @return the request
    */
-  static OutboundRequest attachRequest(OutboundRequest request) {
+  public static OutboundRequest attachRequest(OutboundRequest request) {
     @Nullable CallInFlight call = CURRENT.get();
     if (call != null) {
       call.setRequest(request);
@@ -75,10 +80,23 @@ final class CallInFlight {
    *
    * @throws IOException if the call was already abandoned
    */
-  static void attachConnection(Closeable connection) throws IOException {
+  public static void attachConnection(Closeable connection) throws IOException {
     @Nullable CallInFlight call = CURRENT.get();
     if (call != null && call.closesConnection) {
       call.setConnection(connection);
+    }
+  }
+
+  /**
+   * Ends an attempt of the current thread's call if it must not be followed by another one.
+   *
+   * @param failure of the attempt
+   * @throws IOException the failure, if the call was abandoned or its thread interrupted
+   */
+  static void checkNotAbandoned(IOException failure) throws IOException {
+    @Nullable CallInFlight call = CURRENT.get();
+    if (Thread.currentThread().isInterrupted() || (call != null && call.isAbandoned())) {
+      throw failure;
     }
   }
 
@@ -106,7 +124,7 @@ final class CallInFlight {
    *
    * @return false if the call had already ended
    */
-  boolean abandon() {
+  public boolean abandon() {
     @Nullable OutboundRequest leaving;
     @Nullable Closeable unfinished;
     synchronized (this) {
@@ -135,7 +153,7 @@ final class CallInFlight {
   }
 
   /** Whether it was abandoned. */
-  synchronized boolean isAbandoned() {
+  public synchronized boolean isAbandoned() {
     return abandoned;
   }
 
@@ -144,13 +162,13 @@ final class CallInFlight {
    *
    * @return whether the call had already been abandoned
    */
-  synchronized boolean finish() {
+  public synchronized boolean finish() {
     ended = true;
     return abandoned;
   }
 
   /** Whether a connection was found for the call. */
-  synchronized boolean hasRequest() {
+  public synchronized boolean hasRequest() {
     return request != null;
   }
 
@@ -158,12 +176,18 @@ final class CallInFlight {
    * Whether bytes of the call may have reached the server. The answer is final once the call was
    * abandoned or has ended; before that, its first bytes may be sent right after the answer.
    */
-  synchronized boolean mayHaveRun() {
+  public synchronized boolean mayHaveRun() {
     return request != null && request.getDeliveryStatus();
   }
 
-  /** The work of a call. */
-  interface Invocation<T extends @Nullable Object> {
+  /**
+   * The work of a call.
+   *
+   * @param <T> its result
+   */
+  public interface Invocation<T extends @Nullable Object> {
+
+    /** Makes the call. */
     T run() throws Throwable;
   }
 }

@@ -1,0 +1,259 @@
+package org.dfra.river.transport;
+
+import com.google.errorprone.annotations.concurrent.GuardedBy;
+import java.io.Closeable;
+import java.io.IOException;
+import java.lang.System.Logger.Level;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.StandardProtocolFamily;
+import java.net.UnixDomainSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.channels.SocketChannel;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.TimeUnit;
+import net.jini.id.Uuid;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The connections of this virtual machine to one server that no call uses at the moment.
+ *
+ * <p>The one that was used last is used first, so that the others become old: after {@value
+ * #PAUSE_MILLIS} ms the server is told, and after {@value #IDLE_SECONDS} s they are closed. {@link
+ * CallWatchdog} sees to that.
+ */
+final class ClientConnections {
+
+  private static final System.Logger LOG = System.getLogger(ClientConnections.class.getName());
+
+  private static final long PAUSE_MILLIS = 300;
+  private static final long IDLE_SECONDS = 30;
+  private static final long PAUSE_NANOS = TimeUnit.MILLISECONDS.toNanos(PAUSE_MILLIS);
+  private static final long IDLE_NANOS = TimeUnit.SECONDS.toNanos(IDLE_SECONDS);
+
+  /** Further connections are closed after their call. */
+  private static final int MAX_IDLE = 32;
+
+  private static final ConcurrentHashMap<Key, ClientConnections> ALL = new ConcurrentHashMap<>();
+
+  private record Key(TransportEndpoint server, @Nullable InetAddress source, int group) {}
+
+  private final Key key;
+
+  @GuardedBy("this")
+  private final ArrayDeque<ClientConnection> idle = new ArrayDeque<>(); // first: used last
+
+  private ClientConnections(Key key) {
+    this.key = key;
+  }
+
+  /** The connections to a server. */
+  static ClientConnections to(TransportEndpoint server) {
+    return of(new Key(server, null, 0));
+  }
+
+  /** One group of the TCP connections to a server from one address of this computer. */
+  static ClientConnections to(TransportEndpoint server, InetAddress source, int group) {
+    return of(new Key(server, source, group));
+  }
+
+  private static ClientConnections of(Key key) {
+    @Nullable ClientConnections known = ALL.get(key);
+    return known == null ? new ClientConnections(key) : known;
+  }
+
+  /** A connection on which a request may be sent; null if a new one is needed. */
+  @Nullable ClientConnection takeIdle() {
+    while (true) {
+      @Nullable ClientConnection last;
+      synchronized (this) {
+        last = idle.pollFirst();
+      }
+      if (last == null || last.isOpen(System.nanoTime())) {
+        return last;
+      }
+      last.closeIdle();
+    }
+  }
+
+  /** Keeps a connection for the next call. */
+  void giveBack(ClientConnection connection) {
+    long now = System.nanoTime();
+    connection.setIdle(now);
+    // Within compute, so that no list is added to that is removed from the table meanwhile.
+    ALL.compute(
+        key,
+        (same, known) -> {
+          ClientConnections kept = known == null ? this : known;
+          kept.add(connection);
+          return kept;
+        });
+  }
+
+  private void add(ClientConnection connection) {
+    @Nullable ClientConnection surplus = null;
+    synchronized (this) {
+      idle.addFirst(connection);
+      if (idle.size() > MAX_IDLE) {
+        surplus = idle.pollLast();
+      }
+    }
+    if (surplus != null) {
+      surplus.closeIdle();
+    }
+  }
+
+  private synchronized boolean isEmpty() {
+    return idle.isEmpty();
+  }
+
+  /** Closes all of them. */
+  void closeIdle() {
+    List<ClientConnection> closing;
+    synchronized (this) {
+      closing = new ArrayList<>(idle);
+      idle.clear();
+    }
+    closing.forEach(ClientConnection::closeIdle);
+  }
+
+  /**
+   * Pauses and closes the connections of all servers that are due.
+   *
+   * @param now {@link System#nanoTime()}
+   * @return when the next one is due, in nanoseconds from now; {@link Long#MAX_VALUE} if none is
+   */
+  static long tendAll(long now) {
+    long next = Long.MAX_VALUE;
+    for (ClientConnections each : ALL.values()) {
+      next = Math.min(next, each.tend(now));
+    }
+    return next;
+  }
+
+  private long tend(long now) {
+    List<ClientConnection> old = new ArrayList<>();
+    long next = Long.MAX_VALUE;
+    synchronized (this) {
+      for (Iterator<ClientConnection> all = idle.iterator(); all.hasNext(); ) {
+        ClientConnection each = all.next();
+        long idleNanos = each.idleNanos(now);
+        boolean isOld = idleNanos >= IDLE_NANOS;
+        if (!isOld && !each.isPaused() && idleNanos >= PAUSE_NANOS) {
+          isOld = !paused(each);
+        }
+        if (isOld) {
+          all.remove();
+          old.add(each);
+        } else {
+          next = Math.min(next, (each.isPaused() ? IDLE_NANOS : PAUSE_NANOS) - idleNanos);
+        }
+      }
+    }
+    old.forEach(ClientConnection::closeIdle);
+    if (next == Long.MAX_VALUE) {
+      ALL.computeIfPresent(key, (same, known) -> known.isEmpty() ? null : known);
+    }
+    return next;
+  }
+
+  private static boolean paused(ClientConnection connection) {
+    try {
+      connection.pause(); // four bytes that the empty buffer of the operating system takes
+      return true;
+    } catch (IOException e) {
+      LOG.log(Level.DEBUG, "An idle connection had ended.", e);
+      return false;
+    }
+  }
+
+  /**
+   * Opens a connection. The current call's abandonment closes it meanwhile.
+   *
+   * @throws IOException if the server cannot be reached; nothing was sent that it would execute
+   */
+  ClientConnection open() throws IOException {
+    @Nullable LocalSocket local = key.source == null ? key.server.usableLocalSocket() : null;
+    if (local != null) {
+      @Nullable ClientConnection connection = openLocally(local);
+      if (connection != null) {
+        return connection;
+      }
+    }
+    InetAddress address = HostAddresses.resolve(key.server.host());
+    SocketChannel channel = SocketChannel.open();
+    return opened(
+        channel,
+        Greeting.ANY_SERVER,
+        () -> {
+          if (key.source != null) {
+            channel.bind(new InetSocketAddress(key.source, 0));
+          }
+          channel.connect(new InetSocketAddress(address, key.server.port()));
+          return SocketLink.tcp(channel);
+        });
+  }
+
+  /**
+   * Opens a connection by the Unix-domain socket.
+   *
+   * @return null if TCP is to be tried: the socket is not there, may not be opened, or belongs to
+   *     another user or server
+   */
+  private @Nullable ClientConnection openLocally(LocalSocket local) throws IOException {
+    SocketChannel channel = SocketChannel.open(StandardProtocolFamily.UNIX);
+    try {
+      return opened(
+          channel,
+          local.server(),
+          () -> {
+            channel.connect(UnixDomainSocketAddress.of(local.path()));
+            return SocketLink.unixToOwnUser(channel, HostAddresses.resolve(key.server.host()));
+          });
+    } catch (IOException e) {
+      CallInFlight.checkNotAbandoned(e);
+      LOG.log(Level.DEBUG, () -> "No local connection to " + key.server + ", so TCP: " + e);
+      return null;
+    }
+  }
+
+  private interface Connecting {
+    Link connect() throws IOException;
+  }
+
+  private ClientConnection opened(Closeable channel, Uuid server, Connecting connecting)
+      throws IOException {
+    boolean done = false;
+    try {
+      CallInFlight.attachConnection(channel);
+      Link link = connecting.connect();
+      greet(link, server);
+      done = true;
+      return new ClientConnection(link);
+    } finally {
+      if (!done) {
+        channel.close();
+      }
+    }
+  }
+
+  private void greet(Link link, Uuid server) throws IOException {
+    ByteBuffer bytes = ByteBuffer.allocate(Greeting.CLIENT_BYTES);
+    Greeting.putClient(bytes, server);
+    link.write(bytes.flip());
+    bytes.clear().limit(Greeting.SERVER_BYTES);
+    while (bytes.hasRemaining()) {
+      if (link.read(bytes) < 0) {
+        throw MessageInput.ended();
+      }
+    }
+    Greeting.Answer answer = Greeting.readServer(bytes.flip());
+    if (answer != Greeting.Answer.WELCOME) {
+      throw new IOException(key.server + " refuses a connection: " + answer);
+    }
+  }
+}

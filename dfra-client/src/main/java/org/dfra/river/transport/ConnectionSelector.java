@@ -1,0 +1,462 @@
+package org.dfra.river.transport;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.lang.System.Logger.Level;
+import java.nio.ByteBuffer;
+import java.nio.channels.CancelledKeyException;
+import java.nio.channels.ClosedChannelException;
+import java.nio.channels.ClosedSelectorException;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.channels.SocketChannel;
+import java.util.Comparator;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.SynchronousQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.dfra.river.transport.ConnectionLimits.Resource;
+import org.dfra.river.transport.ServerConnection.State;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Accepts the connections of this virtual machine and has those on which no call is made. When the
+ * first block of a request is complete, a worker takes the connection: a client that sends half a
+ * block never occupies a thread.
+ *
+ * <p>Threads: one daemon, {@code dfra-connections}, from the first export on, which everything here
+ * is confined to unless it says otherwise, and the workers {@code dfra-worker-}number, which end
+ * after half a minute without a call.
+ */
+final class ConnectionSelector {
+
+  private static final System.Logger LOG = System.getLogger(ConnectionSelector.class.getName());
+
+  /** The longest time between two parts of a request, or until it was greeted. */
+  private static final long RECEIVE_NANOS = TimeUnit.SECONDS.toNanos(2);
+
+  /** The longest time for a whole request to arrive: as long as the longest deadline of a call. */
+  private static final long REQUEST_NANOS = TimeUnit.SECONDS.toNanos(30);
+
+  /** The longest time between two parts of a response. */
+  private static final long ANSWER_NANOS = TimeUnit.SECONDS.toNanos(10);
+
+  /** The longest time that a worker waits for a client that does not say whether it goes on. */
+  private static final long WAITING_NANOS = TimeUnit.SECONDS.toNanos(2);
+
+  /** Longer than clients keep idle connections. */
+  private static final long IDLE_NANOS = TimeUnit.SECONDS.toNanos(60);
+
+  /** The time in which a client closes a connection that it was told to close. */
+  private static final long CLOSING_NANOS = TimeUnit.SECONDS.toNanos(2);
+
+  /** How often connections are checked while calls are made. */
+  private static final long TICK_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
+
+  private static final long FULL_LOG_NANOS = TimeUnit.SECONDS.toNanos(10);
+
+  private final Selector selector;
+  private final ConnectionLimits limits = new ConnectionLimits();
+  private final Set<ServerConnection> connections = ConcurrentHashMap.newKeySet();
+  private final ConcurrentLinkedQueue<Runnable> tasks = new ConcurrentLinkedQueue<>();
+  private final ByteBuffer scratch = ByteBuffer.allocateDirect(Block.BLOCK_BYTES);
+  private final ThreadPoolExecutor workers;
+  private long nextCheck = System.nanoTime();
+  private long lastFullLog = System.nanoTime() - FULL_LOG_NANOS;
+
+  /** The one of this virtual machine. */
+  private static final class Holder {
+    static final ConnectionSelector INSTANCE = start();
+
+    private static ConnectionSelector start() {
+      try {
+        ConnectionSelector made = new ConnectionSelector(Selector.open());
+        daemon(made::run, "dfra-connections").start();
+        return made;
+      } catch (IOException e) {
+        throw new UncheckedIOException("this process cannot wait for connections", e);
+      }
+    }
+  }
+
+  private ConnectionSelector(Selector selector) {
+    this.selector = selector;
+    AtomicInteger count = new AtomicInteger();
+    this.workers =
+        new ThreadPoolExecutor(
+            0,
+            Integer.MAX_VALUE, // limited by Resource.WORKERS
+            30,
+            TimeUnit.SECONDS,
+            new SynchronousQueue<>(),
+            task -> daemon(task, "dfra-worker-" + count.incrementAndGet()));
+  }
+
+  private static Thread daemon(Runnable task, String name) {
+    Thread thread = new Thread(task, name);
+    thread.setDaemon(true);
+    thread.setContextClassLoader(null);
+    return thread;
+  }
+
+  static ConnectionSelector instance() {
+    return Holder.INSTANCE;
+  }
+
+  /** What clients may use. For any thread. */
+  ConnectionLimits limits() {
+    return limits;
+  }
+
+  /** Accepts the connections of a port. For any thread. */
+  void listen(ServerPort port) {
+    submit(
+        () -> {
+          for (ServerSocketChannel each : port.channels()) {
+            try {
+              each.register(selector, SelectionKey.OP_ACCEPT, port);
+            } catch (ClosedChannelException e) {
+              LOG.log(Level.DEBUG, "A port was closed at once.", e);
+            }
+          }
+        });
+  }
+
+  /** Waits for the next request of a connection that a worker served. For any thread. */
+  void takeBack(ServerConnection connection) {
+    submit(() -> register(connection));
+  }
+
+  /** Ends the connections to a port that is closed. For any thread. */
+  void closeConnections(ServerPort port) {
+    submit(
+        () -> {
+          for (ServerConnection each : connections) {
+            if (each.port() == port) {
+              endGently(each);
+            }
+          }
+        });
+  }
+
+  /** Forgets a connection that is closed. For any thread. */
+  void forget(ServerConnection connection) {
+    if (connections.remove(connection)) {
+      boolean unused = connection.setPartial(ByteBuffer.allocate(0));
+      limits.giveBack(Resource.CONNECTIONS, connection.link().peer(), 1);
+    }
+  }
+
+  private void submit(Runnable task) {
+    tasks.add(task);
+    selector.wakeup();
+  }
+
+  private void run() {
+    while (true) {
+      try {
+        selectOnce();
+      } catch (ClosedSelectorException e) {
+        throw e; // nothing closes it
+      } catch (IOException | RuntimeException | Error e) { // all other connections need this thread
+        LOG.log(Level.ERROR, "Waiting for remote calls failed; it goes on.", e);
+      }
+    }
+  }
+
+  private void selectOnce() throws IOException {
+    long rest = nextCheck - System.nanoTime();
+    if (connections.isEmpty()) {
+      selector.select();
+    } else if (rest > 0) {
+      selector.select(TimeUnit.NANOSECONDS.toMillis(rest) + 1);
+    } else {
+      selector.selectNow();
+    }
+    for (@Nullable Runnable task = tasks.poll(); task != null; task = tasks.poll()) {
+      task.run();
+    }
+    for (SelectionKey key : selector.selectedKeys()) {
+      handle(key);
+    }
+    selector.selectedKeys().clear();
+    long now = System.nanoTime();
+    if (now - nextCheck >= 0) {
+      nextCheck = now + checkAll(now);
+    }
+  }
+
+  private void handle(SelectionKey key) {
+    if (key.attachment() instanceof ServerPort port) {
+      accept(key, port);
+      return;
+    }
+    ServerConnection connection = (ServerConnection) key.attachment();
+    try {
+      read(key, connection);
+    } catch (IOException | CancelledKeyException e) {
+      LOG.log(Level.DEBUG, () -> "The connection of " + connection.link().peer() + " ended: " + e);
+      connection.close();
+    } catch (RuntimeException | Error e) {
+      LOG.log(Level.WARNING, "A connection of " + connection.link().peer() + " failed.", e);
+      connection.close();
+    }
+  }
+
+  private void accept(SelectionKey key, ServerPort port) {
+    try {
+      ServerSocketChannel from = (ServerSocketChannel) key.channel();
+      for (@Nullable SocketChannel accepted = from.accept();
+          accepted != null;
+          accepted = from.accept()) {
+        adopt(port, from, accepted);
+      }
+    } catch (ClosedChannelException | CancelledKeyException e) {
+      LOG.log(Level.DEBUG, "A port was closed.", e);
+    } catch (IOException e) { // for example too many open files
+      logFull("A connection was not accepted: " + e.getMessage());
+      evictLongestIdle(null);
+      key.interestOps(0); // until the next check, or this would happen over and over
+      nextCheck = Math.min(nextCheck, System.nanoTime() + TICK_NANOS);
+    }
+  }
+
+  private void adopt(ServerPort port, ServerSocketChannel from, SocketChannel accepted)
+      throws IOException {
+    try {
+      Link link = port.link(from, accepted);
+      link.setBlocking(false);
+      if (!limits.take(Resource.CONNECTIONS, link.peer(), 1)) {
+        evictLongestIdle(link.peer());
+        if (!limits.take(Resource.CONNECTIONS, link.peer(), 1)) {
+          logFull(link.peer() + " has too many connections; a further one is refused");
+          link.write(greeting(Greeting.Answer.BUSY));
+          link.close();
+          return;
+        }
+      }
+      ServerConnection connection = new ServerConnection(port, link, this);
+      connections.add(connection);
+      checkSoon();
+      link.channel().register(selector, SelectionKey.OP_READ, connection);
+    } catch (IOException e) { // it was closed at once
+      LOG.log(Level.DEBUG, "A connection ended before it began.", e);
+      accepted.close();
+    }
+  }
+
+  private void logFull(String message) {
+    long now = System.nanoTime();
+    if (now - lastFullLog >= FULL_LOG_NANOS) {
+      lastFullLog = now;
+      LOG.log(Level.WARNING, message);
+    }
+  }
+
+  /** Closes the connection that was idle longest, of a peer's share or of all. */
+  private void evictLongestIdle(@Nullable Peer peer) {
+    long now = System.nanoTime();
+    Optional<ServerConnection> longest =
+        connections.stream()
+            .filter(each -> each.state() == State.IDLE || each.state() == State.GREETING)
+            .filter(each -> peer == null || each.link().peer().origin().equals(peer.origin()))
+            .max(Comparator.comparingLong(each -> each.nanosInState(now)));
+    longest.ifPresent(ServerConnection::close);
+  }
+
+  private static ByteBuffer greeting(Greeting.Answer answer) {
+    ByteBuffer bytes = ByteBuffer.allocate(Greeting.SERVER_BYTES);
+    Greeting.putServer(bytes, answer);
+    return bytes.flip();
+  }
+
+  private void register(ServerConnection connection) {
+    try {
+      connection.link().setBlocking(false);
+      connection.link().channel().register(selector, SelectionKey.OP_READ, connection);
+      if (connection.state() != State.CLOSING) {
+        connection.enter(State.IDLE);
+        if (connection.port().isClosed()) {
+          endGently(connection);
+        }
+      }
+      checkSoon();
+    } catch (IOException | CancelledKeyException e) {
+      LOG.log(Level.DEBUG, "A connection ended while it was idle.", e);
+      connection.close();
+    }
+  }
+
+  private void checkSoon() {
+    nextCheck = Math.min(nextCheck, System.nanoTime() + TICK_NANOS);
+  }
+
+  private void read(SelectionKey key, ServerConnection connection) throws IOException {
+    scratch.clear().put(connection.partial());
+    int count = connection.link().read(scratch);
+    scratch.flip();
+    if (count < 0) {
+      connection.close();
+      return;
+    }
+    switch (connection.state()) {
+      case GREETING -> greet(connection);
+      case IDLE, PARTIAL -> receive(key, connection);
+      case CLOSING -> LOG.log(Level.TRACE, "A connection that is closed received more.");
+      default -> throw new IllegalStateException("a worker has the connection");
+    }
+  }
+
+  private void greet(ServerConnection connection) throws IOException {
+    if (scratch.remaining() < Greeting.CLIENT_BYTES) {
+      keep(connection);
+      return;
+    }
+    Greeting.Answer answer = Greeting.readClient(scratch, connection.port().id());
+    if (connection.link().write(greeting(answer)) != Greeting.SERVER_BYTES
+        || answer != Greeting.Answer.WELCOME
+        || scratch.hasRemaining()) { // a client waits for the greeting
+      connection.close();
+      return;
+    }
+    keep(connection);
+    connection.enter(State.IDLE);
+    if (connection.port().isClosed()) {
+      endGently(connection);
+    }
+  }
+
+  private void keep(ServerConnection connection) throws IOException {
+    if (!connection.setPartial(scratch)) {
+      logFull(connection.link().peer() + " has too many unfinished calls; one is refused");
+      throw new IOException("too many unfinished calls");
+    }
+    connection.progress();
+  }
+
+  private void receive(SelectionKey key, ServerConnection connection) throws IOException {
+    while (scratch.remaining() >= Block.HEADER_BYTES) {
+      Block block = Block.decode(scratch.getInt(scratch.position()));
+      if (block.kind() == Block.Kind.CLOSING) {
+        throw new IOException("a client sent a block that only servers send");
+      }
+      int length = Block.HEADER_BYTES + block.length();
+      if (block.kind() == Block.Kind.PAUSE) {
+        scratch.position(scratch.position() + length);
+      } else if (scratch.remaining() >= length) {
+        serve(key, connection);
+        return;
+      } else {
+        break;
+      }
+    }
+    if (!scratch.hasRemaining()) {
+      keep(connection);
+      connection.enter(State.IDLE);
+    } else {
+      keep(connection);
+      if (connection.state() == State.IDLE) {
+        connection.enter(State.PARTIAL);
+        checkSoon();
+      }
+    }
+  }
+
+  private void serve(SelectionKey key, ServerConnection connection) throws IOException {
+    Peer peer = connection.link().peer();
+    boolean isOpen = !connection.port().isClosed();
+    if (!isOpen || !limits.take(Resource.WORKERS, peer, 1)) {
+      if (isOpen) {
+        logFull(peer + " makes too many calls at once; one is refused");
+      }
+      connection.enter(State.IDLE);
+      endGently(connection);
+      return;
+    }
+    boolean done = false;
+    try {
+      connection.assign(scratch);
+      boolean unused = connection.setPartial(scratch); // empty now
+      key.cancel();
+      connection.link().setBlocking(true);
+      workers.execute(connection);
+      done = true;
+    } finally {
+      if (!done) {
+        limits.giveBack(Resource.WORKERS, peer, 1);
+      }
+    }
+    checkSoon();
+  }
+
+  /** Ends a connection so that no client takes a request for executed that is not. */
+  private void endGently(ServerConnection connection) {
+    try {
+      State state = connection.state();
+      if (state == State.IDLE || state == State.WAITING) {
+        boolean unused = connection.beginClosing(state);
+        checkSoon();
+      } else if (state == State.GREETING || state == State.PARTIAL) {
+        connection.close();
+      }
+    } catch (IOException e) {
+      LOG.log(Level.DEBUG, "A connection ended before it was closed.", e);
+      connection.close();
+    }
+  }
+
+  /** Ends what takes too long. Returns the nanoseconds until the next check. */
+  private long checkAll(long now) {
+    resumeAccepting();
+    long next = IDLE_NANOS;
+    for (ServerConnection each : connections) {
+      long waited = each.nanosInState(now);
+      boolean isOver =
+          switch (each.state()) {
+            case GREETING -> waited >= RECEIVE_NANOS;
+            case PARTIAL, RECEIVING ->
+                waited >= RECEIVE_NANOS || each.nanosOfRequest(now) >= REQUEST_NANOS;
+            case ANSWERING -> waited >= ANSWER_NANOS;
+            case CLOSING -> waited >= CLOSING_NANOS;
+            case EXECUTING -> false;
+            case IDLE -> {
+              if (waited >= IDLE_NANOS) {
+                endGently(each);
+              } else {
+                next = Math.min(next, IDLE_NANOS - waited);
+              }
+              yield false;
+            }
+            case WAITING -> {
+              if (waited >= WAITING_NANOS) {
+                endGently(each);
+              }
+              yield false;
+            }
+          };
+      if (isOver) {
+        LOG.log(
+            Level.DEBUG,
+            () -> "The connection of " + each.link().peer() + " is given up: " + each.state());
+        each.close();
+      }
+      if (each.state() != State.IDLE) {
+        next = Math.min(next, TICK_NANOS);
+      }
+    }
+    return next;
+  }
+
+  private void resumeAccepting() {
+    for (SelectionKey key : selector.keys()) {
+      if (key.isValid() && key.attachment() instanceof ServerPort && key.interestOps() == 0) {
+        key.interestOps(SelectionKey.OP_ACCEPT);
+      }
+    }
+  }
+}

@@ -1,0 +1,101 @@
+package org.dfra.river.transport;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import net.jini.id.Uuid;
+import net.jini.id.UuidFactory;
+
+/**
+ * The first bytes in each direction. The client's: "DFRA", the version of the format, three zeros,
+ * and the ID of the server that it wants (zero for any). The server's: "DFRA", the version that it
+ * speaks, a {@link Answer} and two zeros.
+ *
+ * <p>A client sends nothing else before it has the server's greeting. So a request never waits at a
+ * server that is suspended and executes it long after the client has given it up.
+ */
+final class Greeting {
+
+  /** The format of everything that follows. */
+  static final int VERSION = 1;
+
+  /** The size of a client's greeting, in bytes. */
+  static final int CLIENT_BYTES = 24;
+
+  /** The size of a server's greeting, in bytes. */
+  static final int SERVER_BYTES = 8;
+
+  /** For a client that names no server. */
+  static final Uuid ANY_SERVER = UuidFactory.create(0, 0);
+
+  private static final int MAGIC = 'D' << 24 | 'F' << 16 | 'R' << 8 | 'A';
+
+  /** What a server says to a client's greeting. */
+  enum Answer {
+    /** Send requests. */
+    WELCOME,
+    /** Another server than the one that is wanted. */
+    OTHER_SERVER,
+    /** Too many connections; try later. */
+    BUSY,
+    /** It does not speak the client's version. */
+    OTHER_VERSION
+  }
+
+  private Greeting() {}
+
+  /** Writes a client's greeting. */
+  static void putClient(ByteBuffer to, Uuid server) {
+    to.putInt(MAGIC).putInt(VERSION << 24);
+    to.putLong(server.getMostSignificantBits()).putLong(server.getLeastSignificantBits());
+  }
+
+  /**
+   * Reads a client's greeting.
+   *
+   * @param own ID of this server
+   * @return the answer to it
+   * @throws IOException if it is none
+   */
+  static Answer readClient(ByteBuffer from, Uuid own) throws IOException {
+    if (from.getInt() != MAGIC) {
+      throw new IOException("the peer is no client of this protocol");
+    }
+    int version = from.getInt() >>> 24;
+    Uuid wanted = UuidFactory.create(from.getLong(), from.getLong());
+    if (version != VERSION) {
+      return Answer.OTHER_VERSION;
+    }
+    return wanted.equals(ANY_SERVER) || wanted.equals(own) ? Answer.WELCOME : Answer.OTHER_SERVER;
+  }
+
+  /** Writes a server's greeting. */
+  static void putServer(ByteBuffer to, Answer answer) {
+    to.putInt(MAGIC).put((byte) VERSION).put((byte) answer.ordinal()).putShort((short) 0);
+  }
+
+  /**
+   * Reads a server's greeting.
+   *
+   * @throws IOException if it is none
+   */
+  static Answer readServer(ByteBuffer from) throws IOException {
+    if (from.getInt() != MAGIC) {
+      throw new IOException("the peer is no server of DFRA's transport");
+    }
+    int version = from.get();
+    int answer = from.get();
+    from.getShort();
+    if (answer < 0 || answer >= Answer.values().length) {
+      throw new IOException("the server's greeting has an unknown answer " + answer);
+    }
+    if (version != VERSION) {
+      throw new IOException(
+          "the server speaks version "
+              + version
+              + " of DFRA's transport, and this program version "
+              + VERSION
+              + "; use the same release of DFRA on both computers");
+    }
+    return Answer.values()[answer];
+  }
+}

@@ -1,0 +1,115 @@
+package org.dfra.river.transport;
+
+import com.google.errorprone.annotations.concurrent.GuardedBy;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.net.ConnectException;
+import java.nio.ByteBuffer;
+import java.util.Collection;
+import java.util.Objects;
+import net.jini.core.constraint.InvocationConstraints;
+import net.jini.jeri.OutboundRequest;
+
+/**
+ * A request and its response on one connection. Used by the caller's thread; any thread may abort
+ * it.
+ */
+final class OutboundCall implements OutboundRequest, MessageOutput.Sender, MessageInput.Source {
+
+  private final ClientConnection connection;
+  private final ClientConnections owner;
+  private final InvocationConstraints unfulfilled;
+  private final MessageOutput request;
+  private final MessageInput response;
+
+  private volatile boolean delivered;
+
+  @GuardedBy("this")
+  private boolean ended; // the connection is no longer this call's
+
+  OutboundCall(
+      ClientConnection connection, ClientConnections owner, InvocationConstraints unfulfilled) {
+    this.connection = connection;
+    this.owner = owner;
+    this.unfulfilled = unfulfilled;
+    this.request = new MessageOutput(connection.output(), this);
+    this.response = new MessageInput(connection.input(), this);
+  }
+
+  @Override
+  @SuppressWarnings("rawtypes") // as River declares it
+  public void populateContext(Collection context) {
+    Objects.requireNonNull(context, "context"); // nothing is known of a server
+  }
+
+  @Override
+  public InvocationConstraints getUnfulfilledConstraints() {
+    return unfulfilled;
+  }
+
+  @Override
+  public OutputStream getRequestOutputStream() {
+    return request;
+  }
+
+  @Override
+  public InputStream getResponseInputStream() {
+    return response;
+  }
+
+  @Override
+  public void send(ByteBuffer block, boolean isEnd) throws IOException {
+    delivered = true; // before the first byte may leave
+    connection.link().write(block);
+  }
+
+  @Override
+  public void receive(ByteBuffer buffer) throws IOException {
+    if (connection.link().read(buffer) < 0) {
+      throw MessageInput.ended();
+    }
+  }
+
+  @Override
+  public IOException refused() {
+    delivered = false;
+    return new ConnectException("the server closed the connection before it executed the call");
+  }
+
+  /** Makes the connection available to other calls, if the response was read. */
+  @Override
+  public void closed() {
+    synchronized (this) {
+      if (ended) {
+        return;
+      }
+      ended = true;
+    }
+    if (response.skipReceived() && !connection.input().hasRemaining()) {
+      owner.giveBack(connection);
+    } else {
+      connection.close();
+    }
+  }
+
+  /**
+   * {@inheritDoc} For this transport: whether bytes of the request may have been sent, and the
+   * server did not say that it had not executed it. Final after {@link #abort}.
+   */
+  @Override
+  public boolean getDeliveryStatus() {
+    return delivered;
+  }
+
+  @Override
+  public void abort() {
+    synchronized (this) {
+      if (ended) {
+        return;
+      }
+      ended = true;
+    }
+    connection.close();
+  }
+}

@@ -1,0 +1,298 @@
+package org.dfra.river.transport;
+
+import java.io.IOException;
+import java.lang.System.Logger.Level;
+import java.nio.ByteBuffer;
+import java.util.Objects;
+import org.dfra.river.transport.ConnectionLimits.Resource;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One connection of a client. Either the selector has it, or a worker serves it:
+ *
+ * <pre>
+ *   GREETING -&gt; IDLE -&gt; PARTIAL -&gt; | SERVING -&gt; WAITING -&gt; SERVING ... | -&gt; IDLE
+ *               selector              | worker                           |
+ * </pre>
+ *
+ * <p>{@code CLOSING} may follow each of them: the client was told so, and has a moment to close it.
+ */
+final class ServerConnection implements Runnable {
+
+  /** Who has the connection, and what for. */
+  enum State {
+    /** The selector, until the client's greeting is complete. */
+    GREETING,
+    /** The selector, until a request begins. */
+    IDLE,
+    /** The selector, until the first block of a request is complete. */
+    PARTIAL,
+    /** A worker, which receives the rest of a request. */
+    RECEIVING,
+    /** A worker, while the object executes the call. */
+    EXECUTING,
+    /** A worker, which sends the response. */
+    ANSWERING,
+    /** A worker, until the next request begins. */
+    WAITING,
+    /** The selector, until the client closes it. */
+    CLOSING
+  }
+
+  private static final System.Logger LOG = System.getLogger(ServerConnection.class.getName());
+
+  /** The longest rest of a refused request that is skipped, in bytes. */
+  private static final long MAX_SKIPPED = 64 << 20;
+
+  private static final byte[] NOTHING = {};
+
+  private final ServerPort port;
+  private final Link link;
+  private final ConnectionSelector selector;
+  private final ConnectionLimits limits;
+
+  private volatile State state = State.GREETING; // changed under this
+
+  /** When the state began or bytes were last transferred in it, as {@link System#nanoTime()}. */
+  private volatile long since = System.nanoTime();
+
+  /** When the current request began to arrive. */
+  private volatile long requestBegan = since;
+
+  private volatile byte[] partial = NOTHING; // the selector's
+  private @Nullable ByteBuffer input; // the worker's, ready to be read from
+
+  ServerConnection(ServerPort port, Link link, ConnectionSelector selector) {
+    this.port = port;
+    this.link = link;
+    this.selector = selector;
+    this.limits = selector.limits();
+  }
+
+  ServerPort port() {
+    return port;
+  }
+
+  Link link() {
+    return link;
+  }
+
+  State state() {
+    return state;
+  }
+
+  /** How long it has been in its state without transfer, in nanoseconds. */
+  long nanosInState(long now) {
+    return now - since;
+  }
+
+  /** How long the current request has been arriving, in nanoseconds. */
+  long nanosOfRequest(long now) {
+    return now - requestBegan;
+  }
+
+  /** What arrived of a greeting or a request, while the selector has the connection. */
+  byte[] partial() {
+    return partial;
+  }
+
+  /** Sets what arrived, for the selector. Returns false if it is more than may be kept. */
+  boolean setPartial(ByteBuffer bytes) {
+    int more = bytes.remaining() - partial.length;
+    if (more > 0 && !limits.take(Resource.PARTIAL_BYTES, link.peer(), more)) {
+      return false;
+    }
+    if (more < 0) {
+      limits.giveBack(Resource.PARTIAL_BYTES, link.peer(), -more);
+    }
+    byte[] kept = bytes.hasRemaining() ? new byte[bytes.remaining()] : NOTHING;
+    bytes.get(kept);
+    partial = kept;
+    return true;
+  }
+
+  /** Begins a state. */
+  synchronized void enter(State next) {
+    long now = System.nanoTime();
+    if (state == State.IDLE || state == State.WAITING) {
+      requestBegan = now;
+    }
+    since = now;
+    state = next;
+  }
+
+  /** Begins a state if it is in another one. Returns false if it is in none of these. */
+  synchronized boolean enter(State expected, State next) {
+    if (state != expected) {
+      return false;
+    }
+    enter(next);
+    return true;
+  }
+
+  /** Records that bytes were transferred. */
+  void progress() {
+    since = System.nanoTime();
+  }
+
+  /**
+   * Prepares it for a worker.
+   *
+   * @param received the first block of a request at least, ready to be read from
+   */
+  void assign(ByteBuffer received) {
+    ByteBuffer buffer = BlockBuffers.take();
+    buffer.put(received).flip();
+    input = buffer;
+    enter(State.RECEIVING);
+  }
+
+  /** Serves the calls on this connection until there is none for a while. */
+  @Override
+  public void run() {
+    ByteBuffer buffer = Objects.requireNonNull(input);
+    ByteBuffer output = BlockBuffers.take();
+    boolean goesOn = false;
+    try {
+      do {
+        goesOn = serveOne(buffer, output);
+      } while (goesOn && awaitNext(buffer));
+    } catch (IOException e) {
+      goesOn = false;
+      LOG.log(Level.DEBUG, () -> "The connection of " + link.peer() + " ended: " + e);
+    } catch (RuntimeException | Error e) {
+      goesOn = false;
+      LOG.log(Level.WARNING, "A call of " + link.peer() + " failed outside of its object.", e);
+    } finally {
+      input = null;
+      BlockBuffers.giveBack(buffer);
+      BlockBuffers.giveBack(output);
+      limits.giveBack(Resource.WORKERS, link.peer(), 1);
+      if (goesOn) {
+        selector.takeBack(this);
+      } else {
+        close();
+      }
+    }
+  }
+
+  /** Returns whether further calls may follow on this connection. */
+  private boolean serveOne(ByteBuffer buffer, ByteBuffer output) throws IOException {
+    InboundCall call = new InboundCall(this, buffer, output);
+    enter(State.EXECUTING);
+    port.dispatcher().dispatch(call);
+    if (!call.isAnswered()) {
+      return false; // the dispatcher has aborted it
+    }
+    enter(State.RECEIVING);
+    return call.skipRest(MAX_SKIPPED);
+  }
+
+  /** Waits for the next request. Returns false if the selector is to wait for it. */
+  private boolean awaitNext(ByteBuffer buffer) throws IOException {
+    if (port.isClosed()) {
+      return false;
+    }
+    if (!buffer.hasRemaining()) {
+      if (!limits.take(Resource.WAITING_WORKERS, link.peer(), 1)) {
+        return false;
+      }
+      enter(State.WAITING);
+      try {
+        buffer.clear();
+        int count = link.read(buffer);
+        buffer.flip();
+        if (count < 0) {
+          if (state == State.CLOSING) {
+            return false;
+          }
+          throw MessageInput.ended();
+        }
+      } finally {
+        limits.giveBack(Resource.WAITING_WORKERS, link.peer(), 1);
+      }
+      if (!enter(State.WAITING, State.RECEIVING)) {
+        buffer.clear().flip(); // the client knows that this request is not executed
+        return false;
+      }
+    }
+    requestBegan = System.nanoTime();
+    if (port.isClosed()) { // since the check above
+      boolean unused = beginClosing(State.RECEIVING);
+      buffer.clear().flip();
+      return false;
+    }
+    return !isPause(buffer);
+  }
+
+  private boolean isPause(ByteBuffer buffer) throws IOException {
+    while (buffer.remaining() < Block.HEADER_BYTES) {
+      buffer.compact();
+      try {
+        receive(buffer);
+      } finally {
+        buffer.flip();
+      }
+    }
+    if (Block.decode(buffer.getInt(buffer.position())).kind() != Block.Kind.PAUSE) {
+      return false;
+    }
+    buffer.getInt();
+    if (buffer.hasRemaining()) { // a request that follows at once
+      return isPause(buffer);
+    }
+    return true;
+  }
+
+  /** Waits for more of a request. */
+  void receive(ByteBuffer buffer) throws IOException {
+    State before = state;
+    if (before == State.EXECUTING) {
+      enter(State.RECEIVING);
+    }
+    if (link.read(buffer) < 0) {
+      throw MessageInput.ended();
+    }
+    progress();
+    if (before == State.EXECUTING) {
+      enter(State.EXECUTING);
+    }
+  }
+
+  /** Sends a block of the response. */
+  void send(ByteBuffer block) throws IOException {
+    enter(State.ANSWERING);
+    link.write(block);
+    progress();
+  }
+
+  /**
+   * Tells the client that no further request is executed on this connection; it then closes it.
+   *
+   * @param expected state in which the connection must be
+   * @return false if it is in another one
+   */
+  boolean beginClosing(State expected) throws IOException {
+    if (!enter(expected, State.CLOSING)) {
+      return false;
+    }
+    ByteBuffer block = ByteBuffer.allocate(Block.HEADER_BYTES);
+    block.putInt(Block.encode(Block.Kind.CLOSING, 0)).flip();
+    link.write(block);
+    link.endOutput();
+    if (expected == State.WAITING) {
+      link.endInput(); // wakes the worker
+    }
+    return true;
+  }
+
+  /** Closes it. */
+  void close() {
+    try {
+      link.close();
+    } catch (IOException e) {
+      LOG.log(Level.DEBUG, "The connection of " + link.peer() + " was not closed in order.", e);
+    }
+    selector.forget(this);
+  }
+}

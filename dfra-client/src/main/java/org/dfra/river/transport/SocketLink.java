@@ -1,0 +1,118 @@
+package org.dfra.river.transport;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.StandardSocketOptions;
+import java.nio.ByteBuffer;
+import java.nio.channels.SelectableChannel;
+import java.nio.channels.SocketChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Collection;
+import jdk.net.ExtendedSocketOptions;
+import jdk.net.UnixDomainPrincipal;
+import net.jini.io.context.ClientHost;
+
+/** A link without encryption: a TCP connection, or one of a Unix-domain socket. */
+final class SocketLink implements Link {
+
+  private static final Path OWN_PROCESS = Path.of("/proc/self");
+
+  private final SocketChannel channel;
+  private final Peer peer;
+
+  private SocketLink(SocketChannel channel, Peer peer) {
+    this.channel = channel;
+    this.peer = peer;
+  }
+
+  /** A TCP connection. */
+  static SocketLink tcp(SocketChannel connected) throws IOException {
+    connected.setOption(StandardSocketOptions.TCP_NODELAY, true);
+    connected.setOption(StandardSocketOptions.SO_KEEPALIVE, true);
+    InetSocketAddress from = (InetSocketAddress) connected.getRemoteAddress();
+    if (from == null) {
+      throw new IOException("the connection was closed again");
+    }
+    return new SocketLink(connected, new Peer(from.getAddress(), null));
+  }
+
+  /**
+   * The server's side of a Unix-domain socket.
+   *
+   * @param host the address that stands for this computer
+   * @throws IOException if the client's user cannot be determined
+   */
+  static SocketLink unix(SocketChannel connected, InetAddress host) throws IOException {
+    UnixDomainPrincipal runs = connected.getOption(ExtendedSocketOptions.SO_PEERCRED);
+    return new SocketLink(connected, new Peer(host, runs.user().getName()));
+  }
+
+  /**
+   * The client's side of a Unix-domain socket.
+   *
+   * @param host the address that stands for this computer
+   * @throws IOException if another user runs the server: the socket could be anybody's
+   */
+  static SocketLink unixToOwnUser(SocketChannel connected, InetAddress host) throws IOException {
+    SocketLink link = unix(connected, host);
+    String own = Files.getOwner(OWN_PROCESS).getName();
+    if (!own.equals(link.peer.user())) {
+      throw new IOException("its socket is of user " + link.peer.user() + ", not " + own);
+    }
+    return link;
+  }
+
+  @Override
+  public int read(ByteBuffer into) throws IOException {
+    return channel.read(into);
+  }
+
+  @Override
+  public int write(ByteBuffer from) throws IOException {
+    int count = channel.write(from);
+    while (from.hasRemaining() && channel.isBlocking()) {
+      count += channel.write(from);
+    }
+    return count;
+  }
+
+  @Override
+  public void setBlocking(boolean blocking) throws IOException {
+    channel.configureBlocking(blocking);
+  }
+
+  @Override
+  public void endOutput() throws IOException {
+    channel.shutdownOutput();
+  }
+
+  @Override
+  public void endInput() throws IOException {
+    channel.shutdownInput();
+  }
+
+  @Override
+  public SelectableChannel channel() {
+    return channel;
+  }
+
+  @Override
+  public Peer peer() {
+    return peer;
+  }
+
+  @Override
+  public void addClientTo(Collection<Object> context) {
+    context.add((ClientHost) peer::address);
+    if (peer.user() != null) {
+      context.add(new LocalUser(peer.user()));
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    channel.close();
+  }
+}

@@ -1,0 +1,120 @@
+package org.dfra.river.transport;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.util.Objects;
+import net.jini.core.constraint.InvocationConstraints;
+import net.jini.io.UnsupportedConstraintException;
+import net.jini.jeri.Endpoint;
+import net.jini.jeri.RequestDispatcher;
+import net.jini.jeri.ServerEndpoint;
+import org.dfra.river.access.ListeningHost;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Listens on one address: the one that the proxies carry. Also on a Unix-domain socket, for clients
+ * on the same computer, where the operating system has them.
+ *
+ * <p>In a Jini configuration file, as any other server endpoint of JERI:
+ *
+ * <pre>
+ *   exporter = JeriExporters.keepingAlive(new TransportServerEndpoint("192.0.2.10", 0), factory);
+ * </pre>
+ *
+ * <p>Objects that are exported on equal endpoints share the port.
+ */
+public final class TransportServerEndpoint implements ServerEndpoint, ListeningHost {
+
+  private final String host;
+  private final int port;
+  private final boolean isLocalToo;
+
+  /**
+   * An endpoint with a Unix-domain socket beside TCP.
+   *
+   * @param host address or name of this computer; proxies carry it, and only it is listened on
+   * @param port TCP port, or 0 for one that the system chooses
+   */
+  public TransportServerEndpoint(String host, int port) {
+    this(host, port, true);
+  }
+
+  private TransportServerEndpoint(String host, int port, boolean isLocalToo) {
+    this.host = Objects.requireNonNull(host, "host");
+    this.port = port;
+    this.isLocalToo = isLocalToo;
+  }
+
+  /** An endpoint that clients on the same computer reach by TCP, too. */
+  public static TransportServerEndpoint tcpOnly(String host, int port) {
+    return new TransportServerEndpoint(host, port, false);
+  }
+
+  @Override
+  public String host() {
+    return host;
+  }
+
+  @Override
+  public InvocationConstraints checkConstraints(InvocationConstraints constraints)
+      throws UnsupportedConstraintException {
+    return TransportConstraints.check(constraints);
+  }
+
+  @Override
+  public Endpoint enumerateListenEndpoints(ListenContext context) throws IOException {
+    Listening listening = new Listening(host, port, isLocalToo);
+    ListenCookie cookie = context.addListenEndpoint(listening);
+    if (!(cookie instanceof Cookie its)) {
+      throw new IllegalArgumentException("a cookie of " + cookie.getClass().getName());
+    }
+    return new TransportEndpoint(host, its.port, its.local);
+  }
+
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof TransportServerEndpoint endpoint
+        && endpoint.host.equals(host)
+        && endpoint.port == port
+        && endpoint.isLocalToo == isLocalToo;
+  }
+
+  @Override
+  public int hashCode() {
+    return Objects.hash(host, port, isLocalToo);
+  }
+
+  @Override
+  public String toString() {
+    return "TransportServerEndpoint[" + host + ":" + port + "]";
+  }
+
+  /** What its clients need to know. */
+  private record Cookie(int port, @Nullable LocalSocket local) implements ListenCookie {}
+
+  /** Where it listens. JERI compares these to share one port among objects. */
+  private record Listening(String host, int port, boolean isLocalToo) implements ListenEndpoint {
+
+    /** There are no permissions without a security manager. */
+    @Override
+    public void checkPermissions() {}
+
+    @Override
+    public ListenHandle listen(RequestDispatcher dispatcher) throws IOException {
+      ServerPort opened =
+          ServerPort.open(InetAddress.getByName(host), port, isLocalToo, dispatcher);
+      Cookie cookie = new Cookie(opened.port(), opened.local());
+      return new ListenHandle() {
+        @Override
+        public void close() {
+          opened.close();
+        }
+
+        @Override
+        public ListenCookie getCookie() {
+          return cookie;
+        }
+      };
+    }
+  }
+}

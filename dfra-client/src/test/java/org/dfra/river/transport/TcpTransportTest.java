@@ -1,0 +1,16 @@
+package org.dfra.river.transport;
+
+import net.jini.jeri.ServerEndpoint;
+
+class TcpTransportTest extends TransportContract {
+
+  @Override
+  boolean finishesCalls() {
+    return true;
+  }
+
+  @Override
+  ServerEndpoint serverEndpoint() {
+    return TransportServerEndpoint.tcpOnly(HOST, 0);
+  }
+}
