@@ -40,7 +40,12 @@ final class ClientConnections {
 
   private static final ConcurrentHashMap<Key, ClientConnections> ALL = new ConcurrentHashMap<>();
 
-  private record Key(TransportEndpoint server, @Nullable InetAddress source, int group) {}
+  /** With the local socket: who sent an endpoint may have put a strange socket into it. */
+  private record Key(
+      TransportEndpoint server,
+      @Nullable LocalSocket local,
+      @Nullable InetAddress source,
+      int group) {}
 
   private final Key key;
 
@@ -53,12 +58,12 @@ final class ClientConnections {
 
   /** The connections to a server. */
   static ClientConnections to(TransportEndpoint server) {
-    return of(new Key(server, null, 0));
+    return of(new Key(server, server.localSocket(), null, 0));
   }
 
   /** One group of the TCP connections to a server from one address of this computer. */
   static ClientConnections to(TransportEndpoint server, InetAddress source, int group) {
-    return of(new Key(server, source, group));
+    return of(new Key(server, null, source, group));
   }
 
   private static ClientConnections of(Key key) {

@@ -19,8 +19,8 @@ import org.jspecify.annotations.Nullable;
  * The client's side of a {@link TransportServerEndpoint}: where it listens, by TCP and, for clients
  * on its own computer, by a Unix-domain socket.
  *
- * <p>Equal endpoints share their connections. Each request has a connection of its own while it
- * lasts.
+ * <p>Equal endpoints with the same local socket share their connections. Each request has a
+ * connection of its own while it lasts.
  */
 public final class TransportEndpoint implements AbortableEndpoint, TrustEquivalence, Serializable {
 
@@ -83,6 +83,11 @@ public final class TransportEndpoint implements AbortableEndpoint, TrustEquivale
     return RequestIterator.of(ClientConnections.to(this), constraints);
   }
 
+  /** The Unix-domain socket that it names. */
+  @Nullable LocalSocket localSocket() {
+    return local;
+  }
+
   /**
    * The Unix-domain socket, if this program may use it: it runs on the computer of the endpoint's
    * host. An endpoint that was received could name any host and any socket.
@@ -98,15 +103,17 @@ public final class TransportEndpoint implements AbortableEndpoint, TrustEquivale
 
   @Override
   public boolean checkTrustEquivalence(@Nullable Object other) {
-    return equals(other);
+    return other instanceof TransportEndpoint endpoint
+        && equals(endpoint)
+        && Objects.equals(endpoint.local, local);
   }
 
+  /** Whether the other one leads to the same TCP port: the server may have been restarted there. */
   @Override
   public boolean equals(@Nullable Object other) {
     return other instanceof TransportEndpoint endpoint
         && endpoint.host.equals(host)
-        && endpoint.port == port
-        && Objects.equals(endpoint.local, local);
+        && endpoint.port == port;
   }
 
   @Override

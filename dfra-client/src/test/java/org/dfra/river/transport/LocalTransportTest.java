@@ -95,6 +95,15 @@ class LocalTransportTest extends TransportContract {
   }
 
   @Test
+  void aRestartedServerHasAnEqualEndpointThatIsNotAsTrusted() {
+    TransportEndpoint its = (TransportEndpoint) endpoint;
+    TransportEndpoint restarted = new TransportEndpoint(its.host(), its.port());
+    assertThat(restarted).isEqualTo(its);
+    assertThat(its.checkTrustEquivalence(its)).isTrue();
+    assertThat(its.checkTrustEquivalence(restarted)).isFalse();
+  }
+
+  @Test
   void aPathThatIsTooLongIsRefused() {
     assertThatThrownBy(() -> new LocalSocket("here", "x".repeat(108), UuidFactory.generate()))
         .isInstanceOf(IllegalArgumentException.class)
