@@ -4,6 +4,7 @@ dependencies {
     testCompileOnly(project(":dfra-activation"))
     implementation(rootProject.libs.commons.statistics.inference)
     implementation(rootProject.libs.jmh.core)
+    implementation(rootProject.libs.jeromq)
     annotationProcessor(rootProject.libs.jmh.generator.annprocess)
 }
 
