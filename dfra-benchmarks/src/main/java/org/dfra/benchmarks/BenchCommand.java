@@ -9,7 +9,10 @@ import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import java.util.regex.PatternSyntaxException;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.dfra.benchmarks.MicroTask.MicroSettings;
+import org.dfra.benchmarks.call.CallComparison;
+import org.dfra.benchmarks.call.CallSettings;
 import org.dfra.benchmarks.micro.MicroBenchmark;
 import org.dfra.report.measurement.RecordOption;
 import org.dfra.report.terminal.ExitCode;
@@ -30,6 +33,7 @@ import picocli.CommandLine.Spec;
       "",
       "Benchmarks:",
       "  attack        a robot that other programs attack (twelve minutes; less with --seconds)",
+      "  call          a call between two processes, beside RMI, JERI and JeroMQ (twenty minutes; less with --only)",
       "  calls         a small remote call, and the check of its bytes (fifteen seconds)",
       "  distributed   lookup, queries, staleness, renewals, events (four minutes)",
       "  events        of these, only the latency of events",
@@ -49,6 +53,7 @@ final class BenchCommand implements Callable<Integer> {
   /** Lists all benchmarks; runs none. */
   public BenchCommand() {
     benches.put("attack", () -> new AttackBench(seconds));
+    benches.put("call", this::callComparison);
     benches.put("calls", CallBench::new);
     benches.put("distributed", DistributedBench::new);
     benches.put("events", EventBench::new);
@@ -87,12 +92,15 @@ final class BenchCommand implements Callable<Integer> {
   @Option(
       names = "--only",
       paramLabel = "REGEX",
-      description = "Which operations the benchmark micro runs (default: all).")
+      description =
+          "Which operations the benchmark micro runs, or which conditions the benchmark call"
+              + " (default: all).")
   private @Nullable String only;
 
   @Option(
       names = "--quick",
-      description = "The benchmark micro runs for half a minute; its figures are inaccurate.")
+      description =
+          "The benchmarks call and micro run for a minute or less; their figures are inaccurate.")
   private boolean quick;
 
   @Mixin
@@ -107,33 +115,48 @@ final class BenchCommand implements Callable<Integer> {
     return folder == null ? Path.of("reports", ofBench) : folder;
   }
 
-  private Bench micro() {
-    List<MicroBenchmark> chosen;
+  /** The operations or conditions that the user chooses; null for all. */
+  private @Nullable Pattern chosen() {
     try {
-      chosen = MicroBenchmark.matching(only == null ? null : Pattern.compile(only));
+      return only == null ? null : Pattern.compile(only);
     } catch (PatternSyntaxException e) {
       throw new ParameterException(
           spec.commandLine(),
           "--only \"" + only + "\" is no regular expression: " + e.getDescription(),
           e);
     }
-    if (chosen.isEmpty()) {
-      throw new ParameterException(
-          spec.commandLine(),
-          "--only \""
-              + only
-              + "\" matches none of: "
-              + MicroBenchmark.ALL.stream()
-                  .map(MicroBenchmark::operation)
-                  .distinct()
-                  .collect(Collectors.joining("; ")));
+  }
+
+  private ParameterException noneOf(Stream<String> names) {
+    return new ParameterException(
+        spec.commandLine(),
+        "--only \""
+            + only
+            + "\" matches none of: "
+            + names.distinct().collect(Collectors.joining("; ")));
+  }
+
+  private Bench micro() {
+    List<MicroBenchmark> matching = MicroBenchmark.matching(chosen());
+    if (matching.isEmpty()) {
+      throw noneOf(MicroBenchmark.ALL.stream().map(MicroBenchmark::operation));
     }
-    return new MicroBench(chosen, quick ? MicroSettings.QUICK : MicroSettings.FULL);
+    return new MicroBench(matching, quick ? MicroSettings.QUICK : MicroSettings.FULL);
+  }
+
+  private Bench callComparison() {
+    CallSettings settings = quick ? CallSettings.QUICK : CallSettings.FULL;
+    List<CallComparison> matching = CallComparisonBench.matching(chosen(), settings);
+    if (matching.isEmpty()) {
+      throw noneOf(
+          CallComparisonBench.matching(null, settings).stream().map(CallComparison::title));
+    }
+    return new CallComparisonBench(matching, settings);
   }
 
   /** The name in records, where a short run is not to be taken for a full one. */
   private String recordedName() {
-    return name.equals("micro") && quick ? "micro quick" : name;
+    return quick && (name.equals("micro") || name.equals("call")) ? name + " quick" : name;
   }
 
   @Override

@@ -1,0 +1,224 @@
+package org.dfra.benchmarks.call;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.ToDoubleFunction;
+import org.dfra.report.measurement.MeasuredValue;
+import org.dfra.report.terminal.Table;
+
+/**
+ * The results of all peers under one condition. Each figure is the median over the repetitions. A
+ * ratio is that to {@link CallPeer#REFERENCE} in the same repetition: the median of the
+ * repetitions' ratios, and the lowest and highest of them. Not thread-safe.
+ */
+public final class CallResults {
+
+  private final String title;
+
+  private final Map<CallPeer, Map<CallKind, List<CallMeasurement>>> measured =
+      new EnumMap<>(CallPeer.class);
+
+  /**
+   * @param title condition and JIT compilers, before the names of the figures
+   */
+  public CallResults(String title) {
+    this.title = title;
+  }
+
+  /** Adds the measurement of a peer's next repetition. */
+  public void add(CallPeer peer, CallKind kind, CallMeasurement measurement) {
+    measured
+        .computeIfAbsent(peer, each -> new EnumMap<>(CallKind.class))
+        .computeIfAbsent(kind, each -> new ArrayList<>())
+        .add(measurement);
+  }
+
+  /** The measurements of a peer so far, by repetition. */
+  public List<CallMeasurement> measurements(CallPeer peer, CallKind kind) {
+    return List.copyOf(measured.getOrDefault(peer, Map.of()).getOrDefault(kind, List.of()));
+  }
+
+  /** How many threads ended during all measurements; their switches are not counted. */
+  public long endedThreads() {
+    return measured.values().stream()
+        .flatMap(kinds -> kinds.values().stream())
+        .flatMap(List::stream)
+        .mapToLong(each -> each.client().endedThreads() + each.server().endedThreads())
+        .sum();
+  }
+
+  /** Lowest, median and highest of the repetitions. */
+  private record Spread(double low, double median, double high) {
+
+    static Spread of(List<Double> values) {
+      List<Double> sorted = values.stream().sorted().toList();
+      int middle = sorted.size() / 2;
+      double median =
+          sorted.size() % 2 == 1
+              ? sorted.get(middle)
+              : (sorted.get(middle - 1) + sorted.get(middle)) / 2;
+      return new Spread(Collections.min(sorted), median, Collections.max(sorted));
+    }
+
+    String text() {
+      return CallResults.text(median)
+          + " ("
+          + CallResults.text(low)
+          + "–"
+          + CallResults.text(high)
+          + ")";
+    }
+  }
+
+  private Spread spread(CallPeer peer, CallKind kind, ToDoubleFunction<CallMeasurement> figure) {
+    return Spread.of(values(peer, kind, figure));
+  }
+
+  private double median(CallPeer peer, CallKind kind, ToDoubleFunction<CallMeasurement> figure) {
+    return spread(peer, kind, figure).median();
+  }
+
+  private List<Double> values(
+      CallPeer peer, CallKind kind, ToDoubleFunction<CallMeasurement> figure) {
+    List<CallMeasurement> found = measurements(peer, kind);
+    if (found.isEmpty()) {
+      throw new IllegalStateException(
+          peer.label() + " has no result of " + kind.label() + ": " + title);
+    }
+    return found.stream().map(figure::applyAsDouble).toList();
+  }
+
+  private Spread ratio(CallPeer peer, CallKind kind, ToDoubleFunction<CallMeasurement> figure) {
+    List<Double> own = values(peer, kind, figure);
+    List<Double> reference = values(CallPeer.REFERENCE, kind, figure);
+    if (own.size() != reference.size()) {
+      throw new IllegalStateException(
+          peer.label()
+              + " has "
+              + own.size()
+              + " repetitions and "
+              + CallPeer.REFERENCE.label()
+              + " has "
+              + reference.size()
+              + ": "
+              + title);
+    }
+    List<Double> ratios = new ArrayList<>();
+    for (int i = 0; i < own.size(); i++) {
+      ratios.add(own.get(i) / reference.get(i));
+    }
+    return Spread.of(ratios);
+  }
+
+  /** A row for each peer that was measured. */
+  public Table table() {
+    String over = "× " + CallPeer.REFERENCE.label();
+    Table table =
+        new Table(
+            "peer",
+            "small p50 µs",
+            "p99 µs",
+            over,
+            EchoService.VALUES + " doubles p50 µs",
+            over,
+            CallKind.CALLERS.threads() + " callers calls/s",
+            over,
+            "switches per small call",
+            "CPU µs per small call");
+    for (CallPeer peer : measured.keySet()) {
+      table.row(
+          peer.label(),
+          text(median(peer, CallKind.SMALL, CallResults::p50)),
+          text(median(peer, CallKind.SMALL, CallResults::p99)),
+          ratio(peer, CallKind.SMALL, CallResults::p50).text(),
+          text(median(peer, CallKind.VALUES, CallResults::p50)),
+          ratio(peer, CallKind.VALUES, CallResults::p50).text(),
+          text(median(peer, CallKind.CALLERS, CallResults::perSecond)),
+          ratio(peer, CallKind.CALLERS, CallResults::perSecond).text(),
+          text(median(peer, CallKind.SMALL, each -> each.client().switchesPerCall()))
+              + " + "
+              + text(median(peer, CallKind.SMALL, each -> each.server().switchesPerCall())),
+          text(median(peer, CallKind.SMALL, each -> each.client().cpuPerCall()))
+              + " + "
+              + text(median(peer, CallKind.SMALL, each -> each.server().cpuPerCall())));
+    }
+    return table;
+  }
+
+  private static double p50(CallMeasurement measurement) {
+    return measurement.times().p50();
+  }
+
+  private static double p99(CallMeasurement measurement) {
+    return measurement.times().p99();
+  }
+
+  private static double perSecond(CallMeasurement measurement) {
+    return measurement.times().perSecond();
+  }
+
+  /** What is recorded, for each peer that was measured. */
+  public List<MeasuredValue> figures() {
+    List<MeasuredValue> figures = new ArrayList<>();
+    for (CallPeer peer : measured.keySet()) {
+      for (CallKind kind : CallKind.values()) {
+        String name = title + ", " + peer.label() + ", " + kind.label() + ", ";
+        ToDoubleFunction<CallMeasurement> compared;
+        if (kind == CallKind.CALLERS) {
+          compared = CallResults::perSecond;
+          figures.add(figure(name + "rate", median(peer, kind, compared), "1/s"));
+        } else {
+          compared = CallResults::p50;
+          figures.add(figure(name + "p50", median(peer, kind, compared), "µs"));
+          figures.add(figure(name + "p99", median(peer, kind, CallResults::p99), "µs"));
+        }
+        if (peer != CallPeer.REFERENCE) {
+          Spread ratio = ratio(peer, kind, compared);
+          String over = name + "over " + CallPeer.REFERENCE.label();
+          figures.add(figure(over, ratio.median(), "×"));
+          figures.add(figure(over + ", lowest", ratio.low(), "×"));
+          figures.add(figure(over + ", highest", ratio.high(), "×"));
+        }
+        addUse(figures, name + "client", peer, kind, CallMeasurement::client);
+        addUse(figures, name + "server", peer, kind, CallMeasurement::server);
+      }
+    }
+    return figures;
+  }
+
+  /** One of the two processes of a measurement. */
+  @FunctionalInterface
+  private interface Side {
+    CallMeasurement.Use use(CallMeasurement measurement);
+  }
+
+  private void addUse(
+      List<MeasuredValue> figures, String name, CallPeer peer, CallKind kind, Side side) {
+    double switches = median(peer, kind, each -> side.use(each).switchesPerCall());
+    if (!Double.isNaN(switches)) {
+      figures.add(figure(name + ", voluntary context switches per call", switches, ""));
+    }
+    figures.add(
+        figure(
+            name + ", CPU time per call",
+            median(peer, kind, each -> side.use(each).cpuPerCall()),
+            "µs"));
+  }
+
+  private static MeasuredValue figure(String what, double value, String unit) {
+    return new MeasuredValue(what, value, Double.POSITIVE_INFINITY, unit);
+  }
+
+  /** Three digits, as far as they are decimals. */
+  private static String text(double value) {
+    if (Double.isNaN(value)) {
+      return "?";
+    }
+    int decimals = value >= 100 ? 0 : value >= 10 ? 1 : 2;
+    return String.format(Locale.ROOT, "%." + decimals + "f", value);
+  }
+}
