@@ -65,11 +65,6 @@ final class CallComparisonBench implements Bench {
       report.say("");
       report.say(each.title());
       results.table().lines(COLUMNS).forEach(report::say);
-      report.say(
-          results.endedThreads() == 0
-              ? "No thread ended during a measurement: the switches of all are counted."
-              : results.endedThreads()
-                  + " threads ended during the measurements; their switches are not counted.");
       report.say("");
       results.figures().forEach(report.figures()::add);
     }
@@ -80,10 +75,11 @@ final class CallComparisonBench implements Bench {
         "A call from one process to another on this computer. Each figure is the median of "
             + settings.repetitions()
             + (settings.repetitions() == 1 ? " repetition" : " repetitions")
-            + ", each in two new JVMs; in parentheses the lowest and highest ratio of them.");
+            + ", each in two new JVMs; the lowest and the highest ratio are in parentheses.");
     report.say(
         "Switches (voluntary context switches) and CPU time are those of the client + those of the"
-            + " server.");
+            + " server. The kernel forgets the switches of a thread that ends: only those parts of a"
+            + " measurement count in which none ended. \"≥\": there was no such part.");
     if (settings.equals(CallSettings.QUICK)) {
       report.say("This is a short run: it shows that all peers answer, not how fast.");
     }

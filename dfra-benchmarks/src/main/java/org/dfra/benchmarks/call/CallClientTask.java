@@ -16,7 +16,9 @@ import org.dfra.benchmarks.task.Task;
  *   <li>{@code connect ADDRESS} with {@code connected};
  *   <li>{@code echo NUMBER} with {@code answer} and the server's answer;
  *   <li>{@code values} with {@code answer} and the server's doubles;
- *   <li>{@code load KIND CALLS} with {@code times} and {@link CallTimes#line}, after the calls;
+ *   <li>{@code load KIND CALLS} with {@code done}, after the calls;
+ *   <li>{@code times} with {@code times} and {@link CallTimes#line}, of all calls since the last
+ *       such command;
  *   <li>{@code threads} with {@code ended} and how many threads have ended in it.
  * </ul>
  *
@@ -55,8 +57,11 @@ public final class CallClientTask implements Task {
               + Arrays.stream(caller.values())
                   .mapToObj(Double::toString)
                   .collect(Collectors.joining(" "));
-      case "load" ->
-          "times " + load.run(CallKind.ofCommand(words[1]), Integer.parseInt(words[2])).line();
+      case "load" -> {
+        load.run(CallKind.ofCommand(words[1]), Integer.parseInt(words[2]));
+        yield "done";
+      }
+      case "times" -> "times " + load.times().line();
       case "threads" -> "ended " + EndedThreads.count();
       default -> throw new IOException("there is no command " + words[0]);
     };

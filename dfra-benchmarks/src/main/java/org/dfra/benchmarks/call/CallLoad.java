@@ -8,6 +8,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.stream.LongStream;
 
 /**
  * Calls a server, checks each answer, and times each call. Its threads live until {@link #close},
@@ -28,6 +29,8 @@ final class CallLoad implements AutoCloseable {
             return thread;
           });
 
+  private final List<long[]> nanos = new ArrayList<>(); // of each share since the last times()
+  private long elapsed; // of these, nanoseconds
   private long number;
 
   CallLoad(CallTransport.Connection connection) {
@@ -44,7 +47,7 @@ final class CallLoad implements AutoCloseable {
    *     their number
    * @throws IOException if a call fails or its answer is wrong
    */
-  CallTimes run(CallKind kind, int calls) throws IOException, InterruptedException {
+  void run(CallKind kind, int calls) throws IOException, InterruptedException {
     int each = calls / kind.threads();
     if (each < 1) {
       throw new IllegalArgumentException(
@@ -54,9 +57,10 @@ final class CallLoad implements AutoCloseable {
       callers.add(connection.caller());
     }
     number += calls;
-    return kind.threads() == 1
-        ? times(List.of(share(kind, callers.get(0), each, number)))
-        : times(together(kind, each));
+    add(
+        kind.threads() == 1
+            ? List.of(share(kind, callers.get(0), each, number))
+            : together(kind, each));
   }
 
   private List<Share> together(CallKind kind, int each) throws IOException, InterruptedException {
@@ -96,22 +100,19 @@ final class CallLoad implements AutoCloseable {
     return new Share(began, before, nanos);
   }
 
-  private static CallTimes times(List<Share> shares) {
-    long began = Long.MAX_VALUE;
-    long ended = Long.MIN_VALUE;
-    int calls = 0;
-    for (Share each : shares) {
-      began = Math.min(began, each.began());
-      ended = Math.max(ended, each.ended());
-      calls += each.nanos().length;
-    }
-    long[] all = new long[calls];
-    int filled = 0;
-    for (Share each : shares) {
-      System.arraycopy(each.nanos(), 0, all, filled, each.nanos().length);
-      filled += each.nanos().length;
-    }
-    return CallTimes.of(all, ended - began);
+  private void add(List<Share> shares) {
+    elapsed +=
+        shares.stream().mapToLong(Share::ended).max().orElseThrow()
+            - shares.stream().mapToLong(Share::began).min().orElseThrow();
+    shares.forEach(each -> nanos.add(each.nanos()));
+  }
+
+  /** Of all calls since this was last called, at least one. */
+  CallTimes times() {
+    CallTimes times = CallTimes.of(nanos.stream().flatMapToLong(LongStream::of).toArray(), elapsed);
+    nanos.clear();
+    elapsed = 0;
+    return times;
   }
 
   @Override

@@ -7,25 +7,18 @@ package org.dfra.benchmarks.call;
  * @param client use of the client's process
  * @param server use of the server's process
  */
-public record CallMeasurement(CallTimes times, Use client, Use server) {
+public record CallMeasurement(CallTimes times, ProcessUse client, ProcessUse server) {
 
   /**
    * What a process used.
    *
-   * @param switchesPerCall voluntary context switches for a call, of the threads that live after
-   *     the measurement; NaN if this computer does not count them
+   * @param switchesPerCall voluntary context switches for a call; NaN if this computer does not
+   *     count them
+   * @param isComplete whether these are the switches of all threads. The kernel forgets those of a
+   *     thread that ends, so only the parts of the measurement count in which none ended; false if
+   *     there is no such part, and the switches are too few
    * @param cpuPerCall CPU time for a call, microseconds; of all threads, also those of the compiler
    *     and the garbage collector
-   * @param endedThreads how many threads ended meanwhile, whose switches are not counted
    */
-  public record Use(double switchesPerCall, double cpuPerCall, long endedThreads) {
-
-    static Use between(
-        ProcessCounters before, ProcessCounters after, long endedJavaThreads, int calls) {
-      return new Use(
-          after.switches().isEmpty() ? Double.NaN : (double) after.switchesSince(before) / calls,
-          after.cpuMicrosSince(before) / calls,
-          Math.max(after.endedSince(before), endedJavaThreads));
-    }
-  }
+  public record ProcessUse(double switchesPerCall, boolean isComplete, double cpuPerCall) {}
 }

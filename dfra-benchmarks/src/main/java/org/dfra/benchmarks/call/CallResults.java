@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
+import org.dfra.benchmarks.call.CallMeasurement.ProcessUse;
 import org.dfra.report.measurement.MeasuredValue;
 import org.dfra.report.terminal.Table;
 
@@ -42,13 +43,29 @@ public final class CallResults {
     return List.copyOf(measured.getOrDefault(peer, Map.of()).getOrDefault(kind, List.of()));
   }
 
-  /** How many threads ended during all measurements; their switches are not counted. */
-  public long endedThreads() {
-    return measured.values().stream()
-        .flatMap(kinds -> kinds.values().stream())
-        .flatMap(List::stream)
-        .mapToLong(each -> each.client().endedThreads() + each.server().endedThreads())
-        .sum();
+  /**
+   * Voluntary context switches of a process for a call.
+   *
+   * @param perCall the median of the repetitions that are complete; if there is none, of all
+   * @param isComplete whether there is such a repetition; otherwise {@code perCall} is too low
+   */
+  private record Switches(double perCall, boolean isComplete) {
+
+    static Switches of(List<ProcessUse> uses) {
+      List<Double> complete =
+          uses.stream().filter(ProcessUse::isComplete).map(ProcessUse::switchesPerCall).toList();
+      List<Double> all = uses.stream().map(ProcessUse::switchesPerCall).toList();
+      boolean isComplete = !complete.isEmpty();
+      return new Switches(Spread.of(isComplete ? complete : all).median(), isComplete);
+    }
+
+    String text() {
+      return (isComplete || Double.isNaN(perCall) ? "" : "≥ ") + CallResults.text(perCall);
+    }
+  }
+
+  private Switches switches(CallPeer peer, CallKind kind, Side side) {
+    return Switches.of(measurements(peer, kind).stream().map(side::use).toList());
   }
 
   /** Lowest, median and highest of the repetitions. */
@@ -66,11 +83,7 @@ public final class CallResults {
 
     String text() {
       return CallResults.text(median)
-          + " ("
-          + CallResults.text(low)
-          + "–"
-          + CallResults.text(high)
-          + ")";
+          + (low < high ? " (" + CallResults.text(low) + "–" + CallResults.text(high) + ")" : "");
     }
   }
 
@@ -139,9 +152,9 @@ public final class CallResults {
           ratio(peer, CallKind.VALUES, CallResults::p50).text(),
           text(median(peer, CallKind.CALLERS, CallResults::perSecond)),
           ratio(peer, CallKind.CALLERS, CallResults::perSecond).text(),
-          text(median(peer, CallKind.SMALL, each -> each.client().switchesPerCall()))
+          switches(peer, CallKind.SMALL, CallMeasurement::client).text()
               + " + "
-              + text(median(peer, CallKind.SMALL, each -> each.server().switchesPerCall())),
+              + switches(peer, CallKind.SMALL, CallMeasurement::server).text(),
           text(median(peer, CallKind.SMALL, each -> each.client().cpuPerCall()))
               + " + "
               + text(median(peer, CallKind.SMALL, each -> each.server().cpuPerCall())));
@@ -193,14 +206,20 @@ public final class CallResults {
   /** One of the two processes of a measurement. */
   @FunctionalInterface
   private interface Side {
-    CallMeasurement.Use use(CallMeasurement measurement);
+    ProcessUse use(CallMeasurement measurement);
   }
 
   private void addUse(
       List<MeasuredValue> figures, String name, CallPeer peer, CallKind kind, Side side) {
-    double switches = median(peer, kind, each -> side.use(each).switchesPerCall());
-    if (!Double.isNaN(switches)) {
-      figures.add(figure(name + ", voluntary context switches per call", switches, ""));
+    Switches switches = switches(peer, kind, side);
+    if (!Double.isNaN(switches.perCall())) {
+      figures.add(
+          figure(
+              name
+                  + ", voluntary context switches per call"
+                  + (switches.isComplete() ? "" : ", of threads that did not end"),
+              switches.perCall(),
+              ""));
     }
     figures.add(
         figure(

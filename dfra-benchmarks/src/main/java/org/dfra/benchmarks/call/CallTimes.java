@@ -17,7 +17,7 @@ public record CallTimes(int calls, double p50, double p99, double perSecond) {
 
   /**
    * @param nanos duration of each call, nanoseconds
-   * @param elapsed from the first call's start to the last one's end, nanoseconds
+   * @param elapsed how long calls were made, nanoseconds
    */
   static CallTimes of(long[] nanos, long elapsed) {
     long[] sorted = nanos.clone();

@@ -13,6 +13,12 @@ public final class PeerProcesses implements AutoCloseable {
 
   private static final Duration PATIENCE = Duration.ofMinutes(3);
 
+  /**
+   * In so many parts a measurement is divided; the counters are read between them, when nobody
+   * calls. An ended thread then spoils one part only.
+   */
+  private static final int PARTS = 20;
+
   private final TaskProcess server;
   private final TaskProcess client;
 
@@ -73,7 +79,8 @@ public final class PeerProcesses implements AutoCloseable {
    * @param calls how many
    */
   public void warmUp(CallKind kind, int calls) throws IOException, InterruptedException {
-    CallTimes unused = load(kind, calls);
+    load(kind, calls);
+    CallTimes unused = times();
   }
 
   /**
@@ -84,22 +91,30 @@ public final class PeerProcesses implements AutoCloseable {
    */
   public CallMeasurement measure(CallKind kind, int calls)
       throws IOException, InterruptedException {
-    long endedBefore = ended(client);
-    long servedEndedBefore = ended(server);
-    ProcessCounters before = ProcessCounters.of(client.pid());
-    ProcessCounters servedBefore = ProcessCounters.of(server.pid());
-    CallTimes times = load(kind, calls);
-    ProcessCounters after = ProcessCounters.of(client.pid());
-    ProcessCounters servedAfter = ProcessCounters.of(server.pid());
-    return new CallMeasurement(
-        times,
-        CallMeasurement.Use.between(before, after, ended(client) - endedBefore, times.calls()),
-        CallMeasurement.Use.between(
-            servedBefore, servedAfter, ended(server) - servedEndedBefore, times.calls()));
+    ProcessUseCounter clientUse = new ProcessUseCounter();
+    ProcessUseCounter serverUse = new ProcessUseCounter();
+    int parts = kind.threads() == 1 ? Math.min(PARTS, calls) : 1; // threads need time to start
+    for (int i = 0; i < parts; i++) {
+      long clientEnded = ended(client);
+      long serverEnded = ended(server);
+      ProcessCounters clientBefore = ProcessCounters.of(client.pid());
+      ProcessCounters serverBefore = ProcessCounters.of(server.pid());
+      load(kind, calls / parts);
+      ProcessCounters clientAfter = ProcessCounters.of(client.pid());
+      ProcessCounters serverAfter = ProcessCounters.of(server.pid());
+      clientUse.add(clientBefore, clientAfter, ended(client) - clientEnded, calls / parts);
+      serverUse.add(serverBefore, serverAfter, ended(server) - serverEnded, calls / parts);
+    }
+    return new CallMeasurement(times(), clientUse.use(), serverUse.use());
   }
 
-  private CallTimes load(CallKind kind, int calls) throws IOException, InterruptedException {
-    return CallTimes.parse(ask(client, "load " + kind.command() + " " + calls, "times "));
+  private void load(CallKind kind, int calls) throws IOException, InterruptedException {
+    String unused = ask(client, "load " + kind.command() + " " + calls, "done");
+  }
+
+  /** Of all calls since this was last called. */
+  private CallTimes times() throws IOException, InterruptedException {
+    return CallTimes.parse(ask(client, "times", "times "));
   }
 
   private static long ended(TaskProcess process) throws IOException, InterruptedException {
